@@ -1,0 +1,32 @@
+# Language level, warnings and sanitizers that every target of the project shares.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(ergodome_options INTERFACE)
+add_library(ergodome::options ALIAS ergodome_options)
+target_include_directories(ergodome_options INTERFACE "${PROJECT_SOURCE_DIR}")
+target_compile_definitions(ergodome_options INTERFACE ERGODOME_VERSION="${PROJECT_VERSION}")
+target_compile_options(
+  ergodome_options
+  INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wconversion
+            -Wno-sign-conversion
+            -Wno-psabi
+            -Werror>
+            # Exact results must not depend on the compiler's mood: contraction into FMA is fine, value-changing
+            # reassociation is not; square roots and the like need no errno.
+            $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno>)
+
+if(ERGODOME_SANITIZE)
+  target_compile_options(ergodome_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                   -fno-omit-frame-pointer)
+  target_link_options(ergodome_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace ergodome {
+
+//! The one error of the project: where it happened, what is wrong, and what the person can do about it.
+//!
+//! It stands in the lowest folder so that every folder can throw it; the kernels themselves never do.
+class Error : public std::runtime_error {
+ public:
+  //! `place` is a file with line or key ("show.toml:12", "rays.csv: row 7"), or the command at hand; empty when there
+  //! is none. `remedy` is a sentence in the imperative; empty when there is nothing sensible to advise.
+  Error(std::string place, std::string problem, std::string remedy = {})
+      : std::runtime_error(compose(place, problem, remedy)),
+        place_(std::move(place)),
+        problem_(std::move(problem)),
+        remedy_(std::move(remedy)) {}
+
+  [[nodiscard]] const std::string& place() const noexcept { return place_; }
+  [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
+  [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
+
+ private:
+  static std::string compose(const std::string& place, const std::string& problem,
+                             const std::string& remedy) {
+    std::string text = place.empty() ? problem : place + ": " + problem;
+    if (!remedy.empty()) {
+      text += "; " + remedy;
+    }
+    return text;
+  }
+
+  std::string place_;
+  std::string problem_;
+  std::string remedy_;
+};
+
+}  // namespace ergodome
