@@ -1,0 +1,16 @@
+#pragma once
+
+//! Marks functions that run on the host and on the device, and names the instruction set that this file is compiled for.
+//!
+//! Inline code of `kernels/` lives in `ergodome::ERGO_TARGET`, an inline namespace: the same header compiled for AVX-512 and
+//! for plain x86-64 in one program gives two functions with two names, so the linker can never hand AVX-512 code to a
+//! processor without it. Plain data that crosses that border lives in `ergodome` itself.
+#if defined(__CUDACC__)
+#define ERGO_HD __host__ __device__ __forceinline__
+#else
+#define ERGO_HD inline
+#endif
+
+#if !defined(ERGO_TARGET)
+#define ERGO_TARGET portable
+#endif
