@@ -1,24 +1,38 @@
-# Optional CUDA. Without a toolkit the CPU kernels alone are built; nothing else changes.
+# Optional CUDA. Without a usable toolkit the CPU kernels alone are built, and nothing else changes.
+#
+#   ergodome_add_cuda_sources(<target> <file.cu>...)
+#
+# adds the sources where CUDA is built and defines ERGODOME_HAVE_CUDA=1 on <target> and on what links it; does nothing
+# elsewhere. The runtime is linked statically, so a program with CUDA starts on a machine without driver or GPU.
 set(ERGODOME_HAVE_CUDA OFF)
-if(ERGODOME_CUDA)
+
+if(ERGODOME_CUDA AND NOT ERGODOME_SANITIZE)
   include(CheckLanguage)
-  if(NOT CMAKE_CUDA_COMPILER)
+  if(NOT CMAKE_CUDA_COMPILER AND NOT DEFINED ENV{CUDACXX})
     find_program(ERGODOME_NVCC nvcc HINTS "$ENV{CUDA_PATH}/bin" /usr/local/cuda/bin /opt/cuda/bin)
+    mark_as_advanced(ERGODOME_NVCC)
     if(ERGODOME_NVCC)
-      set(CMAKE_CUDA_COMPILER "${ERGODOME_NVCC}")
+      set(ENV{CUDACXX} "${ERGODOME_NVCC}")
     endif()
-  endif()
-  if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-    # Machine code for Turing to Hopper, and PTX of the newest for what comes after.
-    set(CMAKE_CUDA_ARCHITECTURES 75-real 86-real 89-real 90)
   endif()
   check_language(CUDA)
   if(CMAKE_CUDA_COMPILER)
-    enable_language(CUDA)
-    set(CMAKE_CUDA_STANDARD 20)
-    set(CMAKE_CUDA_STANDARD_REQUIRED ON)
-    set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
-    set(ERGODOME_HAVE_CUDA ON)
+    include(ErgodomeCudaLanguage)
+    if(CMAKE_CUDA_COMPILER_VERSION VERSION_LESS 12.0)
+      message(STATUS "Ergodome: CUDA ${CMAKE_CUDA_COMPILER_VERSION} has no C++20; 12.0 or newer is needed")
+    else()
+      find_package(CUDAToolkit REQUIRED)
+      set(ERGODOME_HAVE_CUDA ON)
+    endif()
   endif()
 endif()
 message(STATUS "Ergodome: CUDA kernels ${ERGODOME_HAVE_CUDA}")
+
+function(ergodome_add_cuda_sources target)
+  if(ERGODOME_HAVE_CUDA)
+    target_sources(${target} PRIVATE ${ARGN})
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${ERGODOME_CUDA_OPTIONS}")
+    target_compile_definitions(${target} PUBLIC ERGODOME_HAVE_CUDA=1)
+    target_link_libraries(${target} PUBLIC CUDA::cudart_static)
+  endif()
+endfunction()

@@ -1,0 +1,49 @@
+# One source, several instruction sets.
+#
+#   ergodome_add_simd_library(<target> SOURCES <file>... [LINK <library>...])
+#
+# compiles every source once per instruction set, with ERGO_TARGET naming it (portable, avx2, avx512), and puts the objects
+# into <target>, which is created as a static library if there is none yet. Which sets exist beside `portable` is told by
+# ERGODOME_SIMD_AVX2=1 and ERGODOME_SIMD_AVX512=1 on <target> and on what links it; the program picks one at run time.
+# These sources must hold nothing but code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets holds them to it.
+
+set(ERGODOME_SIMD_FLAGS_portable "")
+set(ERGODOME_SIMD_FLAGS_avx2 -mavx2 -mfma -mf16c -mbmi2)
+set(ERGODOME_SIMD_FLAGS_avx512
+    -mavx512f -mavx512dq -mavx512bw -mavx512vl -mfma -mf16c -mbmi2 -mprefer-vector-width=512)
+
+set(ERGODOME_SIMD_TARGETS portable)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  list(APPEND ERGODOME_SIMD_TARGETS avx2)
+  # Sanitizers multiply the compile time; two instruction sets already exercise the choice between them.
+  if(NOT ERGODOME_SANITIZE)
+    list(APPEND ERGODOME_SIMD_TARGETS avx512)
+  endif()
+endif()
+
+function(ergodome_add_simd_library target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+  if(NOT TARGET ${target})
+    add_library(${target} STATIC)
+  endif()
+  foreach(simd IN LISTS ERGODOME_SIMD_TARGETS)
+    set(objects ${target}_${simd})
+    if(NOT TARGET ${objects})
+      add_library(${objects} OBJECT)
+      target_compile_definitions(${objects} PRIVATE ERGO_TARGET=${simd})
+      # Tuned even in debug builds (unoptimized SIMD wrappers are some fifty times slower); products and sums may fuse.
+      target_compile_options(
+        ${objects} PRIVATE ${ERGODOME_SIMD_FLAGS_${simd}} -ffp-contract=fast
+                           $<IF:$<CONFIG:Release>,-O3,-O2>)
+      target_link_libraries(${objects} PRIVATE ergodome::options)
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+      if(NOT simd STREQUAL "portable")
+        string(TOUPPER ${simd} name)
+        target_compile_definitions(${target} PUBLIC ERGODOME_SIMD_${name}=1)
+        set_property(GLOBAL APPEND PROPERTY ERGODOME_SIMD_OBJECTS ${objects})
+      endif()
+    endif()
+    target_sources(${objects} PRIVATE ${arg_SOURCES})
+    target_link_libraries(${objects} PRIVATE ${arg_LINK})
+  endforeach()
+endfunction()
