@@ -10,7 +10,11 @@ endif()
 add_library(ergodome_options INTERFACE)
 add_library(ergodome::options ALIAS ergodome_options)
 target_include_directories(ergodome_options INTERFACE "${PROJECT_SOURCE_DIR}")
-target_compile_definitions(ergodome_options INTERFACE ERGODOME_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(
+  ergodome_options
+  INTERFACE ERGODOME_VERSION="${PROJECT_VERSION}"
+            # Bounds checks of the standard library, wherever speed is not what is measured.
+            $<$<NOT:$<CONFIG:Release>>:_GLIBCXX_ASSERTIONS>)
 target_compile_options(
   ergodome_options
   INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall
@@ -20,13 +24,15 @@ target_compile_options(
             -Wconversion
             -Wno-sign-conversion
             -Wno-psabi
-            -Werror>
             # Exact results must not depend on the compiler's mood: contraction into FMA is fine, value-changing
             # reassociation is not; square roots and the like need no errno.
-            $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno>)
+            -fno-math-errno>)
+if(ERGODOME_WARNINGS_AS_ERRORS)
+  target_compile_options(ergodome_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
 
 if(ERGODOME_SANITIZE)
   target_compile_options(ergodome_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                   -fno-omit-frame-pointer)
+                                                    -fno-omit-frame-pointer)
   target_link_options(ergodome_options INTERFACE -fsanitize=address,undefined)
 endif()
