@@ -7,8 +7,13 @@
 //! processor without it. Plain data that crosses that border lives in `ergodome` itself.
 #if defined(__CUDACC__)
 #define ERGO_HD __host__ __device__ __forceinline__
+#define ERGO_UNROLL _Pragma("unroll")
+#elif defined(__clang__)
+#define ERGO_HD inline
+#define ERGO_UNROLL _Pragma("unroll")
 #else
 #define ERGO_HD inline
+#define ERGO_UNROLL _Pragma("GCC unroll 32")
 #endif
 
 #if !defined(ERGO_TARGET)

@@ -1,0 +1,168 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "kernels/core/host_device.h"
+#if !defined(__CUDACC__)
+#include "kernels/core/pack.h"
+#endif
+
+// The elementary operations that kernels use on "a real number", be it a number, a SIMD pack of numbers or a dual number
+// (kernels/core/dual.h adds the last).
+namespace ergodome::inline ERGO_TARGET {
+
+//! What a real type is made of: `Scalar` is float or double, `Real` the type without derivatives, `lane_count` how many
+//! numbers one value holds.
+template <class T>
+struct RealTraits {
+  using Scalar = T;
+  using Real = T;
+  using Mask = bool;
+  static constexpr int lane_count = 1;
+};
+
+template <class T>
+using ScalarOf = typename RealTraits<T>::Scalar;
+template <class T>
+using RealOf = typename RealTraits<T>::Real;
+template <class T>
+using MaskOf = typename RealTraits<T>::Mask;
+
+// clang-format off
+ERGO_HD float select(bool mask, float yes, float no) { return mask ? yes : no; }
+ERGO_HD double select(bool mask, double yes, double no) { return mask ? yes : no; }
+ERGO_HD bool any(bool mask) { return mask; }
+ERGO_HD float sqrt(float a) { return ::sqrtf(a); }
+ERGO_HD double sqrt(double a) { return ::sqrt(a); }
+ERGO_HD float round_to_nearest(float a) { return ::rintf(a); }
+ERGO_HD double round_to_nearest(double a) { return ::rint(a); }
+ERGO_HD float value_of(float a) { return a; }
+ERGO_HD double value_of(double a) { return a; }
+ERGO_HD float lane(float a, int) { return a; }
+ERGO_HD double lane(double a, int) { return a; }
+ERGO_HD void set_lane(float& a, int, float value) { a = value; }
+ERGO_HD void set_lane(double& a, int, double value) { a = value; }
+ERGO_HD bool mask_lane(bool mask, int) { return mask; }
+// clang-format on
+
+#if !defined(__CUDACC__)
+template <class T, int N>
+struct RealTraits<Pack<T, N>> {
+  using Scalar = T;
+  using Real = Pack<T, N>;
+  using Mask = PackMask<T, N>;
+  static constexpr int lane_count = N;
+};
+
+// clang-format off
+template <class T, int N> inline Pack<T, N> value_of(const Pack<T, N>& a) { return a; }
+template <class T, int N> inline T lane(const Pack<T, N>& a, int i) { return a.lanes[i]; }
+template <class T, int N> inline void set_lane(Pack<T, N>& a, int i, T value) { a.lanes[i] = value; }
+template <class T, int N> inline bool mask_lane(const PackMask<T, N>& mask, int i) { return mask.bits[i] != 0; }
+// clang-format on
+#endif
+
+template <class T>
+ERGO_HD T minimum(const T& a, const T& b) {
+  return select(a < b, a, b);
+}
+
+template <class T>
+ERGO_HD T maximum(const T& a, const T& b) {
+  return select(a > b, a, b);
+}
+
+template <class T>
+ERGO_HD T absolute(const T& a) {
+  return select(a < T(ScalarOf<T>(0)), -a, a);
+}
+
+//! sqrt(a), and 0 for the small negative numbers that rounding makes of 0.
+template <class T>
+ERGO_HD T safe_sqrt(const T& a) {
+  return sqrt(select(a > T(ScalarOf<T>(0)), a, T(ScalarOf<T>(0))));
+}
+
+//! A power of two times a mantissa, to about 1 %: enough for a step size, at a handful of operations.
+//!
+//! Approximates a^p for a > 0 through the exponent bits, taken as a piecewise linear logarithm.
+ERGO_HD float rough_power(float a, float p) {
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &a, sizeof bits);
+  const float logarithm = static_cast<float>(bits - 0x3f7a3bea);
+  bits = static_cast<std::int32_t>(p * logarithm) + 0x3f7a3bea;
+  float power = 0;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+ERGO_HD double rough_power(double a, double p) {
+  std::int64_t bits = 0;
+  std::memcpy(&bits, &a, sizeof bits);
+  const double logarithm = static_cast<double>(bits - 0x3fef477d30000000LL);
+  bits = static_cast<std::int64_t>(p * logarithm) + 0x3fef477d30000000LL;
+  double power = 0;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+#if !defined(__CUDACC__)
+template <class T, int N>
+inline Pack<T, N> rough_power(const Pack<T, N>& a, T p) {
+  using Integer = typename PackMask<T, N>::Register;
+  const auto one = static_cast<typename PackMask<T, N>::Integer>(sizeof(T) == 4 ? 0x3f7a3beaLL : 0x3fef477d30000000LL);
+  const Integer bits = reinterpret_cast<const Integer&>(a.lanes) - one;
+  const auto logarithm = __builtin_convertvector(bits, typename Pack<T, N>::Register);
+  const Integer power = __builtin_convertvector(p * logarithm, Integer) + one;
+  return Pack<T, N>(reinterpret_cast<const typename Pack<T, N>::Register&>(power));
+}
+#endif
+
+namespace detail {
+//! sin and cos on [-π/4, π/4]; coefficients of the Cephes library (S. Moshier), float and double.
+template <class T>
+ERGO_HD void sine_cosine_octant(const T& x, T& sine, T& cosine) {
+  using S = ScalarOf<T>;
+  const T z = x * x;
+  if constexpr (sizeof(S) == 4) {
+    sine = x + x * z * (S(-1.6666654611e-1) + z * (S(8.3321608736e-3) + z * S(-1.9515295891e-4)));
+    cosine = S(1) - S(0.5) * z + z * z * (S(4.166664568298827e-2) + z * (S(-1.388731625493765e-3) + z * S(2.443315711809948e-5)));
+  } else {
+    sine = x + x * z * (S(-1.66666666666666307295e-1) + z * (S(8.33333333332211858878e-3) + z * (S(-1.98412698295895385996e-4) +
+               z * (S(2.75573136213857245213e-6) + z * (S(-2.50507477628578072866e-8) + z * S(1.58962301576546568060e-10))))));
+    cosine = S(1) - S(0.5) * z + z * z * (S(4.16666666666665929218e-2) + z * (S(-1.38888888888730564116e-3) +
+               z * (S(2.48015872888517045348e-5) + z * (S(-2.75573141792967388112e-7) + z * (S(2.08757008419747316778e-9) + z * S(-1.13585365213876817300e-11))))));
+  }
+}
+}  // namespace detail
+
+//! sin and cos of an angle of moderate size (|angle| < 10⁴), to a few units in the last place.
+template <class T>
+ERGO_HD void sine_cosine(const T& angle, T& sine, T& cosine) {
+  using S = ScalarOf<T>;
+  // Cody and Waite: the angle less the nearest multiple of π/2, π/2 in three parts.
+  const T quadrant = round_to_nearest(angle * S(0.63661977236758134308));
+  T rest = angle;
+  if constexpr (sizeof(S) == 4) {
+    rest = ((rest - quadrant * S(1.5703125)) - quadrant * S(4.837512969970703e-4)) - quadrant * S(7.549789948768648e-8);
+  } else {
+    rest = ((rest - quadrant * S(1.57079625129699707031)) - quadrant * S(7.54978941586159635335e-8)) - quadrant * S(5.39030252995776476554e-15);
+  }
+  T s;
+  T c;
+  detail::sine_cosine_octant(rest, s, c);
+  // quadrant mod 4 in {0, 1, 2, 3} without integers: works alike for numbers and packs.
+  const T turn = quadrant - S(4) * round_to_nearest(quadrant * S(0.25) - S(0.375));
+  const auto odd = absolute(turn - S(2) * round_to_nearest(turn * S(0.5) - S(0.25))) > S(0.5);
+  const auto sine_negative = turn > S(1.5);
+  const auto cosine_negative = (turn > S(0.5)) & (turn < S(2.5));
+  const T sine_size = select(odd, c, s);
+  const T cosine_size = select(odd, s, c);
+  sine = select(sine_negative, -sine_size, sine_size);
+  cosine = select(cosine_negative, -cosine_size, cosine_size);
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

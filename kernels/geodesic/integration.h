@@ -1,0 +1,63 @@
+#pragma once
+
+#include "kernels/geodesic/radial_potential.h"
+
+namespace ergodome {
+
+//! What an integrator is asked for.
+struct IntegrationSettings {
+  double tolerance;  //!< error of the sky direction that the caller accepts [rad]
+  int step_limit;    //!< steps after which a ray counts as not converged
+};
+
+inline namespace ERGO_TARGET {
+
+//! A ray on its way: position and rate in Mino time, and the frame dragging ψ gathered so far.
+template <class T>
+struct RayState {
+  T u;
+  T u_rate;
+  Vector3<T> m;
+  Vector3<T> m_rate;
+  T drag;  //!< ψ, backwards [rad]
+};
+
+template <class T>
+ERGO_HD RayState<T> initial_state(const RayStart<T>& start) {
+  return {start.u, start.u_rate, start.m, start.m_rate, T(ScalarOf<T>(0))};
+}
+
+//! Where on the sky a ray at u = 0 points: its polar position, turned about the axis by the frame dragging.
+template <class T>
+ERGO_HD Vector3<T> sky_direction(const RayState<T>& end) {
+  T sine;
+  T cosine;
+  sine_cosine(end.drag, sine, cosine);
+  return {cosine * end.m.x - sine * end.m.y, sine * end.m.x + cosine * end.m.y, end.m.z};
+}
+
+//! How much smaller than the tolerance local errors must stay: near the critical curve an error grows by 1 / distance.
+//!
+//! The distance is proportional to the clearance at the barrier (DESIGN: "Near the critical curve an error in the impact parameter
+//! is amplified by 1/distance"), which is known before the first step.
+template <class T>
+ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, ScalarOf<T> tolerance) {
+  using Real = RealOf<T>;
+  using S = ScalarOf<T>;
+  const RayStart<Real> plain = {value_of(start.axial_angular_momentum),
+                                value_of(start.polar_constant),
+                                value_of(start.shear_constant),
+                                value_of(start.u),
+                                value_of(start.u_rate),
+                                {value_of(start.m.x), value_of(start.m.y), value_of(start.m.z)},
+                                {value_of(start.m_rate.x), value_of(start.m_rate.y), value_of(start.m_rate.z)},
+                                value_of(start.energy)};
+  const S horizon_r = S(1) + safe_sqrt(S(1) - spin * spin);
+  const Real height = absolute(radial_barrier(spin, horizon_r, plain).clearance);
+  const Real wanted = tolerance * minimum(height, Real(S(1)));
+  // Nothing is gained by asking for less than rounding leaves.
+  return maximum(wanted, Real(S(0.25) * std::numeric_limits<S>::epsilon()));
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,240 @@
+#pragma once
+
+#include "kernels/geodesic/integration.h"
+
+// Taylor series of Kerr's null geodesics in Mino time. The equations are polynomial (and one division for the frame dragging), so
+// the coefficients follow from convolutions of lower ones (Jorba & Zou, Experimental Mathematics 14 (2005) 99).
+namespace ergodome::inline ERGO_TARGET {
+
+//! Constants of one ray, as the recurrences use them.
+template <class T>
+struct TaylorCoefficients {
+  T u_linear;     //!< a² - C
+  T u_quadratic;  //!< 3 K
+  T u_cubic;      //!< -2 a² Q
+  T polar;        //!< C
+  T drag_u;       //!< -2 a, backwards
+  T drag_u2;      //!< a² L, backwards
+};
+
+template <class T>
+ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RayStart<T>& ray) {
+  using S = ScalarOf<T>;
+  const S a2 = spin * spin;
+  const T carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
+  return {a2 - ray.polar_constant,  S(3) * ray.shear_constant, -(S(2) * a2 * carter), ray.polar_constant,
+          T(-S(2) * spin), a2 * ray.axial_angular_momentum};
+}
+
+//! The series of one step: coefficient k belongs to h^k.
+template <int Order, class T>
+struct TaylorSeries {
+  T u[Order + 1];
+  T x[Order + 1];
+  T y[Order + 1];
+  T z[Order + 1];
+  T drag[Order + 1];
+};
+
+namespace detail {
+//! Coefficient k of f g.
+template <class T>
+ERGO_HD T product_coefficient(const T* f, const T* g, int k) {
+  T sum = f[0] * g[k];
+  ERGO_UNROLL
+  for (int i = 1; i <= k; ++i) {
+    sum = sum + f[i] * g[k - i];
+  }
+  return sum;
+}
+
+//! Coefficient k of f², each product once.
+template <class T>
+ERGO_HD T square_coefficient(const T* f, int k) {
+  using S = ScalarOf<T>;
+  if (k == 0) {
+    return f[0] * f[0];
+  }
+  T half = f[0] * f[k];
+  ERGO_UNROLL
+  for (int i = 1; 2 * i < k; ++i) {
+    half = half + f[i] * f[k - i];
+  }
+  const T sum = half + half;
+  return k % 2 == 0 ? sum + f[k / 2] * f[k / 2] : sum * S(1);
+}
+}  // namespace detail
+
+//! Fills the series from the state at h = 0.
+//!
+//! Quoting DESIGN section 3: u'' = u [(a² - C) + 3 K u - 2 a² Q u²]; m_xy'' = B m_xy, m_z'' = (B + a²) m_z with B = -(C + 2 a² m_z²);
+//! ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²), backwards.
+template <int Order, class T>
+ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state, TaylorSeries<Order, T>& s) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const S a2 = spin * spin;
+  T square[Order + 1];    // u²
+  T force[Order + 1];     // u'' / u
+  T bend[Order + 1];      // B
+  T lapse[Order + 1];     // Δ u²
+  T drag_rate[Order + 1];
+  s.u[0] = state.u;
+  s.u[1] = state.u_rate;
+  s.x[0] = state.m.x;
+  s.x[1] = state.m_rate.x;
+  s.y[0] = state.m.y;
+  s.y[1] = state.m_rate.y;
+  s.z[0] = state.m.z;
+  s.z[1] = state.m_rate.z;
+  s.drag[0] = state.drag;
+  T inverse_lapse(S(1));
+  ERGO_UNROLL
+  for (int k = 0; k < Order; ++k) {
+    square[k] = detail::square_coefficient(s.u, k);
+    lapse[k] = a2 * square[k] - S(2) * s.u[k];
+    T drag_sum = c.drag_u * s.u[k] + c.drag_u2 * square[k];
+    if (k == 0) {
+      lapse[0] = lapse[0] + S(1);
+      inverse_lapse = Real(S(1)) / lapse[0];
+    }
+    ERGO_UNROLL
+    for (int i = 1; i <= k; ++i) {
+      drag_sum = drag_sum - lapse[i] * drag_rate[k - i];
+    }
+    drag_rate[k] = drag_sum * inverse_lapse;
+    s.drag[k + 1] = drag_rate[k] * S(1.0 / (k + 1));
+    if (k + 2 > Order) {
+      continue;
+    }
+    force[k] = c.u_quadratic * s.u[k] + c.u_cubic * square[k];
+    bend[k] = -(S(2) * a2) * detail::square_coefficient(s.z, k);
+    if (k == 0) {
+      force[0] = force[0] + c.u_linear;
+      bend[0] = bend[0] - c.polar;
+    }
+    const S share = S(1.0 / ((k + 1) * (k + 2)));
+    s.u[k + 2] = detail::product_coefficient(force, s.u, k) * share;
+    s.x[k + 2] = detail::product_coefficient(bend, s.x, k) * share;
+    s.y[k + 2] = detail::product_coefficient(bend, s.y, k) * share;
+    s.z[k + 2] = (detail::product_coefficient(bend, s.z, k) + a2 * s.z[k]) * share;
+  }
+}
+
+//! Value of a series at h.
+template <int Order, class T, class Step>
+ERGO_HD T series_value(const T (&c)[Order], const Step& h) {
+  T sum = c[Order - 1];
+  ERGO_UNROLL
+  for (int k = Order - 2; k >= 0; --k) {
+    sum = sum * h + c[k];
+  }
+  return sum;
+}
+
+//! Derivative of a series at h.
+template <int Order, class T, class Step>
+ERGO_HD T series_rate(const T (&c)[Order], const Step& h) {
+  using S = ScalarOf<T>;
+  T sum = c[Order - 1] * S(Order - 1);
+  ERGO_UNROLL
+  for (int k = Order - 2; k >= 1; --k) {
+    sum = sum * h + c[k] * S(k);
+  }
+  return sum;
+}
+
+//! The state at h.
+template <int Order, class T, class Step>
+ERGO_HD RayState<T> evaluate(const TaylorSeries<Order, T>& s, const Step& h) {
+  return {series_value(s.u, h),
+          series_rate(s.u, h),
+          {series_value(s.x, h), series_value(s.y, h), series_value(s.z, h)},
+          {series_rate(s.x, h), series_rate(s.y, h), series_rate(s.z, h)},
+          series_value(s.drag, h)};
+}
+
+namespace detail {
+//! Size of the terms of power k, as an error of the sky direction: u counts through the Mino time that it shifts.
+template <int Order, class T>
+ERGO_HD RealOf<T> term_size(const TaylorSeries<Order, T>& s, int k, const RealOf<T>& polar_speed) {
+  return absolute(value_of(s.x[k])) + absolute(value_of(s.y[k])) + absolute(value_of(s.z[k])) +
+         absolute(value_of(s.drag[k])) + polar_speed * absolute(value_of(s.u[k]));
+}
+
+template <class Real, class T>
+ERGO_HD void assign_where(const MaskOf<Real>& mask, RayState<T>& to, const RayState<T>& from) {
+  to.u = select(mask, from.u, to.u);
+  to.u_rate = select(mask, from.u_rate, to.u_rate);
+  to.m = {select(mask, from.m.x, to.m.x), select(mask, from.m.y, to.m.y), select(mask, from.m.z, to.m.z)};
+  to.m_rate = {select(mask, from.m_rate.x, to.m_rate.x), select(mask, from.m_rate.y, to.m_rate.y),
+               select(mask, from.m_rate.z, to.m_rate.z)};
+  to.drag = select(mask, from.drag, to.drag);
+}
+
+//! The h > 0 at which a ray that goes outwards reaches infinity, u(h) = 0; exact to first order in the dual parts too.
+template <int Order, class T>
+ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& within) {
+  using Real = RealOf<T>;
+  using S = ScalarOf<T>;
+  Real h = within;
+  Real u[Order + 1];
+  ERGO_UNROLL
+  for (int k = 0; k <= Order; ++k) {
+    u[k] = value_of(s.u[k]);
+  }
+  // u is convex or nearly straight here (u' -> -1), so Newton from the far end converges in a few rounds.
+  for (int round = 0; round < (sizeof(S) == 4 ? 3 : 5); ++round) {
+    h = h - series_value(u, h) / series_rate(u, h);
+  }
+  return T(h) - series_value(s.u, T(h)) / series_rate(s.u, T(h));
+}
+}  // namespace detail
+
+//! Follows a ray that is known to come from the sky to its end, by Taylor series of the given order.
+//!
+//! `active` says which lanes to trace. `steps` receives the number of steps of each lane, `reached` which lanes arrived within
+//! the step limit. With dual numbers all derivatives are exact derivatives of the computed map, the last step included.
+template <int Order, class T>
+ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<RealOf<T>>& active_at_start,
+                               const IntegrationSettings& settings, RealOf<T>& steps, MaskOf<RealOf<T>>& reached) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const TaylorCoefficients<T> coefficients = taylor_coefficients(spin, start);
+  const Real tolerance = local_tolerance(spin, start, S(settings.tolerance));
+  const Real polar_speed = safe_sqrt(maximum(value_of(start.polar_constant), Real(S(0)))) + S(1);
+  const Real tiny(std::numeric_limits<S>::min() * S(1e6));
+  RayState<T> state = initial_state(start);
+  T time(S(0));
+  Real error(S(0));
+  steps = Real(S(0));
+  auto active = active_at_start;
+  TaylorSeries<Order, T> series;
+  for (int step = 0; step < settings.step_limit && any(active); ++step) {
+    expand(spin, coefficients, state, series);
+    const Real last = detail::term_size(series, Order, polar_speed) + tiny;
+    const Real next_to_last = detail::term_size(series, Order - 1, polar_speed) + tiny;
+    const Real length = minimum(rough_power(tolerance / last, S(1.0 / Order)),
+                                rough_power(tolerance / next_to_last, S(1.0 / (Order - 1))));
+    Real u_at_end = value_of(series.u[Order]);
+    ERGO_UNROLL
+    for (int k = Order - 1; k >= 0; --k) {
+      u_at_end = u_at_end * length + value_of(series.u[k]);
+    }
+    const auto last_step = active & (u_at_end <= Real(S(0)));
+    T h(length);
+    if (any(last_step)) {
+      h = select(last_step, detail::time_to_infinity(series, length), h);
+    }
+    detail::assign_where<Real>(active, state, evaluate(series, h));
+    time = select(active, time + h, time);
+    // The first neglected terms are about as large as the last kept ones, times the ratio of successive terms.
+    error = select(active, error + tolerance * Real(S(0.25)), error);
+    steps = select(active, steps + S(1), steps);
+    active = active & (u_at_end > Real(S(0)));
+  }
+  reached = active_at_start & !active;
+  return {sky_direction(state), time, T(error)};
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

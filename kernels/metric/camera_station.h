@@ -1,0 +1,117 @@
+#pragma once
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/geodesic/ray.h"
+#include "kernels/metric/observer.h"
+
+namespace ergodome {
+
+//! An affine function of the camera direction: value = constant + along · n.
+struct DirectionForm {
+  double constant;
+  Vector3<double> along;
+};
+
+//! Everything about a camera's place and motion that its rays need, in double: made once, used by every ray.
+//!
+//! The conserved quantities of a light ray, and its first derivatives, are affine in the direction in which the observer sees
+//! it. Their coefficients hold the observer's velocity (aberration, one Lorentz transform) and all that is large or cancels
+//! near the horizon, so that a ray can be set up in float.
+struct CameraStation {
+  double spin;                       //!< a [M]
+  double horizon_r;                  //!< radius of the outer horizon [M]
+  double u;                          //!< 1 / r [1/M]
+  double phi;                        //!< azimuth of the camera [rad]; a plain rotation of the sky
+  double sine_theta;                 //!< sinθ of the camera
+  double cosine_theta;               //!< cosθ of the camera
+  DirectionForm energy;              //!< energy at infinity, for an observed energy of 1
+  DirectionForm axial_momentum;      //!< L_z of the photon [M]
+  DirectionForm outward_rate;        //!< -du/dλ, backwards
+  DirectionForm polar_rate;          //!< e_θ · dm/dλ, backwards [M]
+  DirectionForm azimuthal_rate;      //!< e_φ · dm/dλ, backwards [M]
+};
+
+inline namespace ERGO_TARGET {
+
+namespace detail {
+//! Sum of 4-momentum components with the given weights, as a form of the observer's direction n.
+//!
+//! The photon's momentum is (1, -n) in the observer's frame. `weight` acts on (ε, q_r, q_θ, q_φ): its energy and its
+//! *reversed* momentum in the frame that `boost` leads to.
+ERGO_HD DirectionForm direction_form(const LorentzTransform& boost, const double (&weight)[4]) {
+  double form[4] = {0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < 4; ++i) {
+    const double sign = i == 0 ? 1.0 : -1.0;
+    for (int j = 0; j < 4; ++j) {
+      form[j] += weight[i] * sign * (j == 0 ? 1.0 : -1.0) * boost.row[i][j];
+    }
+  }
+  return {form[0], {form[1], form[2], form[3]}};
+}
+
+template <class T>
+ERGO_HD T evaluate(const DirectionForm& form, const Vector3<T>& n) {
+  using S = ScalarOf<T>;
+  return S(form.constant) + (S(form.along.x) * n.x + S(form.along.y) * n.y + S(form.along.z) * n.z);
+}
+}  // namespace detail
+
+//! Prepares a camera at Boyer-Lindquist (r, θ, φ) [M, rad] whose observer moves as told.
+//!
+//! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity. Outside the horizon every observer works; the rain
+//! observer (Doran's free fall from rest at infinity) works at the horizon as well, because it never passes through the ZAMO
+//! frame: with the rain's speed v and the ZAMO's lapse α = √(1 - v²),
+//!   E = ε + v q_r + ω L,      dr/dλ = √A (q_r + v ε)       in the rain frame,
+//!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame (the same, without the cancellation).
+ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, double phi, ObserverMotion motion,
+                                          const Vector3<double>& given = {0.0, 0.0, 0.0}) {
+  const KerrFunctions f = kerr_functions(spin, r, theta);
+  CameraStation station{};
+  station.spin = spin;
+  station.horizon_r = horizon_radius(spin);
+  station.u = 1.0 / r;
+  station.phi = phi;
+  station.sine_theta = ::sin(theta);
+  station.cosine_theta = ::cos(theta);
+  const bool in_rain_frame = motion == ObserverMotion::rain;
+  const double lapse = ::sqrt(f.sigma * f.delta / f.area);
+  const double own = in_rain_frame ? 1.0 : lapse;
+  const double mixed = in_rain_frame ? f.rain_speed : 0.0;
+  const LorentzTransform boost = boost_from_moving_frame(
+      in_rain_frame ? Vector3<double>{0.0, 0.0, 0.0} : observer_velocity(motion, spin, r, theta, given));
+  const double axial = -f.circumference_factor * station.sine_theta;
+  const double radial = ::sqrt(f.area) / (r * r);
+  station.energy = detail::direction_form(boost, {own, mixed, 0.0, f.frame_dragging * axial});
+  station.axial_momentum = detail::direction_form(boost, {0.0, 0.0, 0.0, axial});
+  station.outward_rate = detail::direction_form(boost, {radial * mixed, radial * own, 0.0, 0.0});
+  station.polar_rate = detail::direction_form(boost, {0.0, 0.0, ::sqrt(f.sigma), 0.0});
+  station.azimuthal_rate = detail::direction_form(boost, {0.0, 0.0, 0.0, f.circumference_factor});
+  return station;
+}
+
+//! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
+//!
+//! T is any real type (a dual number gives the exact derivatives of the whole ray). `energy` <= 0 means that such light cannot
+//! come from infinity (inside the ergosphere); the other members are then meaningless.
+template <class T>
+ERGO_HD RayStart<T> start_ray(const CameraStation& camera, const Vector3<T>& n) {
+  using S = ScalarOf<T>;
+  RayStart<T> ray;
+  ray.energy = detail::evaluate(camera.energy, n);
+  const T inverse_energy = S(1) / ray.energy;
+  ray.axial_angular_momentum = detail::evaluate(camera.axial_momentum, n) * inverse_energy;
+  ray.u = T(static_cast<S>(camera.u));
+  ray.u_rate = -(detail::evaluate(camera.outward_rate, n) * inverse_energy);
+  const T polar = detail::evaluate(camera.polar_rate, n) * inverse_energy;
+  const T azimuthal = detail::evaluate(camera.azimuthal_rate, n) * inverse_energy;
+  ray.m = {T(static_cast<S>(camera.sine_theta)), T(S(0)), T(static_cast<S>(camera.cosine_theta))};
+  ray.m_rate = {S(camera.cosine_theta) * polar, azimuthal, -(S(camera.sine_theta) * polar)};
+  const S a(camera.spin);
+  const S a_cosine(camera.spin * camera.cosine_theta);
+  ray.polar_constant = polar * polar + azimuthal * azimuthal - a_cosine * a_cosine;
+  ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
+  return ray;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernels/core/host_device.h"
+
+// Kerr spacetime in Boyer-Lindquist coordinates, G = c = M = 1, signature (-,+,+,+):
+//   Σ = r² + a² cos²θ,  Δ = r² - 2r + a²,  A = (r² + a²)² - a² Δ sin²θ.
+// Radii of Bardeen, Press & Teukolsky, ApJ 178 (1972) 347; the spin a is in [-1, 1] and positive along +z.
+namespace ergodome::inline ERGO_TARGET {
+
+//! Radius of the outer event horizon [M]: 1 + √(1 - a²).
+ERGO_HD double horizon_radius(double spin) {
+  return 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
+}
+
+//! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.
+ERGO_HD double static_limit_radius(double spin, double theta) {
+  const double a_cosine = spin * ::cos(theta);
+  return 1.0 + ::sqrt(::fmax(0.0, 1.0 - a_cosine * a_cosine));
+}
+
+//! Radius of the circular equatorial photon orbit [M] that runs in the sense of `orbit_sign` (+1: along +φ; -1: against it).
+//! Bardeen, Press & Teukolsky (1972), eq. 2.18.
+ERGO_HD double photon_orbit_radius(double spin, double orbit_sign) {
+  return 2.0 * (1.0 + ::cos(2.0 / 3.0 * ::acos(-orbit_sign * spin)));
+}
+
+//! Radius of the innermost stable circular orbit [M] in the sense of `orbit_sign`. Bardeen, Press & Teukolsky (1972), eq. 2.21.
+ERGO_HD double innermost_stable_radius(double spin, double orbit_sign) {
+  const double a = orbit_sign * spin;
+  const double z1 = 1.0 + ::cbrt((1.0 - a) * (1.0 + a)) * (::cbrt(1.0 + a) + ::cbrt(1.0 - a));
+  const double z2 = ::sqrt(3.0 * a * a + z1 * z1);
+  const double sign = a >= 0.0 ? 1.0 : -1.0;
+  return 3.0 + z2 - sign * ::sqrt((3.0 - z1) * (3.0 + z1 + 2.0 * z2));
+}
+
+//! The metric functions at one place.
+struct KerrFunctions {
+  double sigma;                 //!< Σ [M²]
+  double delta;                 //!< Δ [M²]
+  double area;                  //!< A [M⁴]
+  double frame_dragging;        //!< ω = 2 a r / A, angular velocity of the zero-angular-momentum observer [1/M]
+  double rain_speed;            //!< speed of free fall from rest at infinity in the ZAMO frame; 1 at the horizon
+  double circumference_factor;  //!< √(A / Σ) [M]: the proper radius of the circle of latitude over sinθ
+};
+
+//! Evaluates the metric functions at (r, θ) [M, rad]; r > 0. Good on the axis, at the horizon and inside.
+ERGO_HD KerrFunctions kerr_functions(double spin, double r, double theta) {
+  const double a2 = spin * spin;
+  const double cosine = ::cos(theta);
+  const double sine = ::sin(theta);
+  KerrFunctions f{};
+  f.sigma = r * r + a2 * cosine * cosine;
+  f.delta = r * (r - 2.0) + a2;
+  f.area = (r * r + a2) * (r * r + a2) - a2 * f.delta * sine * sine;
+  f.frame_dragging = 2.0 * spin * r / f.area;
+  // 1 - ΣΔ/A without its cancellation: A - ΣΔ = 2r (r² + a²).
+  f.rain_speed = ::sqrt(2.0 * r * (r * r + a2) / f.area);
+  f.circumference_factor = ::sqrt(f.area / f.sigma);
+  return f;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET
