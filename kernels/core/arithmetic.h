@@ -112,12 +112,13 @@ ERGO_HD double rough_power(double a, double p) {
 #if !defined(__CUDACC__)
 template <class T, int N>
 inline Pack<T, N> rough_power(const Pack<T, N>& a, T p) {
+  // Casts between vector types of one size keep the bits.
   using Integer = typename PackMask<T, N>::Register;
+  using Register = typename Pack<T, N>::Register;
   const auto one = static_cast<typename PackMask<T, N>::Integer>(sizeof(T) == 4 ? 0x3f7a3beaLL : 0x3fef477d30000000LL);
-  const Integer bits = reinterpret_cast<const Integer&>(a.lanes) - one;
-  const auto logarithm = __builtin_convertvector(bits, typename Pack<T, N>::Register);
-  const Integer power = __builtin_convertvector(p * logarithm, Integer) + one;
-  return Pack<T, N>(reinterpret_cast<const typename Pack<T, N>::Register&>(power));
+  const Integer bits = (Integer)a.lanes - one;
+  const Integer power = __builtin_convertvector(p * __builtin_convertvector(bits, Register), Integer) + one;
+  return Pack<T, N>((Register)power);
 }
 #endif
 

@@ -1,16 +1,9 @@
 #pragma once
 
+#include "kernels/geodesic/integration_settings.h"
 #include "kernels/geodesic/radial_potential.h"
 
-namespace ergodome {
-
-//! What an integrator is asked for.
-struct IntegrationSettings {
-  double tolerance;  //!< error of the sky direction that the caller accepts [rad]
-  int step_limit;    //!< steps after which a ray counts as not converged
-};
-
-inline namespace ERGO_TARGET {
+namespace ergodome::inline ERGO_TARGET {
 
 //! A ray on its way: position and rate in Mino time, and the frame dragging ψ gathered so far.
 template <class T>
@@ -59,5 +52,4 @@ ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, Sc
   return maximum(wanted, Real(S(0.25) * std::numeric_limits<S>::epsilon()));
 }
 
-}  // namespace ERGO_TARGET
-}  // namespace ergodome
+}  // namespace ergodome::inline ERGO_TARGET

@@ -172,20 +172,24 @@ ERGO_HD void assign_where(const MaskOf<Real>& mask, RayState<T>& to, const RaySt
   to.drag = select(mask, from.drag, to.drag);
 }
 
-//! The h > 0 at which a ray that goes outwards reaches infinity, u(h) = 0; exact to first order in the dual parts too.
+//! The h in (0, within] at which a ray reaches infinity, u(h) = 0; exact to first order in the dual parts too.
 template <int Order, class T>
 ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& within) {
   using Real = RealOf<T>;
   using S = ScalarOf<T>;
-  Real h = within;
   Real u[Order + 1];
   ERGO_UNROLL
   for (int k = 0; k <= Order; ++k) {
     u[k] = value_of(s.u[k]);
   }
-  // u is convex or nearly straight here (u' -> -1), so Newton from the far end converges in a few rounds.
-  for (int round = 0; round < (sizeof(S) == 4 ? 3 : 5); ++round) {
-    h = h - series_value(u, h) / series_rate(u, h);
+  // Outgoing light is nearly straight in (λ, u), so the tangent at the start is a good first guess; where the ray still goes
+  // inwards at the start of its last step, the end of the step is one.
+  const Real tangent = -(u[0] / select(u[1] < Real(S(0)), u[1], Real(S(-1))));
+  Real h = select(u[1] < Real(S(0)), minimum(tangent, within), within);
+  constexpr int rounds = sizeof(S) == 4 ? 4 : 5;
+  for (int round = 0; round < rounds; ++round) {
+    const Real next = h - series_value(u, h) / series_rate(u, h);
+    h = select((next > Real(S(0))) & (next < within), next, h);
   }
   return T(h) - series_value(s.u, T(h)) / series_rate(s.u, T(h));
 }
@@ -204,6 +208,8 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
   const Real tolerance = local_tolerance(spin, start, S(settings.tolerance));
   const Real polar_speed = safe_sqrt(maximum(value_of(start.polar_constant), Real(S(0)))) + S(1);
   const Real tiny(std::numeric_limits<S>::min() * S(1e6));
+  // A straight ray has no terms to judge a step by: never more than some radians at a time.
+  const Real longest = S(3) / polar_speed;
   RayState<T> state = initial_state(start);
   T time(S(0));
   Real error(S(0));
@@ -214,8 +220,8 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
     expand(spin, coefficients, state, series);
     const Real last = detail::term_size(series, Order, polar_speed) + tiny;
     const Real next_to_last = detail::term_size(series, Order - 1, polar_speed) + tiny;
-    const Real length = minimum(rough_power(tolerance / last, S(1.0 / Order)),
-                                rough_power(tolerance / next_to_last, S(1.0 / (Order - 1))));
+    const Real length = minimum(longest, minimum(rough_power(tolerance / last, S(1.0 / Order)),
+                                                 rough_power(tolerance / next_to_last, S(1.0 / (Order - 1)))));
     Real u_at_end = value_of(series.u[Order]);
     ERGO_UNROLL
     for (int k = Order - 1; k >= 0; --k) {

@@ -7,29 +7,34 @@
 namespace ergodome {
 
 //! An affine function of the camera direction: value = constant + along · n.
+template <class S>
 struct DirectionForm {
-  double constant;
-  Vector3<double> along;
+  S constant;
+  Vector3<S> along;
 };
 
-//! Everything about a camera's place and motion that its rays need, in double: made once, used by every ray.
+//! Everything about a camera's place and motion that its rays need: made once, in double, and used by every ray.
 //!
 //! The conserved quantities of a light ray, and its first derivatives, are affine in the direction in which the observer sees
 //! it. Their coefficients hold the observer's velocity (aberration, one Lorentz transform) and all that is large or cancels
 //! near the horizon, so that a ray can be set up in float.
-struct CameraStation {
-  double spin;                       //!< a [M]
-  double horizon_r;                  //!< radius of the outer horizon [M]
-  double u;                          //!< 1 / r [1/M]
-  double phi;                        //!< azimuth of the camera [rad]; a plain rotation of the sky
-  double sine_theta;                 //!< sinθ of the camera
-  double cosine_theta;               //!< cosθ of the camera
-  DirectionForm energy;              //!< energy at infinity, for an observed energy of 1
-  DirectionForm axial_momentum;      //!< L_z of the photon [M]
-  DirectionForm outward_rate;        //!< -du/dλ, backwards
-  DirectionForm polar_rate;          //!< e_θ · dm/dλ, backwards [M]
-  DirectionForm azimuthal_rate;      //!< e_φ · dm/dλ, backwards [M]
+template <class S>
+struct CameraStationOf {
+  S spin;                           //!< a [M]
+  S horizon_r;                      //!< radius of the outer horizon [M]
+  S u;                              //!< 1 / r [1/M]
+  S sine_phi;                       //!< azimuth of the camera: a plain rotation of the sky
+  S cosine_phi;
+  S sine_theta;                     //!< polar angle of the camera
+  S cosine_theta;
+  DirectionForm<S> energy;          //!< energy at infinity, for an observed energy of 1
+  DirectionForm<S> axial_momentum;  //!< L_z of the photon [M]
+  DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
+  DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
+  DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
 };
+
+using CameraStation = CameraStationOf<double>;
 
 inline namespace ERGO_TARGET {
 
@@ -38,7 +43,7 @@ namespace detail {
 //!
 //! The photon's momentum is (1, -n) in the observer's frame. `weight` acts on (ε, q_r, q_θ, q_φ): its energy and its
 //! *reversed* momentum in the frame that `boost` leads to.
-ERGO_HD DirectionForm direction_form(const LorentzTransform& boost, const double (&weight)[4]) {
+ERGO_HD DirectionForm<double> direction_form(const LorentzTransform& boost, const double (&weight)[4]) {
   double form[4] = {0.0, 0.0, 0.0, 0.0};
   for (int i = 0; i < 4; ++i) {
     const double sign = i == 0 ? 1.0 : -1.0;
@@ -50,9 +55,13 @@ ERGO_HD DirectionForm direction_form(const LorentzTransform& boost, const double
 }
 
 template <class T>
-ERGO_HD T evaluate(const DirectionForm& form, const Vector3<T>& n) {
-  using S = ScalarOf<T>;
-  return S(form.constant) + (S(form.along.x) * n.x + S(form.along.y) * n.y + S(form.along.z) * n.z);
+ERGO_HD T evaluate(const DirectionForm<ScalarOf<T>>& form, const Vector3<T>& n) {
+  return form.constant + (form.along.x * n.x + form.along.y * n.y + form.along.z * n.z);
+}
+
+template <class S>
+ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
+  return {static_cast<S>(f.constant), {static_cast<S>(f.along.x), static_cast<S>(f.along.y), static_cast<S>(f.along.z)}};
 }
 }  // namespace detail
 
@@ -70,7 +79,8 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   station.spin = spin;
   station.horizon_r = horizon_radius(spin);
   station.u = 1.0 / r;
-  station.phi = phi;
+  station.sine_phi = ::sin(phi);
+  station.cosine_phi = ::cos(phi);
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
   const bool in_rain_frame = motion == ObserverMotion::rain;
@@ -89,28 +99,51 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   return station;
 }
 
+//! The same camera for kernels that work in another precision.
+template <class S>
+ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
+  return {static_cast<S>(c.spin),
+          static_cast<S>(c.horizon_r),
+          static_cast<S>(c.u),
+          static_cast<S>(c.sine_phi),
+          static_cast<S>(c.cosine_phi),
+          static_cast<S>(c.sine_theta),
+          static_cast<S>(c.cosine_theta),
+          detail::converted<S>(c.energy),
+          detail::converted<S>(c.axial_momentum),
+          detail::converted<S>(c.outward_rate),
+          detail::converted<S>(c.polar_rate),
+          detail::converted<S>(c.azimuthal_rate)};
+}
+
 //! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
 //!
 //! T is any real type (a dual number gives the exact derivatives of the whole ray). `energy` <= 0 means that such light cannot
 //! come from infinity (inside the ergosphere); the other members are then meaningless.
 template <class T>
-ERGO_HD RayStart<T> start_ray(const CameraStation& camera, const Vector3<T>& n) {
+ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
   using S = ScalarOf<T>;
   RayStart<T> ray;
   ray.energy = detail::evaluate(camera.energy, n);
   const T inverse_energy = S(1) / ray.energy;
   ray.axial_angular_momentum = detail::evaluate(camera.axial_momentum, n) * inverse_energy;
-  ray.u = T(static_cast<S>(camera.u));
+  ray.u = T(camera.u);
   ray.u_rate = -(detail::evaluate(camera.outward_rate, n) * inverse_energy);
   const T polar = detail::evaluate(camera.polar_rate, n) * inverse_energy;
   const T azimuthal = detail::evaluate(camera.azimuthal_rate, n) * inverse_energy;
-  ray.m = {T(static_cast<S>(camera.sine_theta)), T(S(0)), T(static_cast<S>(camera.cosine_theta))};
-  ray.m_rate = {S(camera.cosine_theta) * polar, azimuthal, -(S(camera.sine_theta) * polar)};
-  const S a(camera.spin);
-  const S a_cosine(camera.spin * camera.cosine_theta);
+  ray.m = {T(camera.sine_theta), T(S(0)), T(camera.cosine_theta)};
+  ray.m_rate = {camera.cosine_theta * polar, azimuthal, -(camera.sine_theta * polar)};
+  const S a = camera.spin;
+  const S a_cosine = a * camera.cosine_theta;
   ray.polar_constant = polar * polar + azimuthal * azimuthal - a_cosine * a_cosine;
   ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
   return ray;
+}
+
+//! A direction on the sky of a camera at φ = 0, turned to the camera's true azimuth.
+template <class T>
+ERGO_HD Vector3<T> turned_to_camera(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& v) {
+  return {camera.cosine_phi * v.x - camera.sine_phi * v.y, camera.sine_phi * v.x + camera.cosine_phi * v.y, v.z};
 }
 
 }  // namespace ERGO_TARGET

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstring>
+
+#include "kernels/core/arithmetic.h"
+
+// How kernels read and write arrays: one index of a kernel stands for as many neighbouring elements as a real number has lanes.
+namespace ergodome::inline ERGO_TARGET {
+
+//! Elements first, first + 1, ... of an array of `count`; lanes past the end repeat the last element.
+template <class T>
+ERGO_HD T load_lanes(const ScalarOf<T>* from, int first, int count) {
+  if constexpr (RealTraits<T>::lane_count == 1) {
+    return from[first];
+  } else {
+    T value;
+    if (first + RealTraits<T>::lane_count <= count) {
+      std::memcpy(&value, from + first, sizeof value);
+    } else {
+      for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+        set_lane(value, i, from[first + i < count ? first + i : count - 1]);
+      }
+    }
+    return value;
+  }
+}
+
+//! Writes the lanes that lie inside the array; a null pointer is a channel that nobody asked for.
+template <class T>
+ERGO_HD void store_lanes(ScalarOf<T>* to, int first, int count, const T& value) {
+  if (to == nullptr) {
+    return;
+  }
+  if constexpr (RealTraits<T>::lane_count == 1) {
+    to[first] = value;
+  } else if (first + RealTraits<T>::lane_count <= count) {
+    std::memcpy(to + first, &value, sizeof value);
+  } else {
+    for (int i = 0; first + i < count; ++i) {
+      to[first + i] = lane(value, i);
+    }
+  }
+}
+
+//! 0, 1, 2, ... in the lanes.
+template <class T>
+ERGO_HD T lane_numbers() {
+  T value(ScalarOf<T>(0));
+  for (int i = 1; i < RealTraits<T>::lane_count; ++i) {
+    set_lane(value, i, static_cast<ScalarOf<T>>(i));
+  }
+  return value;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

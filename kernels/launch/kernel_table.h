@@ -1,0 +1,22 @@
+#pragma once
+
+#include "kernels/core/host_device.h"
+#include "kernels/launch/instruction_set.h"
+#include "kernels/trace/trace_pixels.h"
+#include "kernels/trace/trace_rays.h"
+
+namespace ergodome {
+
+//! The CPU kernels of one instruction set. Each runs the indices [begin, end); an index stands for `lanes` elements.
+struct KernelTable {
+  int lanes_float;
+  int lanes_double;
+  void (*trace_rays_float)(const RayBatch<float>& batch, int begin, int end);
+  void (*trace_rays_double)(const RayBatch<double>& batch, int begin, int end);
+  void (*trace_pixels)(const PixelBatch& batch, int begin, int end);
+};
+
+//! The kernels compiled for an instruction set that `has_instruction_set` affirms.
+const KernelTable& kernel_table(InstructionSet set);
+
+}  // namespace ergodome

@@ -1,0 +1,36 @@
+#include "kernels/launch/launch_cuda.cuh"
+#include "kernels/launch/launch_cuda.h"
+#include "kernels/trace/trace_pixels_kernel.h"
+#include "kernels/trace/trace_rays_kernel.h"
+
+namespace ergodome {
+
+const char* find_cuda_unavailable_reason() {
+  int count = 0;
+  const cudaError_t code = cudaGetDeviceCount(&count);
+  if (code != cudaSuccess) {
+    return cudaGetErrorString(code);
+  }
+  return count > 0 ? nullptr : "no CUDA device";
+}
+
+namespace {
+
+template <class T>
+void trace(const RayBatch<T>& batch) {
+  dispatch_method(batch.method, [&](auto tracer) {
+    launch_cuda("trace_rays", batch.count, TraceRays<decltype(tracer), T>{batch});
+  });
+}
+
+}  // namespace
+
+void trace_rays_cuda(const RayBatch<float>& batch) { trace(batch); }
+
+void trace_rays_cuda(const RayBatch<double>& batch) { trace(batch); }
+
+void trace_pixels_cuda(const PixelBatch& batch) {
+  launch_cuda("trace_pixels", batch.row_count * batch.projection.width_px, TracePixels<float>{batch});
+}
+
+}  // namespace ergodome

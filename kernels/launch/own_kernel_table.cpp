@@ -1,0 +1,38 @@
+#include "kernels/launch/kernel_table.h"
+#include "kernels/trace/trace_pixels_kernel.h"
+#include "kernels/trace/trace_rays_kernel.h"
+
+// Compiled once per instruction set; ERGO_TARGET names it.
+namespace ergodome::inline ERGO_TARGET {
+
+const KernelTable& own_kernel_table();
+
+namespace {
+
+template <class Functor, class Batch>
+void run(const Batch& batch, int begin, int end) {
+  const Functor functor{batch};
+  for (int index = begin; index < end; ++index) {
+    functor(index);
+  }
+}
+
+template <class T>
+void trace_rays(const RayBatch<ScalarOf<T>>& batch, int begin, int end) {
+  dispatch_method(batch.method, [&](auto tracer) { run<TraceRays<decltype(tracer), T>>(batch, begin, end); });
+}
+
+}  // namespace
+
+const KernelTable& own_kernel_table() {
+  static constexpr KernelTable table = {
+      RealTraits<WidePack<float>>::lane_count,
+      RealTraits<WidePack<double>>::lane_count,
+      &trace_rays<WidePack<float>>,
+      &trace_rays<WidePack<double>>,
+      &run<TracePixels<WidePack<float>>, PixelBatch>,
+  };
+  return table;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernels/core/vector3.h"
+
+namespace ergodome {
+
+//! The shadow's edge on a camera's sky as a table: polar angle α about the chart's centre at equal steps of the position angle γ.
+//!
+//! The curve is smooth and periodic, so a cubic through four neighbours is good to rounding of float with some hundred points.
+struct EdgeCurve {
+  Vector3<float> centre;     //!< axes of the chart, see ShadowChart
+  Vector3<float> first;
+  Vector3<float> second;
+  const float* polar_angle;  //!< α at γ = 2π i / count [rad]
+  int count;
+  float smallest;            //!< least α [rad]
+  float largest;             //!< greatest α [rad]
+};
+
+inline namespace ERGO_TARGET {
+
+//! α and dα/dγ at a position angle.
+ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& slope) {
+  const float steps_per_radian = static_cast<float>(edge.count) * 0.159154943F;
+  const float place = gamma * steps_per_radian;
+  const float whole = ::floorf(place);
+  const float t = place - whole;
+  const int count = edge.count;
+  const int i = ((static_cast<int>(whole) % count) + count) % count;
+  const float p0 = edge.polar_angle[(i + count - 1) % count];
+  const float p1 = edge.polar_angle[i];
+  const float p2 = edge.polar_angle[(i + 1) % count];
+  const float p3 = edge.polar_angle[(i + 2) % count];
+  // Catmull and Rom: value p1, slope (p2 - p0) / 2 at t = 0, and their like at t = 1.
+  const float b = 0.5F * (p2 - p0);
+  const float c = p0 - 2.5F * p1 + 2.0F * p2 - 0.5F * p3;
+  const float d = 0.5F * (p3 - p0) + 1.5F * (p1 - p2);
+  alpha = p1 + t * (b + t * (c + t * d));
+  slope = (b + t * (2.0F * c + 3.0F * t * d)) * steps_per_radian;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome
