@@ -15,6 +15,7 @@ struct TaylorCoefficients {
   T polar;        //!< C
   T drag_u;       //!< -2 a, backwards
   T drag_u2;      //!< a² L, backwards
+  ScalarOf<T> outer_horizon;  //!< r_+
 };
 
 template <class T>
@@ -23,7 +24,7 @@ ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RaySta
   const S a2 = spin * spin;
   const T carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
   return {a2 - ray.polar_constant,  S(3) * ray.shear_constant, -(S(2) * a2 * carter), ray.polar_constant,
-          T(-S(2) * spin), a2 * ray.axial_angular_momentum};
+          T(-S(2) * spin), a2 * ray.axial_angular_momentum, S(1) + safe_sqrt(S(1) - a2)};
 }
 
 //! The series of one step: coefficient k belongs to h^k.
@@ -95,7 +96,8 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
     lapse[k] = a2 * square[k] - S(2) * s.u[k];
     T drag_sum = c.drag_u * s.u[k] + c.drag_u2 * square[k];
     if (k == 0) {
-      lapse[0] = lapse[0] + S(1);
+      // 1 - 2u + a² u² loses all digits next to an extremal horizon; its factors do not.
+      lapse[0] = (S(1) - c.outer_horizon * s.u[0]) * (S(1) - (a2 / c.outer_horizon) * s.u[0]);
       inverse_lapse = Real(S(1)) / lapse[0];
     }
     ERGO_UNROLL
@@ -239,8 +241,10 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
     steps = select(active, steps + S(1), steps);
     active = active & (u_at_end > Real(S(0)));
   }
-  reached = active_at_start & !active;
-  return {sky_direction(state), time, T(error)};
+  const Vector3<T> sky = sky_direction(state);
+  // A number that is not one is no result.
+  reached = active_at_start & (!active) & (value_of(dot(sky, sky)) < Real(S(2)));
+  return {sky, time, T(error)};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,111 @@
+#include "tests/kernels/reference_tables.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace ergodome::test {
+
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> read_table(const std::string& name) {
+  std::ifstream file(std::string(ERGODOME_TEST_DATA_DIR) + "/" + name);
+  if (!file) {
+    throw std::runtime_error("cannot open tests/data/" + name);
+  }
+  const auto split = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::stringstream stream(line + ",");
+    for (std::string cell; std::getline(stream, cell, ',');) {
+      cells.push_back(cell);
+    }
+    return cells;
+  };
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> header = split(line);
+  std::vector<Row> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = split(line);
+    Row row;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      row[header[i]] = i < cells.size() ? cells[i] : "";
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+double number(const Row& row, const std::string& key, double otherwise = 0.0) {
+  const std::string& text = row.at(key);
+  return text.empty() ? otherwise : std::stod(text);
+}
+
+Vector3<double> vector(const Row& row, const std::string& x, const std::string& y, const std::string& z) {
+  return {number(row, x), number(row, y), number(row, z)};
+}
+
+ObserverMotion motion_of(const std::string& name) {
+  static const std::map<std::string, ObserverMotion> motions = {
+      {"zamo", ObserverMotion::zamo},         {"static", ObserverMotion::fixed},
+      {"geodesic", ObserverMotion::geodesic}, {"retrograde", ObserverMotion::retrograde},
+      {"rain", ObserverMotion::rain},         {"boost", ObserverMotion::velocity}};
+  return motions.at(name);
+}
+
+template <class Item>
+void fill_camera(Item& item, const Row& row) {
+  item.a = number(row, "a");
+  item.r = number(row, "r");
+  item.theta = number(row, "theta");
+  item.motion = motion_of(row.at("observer"));
+  item.beta = vector(row, "beta_r", "beta_theta", "beta_phi");
+  const Vector3<double> n = vector(row, "n_r", "n_theta", "n_phi");
+  item.n = (1.0 / length(n)) * n;
+}
+
+}  // namespace
+
+double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+double allowed_sky_error(const ReferenceRay& ray) { return 1e-10 + 1e-13 / std::abs(ray.edge_distance); }
+
+const std::vector<ReferenceRay>& reference_rays() {
+  static const std::vector<ReferenceRay> rays = [] {
+    std::vector<ReferenceRay> result;
+    for (const Row& row : read_table("rays.csv")) {
+      ReferenceRay ray{};
+      fill_camera(ray, row);
+      ray.id = static_cast<int>(number(row, "id"));
+      ray.kind = row.at("kind");
+      ray.status = row.at("status") == "escaped" ? RayStatus::escaped : RayStatus::captured;
+      ray.sky = vector(row, "sky_x", "sky_y", "sky_z");
+      ray.g = number(row, "g");
+      ray.mino_time = number(row, "mino_time");
+      ray.edge_distance = number(row, "edge_distance", -1.0);
+      ray.magnification = number(row, "magnification");
+      result.push_back(ray);
+    }
+    return result;
+  }();
+  return rays;
+}
+
+const std::vector<ReferenceEdgePoint>& reference_edge() {
+  static const std::vector<ReferenceEdgePoint> points = [] {
+    std::vector<ReferenceEdgePoint> result;
+    for (const Row& row : read_table("edge.csv")) {
+      ReferenceEdgePoint point{};
+      fill_camera(point, row);
+      point.camera = static_cast<int>(number(row, "camera"));
+      result.push_back(point);
+    }
+    return result;
+  }();
+  return points;
+}
+
+}  // namespace ergodome::test

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kernels/geodesic/ray.h"
+#include "kernels/metric/camera_station.h"
+
+namespace ergodome::test {
+
+//! A row of tests/data/rays.csv.
+struct ReferenceRay {
+  int id;
+  std::string kind;
+  double a, r, theta;
+  ObserverMotion motion;
+  Vector3<double> beta;
+  Vector3<double> n;
+  RayStatus status;
+  Vector3<double> sky;
+  double g, mino_time;
+  double edge_distance;   //!< -1 where none was computed
+  double magnification;   //!< 0 where none was computed
+};
+
+//! A row of tests/data/edge.csv.
+struct ReferenceEdgePoint {
+  int camera;
+  double a, r, theta;
+  ObserverMotion motion;
+  Vector3<double> beta;
+  Vector3<double> n;
+};
+
+const std::vector<ReferenceRay>& reference_rays();
+const std::vector<ReferenceEdgePoint>& reference_edge();
+
+//! The error of a sky direction that double-precision input allows near the edge [rad].
+double allowed_sky_error(const ReferenceRay& ray);
+
+double length(const Vector3<double>& v);
+
+template <class Row>
+CameraStation station_of(const Row& row) {
+  return make_camera_station(row.a, row.r, row.theta, 0.0, row.motion, row.beta);
+}
+
+}  // namespace ergodome::test

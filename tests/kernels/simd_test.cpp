@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/lanes.h"
+#include "kernels/launch/kernel_table.h"
+#include "kernels/launch/launch.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+namespace {
+
+template <class T>
+class Arithmetic : public testing::Test {};
+using RealTypes = testing::Types<float, double, WidePack<float>, WidePack<double>>;
+TYPED_TEST_SUITE(Arithmetic, RealTypes);
+
+TYPED_TEST(Arithmetic, SineAndCosineAreThoseOfTheStandardLibrary) {
+  using S = ScalarOf<TypeParam>;
+  const double epsilon = std::numeric_limits<S>::epsilon();
+  for (double angle = -400.0; angle <= 400.0; angle += 0.37) {
+    TypeParam sine;
+    TypeParam cosine;
+    sine_cosine(TypeParam(static_cast<S>(angle)), sine, cosine);
+    const double exact = static_cast<double>(static_cast<S>(angle));
+    const double tolerance = 4.0 * epsilon + 2e-10 * epsilon * std::abs(angle);
+    ASSERT_NEAR(static_cast<double>(lane(sine, 0)), std::sin(exact), tolerance) << angle;
+    ASSERT_NEAR(static_cast<double>(lane(cosine, 0)), std::cos(exact), tolerance) << angle;
+  }
+}
+
+TYPED_TEST(Arithmetic, RoughPowerIsWithinATenth) {
+  using S = ScalarOf<TypeParam>;
+  for (const double base : {1e-12, 3e-7, 0.1, 1.0, 17.0, 1e6}) {
+    for (const double exponent : {0.05, 0.1, 0.125, 0.5, 1.0}) {
+      const TypeParam power = rough_power(TypeParam(static_cast<S>(base)), static_cast<S>(exponent));
+      EXPECT_NEAR(static_cast<double>(lane(power, 0)) / std::pow(base, exponent), 1.0, 0.1) << base << "^" << exponent;
+    }
+  }
+}
+
+TYPED_TEST(Arithmetic, SafeSquareRootOfANegativeNumberIsZero) {
+  using S = ScalarOf<TypeParam>;
+  EXPECT_EQ(lane(safe_sqrt(TypeParam(S(-1e-20))), 0), S(0));
+  EXPECT_EQ(lane(safe_sqrt(TypeParam(S(4))), 0), S(2));
+}
+
+TYPED_TEST(Arithmetic, LoadingPastTheEndRepeatsTheLastElementAndStoringKeepsOff) {
+  using S = ScalarOf<TypeParam>;
+  constexpr int lanes = RealTraits<TypeParam>::lane_count;
+  if constexpr (lanes > 1) {
+    std::array<S, 2 * lanes> from{};
+    std::iota(from.begin(), from.end(), S(0));
+    const int count = lanes + 1;
+    const TypeParam value = load_lanes<TypeParam>(from.data(), lanes, count);
+    EXPECT_EQ(lane(value, 0), S(lanes));
+    EXPECT_EQ(lane(value, lanes - 1), S(lanes));
+    std::array<S, 2 * lanes> to{};
+    store_lanes(to.data(), lanes, count, TypeParam(S(7)));
+    EXPECT_EQ(to[lanes], S(7));
+    EXPECT_EQ(to[lanes + 1], S(0));
+  }
+}
+
+TEST(ParallelFor, TouchesEveryIndexOnceWhateverTheGrain) {
+  for (const int count : {0, 1, 7, 1000}) {
+    for (const int grain : {0, 1, 3, 5000}) {
+      std::vector<std::atomic<int>> touched(static_cast<std::size_t>(count));
+      parallel_for(count, grain, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+          ++touched[static_cast<std::size_t>(i)];
+        }
+      });
+      for (const auto& times : touched) {
+        EXPECT_EQ(times, 1);
+      }
+    }
+  }
+}
+
+TEST(ParallelFor, CountsUpToTheLargestNumberOfIndices) {
+  std::atomic<long> sum{0};
+  parallel_for(2147483647, 1 << 28, [&](int begin, int end) { sum += end - begin; });
+  EXPECT_EQ(sum, 2147483647L);
+}
+
+//! The rays of a coarse all-sky grid, traced by the kernels of one instruction set.
+std::vector<double> sky_of(InstructionSet set) {
+  constexpr int count = 1003;
+  std::array<std::vector<double>, 3> n;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < count; ++i) {
+    Vector3<double> v = {normal(random), normal(random), normal(random)};
+    v = (1.0 / std::sqrt(dot(v, v))) * v;
+    n[0].push_back(v.x);
+    n[1].push_back(v.y);
+    n[2].push_back(v.z);
+  }
+  std::vector<double> sky(3 * count);
+  RayBatch<double> batch{};
+  batch.camera = make_camera_station(0.999, 5.0, 1.3, 0.4, ObserverMotion::geodesic);
+  batch.settings = {1e-12, 1000};
+  batch.method = TraceMethod::taylor;
+  batch.count = count;
+  for (std::size_t i = 0; i < 3; ++i) {
+    batch.direction[i] = n[i].data();
+    batch.sky[i] = sky.data() + i * count;
+  }
+  const KernelTable& table = kernel_table(set);
+  table.trace_rays_double(batch, 0, (count - 1) / table.lanes_double + 1);
+  return sky;
+}
+
+TEST(InstructionSets, GiveTheSameSky) {
+  const std::vector<double> portable = sky_of(InstructionSet::portable);
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!has_instruction_set(set)) {
+      continue;
+    }
+    const std::vector<double> other = sky_of(set);
+    for (std::size_t i = 0; i < portable.size(); ++i) {
+      ASSERT_NEAR(portable[i], other[i], 1e-9) << name_of(set) << " element " << i;
+    }
+  }
+}
+
+TEST(InstructionSets, EveryProcessorHasThePortableOne) {
+  EXPECT_TRUE(has_instruction_set(InstructionSet::portable));
+  EXPECT_TRUE(has_instruction_set(active_instruction_set()));
+}
+
+}  // namespace
+}  // namespace ergodome
