@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/core/host_device.h"
+#include "kernels/image/shade_pixels.h"
 #include "kernels/launch/instruction_set.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -14,6 +14,7 @@ struct KernelTable {
   void (*trace_rays_float)(const RayBatch<float>& batch, int begin, int end);
   void (*trace_rays_double)(const RayBatch<double>& batch, int begin, int end);
   void (*trace_pixels)(const PixelBatch& batch, int begin, int end);
+  void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
 };
 
 //! The kernels compiled for an instruction set that `has_instruction_set` affirms.

@@ -52,4 +52,13 @@ void trace_pixels(Backend backend, const PixelBatch& batch) {
                [&](int begin, int end) { table.trace_pixels(batch, begin, end); });
 }
 
+void shade_pixels(Backend backend, const ShadeBatch& batch) {
+  if (backend == Backend::cuda) {
+    shade_pixels_cuda(batch);
+    return;
+  }
+  const KernelTable& table = active_table();
+  parallel_for(batch.count, 16 * grain, [&](int begin, int end) { table.shade_pixels(batch, begin, end); });
+}
+
 }  // namespace ergodome

@@ -19,4 +19,7 @@ void trace_rays(Backend backend, const RayBatch<double>& batch);
 //! Traces the pixels of an image; see PixelBatch.
 void trace_pixels(Backend backend, const PixelBatch& batch);
 
+//! Turns lens pixels into light or a heat map; see ShadeBatch.
+void shade_pixels(Backend backend, const ShadeBatch& batch);
+
 }  // namespace ergodome

@@ -1,3 +1,4 @@
+#include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/trace/trace_pixels_kernel.h"
@@ -31,6 +32,16 @@ void trace_rays_cuda(const RayBatch<double>& batch) { trace(batch); }
 
 void trace_pixels_cuda(const PixelBatch& batch) {
   launch_cuda("trace_pixels", batch.row_count * batch.projection.width_px, TracePixels<float>{batch});
+}
+
+void shade_pixels_cuda(const ShadeBatch& batch) {
+  if (batch.mode != ViewMode::sky) {
+    launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
+  } else if (batch.beaming) {
+    launch_cuda("shade_pixels", batch.count, ShadeSky<true>{batch});
+  } else {
+    launch_cuda("shade_pixels", batch.count, ShadeSky<false>{batch});
+  }
 }
 
 }  // namespace ergodome

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/image/shade_pixels.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -11,5 +12,6 @@ const char* find_cuda_unavailable_reason();
 void trace_rays_cuda(const RayBatch<float>& batch);
 void trace_rays_cuda(const RayBatch<double>& batch);
 void trace_pixels_cuda(const PixelBatch& batch);
+void shade_pixels_cuda(const ShadeBatch& batch);
 
 }  // namespace ergodome

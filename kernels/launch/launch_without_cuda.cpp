@@ -19,4 +19,6 @@ void trace_rays_cuda(const RayBatch<double>&) { refuse(); }
 
 void trace_pixels_cuda(const PixelBatch&) { refuse(); }
 
+void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
+
 }  // namespace ergodome

@@ -1,3 +1,5 @@
+#include "kernels/core/host_device.h"
+#include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
@@ -22,6 +24,16 @@ void trace_rays(const RayBatch<ScalarOf<T>>& batch, int begin, int end) {
   dispatch_method(batch.method, [&](auto tracer) { run<TraceRays<decltype(tracer), T>>(batch, begin, end); });
 }
 
+void shade_pixels(const ShadeBatch& batch, int begin, int end) {
+  if (batch.mode != ViewMode::sky) {
+    run<ShadeHeatMap>(batch, begin, end);
+  } else if (batch.beaming) {
+    run<ShadeSky<true>>(batch, begin, end);
+  } else {
+    run<ShadeSky<false>>(batch, begin, end);
+  }
+}
+
 }  // namespace
 
 const KernelTable& own_kernel_table() {
@@ -31,6 +43,7 @@ const KernelTable& own_kernel_table() {
       &trace_rays<WidePack<float>>,
       &trace_rays<WidePack<double>>,
       &run<TracePixels<WidePack<float>>, PixelBatch>,
+      &shade_pixels,
   };
   return table;
 }

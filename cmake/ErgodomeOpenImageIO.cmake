@@ -1,0 +1,15 @@
+# OpenImageIO as Debian packages it: its target names folders of optional parts (OpenCV) that need not be installed.
+find_package(OpenImageIO REQUIRED)
+foreach(library OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
+  if(TARGET ${library})
+    get_target_property(folders ${library} INTERFACE_INCLUDE_DIRECTORIES)
+    set(present "")
+    foreach(folder IN LISTS folders)
+      if(IS_DIRECTORY "${folder}")
+        list(APPEND present "${folder}")
+      endif()
+    endforeach()
+    set_target_properties(${library} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${present}"
+                                                INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${present}")
+  endif()
+endforeach()

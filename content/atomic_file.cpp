@@ -1,0 +1,63 @@
+#include "content/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+void flush_to_disk(const std::filesystem::path& file, const std::filesystem::path& final_name) {
+  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = handle >= 0 && ::fsync(handle) == 0;
+  const int problem = errno;
+  if (handle >= 0) {
+    ::close(handle);
+  }
+  if (!flushed) {
+    throw Error(final_name.string(), std::string("cannot be written: ") + std::strerror(problem),
+                "free some space or choose another folder");
+  }
+}
+
+}  // namespace
+
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& partial)>& write) {
+  // The ending stays, because image writers choose their format by it.
+  std::filesystem::path partial = path;
+  partial.replace_filename(".partial-" + std::to_string(::getpid()) + "-" + path.filename().string());
+  std::error_code ignored;
+  try {
+    write(partial);
+    flush_to_disk(partial, path);
+    std::error_code problem;
+    std::filesystem::rename(partial, path, problem);
+    if (problem) {
+      throw Error(path.string(), "cannot be written: " + problem.message(), "check the folder and its permissions");
+    }
+  } catch (...) {
+    std::filesystem::remove(partial, ignored);
+    throw;
+  }
+}
+
+void write_text_atomically(const std::filesystem::path& path, std::string_view text) {
+  write_atomically(path, [&](const std::filesystem::path& partial) {
+    std::ofstream file(partial, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    if (!file) {
+      throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),
+                  "check the folder, its permissions and the space left");
+    }
+  });
+}
+
+}  // namespace ergodome

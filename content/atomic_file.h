@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace ergodome {
+
+//! Writes a file so that it is there whole or not at all: `write` fills a file beside it, which is then flushed to the disk and
+//! renamed. When anything fails (a full disk, a folder without permission, an exception of `write`) the partial file is removed,
+//! an older file of that name stays as it was, and Error says what happened.
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& partial)>& write);
+
+//! The same for text.
+void write_text_atomically(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace ergodome

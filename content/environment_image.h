@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ergodome {
+
+//! A sky as an equirectangular image: linear light, three floats a texel, the top row first.
+struct EnvironmentImage {
+  std::string name;
+  int width = 0;
+  int height = 0;             //!< width / 2
+  std::vector<float> rgb;     //!< 3 * width * height, finite and >= 0
+  int repaired_texels = 0;    //!< texels that held NaN, infinity or negative light in the file; now 0
+};
+
+//! Reads an equirectangular image (2:1; EXR, HDR, PNG, TIFF, JPEG, ...) through OpenImageIO.
+//!
+//! Whole numbers are decoded from sRGB, unless the file says that they are linear; floating point is linear. Alpha is ignored, grey
+//! becomes colour. Wider images than `largest_width` are averaged down by whole factors while they are read, so a 32k map needs no
+//! more memory than an 8k one. Throws Error for what is missing, torn, of another shape, narrower than 8 or wider than 65536 pixels,
+//! or without a single finite texel.
+EnvironmentImage read_environment_image(const std::filesystem::path& path, int largest_width = 8192);
+
+//! The same from a file's bytes in memory; `name` (with its ending) tells the format.
+EnvironmentImage read_environment_image(std::span<const std::byte> bytes, const std::string& name,
+                                        int largest_width = 8192);
+
+}  // namespace ergodome

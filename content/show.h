@@ -1,0 +1,109 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernels/metric/observer.h"
+
+namespace ergodome {
+
+//! Where the camera's view points before yaw, pitch and roll.
+struct LookTarget {
+  enum class Kind { hole, away, direction };
+  Kind kind = Kind::hole;
+  Vector3<double> direction = {-1.0, 0.0, 0.0};  //!< in (e_r, e_θ, e_φ), for Kind::direction; any length but 0
+};
+
+//! The camera at one instant of the show.
+struct CameraKey {
+  double time_s = 0.0;
+  double r = 10.0;                           //!< Boyer-Lindquist radius [M]
+  double theta = 1.57079632679489661923;     //!< polar angle [rad]
+  double phi = 0.0;                          //!< azimuth [rad]; may run over many turns
+  LookTarget look;
+  double yaw = 0.0;                          //!< to the right [rad]
+  double pitch = 0.0;                        //!< upwards [rad]
+  double roll = 0.0;                         //!< clockwise [rad]
+};
+
+struct CameraSettings {
+  ObserverMotion motion = ObserverMotion::zamo;
+  Vector3<double> velocity = {0.0, 0.0, 0.0};  //!< in the ZAMO frame, for ObserverMotion::velocity
+  std::vector<CameraKey> keys;                 //!< in order of time, at least one
+};
+
+struct SkySettings {
+  std::string map = "milky_way";   //!< a built-in name, or a path relative to the show
+  std::string stars;               //!< a built-in name, a path, or empty: no stars
+  double spin_axis_ra_deg = 270.0; //!< where the hole's spin axis points, J2000
+  double spin_axis_dec_deg = 66.6;
+  double exposure = 1.0;           //!< factor on the map's light
+};
+
+struct PointSpreadSettings {
+  double sigma_px = 0.5;
+};
+
+struct TrailSettings {
+  double shutter_s = 0.02;
+};
+
+//! What is simulated; absent is not simulated.
+struct EffectSettings {
+  bool redshift = false;
+  bool magnification = false;
+  std::optional<PointSpreadSettings> psf;
+  std::optional<TrailSettings> trails;
+};
+
+enum class ViewProjection { dome, equirect, cube, cylinder, pinhole };
+
+struct ViewSettings {
+  ViewProjection projection = ViewProjection::dome;
+  double field_of_view_deg = 180.0;
+  double tilt_deg = 0.0;
+  int size_px = 1024;    //!< width of the image
+  double aspect = 1.0;   //!< width over height, for the pinhole
+};
+
+enum class StereoLayout { mono, side_by_side, top_bottom, separate, multiview, anaglyph, dubois, rows, quad_buffer };
+enum class StereoModel { physical, flat, omni };
+
+struct StereoSettings {
+  StereoLayout layout = StereoLayout::mono;
+  StereoModel model = StereoModel::physical;
+  double baseline = 0.0;   //!< distance of the eyes [M]
+  bool swap_eyes = false;
+};
+
+struct QualitySettings {
+  double budget_px = 0.25;  //!< error of a direction on the screen that is accepted [px]
+};
+
+//! A show as its file tells it; angles in radians but where a name says degrees.
+struct Show {
+  std::string name;        //!< file name without folder and ending
+  std::string folder;      //!< where relative paths start
+  std::string title;
+  double duration_s = 0.0;
+  double frame_rate_hz = 30.0;
+  double spin = 0.0;
+  CameraSettings camera;
+  SkySettings sky;
+  EffectSettings effects;
+  ViewSettings view;
+  StereoSettings stereo;
+  QualitySettings quality;
+};
+
+//! Number of frames of the whole show; at least one.
+int frame_count(const Show& show);
+
+//! Show time of a frame, counted from 0 [s].
+double frame_time_s(const Show& show, int frame);
+
+//! What the show asks for that this version cannot draw yet, a sentence each; empty when it is all there.
+std::vector<std::string> missing_features(const Show& show);
+
+}  // namespace ergodome

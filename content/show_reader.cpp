@@ -1,0 +1,245 @@
+#include "content/show_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "content/toml_table.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double degree = pi / 180.0;
+constexpr double largest_angle_deg = 1e9;
+constexpr std::uintmax_t largest_file = 16U << 20U;
+constexpr std::size_t most_keys = 100'000;
+
+
+Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
+  const toml::array* list = node.as_array();
+  Vector3<double> v{};
+  double* const parts[3] = {&v.x, &v.y, &v.z};
+  if (list == nullptr || list->size() != 3) {
+    throw table.error_at(key, "is not a direction", "write three numbers: [e_r, e_theta, e_phi]");
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto part = list->get(i)->value<double>();
+    if (!part || !std::isfinite(*part) || std::abs(*part) > 1e100) {
+      throw table.error_at(key, "holds something that is not a number", "write three numbers");
+    }
+    *parts[i] = *part;
+  }
+  if (!(dot(v, v) > 0.0)) {
+    throw table.error_at(key, "has no length", "write a direction that is not zero");
+  }
+  return v;
+}
+
+void read_observer(TomlTable& camera, const std::string& file, CameraSettings& settings) {
+  const toml::node* at = camera.node("observer");
+  if (at != nullptr && at->is_table()) {
+    TomlTable velocity(*at->as_table(), file, camera.path_of("observer"));
+    const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
+    if (!(beta <= 0.999999)) {
+      throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
+    }
+    const toml::node* toward = velocity.node("toward");
+    if (toward == nullptr) {
+      throw velocity.error_at("toward", "is missing", "write toward = [e_r, e_theta, e_phi]");
+    }
+    const Vector3<double> v = read_vector(velocity, "toward", *toward);
+    settings.motion = ObserverMotion::velocity;
+    settings.velocity = (beta / std::sqrt(dot(v, v))) * v;
+    velocity.refuse_unknown_keys();
+    return;
+  }
+  constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
+                                        ObserverMotion::retrograde, ObserverMotion::rain};
+  settings.motion = motions[camera.choice("observer", 0, {"zamo", "static", "geodesic", "retrograde", "rain"})];
+}
+
+CameraKey read_key(TomlTable& table) {
+  CameraKey key;
+  key.time_s = table.number("t_s", 0.0, -1e12, 1e12);
+  key.r = table.number("r", 10.0, 0.0, 1e9);
+  key.theta = degree * table.number("theta_deg", 90.0, 0.0, 180.0);
+  key.phi = degree * table.number("phi_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  key.yaw = degree * table.number("yaw_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  key.pitch = degree * table.number("pitch_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  key.roll = degree * table.number("roll_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  const toml::node* look = table.node("look");
+  if (look != nullptr && look->is_array()) {
+    key.look = {LookTarget::Kind::direction, read_vector(table, "look", *look)};
+  } else if (table.choice("look", 0, {"hole", "away"}) == 1) {
+    key.look.kind = LookTarget::Kind::away;
+  }
+  return key;
+}
+
+//! A camera must be outside the horizon, and its observer slower than light there.
+void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
+  const double horizon = horizon_radius(spin);
+  if (!(key.r > horizon)) {
+    throw table.error_at("r", fmt::format("is {} M, inside the horizon at {:.6g} M", key.r, horizon),
+                         fmt::format("choose r above {:.6g}", horizon));
+  }
+  const Vector3<double> v = observer_velocity(camera.motion, spin, key.r, key.theta, camera.velocity);
+  if (!(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain) {
+    const bool fixed = camera.motion == ObserverMotion::fixed;
+    throw table.error_at(
+        "r", fmt::format("is {} M, where {} observer would outrun light", key.r, fixed ? "a static" : "an orbiting"),
+        fixed ? fmt::format("stay above {:.6g} M or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
+              : "stay outside the photon orbit or choose observer = \"zamo\"");
+  }
+}
+
+void read_camera(const toml::table* table, const std::string& file, Show& show) {
+  const toml::table empty;
+  TomlTable camera(table != nullptr ? *table : empty, file, "camera");
+  read_observer(camera, file, show.camera);
+  const auto keys = camera.tables("key", most_keys);
+  if (keys.empty()) {
+    throw camera.error_at("key", "is missing", "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
+    const CameraKey key = read_key(each);
+    if (!each.has("r")) {
+      throw each.error_at("r", "is missing", "write the camera's radius in units of M");
+    }
+    if (i > 0 && !(key.time_s > show.camera.keys.back().time_s)) {
+      throw each.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+    }
+    check_key(each, show.spin, show.camera, key);
+    each.refuse_unknown_keys();
+    show.camera.keys.push_back(key);
+  }
+  camera.refuse_unknown_keys();
+}
+
+void read_sky(const toml::table& table, const std::string& file, SkySettings& sky) {
+  TomlTable reader(table, file, "sky");
+  sky.map = reader.text("map", sky.map);
+  sky.stars = reader.text("stars", sky.stars);
+  sky.exposure = reader.number("exposure", sky.exposure, 0.0, 1e12);
+  if (const toml::table* axis = reader.table("spin_axis")) {
+    TomlTable direction(*axis, file, "sky.spin_axis");
+    sky.spin_axis_ra_deg = direction.number("ra_deg", sky.spin_axis_ra_deg, -360.0, 360.0);
+    sky.spin_axis_dec_deg = direction.number("dec_deg", sky.spin_axis_dec_deg, -90.0, 90.0);
+    direction.refuse_unknown_keys();
+  }
+  reader.refuse_unknown_keys();
+}
+
+void read_effects(const toml::table& table, const std::string& file, EffectSettings& effects) {
+  TomlTable reader(table, file, "effects");
+  effects.redshift = reader.boolean("redshift", false);
+  effects.magnification = reader.boolean("magnification", false);
+  if (const toml::table* psf = reader.table("psf")) {
+    TomlTable spread(*psf, file, "effects.psf");
+    effects.psf = PointSpreadSettings{spread.number("sigma_px", 0.5, 0.01, 100.0)};
+    spread.refuse_unknown_keys();
+  }
+  if (const toml::table* trails = reader.table("trails")) {
+    TomlTable shutter(*trails, file, "effects.trails");
+    effects.trails = TrailSettings{shutter.number("shutter_s", 0.02, 0.0, 1e6)};
+    shutter.refuse_unknown_keys();
+  }
+  reader.refuse_unknown_keys();
+}
+
+void read_view(const toml::table& table, const std::string& file, ViewSettings& view) {
+  TomlTable reader(table, file, "view");
+  view.projection =
+      static_cast<ViewProjection>(reader.choice("projection", 0, {"dome", "equirect", "cube", "cylinder", "pinhole"}));
+  const bool flat = view.projection == ViewProjection::pinhole;
+  view.field_of_view_deg = reader.number("fov_deg", flat ? 60.0 : 180.0, 1e-6, flat ? 179.0 : 360.0);
+  view.tilt_deg = reader.number("tilt_deg", 0.0, -180.0, 180.0);
+  view.size_px = reader.integer("size_px", view.size_px, 1, 16384);
+  view.aspect = reader.number("aspect", 1.0, 0.01, 100.0);
+  reader.refuse_unknown_keys();
+}
+
+void read_stereo(const toml::table& table, const std::string& file, StereoSettings& stereo) {
+  TomlTable reader(table, file, "stereo");
+  stereo.layout = static_cast<StereoLayout>(reader.choice("layout", 0,
+                                                          {"mono", "side_by_side", "top_bottom", "separate", "multiview",
+                                                           "anaglyph", "dubois", "rows", "quad_buffer"}));
+  stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
+  stereo.baseline = reader.number("baseline", 0.0, 0.0, 1e6);
+  stereo.swap_eyes = reader.boolean("swap_eyes", false);
+  reader.refuse_unknown_keys();
+}
+
+void read_parts(TomlTable& root, const std::string& file, Show& show) {
+  const auto part = [&](std::string_view key, auto read) {
+    if (const toml::table* table = root.table(key)) {
+      read(*table);
+    }
+  };
+  part("hole", [&](const toml::table& table) {
+    TomlTable hole(table, file, "hole");
+    show.spin = hole.number("spin", 0.0, -1.0, 1.0);
+    hole.refuse_unknown_keys();
+  });
+  read_camera(root.table("camera"), file, show);
+  part("sky", [&](const toml::table& table) { read_sky(table, file, show.sky); });
+  part("effects", [&](const toml::table& table) { read_effects(table, file, show.effects); });
+  part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
+  part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
+  part("quality", [&](const toml::table& table) {
+    TomlTable quality(table, file, "quality");
+    show.quality.budget_px = quality.number("budget_px", show.quality.budget_px, 1e-6, 100.0);
+    quality.refuse_unknown_keys();
+  });
+}
+
+}  // namespace
+
+Show parse_show(std::string_view text, const std::string& file) {
+  if (text.size() > largest_file) {
+    throw Error(file, "is larger than 16 MiB", "a show is a short text file");
+  }
+  toml::table parsed;
+  try {
+    parsed = toml::parse(text, file);
+  } catch (const toml::parse_error& problem) {
+    throw Error(fmt::format("{}:{}", file, problem.source().begin.line), std::string(problem.description()),
+                "mend the TOML there");
+  }
+  Show show;
+  const std::filesystem::path path(file);
+  show.name = path.stem().string();
+  show.folder = path.parent_path().string();
+  TomlTable root(parsed, file, "");
+  show.title = root.text("title", show.name);
+  show.duration_s = root.number("duration_s", 0.0, 0.0, 1e9);
+  show.frame_rate_hz = root.number("frame_rate_hz", 30.0, 0.001, 1000.0);
+  read_parts(root, file, show);
+  root.refuse_unknown_keys();
+  return show;
+}
+
+Show read_show(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(path, problem)) {
+    throw Error(path.string(), "is not a file that can be read", "give the path of a show (.toml)");
+  }
+  if (std::filesystem::file_size(path, problem) > largest_file || problem) {
+    throw Error(path.string(), "is larger than 16 MiB", "a show is a short text file");
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (!file) {
+    throw Error(path.string(), "cannot be read", "check its permissions");
+  }
+  return parse_show(text.str(), path.string());
+}
+
+}  // namespace ergodome

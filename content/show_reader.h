@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "content/show.h"
+
+namespace ergodome {
+
+//! Reads a show file (TOML, see README). Throws Error with file, line, key and remedy for whatever is wrong in it: unknown keys,
+//! values out of range, cameras inside the horizon, observers that cannot exist there.
+Show read_show(const std::filesystem::path& path);
+
+//! The same from text; `file` is how messages call it.
+Show parse_show(std::string_view text, const std::string& file);
+
+//! A show as TOML text that parse_show reads back to the same show.
+std::string to_toml(const Show& show);
+
+}  // namespace ergodome

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "content/show_reader.h"
+#include "content/toml_table.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+toml::array vector_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }
+
+toml::table camera_of(const CameraSettings& camera) {
+  toml::table table;
+  if (camera.motion == ObserverMotion::velocity) {
+    const double beta = std::sqrt(dot(camera.velocity, camera.velocity));
+    const Vector3<double> toward = beta > 0.0 ? (1.0 / beta) * camera.velocity : Vector3<double>{1.0, 0.0, 0.0};
+    table.insert("observer", toml::table{{"beta", beta}, {"toward", vector_of(toward)}});
+  } else {
+    constexpr const char* names[] = {"zamo", "static", "geodesic", "retrograde", "rain"};
+    table.insert("observer", names[static_cast<int>(camera.motion)]);
+  }
+  toml::array keys;
+  for (const CameraKey& key : camera.keys) {
+    toml::table each{{"t_s", key.time_s},
+                     {"r", key.r},
+                     {"theta_deg", key.theta * degrees},
+                     {"phi_deg", key.phi * degrees},
+                     {"yaw_deg", key.yaw * degrees},
+                     {"pitch_deg", key.pitch * degrees},
+                     {"roll_deg", key.roll * degrees}};
+    if (key.look.kind == LookTarget::Kind::direction) {
+      each.insert("look", vector_of(key.look.direction));
+    } else {
+      each.insert("look", key.look.kind == LookTarget::Kind::hole ? "hole" : "away");
+    }
+    keys.push_back(std::move(each));
+  }
+  table.insert("key", std::move(keys));
+  return table;
+}
+
+toml::table effects_of(const EffectSettings& effects) {
+  toml::table table{{"redshift", effects.redshift}, {"magnification", effects.magnification}};
+  if (effects.psf) {
+    table.insert("psf", toml::table{{"sigma_px", effects.psf->sigma_px}});
+  }
+  if (effects.trails) {
+    table.insert("trails", toml::table{{"shutter_s", effects.trails->shutter_s}});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string to_toml(const Show& show) {
+  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
+  constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
+                                     "anaglyph", "dubois",       "rows",       "quad_buffer"};
+  constexpr const char* models[] = {"physical", "flat", "omni"};
+  const toml::table root{
+      {"title", show.title},
+      {"duration_s", show.duration_s},
+      {"frame_rate_hz", show.frame_rate_hz},
+      {"hole", toml::table{{"spin", show.spin}}},
+      {"camera", camera_of(show.camera)},
+      {"sky", toml::table{{"map", show.sky.map},
+                          {"stars", show.sky.stars},
+                          {"exposure", show.sky.exposure},
+                          {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
+                                                    {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
+      {"effects", effects_of(show.effects)},
+      {"view", toml::table{{"projection", projections[static_cast<int>(show.view.projection)]},
+                           {"fov_deg", show.view.field_of_view_deg},
+                           {"tilt_deg", show.view.tilt_deg},
+                           {"size_px", show.view.size_px},
+                           {"aspect", show.view.aspect}}},
+      {"stereo", toml::table{{"layout", layouts[static_cast<int>(show.stereo.layout)]},
+                             {"model", models[static_cast<int>(show.stereo.model)]},
+                             {"baseline", show.stereo.baseline},
+                             {"swap_eyes", show.stereo.swap_eyes}}},
+      {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  std::ostringstream text;
+  text << root << '\n';
+  return text.str();
+}
+
+}  // namespace ergodome

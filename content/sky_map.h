@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/mat3x3.hpp>
+#include <string>
+
+#include "content/environment_image.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+//! A folder with the built-in maps and shows: $ERGODOME_CONTENT, or beside the program, or the source folder it was built from.
+std::filesystem::path built_in_content_folder();
+
+//! Loads the sky map of a show: a built-in name ("milky_way", "grid") or a path, relative to the show's folder.
+EnvironmentImage load_sky_map(const Show& show);
+
+//! A sky to judge distortion by: lines every 15° of latitude and longitude, a hue for each quadrant, light in the north and dark in
+//! the south, a white ring at the north pole and a red one at the south pole.
+EnvironmentImage make_grid_sky(int width);
+
+//! Rotation from a map's axes to the hole's sky axes (z = spin axis).
+//!
+//! Map axes are equatorial J2000 (x to the vernal equinox, z to the north celestial pole); the spin axis points at the given right
+//! ascension and declination, and the sky's x axis lies in the plane of the spin axis and the celestial pole, away from the pole.
+//! The built-in grid is drawn in the hole's own axes and is not turned.
+glm::dmat3 sky_from_map(const SkySettings& sky);
+
+//! Map axes direction of a map's texel position (u to the right, v down, both 0 to 1): right ascension is 90° at the left edge and
+//! falls to the right, as seen from inside the sphere with north up.
+glm::dvec3 direction_from_map(double u, double v);
+
+//! The inverse: (u, v) of a direction.
+glm::dvec2 map_from_direction(const glm::dvec3& direction);
+
+}  // namespace ergodome

@@ -1,0 +1,170 @@
+#include "content/toml_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ergodome {
+
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+//! A key as a message shows it: of bounded length, whatever the file holds.
+std::string shown(std::string_view key) { return std::string(key.substr(0, 60)); }
+
+}  // namespace
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
+  const std::string_view bounded = word.substr(0, 100);
+  std::string nearest;
+  std::size_t least = bounded.size() / 2 + 2;
+  for (const std::string& candidate : words) {
+    const std::size_t distance = edit_distance(bounded, candidate);
+    if (distance < least) {
+      least = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::string TomlTable::path_of(std::string_view key) const {
+  return path_.empty() ? shown(key) : path_ + "." + shown(key);
+}
+
+Error TomlTable::error_at(std::string_view key, const std::string& problem, const std::string& remedy) const {
+  const toml::node* at = table_.get(key);
+  const auto line = at != nullptr ? at->source().begin.line : table_.source().begin.line;
+  const std::string place = line > 0 ? fmt::format("{}:{}", file_, line) : file_;
+  return {place, fmt::format("{} {}", path_of(key), problem), remedy};
+}
+
+const toml::node* TomlTable::node(std::string_view key) {
+  known_.emplace(key);
+  return table_.get(key);
+}
+
+double TomlTable::number(std::string_view key, double otherwise, double least, double greatest) {
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return otherwise;
+  }
+  const auto value = at->value<double>();
+  if (!at->is_number() || !value) {
+    throw error_at(key, "is not a number", "write a number such as 1.5");
+  }
+  if (!(*value >= least && *value <= greatest)) {
+    throw error_at(key, fmt::format("is {}", *value), fmt::format("choose a number from {} to {}", least, greatest));
+  }
+  return *value;
+}
+
+int TomlTable::integer(std::string_view key, int otherwise, int least, int greatest) {
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return otherwise;
+  }
+  const auto value = at->value_exact<int64_t>();
+  if (!value || *value < least || *value > greatest) {
+    throw error_at(key, "is not a whole number in range", fmt::format("choose one from {} to {}", least, greatest));
+  }
+  return static_cast<int>(*value);
+}
+
+bool TomlTable::boolean(std::string_view key, bool otherwise) {
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return otherwise;
+  }
+  const auto value = at->value_exact<bool>();
+  if (!value) {
+    throw error_at(key, "is neither true nor false", "write true or false, without quotes");
+  }
+  return *value;
+}
+
+std::string TomlTable::text(std::string_view key, const std::string& otherwise) {
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return otherwise;
+  }
+  const auto value = at->value_exact<std::string>();
+  if (!value || value->size() > 4096 || value->find('\0') != std::string::npos) {
+    throw error_at(key, "is not a text", "write it in quotes, at most 4096 bytes");
+  }
+  return *value;
+}
+
+int TomlTable::choice(std::string_view key, int otherwise, std::initializer_list<std::string_view> words) {
+  if (node(key) == nullptr) {
+    return otherwise;
+  }
+  const std::string word = text(key, "");
+  const auto* const found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) {
+    return static_cast<int>(found - words.begin());
+  }
+  const std::string nearest = nearest_word(word, {words.begin(), words.end()});
+  throw error_at(key, fmt::format("is \"{}\"", shown(word)),
+                 nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
+                                 : fmt::format("did you mean \"{}\"? There are {}", nearest, fmt::join(words, ", ")));
+}
+
+const toml::table* TomlTable::table(std::string_view key) {
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return nullptr;
+  }
+  if (!at->is_table()) {
+    throw error_at(key, "is not a table", fmt::format("write [{}] on a line of its own", path_of(key)));
+  }
+  return at->as_table();
+}
+
+std::vector<const toml::table*> TomlTable::tables(std::string_view key, std::size_t most) {
+  std::vector<const toml::table*> found;
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return found;
+  }
+  const toml::array* list = at->as_array();
+  if (list == nullptr || list->size() > most) {
+    throw error_at(key, "is not a list of tables", fmt::format("write [[{}]], at most {} times", path_of(key), most));
+  }
+  for (const toml::node& item : *list) {
+    if (!item.is_table()) {
+      throw error_at(key, "holds something that is not a table", fmt::format("write [[{}]]", path_of(key)));
+    }
+    found.push_back(item.as_table());
+  }
+  return found;
+}
+
+void TomlTable::refuse_unknown_keys() const {
+  for (const auto& [key, value] : table_) {
+    if (!known_.contains(key.str())) {
+      const std::string nearest = nearest_word(key.str(), {known_.begin(), known_.end()});
+      throw error_at(key.str(), "is not a known key",
+                     nearest.empty() ? fmt::format("known are {}", fmt::join(known_, ", "))
+                                     : fmt::format("did you mean \"{}\"?", nearest));
+    }
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "kernels/image/color_map.h"
+#include "kernels/image/shade_pixels.h"
+#include "kernels/sky/elliptic_filter.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+ERGO_HD Vector3<float> vector_at(float* const (&from)[3], int index) {
+  return {from[0][index], from[1][index], from[2][index]};
+}
+
+ERGO_HD void store_rgba(const ShadeBatch& batch, int index, const Vector3<float>& rgb, float alpha) {
+  float* to = batch.rgba + 4 * static_cast<long>(index);
+  to[0] = rgb.x;
+  to[1] = rgb.y;
+  to[2] = rgb.z;
+  to[3] = alpha;
+}
+}  // namespace detail
+
+//! Light of the sky behind each pixel. `Beaming` compiles the frequency ratio in: a scene without it pays nothing.
+//!
+//! The map has no spectrum to shift, so the shift acts on its brightness alone: intensity over the cube of the frequency is the same
+//! everywhere along a ray, and over all frequencies intensity goes with g⁴.
+template <bool Beaming>
+struct ShadeSky {
+  ShadeBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const float coverage = batch.lens.coverage[index];
+    Vector3<float> light = {0.0F, 0.0F, 0.0F};
+    if (coverage > 0.0F) {
+      light = filter_sky(batch.sky, detail::vector_at(batch.lens.sky, index), detail::vector_at(batch.lens.sky_along_x, index),
+                         detail::vector_at(batch.lens.sky_along_y, index));
+      float scale = coverage * batch.exposure;
+      if constexpr (Beaming) {
+        const float g2 = batch.lens.frequency_ratio[index] * batch.lens.frequency_ratio[index];
+        scale *= g2 * g2;
+      }
+      light = scale * light;
+    }
+    detail::store_rgba(batch, index, light, coverage);
+  }
+};
+
+//! A heat map of one channel of the lens, dark where no light comes from.
+struct ShadeHeatMap {
+  ShadeBatch batch;
+
+  //! The channel's value as the colour bar has it.
+  ERGO_HD float value(int index) const {
+    switch (batch.mode) {
+      case ViewMode::steps:
+        return batch.lens.steps[index];
+      case ViewMode::error_estimate:
+        return ::log10f(::fmaxf(batch.lens.error_estimate[index], 1e-30F));
+      case ViewMode::image_order:
+        return batch.lens.half_orbits[index];
+      case ViewMode::frequency_ratio:
+        return ::log2f(::fmaxf(batch.lens.frequency_ratio[index], 1e-30F));
+      default:
+        break;
+    }
+    const Vector3<float> area =
+        cross(detail::vector_at(batch.lens.sky_along_x, index), detail::vector_at(batch.lens.sky_along_y, index));
+    // log10 of the solid angle on the sky that one pixel sees; the bar is labelled relative to an undisturbed pixel.
+    return -0.5F * ::log10f(::fmaxf(dot(area, area), 1e-30F));
+  }
+
+  ERGO_HD void operator()(int index) const {
+    const float coverage = batch.lens.coverage[index];
+    const float place = (value(index) - batch.range_low) / (batch.range_high - batch.range_low);
+    const Vector3<float> shown = batch.mode == ViewMode::frequency_ratio ? shift_color(place) : heat_color(place);
+    // The renderer's output is linear; the colour map speaks in display values.
+    const Vector3<float> linear = {srgb_decoded(shown.x), srgb_decoded(shown.y), srgb_decoded(shown.z)};
+    detail::store_rgba(batch, index, coverage * linear, coverage);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET
