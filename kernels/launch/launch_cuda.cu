@@ -44,4 +44,20 @@ void shade_pixels_cuda(const ShadeBatch& batch) {
   }
 }
 
+void* allocate_cuda(std::size_t bytes) {
+  void* memory = nullptr;
+  check_cuda(cudaMalloc(&memory, bytes), "cudaMalloc");
+  return memory;
+}
+
+void release_cuda(void* memory) noexcept { cudaFree(memory); }
+
+void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
+  check_cuda(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copy to the device");
+}
+
+void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
+  check_cuda(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copy from the device");
+}
+
 }  // namespace ergodome

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "kernels/image/shade_pixels.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -13,5 +15,9 @@ void trace_rays_cuda(const RayBatch<float>& batch);
 void trace_rays_cuda(const RayBatch<double>& batch);
 void trace_pixels_cuda(const PixelBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
+void* allocate_cuda(std::size_t bytes);
+void release_cuda(void* memory) noexcept;
+void copy_to_cuda(void* to, const void* from, std::size_t bytes);
+void copy_from_cuda(void* to, const void* from, std::size_t bytes);
 
 }  // namespace ergodome

@@ -21,4 +21,12 @@ void trace_pixels_cuda(const PixelBatch&) { refuse(); }
 
 void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
+void* allocate_cuda(std::size_t) { refuse(); }
+
+void release_cuda(void*) noexcept {}
+
+void copy_to_cuda(void*, const void*, std::size_t) { refuse(); }
+
+void copy_from_cuda(void*, const void*, std::size_t) { refuse(); }
+
 }  // namespace ergodome

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
+#include "kernels/geodesic/baseline_rk34.h"
+#include "kernels/geodesic/closed_form.h"
+#include "kernels/geodesic/runge_kutta.h"
 #include "kernels/geodesic/taylor.h"
 #include "kernels/trace/trace_rays.h"
-#if __has_include("kernels/geodesic/runge_kutta.h")
-#include "kernels/geodesic/runge_kutta.h"
-#endif
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -20,6 +20,52 @@ struct TraceByTaylor {
       return settings.tolerance < 1e-9 ? trace_taylor<20>(spin, start, active, settings, steps, reached)
                                        : trace_taylor<10>(spin, start, active, settings, steps, reached);
     }
+  }
+};
+
+template <class Tableau>
+struct TraceByRungeKutta {
+  template <class T>
+  ERGO_HD RayEnd<T> operator()(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active,
+                               const IntegrationSettings& settings, T& steps, MaskOf<T>& reached) const {
+    return trace_runge_kutta<Tableau>(spin, start, active, settings, steps, reached);
+  }
+};
+
+struct TraceByBaseline {
+  template <class T>
+  ERGO_HD RayEnd<T> operator()(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active,
+                               const IntegrationSettings& settings, T& steps, MaskOf<T>& reached) const {
+    return trace_baseline_rk34(spin, start, active, settings, steps, reached);
+  }
+};
+
+//! Elliptic functions take their own path for every ray, so the lanes go one by one, in double.
+struct TraceByClosedForm {
+  template <class T>
+  ERGO_HD RayEnd<T> operator()(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active,
+                               const IntegrationSettings&, T& steps, MaskOf<T>& reached) const {
+    using S = ScalarOf<T>;
+    const T zero(S(0));
+    RayEnd<T> end = {{zero, zero, zero}, zero, zero};
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (!mask_lane(active, i)) {
+        continue;
+      }
+      const auto at = [&](const T& value) { return static_cast<double>(lane(value, i)); };
+      const RayStart<double> ray = {at(start.axial_angular_momentum), at(start.polar_constant), at(start.shear_constant),
+                                    at(start.u), at(start.u_rate), {at(start.m.x), at(start.m.y), at(start.m.z)},
+                                    {at(start.m_rate.x), at(start.m_rate.y), at(start.m_rate.z)}, at(start.energy)};
+      const RayEnd<double> exact = trace_closed_form(static_cast<double>(spin), ray);
+      set_lane(end.sky.x, i, static_cast<S>(exact.sky.x));
+      set_lane(end.sky.y, i, static_cast<S>(exact.sky.y));
+      set_lane(end.sky.z, i, static_cast<S>(exact.sky.z));
+      set_lane(end.mino_time, i, static_cast<S>(exact.mino_time));
+      set_lane(end.error_estimate, i, static_cast<S>(exact.error_estimate));
+    }
+    steps = select(active, T(S(1)), zero);
+    reached = active & (dot(end.sky, end.sky) < T(S(2)));
+    return end;
   }
 };
 
@@ -61,8 +107,19 @@ template <class Action>
 inline void dispatch_method(TraceMethod method, const Action& action) {
   switch (method) {
     case TraceMethod::taylor:
-    default:
       action(TraceByTaylor{});
+      break;
+    case TraceMethod::rk34:
+      action(TraceByRungeKutta<RungeKutta34>{});
+      break;
+    case TraceMethod::cash_karp:
+      action(TraceByRungeKutta<CashKarp>{});
+      break;
+    case TraceMethod::baseline_rk34:
+      action(TraceByBaseline{});
+      break;
+    case TraceMethod::closed_form:
+      action(TraceByClosedForm{});
       break;
   }
 }

@@ -15,9 +15,9 @@ constexpr int step_limit = 200;
 
 }  // namespace
 
-DirectLens::DirectLens(const EyeCamera& eye, const Projection& projection, double tolerance_px)
+DirectLens::DirectLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px)
     : station_(make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity)),
-      edge_(station_, edge_points),
+      edge_(backend, station_, edge_points),
       prototype_{} {
   const double pixel = pixel_angle(projection);
   prototype_.camera = converted_station<float>(station_);

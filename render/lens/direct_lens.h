@@ -11,7 +11,7 @@ class DirectLens {
  public:
   //! Prepares an eye for an image. `tolerance_px` is the error of a pixel's direction on the sky, in pixels, that is accepted
   //! where the sky is neither stretched nor squeezed.
-  DirectLens(const EyeCamera& eye, const Projection& projection, double tolerance_px);
+  DirectLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px);
 
   //! The batch that traces rows [first_row, first_row + row_count) into `out`. It refers to this object.
   [[nodiscard]] PixelBatch rows(int first_row, int row_count, const LensPixels& out) const;

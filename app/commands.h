@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace ergodome {
+
+// Each adds one command to the command line; the command runs when it is parsed. Errors leave as ergodome::Error.
+void add_render_command(CLI::App& app);
+void add_play_command(CLI::App& app);
+void add_trace_command(CLI::App& app);
+void add_edge_command(CLI::App& app);
+void add_inspect_command(CLI::App& app);
+
+}  // namespace ergodome

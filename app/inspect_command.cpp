@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/show_loading.h"
+#include "content/camera_path.h"
+#include "content/environment_image.h"
+#include "content/show_reader.h"
+#include "content/sky_map.h"
+#include "kernels/core/error.h"
+#include "kernels/shadow/critical_curve.h"
+
+namespace ergodome {
+
+namespace {
+
+struct InspectOptions {
+  std::string file;
+  bool json = false;
+};
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+//! Angular width of the shadow along ±φ from the show's camera at a time [deg].
+double shadow_width_deg(const Show& show, double time_s) {
+  const CameraPose pose = camera_pose(show, time_s);
+  const CameraStation camera = make_camera_station(show.spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
+  const ShadowChart chart = make_shadow_chart(camera);
+  return degrees * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, 3.14159265358979323846));
+}
+
+nlohmann::json facts_of(const Show& show) {
+  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
+  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
+  constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
+                                     "anaglyph", "dubois",       "rows",       "quad_buffer"};
+  nlohmann::json facts;
+  facts["title"] = show.title;
+  facts["duration_s"] = show.duration_s;
+  facts["frames"] = frame_count(show);
+  facts["spin"] = show.spin;
+  facts["horizon_r"] = horizon_radius(show.spin);
+  facts["observer"] = observers[static_cast<int>(show.camera.motion)];
+  facts["sky_map"] = show.sky.map;
+  facts["projection"] = projections[static_cast<int>(show.view.projection)];
+  facts["size_px"] = show.view.size_px;
+  facts["stereo"] = layouts[static_cast<int>(show.stereo.layout)];
+  facts["baseline"] = show.stereo.baseline;
+  facts["budget_px"] = show.quality.budget_px;
+  facts["not_drawn_yet"] = missing_features(show);
+  for (const CameraKey& key : show.camera.keys) {
+    facts["keys"].push_back({{"t_s", key.time_s},
+                             {"r", key.r},
+                             {"theta_deg", key.theta * degrees},
+                             {"phi_deg", key.phi * degrees},
+                             {"shadow_width_deg", shadow_width_deg(show, key.time_s)}});
+  }
+  return facts;
+}
+
+void print(const nlohmann::json& facts) {
+  for (const auto& [name, value] : facts.items()) {
+    if (name != "keys") {
+      fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+  if (facts.contains("keys")) {
+    fmt::print("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]", "shadow width [deg]");
+    for (const auto& key : facts["keys"]) {
+      fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}\n", key["t_s"].get<double>(), key["r"].get<double>(),
+                 key["theta_deg"].get<double>(), key["phi_deg"].get<double>(), key["shadow_width_deg"].get<double>());
+    }
+  }
+}
+
+nlohmann::json facts_of(const EnvironmentImage& image) {
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    sum[i % 3] += image.rgb[i];
+  }
+  const double texels = static_cast<double>(image.width) * image.height;
+  return {{"name", image.name},
+          {"width", image.width},
+          {"height", image.height},
+          {"repaired_texels", image.repaired_texels},
+          {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
+}
+
+void run(const InspectOptions& options) {
+  const bool is_image = std::filesystem::path(options.file).has_extension() &&
+                        std::filesystem::path(options.file).extension() != ".toml";
+  const nlohmann::json facts =
+      is_image ? facts_of(read_environment_image(options.file)) : facts_of(load_show(options.file));
+  if (options.json) {
+    fmt::print("{}\n", facts.dump(2));
+  } else {
+    print(facts);
+  }
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show or a sky map");
+  command->add_option("file", options->file, "show (.toml or the name of a built-in one) or equirectangular image")->required();
+  command->add_flag("--json", options->json, "as JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,25 @@
+#include "app/interrupt.h"
+
+#include <csignal>
+
+namespace ergodome {
+
+namespace {
+
+volatile std::sig_atomic_t stop_wanted = 0;
+
+void note_signal(int signal) {
+  stop_wanted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
+}
+
+bool interrupted() { return stop_wanted != 0; }
+
+}  // namespace ergodome

@@ -1,0 +1,33 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "kernels/core/error.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("Ergodome shows what a spinning black hole does to the sky around it.", "ergodome");
+  app.set_version_flag("--version", "ergodome " ERGODOME_VERSION);
+  app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& problem) {
+    return std::string("ergodome: ") + problem.what() + "; try --help\n";
+  });
+  ergodome::add_render_command(app);
+  ergodome::add_inspect_command(app);
+  ergodome::add_trace_command(app);
+  ergodome::add_edge_command(app);
+  ergodome::catch_interrupts();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("ergodome: not enough memory; choose a smaller size\n", stderr);
+    return 1;
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "ergodome: %s\n", problem.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <type_traits>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "content/atomic_file.h"
+#include "content/ray_table.h"
+#include "kernels/core/error.h"
+#include "kernels/launch/launch.h"
+#include "kernels/shadow/critical_curve.h"
+
+namespace ergodome {
+
+namespace {
+
+struct RayOptions {
+  std::string rays;
+  std::string out;
+  std::string method = "taylor";
+  std::string precision = "double";
+  double tolerance = 0.0;
+  int points = 0;
+};
+
+const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
+                                                    {"rk34", TraceMethod::rk34},
+                                                    {"cash_karp", TraceMethod::cash_karp},
+                                                    {"closed_form", TraceMethod::closed_form},
+                                                    {"baseline_rk34", TraceMethod::baseline_rk34}};
+
+CameraStation station_of(const RayRow& row) {
+  return make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
+}
+
+bool same_camera(const RayRow& a, const RayRow& b) {
+  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion && a.velocity.x == b.velocity.x &&
+         a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
+}
+
+//! Arrays of one batch: inputs and outputs of the rays that share a camera.
+template <class S>
+struct BatchArrays {
+  std::vector<S> n[3], sky[3], g, status, steps, error_estimate;
+
+  explicit BatchArrays(std::size_t count) {
+    for (int i = 0; i < 3; ++i) {
+      n[i].resize(count);
+      sky[i].resize(count);
+    }
+    for (auto* each : {&g, &status, &steps, &error_estimate}) {
+      each->resize(count);
+    }
+  }
+};
+
+//! Traces rows [begin, end), which share a camera, and appends a line for each.
+template <class S>
+void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                 std::string& text) {
+  const std::size_t count = end - begin;
+  BatchArrays<S> arrays(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3<double>& n = rows[begin + i].direction;
+    arrays.n[0][i] = static_cast<S>(n.x);
+    arrays.n[1][i] = static_cast<S>(n.y);
+    arrays.n[2][i] = static_cast<S>(n.z);
+  }
+  const bool narrow = sizeof(S) == 4;
+  const double finest = options.method == "taylor" ? 1e-14 : 1e-12;
+  const double tolerance = options.tolerance > 0.0 ? options.tolerance : (narrow ? 1e-7 : finest);
+  RayBatch<S> batch{};
+  batch.camera = converted_station<S>(station_of(rows[begin]));
+  batch.settings = {tolerance, 1'000'000};
+  if (options.method == "baseline_rk34") {
+    batch.settings.step_limit = 20'000;  // ten times the published tracer's limit
+  }
+  batch.method = methods.at(options.method);
+  batch.count = static_cast<int>(count);
+  for (int i = 0; i < 3; ++i) {
+    batch.direction[i] = arrays.n[i].data();
+    batch.sky[i] = arrays.sky[i].data();
+  }
+  batch.frequency_ratio = arrays.g.data();
+  batch.status = arrays.status.data();
+  batch.steps = arrays.steps.data();
+  batch.error_estimate = arrays.error_estimate.data();
+  trace_rays(Backend::cpu, batch);
+  constexpr const char* words[] = {"escaped", "captured", "not_converged"};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto status = static_cast<std::size_t>(arrays.status[i]);
+    text += fmt::format("{},{},", rows[begin + i].id, words[status]);
+    if (status == 0) {
+      text += fmt::format("{:.17g},{:.17g},{:.17g},", arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]);
+    } else {
+      text += ",,,";
+    }
+    text += fmt::format("{:.17g},{:.0f},{:.17g}\n", arrays.g[i], arrays.steps[i], arrays.error_estimate[i]);
+  }
+}
+
+//! Calls work(begin, end) for each run of rows with one camera; runs are bounded so that progress and Ctrl-C work.
+template <class Work>
+void for_each_camera(const std::vector<RayRow>& rows, const Work& work) {
+  constexpr std::size_t longest_run = 1'000'000;
+  Progress progress("tracing", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
+  for (std::size_t begin = 0; begin < rows.size();) {
+    std::size_t end = begin + 1;
+    while (end < rows.size() && end - begin < longest_run && same_camera(rows[begin], rows[end])) {
+      ++end;
+    }
+    if (interrupted()) {
+      throw Error("trace", "stopped; nothing was written", "run it again");
+    }
+    work(begin, end);
+    begin = end;
+    progress.advance_to(static_cast<long>(end));
+  }
+}
+
+void run_trace(const RayOptions& options) {
+  const std::vector<RayRow> rows = read_ray_table(options.rays);
+  std::string text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
+  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    if (options.precision == "float") {
+      trace_group<float>(rows, begin, end, options, text);
+    } else {
+      trace_group<double>(rows, begin, end, options, text);
+    }
+  });
+  write_text_atomically(options.out, text);
+}
+
+void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
+                   std::string& text) {
+  for (int i = 0; i < count; ++i) {
+    const double gamma = 6.28318530717958647692 * i / count;
+    const double alpha = edge_polar_angle(camera, chart, gamma);
+    const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", id, i, n.x, n.y, n.z);
+  }
+}
+
+void run_edge(const RayOptions& options) {
+  const std::vector<RayRow> rows = read_ray_table(options.rays);
+  std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
+  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    const CameraStation camera = station_of(rows[begin]);
+    const ShadowChart chart = make_shadow_chart(camera);
+    if (options.points > 0) {
+      append_points(camera, chart, rows[begin].id, options.points, text);
+      return;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      text += fmt::format("{},{:.17g}\n", rows[i].id, edge_distance(camera, chart, rows[i].direction));
+    }
+  });
+  write_text_atomically(options.out, text);
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app) {
+  auto options = std::make_shared<RayOptions>();
+  CLI::App* command = app.add_subcommand("trace", "Trace single light rays from a table to a table");
+  command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")->required();
+  command->add_option("--out", options->out, "table to write")->required();
+  command->add_option("--method", options->method, "taylor, rk34, cash_karp, closed_form or baseline_rk34")
+      ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}))
+      ->capture_default_str();
+  command->add_option("--precision", options->precision, "float or double")
+      ->check(CLI::IsMember({"float", "double"}))
+      ->capture_default_str();
+  command->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
+      ->check(CLI::Range(1e-16, 1.0));
+  command->callback([options] { run_trace(*options); });
+}
+
+void add_edge_command(CLI::App& app) {
+  auto options = std::make_shared<RayOptions>();
+  CLI::App* command = app.add_subcommand("edge", "Signed angle of directions from the shadow's edge, or points of the edge");
+  command->add_option("--rays", options->rays, "table of rays (CSV), as for trace")->required();
+  command->add_option("--out", options->out, "table to write")->required();
+  command->add_option("--points", options->points, "write this many points of the edge for each camera instead")
+      ->check(CLI::Range(1, 1'000'000));
+  command->callback([options] { run_edge(*options); });
+}
+
+}  // namespace ergodome

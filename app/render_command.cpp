@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app/backend_choice.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/show_loading.h"
+#include "kernels/core/error.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/color_bar.h"
+#include "render/output/frame_names.h"
+#include "render/output/image_writer.h"
+
+namespace ergodome {
+
+namespace {
+
+struct RenderOptions {
+  std::string show;
+  std::string out = "frames";
+  std::string frames;
+  int size_px = 0;
+  std::string projection;
+  std::string stereo;
+  std::string backend = "auto";
+  std::string format = "png";
+  std::string view = "sky";
+  bool resume = false;
+};
+
+//! First and last frame, counted from 0, of "A:B", "A:" , ":B" or "A", which count from 1.
+std::pair<int, int> frame_range(const std::string& text, int count) {
+  if (text.empty()) {
+    return {0, count - 1};
+  }
+  const auto number = [&](const std::string& part, int otherwise) {
+    if (part.empty()) {
+      return otherwise;
+    }
+    std::size_t used = 0;
+    int value = 0;
+    try {
+      value = std::stoi(part, &used);
+    } catch (const std::exception&) {
+      used = 0;
+    }
+    if (used != part.size() || value < 1 || value > count) {
+      throw Error("--frames " + text, fmt::format("\"{}\" is not a frame of this show", part),
+                  fmt::format("choose from 1:{}", count));
+    }
+    return value;
+  };
+  const std::size_t colon = text.find(':');
+  const int first = number(text.substr(0, colon), 1);
+  const int last = colon == std::string::npos ? first : number(text.substr(colon + 1), count);
+  if (last < first) {
+    throw Error("--frames " + text, "ends before it begins", "write FIRST:LAST");
+  }
+  return {first - 1, last - 1};
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    throw Error(folder.string(), "cannot be made: " + problem.message(), "choose another folder with --out");
+  }
+}
+
+FrameMetadata metadata_of(const Show& show, double time_s, FramePart part) {
+  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
+  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
+  constexpr const char* parts[] = {"whole", "left", "right"};
+  const CameraPose pose = camera_pose(show, time_s);
+  return {{"show", show.title},
+          {"time_s", fmt::format("{:.6f}", time_s)},
+          {"spin", fmt::format("{:.12g}", show.spin)},
+          {"r", fmt::format("{:.12g}", pose.r)},
+          {"theta_deg", fmt::format("{:.12g}", pose.theta * 180.0 / 3.14159265358979323846)},
+          {"observer", observers[static_cast<int>(show.camera.motion)]},
+          {"projection", projections[static_cast<int>(show.view.projection)]},
+          {"part", parts[static_cast<int>(part)]},
+          {"version", ERGODOME_VERSION}};
+}
+
+//! Renders and writes the frames of one run.
+class FrameWriter {
+ public:
+  FrameWriter(const RenderOptions& options, const Show& show)
+      : options_(options),
+        format_(options.format == "exr" ? ImageFormat::exr : ImageFormat::png),
+        choice_{view_mode(options.view), options.size_px, 0.0},
+        renderer_(show, choose_backend(options.backend)) {}
+
+  void write(int frame) {
+    const Show& show = renderer_.show();
+    if (options_.resume && is_there(frame)) {
+      return;
+    }
+    const double time_s = frame_time_s(show, frame);
+    for (FrameImage& image : renderer_.render(time_s, choice_)) {
+      draw_color_bar(image.picture, choice_.mode);
+      const std::filesystem::path path = path_of(frame, image.part);
+      make_folder(path.parent_path());
+      write_picture(path, format_, image.picture, metadata_of(show, time_s, image.part));
+      unresolved_ += image.picture.unresolved_pixels;
+    }
+    ++written_;
+  }
+
+  [[nodiscard]] int written() const { return written_; }
+  [[nodiscard]] long unresolved() const { return unresolved_; }
+
+ private:
+  [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part) const {
+    return std::filesystem::path(options_.out) /
+           frame_path(renderer_.show().name, frame, frame_count(renderer_.show()), part, options_.format);
+  }
+
+  [[nodiscard]] bool is_there(int frame) const {
+    const Show& show = renderer_.show();
+    const int size_px = choice_.size_px > 0 ? choice_.size_px : show.view.size_px;
+    const Projection eye = make_projection(show.view, size_px, 0.0);
+    switch (show.stereo.layout) {
+      case StereoLayout::separate:
+        return is_complete_image(path_of(frame, FramePart::left), eye.width_px, eye.height_px) &&
+               is_complete_image(path_of(frame, FramePart::right), eye.width_px, eye.height_px);
+      case StereoLayout::side_by_side:
+        return is_complete_image(path_of(frame, FramePart::whole), 2 * eye.width_px, eye.height_px);
+      case StereoLayout::top_bottom:
+        return is_complete_image(path_of(frame, FramePart::whole), eye.width_px, 2 * eye.height_px);
+      default:
+        return is_complete_image(path_of(frame, FramePart::whole), eye.width_px, eye.height_px);
+    }
+  }
+
+  const RenderOptions& options_;
+  ImageFormat format_;
+  ViewChoice choice_;
+  ShowRenderer renderer_;
+  int written_ = 0;
+  long unresolved_ = 0;
+};
+
+void run(const RenderOptions& options) {
+  Show show = load_show(options.show);
+  override_view(show, options.projection, options.stereo);
+  require_features(show);
+  const auto [first, last] = frame_range(options.frames, frame_count(show));
+  make_folder(options.out);
+  FrameWriter writer(options, show);
+  {
+    Progress progress("rendering", last - first + 1);
+    for (int frame = first; frame <= last; ++frame) {
+      if (interrupted()) {
+        throw Error("render", fmt::format("stopped after {} frames", writer.written()), "go on with --resume");
+      }
+      writer.write(frame);
+      progress.advance_to(frame - first + 1);
+    }
+  }
+  fmt::print("{} frames in {}\n", writer.written(), options.out);
+  if (writer.unresolved() > 0) {
+    fmt::print(stderr, "ergodome: {} pixels did not converge and show the mean of the sky\n", writer.unresolved());
+  }
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a display");
+  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
+  command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
+  command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1 (default: all)");
+  command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
+  command->add_option("--projection", options->projection, "dome, equirect or pinhole, instead of the show's")
+      ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
+  command->add_option("--stereo", options->stereo, "mono, side_by_side, top_bottom or separate, instead of the show's")
+      ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom", "separate"}));
+  command->add_option("--backend", options->backend, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->capture_default_str();
+  command->add_option("--format", options->format, "png or exr")->check(CLI::IsMember({"png", "exr"}))->capture_default_str();
+  command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
+      ->check(CLI::IsMember(view_mode_names()))
+      ->capture_default_str();
+  command->add_flag("--resume", options->resume, "skip frames that are there and complete");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,76 @@
+#include "app/show_loading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "content/show_reader.h"
+#include "content/sky_map.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+std::vector<std::string> built_in_shows(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
+    if (entry.path().extension() == ".toml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+Show load_show(const std::string& name_or_path) {
+  std::error_code problem;
+  if (std::filesystem::exists(name_or_path, problem)) {
+    return read_show(name_or_path);
+  }
+  const std::filesystem::path folder = built_in_content_folder() / "shows";
+  const std::filesystem::path built_in = folder / (name_or_path + ".toml");
+  if (name_or_path.find('/') == std::string::npos && std::filesystem::exists(built_in, problem)) {
+    return read_show(built_in);
+  }
+  throw Error(name_or_path, "is neither a file nor a built-in show",
+              fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
+}
+
+void override_view(Show& show, const std::string& projection, const std::string& stereo) {
+  if (!projection.empty()) {
+    const ViewProjection chosen = projection == "dome"       ? ViewProjection::dome
+                                  : projection == "equirect" ? ViewProjection::equirect
+                                                             : ViewProjection::pinhole;
+    if (chosen != show.view.projection) {
+      show.view.projection = chosen;
+      show.view.field_of_view_deg = chosen == ViewProjection::pinhole ? 60.0 : 180.0;
+    }
+  }
+  if (!stereo.empty()) {
+    show.stereo.layout = stereo == "mono"           ? StereoLayout::mono
+                         : stereo == "side_by_side" ? StereoLayout::side_by_side
+                         : stereo == "top_bottom"   ? StereoLayout::top_bottom
+                                                    : StereoLayout::separate;
+  }
+}
+
+void require_features(const Show& show) {
+  const std::vector<std::string> missing = missing_features(show);
+  if (!missing.empty()) {
+    throw Error(show.name, fmt::format("{}", fmt::join(missing, "; ")), "take it out of the show for now");
+  }
+}
+
+std::vector<std::string> view_mode_names() { return {"sky", "steps", "error", "order", "g", "magnification"}; }
+
+ViewMode view_mode(const std::string& name) {
+  const std::vector<std::string> names = view_mode_names();
+  return static_cast<ViewMode>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+}  // namespace ergodome

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "content/show.h"
+#include "kernels/image/shade_pixels.h"
+
+namespace ergodome {
+
+//! Reads a show from a path, or a built-in one by its name ("first-light").
+Show load_show(const std::string& name_or_path);
+
+//! Puts the projection and stereo layout of the command line (empty: none) in place of the show's.
+void override_view(Show& show, const std::string& projection, const std::string& stereo);
+
+//! Throws Error naming what the show asks for and this version cannot draw.
+void require_features(const Show& show);
+
+//! The words for ViewMode on the command line, and the mode of a word.
+std::vector<std::string> view_mode_names();
+ViewMode view_mode(const std::string& name);
+
+}  // namespace ergodome

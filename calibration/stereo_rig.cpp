@@ -1,0 +1,62 @@
+#include "calibration/stereo_rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/metric/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+//! The unit vectors of r, θ, φ at a place, in the Cartesian-like axes; rows.
+struct Axes {
+  double row[3][3];
+};
+
+Axes axes_at(double theta, double phi) {
+  const double st = std::sin(theta);
+  const double ct = std::cos(theta);
+  const double sp = std::sin(phi);
+  const double cp = std::cos(phi);
+  return {{{st * cp, st * sp, ct}, {ct * cp, ct * sp, -st}, {-sp, cp, 0.0}}};
+}
+
+}  // namespace
+
+EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3], double offset,
+                   double least_r) {
+  const KerrFunctions f = kerr_functions(spin, r, theta);
+  // Proper lengths to coordinate displacements: √(Δ/Σ) dr, r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
+  const double scale[3] = {std::sqrt(std::max(f.delta, 0.0) / f.sigma), r / std::sqrt(f.sigma), r / f.circumference_factor};
+  const Axes here = axes_at(theta, phi);
+  double place[3];
+  for (int j = 0; j < 3; ++j) {
+    place[j] = r * here.row[0][j];
+    for (int i = 0; i < 3; ++i) {
+      place[j] += offset * frame_from_view[i][0] * scale[i] * here.row[i][j];
+    }
+  }
+  EyeEvent eye{};
+  const double across = std::hypot(place[0], place[1]);
+  eye.r = std::max(std::hypot(across, place[2]), least_r);
+  eye.theta = std::atan2(across, place[2]);
+  // The head's own branch of φ, so that a show of many turns does not jump.
+  const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : phi;
+  eye.phi = phi + std::remainder(azimuth - phi, 6.28318530717958647692);
+  const Axes there = axes_at(eye.theta, eye.phi);
+  for (int i = 0; i < 3; ++i) {
+    for (int view = 0; view < 3; ++view) {
+      double sum = 0.0;
+      for (int k = 0; k < 3; ++k) {
+        for (int j = 0; j < 3; ++j) {
+          sum += there.row[i][j] * here.row[k][j] * frame_from_view[k][view];
+        }
+      }
+      eye.frame_from_view[i][view] = sum;
+    }
+  }
+  return eye;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "kernels/launch/launch.h"
+#include "kernels/launch/launch_cuda.h"
+
+namespace ergodome {
+
+//! Owns an array where the kernels of a backend can reach it: host memory (64-byte aligned) or device memory.
+template <class T>
+class Buffer {
+ public:
+  Buffer() : data_(nullptr, Release{Backend::cpu}) {}
+
+  //! `count` elements, not initialized. Throws Error where the device has no room, std::bad_alloc where the host has none.
+  Buffer(Backend backend, std::size_t count)
+      : data_(static_cast<T*>(allocate(backend, count * sizeof(T))), Release{backend}), count_(count) {}
+
+  Buffer(Backend backend, const std::vector<T>& values) : Buffer(backend, values.size()) {
+    if (backend == Backend::cuda) {
+      copy_to_cuda(data(), values.data(), count_ * sizeof(T));
+    } else {
+      std::copy(values.begin(), values.end(), data());
+    }
+  }
+
+  [[nodiscard]] T* data() const { return data_.get(); }
+  [[nodiscard]] std::size_t size() const { return count_; }
+
+  //! Copies the first `count` elements to host memory.
+  void read(T* to, std::size_t count) const {
+    if (data_.get_deleter().backend == Backend::cuda) {
+      copy_from_cuda(to, data(), count * sizeof(T));
+    } else {
+      std::copy(data(), data() + count, to);
+    }
+  }
+
+ private:
+  struct Release {
+    Backend backend;
+    void operator()(T* memory) const noexcept {
+      if (backend == Backend::cuda) {
+        release_cuda(memory);
+      } else {
+        std::free(memory);
+      }
+    }
+  };
+
+  static void* allocate(Backend backend, std::size_t bytes) {
+    if (backend == Backend::cuda) {
+      return allocate_cuda(std::max<std::size_t>(bytes, 1));
+    }
+    void* memory = std::aligned_alloc(64, (bytes / 64 + 1) * 64);
+    if (memory == nullptr) {
+      throw std::bad_alloc();
+    }
+    return memory;
+  }
+
+  std::unique_ptr<T, Release> data_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,117 @@
+#include "render/frame/eye_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ergodome {
+
+namespace {
+
+//! Pixels that are worked on at a time: their lens channels stay below 64 MiB.
+constexpr int block_pixels = 1 << 20;
+
+//! The ends of the colour bar in the kernel's own measure of a channel (kernels/image/shade_pixels_kernel.h).
+void set_kernel_range(ShadeBatch& batch, const HeatRange& range, double pixel_solid_angle) {
+  const auto measure = [&](double value) {
+    switch (batch.mode) {
+      case ViewMode::error_estimate:
+        return std::log10(value);
+      case ViewMode::frequency_ratio:
+        return std::log2(value);
+      case ViewMode::magnification:
+        // The kernel has -½ log10 of the squared solid angle on the sky: magnification times the pixel's own solid angle.
+        return std::log10(value) - std::log10(pixel_solid_angle);
+      default:
+        return value;
+    }
+  };
+  batch.range_low = static_cast<float>(measure(range.low));
+  batch.range_high = static_cast<float>(measure(range.high));
+}
+
+}  // namespace
+
+HeatRange heat_range(ViewMode mode, double) {
+  switch (mode) {
+    case ViewMode::steps:
+      return {0.0, 16.0, false};
+    case ViewMode::error_estimate:
+      return {1e-7, 1e-2, true};
+    case ViewMode::image_order:
+      return {0.0, 3.0, false};
+    case ViewMode::frequency_ratio:
+      return {0.25, 4.0, true};
+    default:
+      return {1e-3, 1e3, true};
+  }
+}
+
+LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings) {
+  const bool sky = settings.mode == ViewMode::sky;
+  const bool footprint = sky || settings.mode == ViewMode::magnification;
+  const bool ratio = (sky && settings.beaming) || settings.mode == ViewMode::frequency_ratio;
+  const std::size_t count = 2U + (sky ? 3U : 0U) + (footprint ? 6U : 0U) + (ratio ? 1U : 0U) +
+                            (settings.mode == ViewMode::steps ? 1U : 0U) + (settings.mode == ViewMode::image_order ? 1U : 0U);
+  if (lens_.size() < count * pixels) {
+    lens_ = Buffer<float>(backend_, count * pixels);
+  }
+  float* next = lens_.data();
+  const auto take = [&](bool wanted) {
+    float* channel = wanted ? next : nullptr;
+    next += wanted ? pixels : 0;
+    return channel;
+  };
+  LensPixels lens{};
+  lens.coverage = take(true);
+  lens.error_estimate = take(true);
+  for (int i = 0; i < 3; ++i) {
+    lens.sky[i] = take(sky);
+    lens.sky_along_x[i] = take(footprint);
+    lens.sky_along_y[i] = take(footprint);
+  }
+  lens.frequency_ratio = take(ratio);
+  lens.steps = take(settings.mode == ViewMode::steps);
+  lens.half_orbits = take(settings.mode == ViewMode::image_order);
+  return lens;
+}
+
+Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                            const PictureSettings& settings) {
+  Picture picture;
+  picture.width = projection.width_px;
+  picture.height = projection.height_px;
+  const auto width = static_cast<std::size_t>(projection.width_px);
+  picture.rgba.resize(4 * width * static_cast<std::size_t>(projection.height_px));
+  const int block_rows = std::clamp(block_pixels / projection.width_px, 1, projection.height_px);
+  const std::size_t most = width * static_cast<std::size_t>(block_rows);
+  const LensPixels lens = channels(most, settings);
+  if (rgba_.size() < 4 * most) {
+    rgba_ = Buffer<float>(backend_, 4 * most);
+  }
+  const DirectLens source(backend_, eye, projection, settings.tolerance_px);
+  ShadeBatch shade{lens, sky.view(), settings.mode, settings.beaming, settings.exposure, 0.0F, 1.0F, rgba_.data(), 0};
+  const double pixel = pixel_angle(projection);
+  if (settings.mode != ViewMode::sky) {
+    picture.heat_range = heat_range(settings.mode, pixel);
+    set_kernel_range(shade, *picture.heat_range, pixel * pixel);
+  }
+  std::vector<float> estimates(most);
+  for (int row = 0; row < projection.height_px; row += block_rows) {
+    const int rows = std::min(block_rows, projection.height_px - row);
+    const std::size_t pixels = width * static_cast<std::size_t>(rows);
+    trace_pixels(backend_, source.rows(row, rows, lens));
+    shade.count = static_cast<int>(pixels);
+    shade_pixels(backend_, shade);
+    rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
+    if (backend_ == Backend::cuda) {
+      copy_from_cuda(estimates.data(), lens.error_estimate, pixels * sizeof(float));
+    } else {
+      std::copy(lens.error_estimate, lens.error_estimate + pixels, estimates.begin());
+    }
+    picture.unresolved_pixels +=
+        std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels), [](float e) { return e < 0.0F; });
+  }
+  return picture;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/backend/buffer.h"
+#include "render/lens/direct_lens.h"
+#include "render/sky/sky_cube.h"
+
+namespace ergodome {
+
+//! How a picture is made of what the lens shows.
+struct PictureSettings {
+  ViewMode mode = ViewMode::sky;
+  bool beaming = false;          //!< the frequency ratio acts on the sky's light
+  float exposure = 1.0F;
+  double tolerance_px = 0.05;    //!< accepted error of a light ray [px]
+};
+
+//! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
+struct HeatRange {
+  double low;
+  double high;
+  bool logarithmic;
+};
+
+//! A picture of one eye: linear light, four floats a pixel (red, green, blue, coverage), the top row first.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgba;
+  long unresolved_pixels = 0;          //!< rays that did not converge: shown as the mean of the sky
+  std::optional<HeatRange> heat_range;
+};
+
+//! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
+class EyeRenderer {
+ public:
+  explicit EyeRenderer(Backend backend) : backend_(backend) {}
+
+  [[nodiscard]] Backend backend() const { return backend_; }
+
+  Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky, const PictureSettings& settings);
+
+ private:
+  //! Makes room for the channels that the picture calls for, and no others.
+  LensPixels channels(std::size_t pixels, const PictureSettings& settings);
+
+  Backend backend_;
+  Buffer<float> lens_;
+  Buffer<float> rgba_;
+};
+
+//! The range of a heat map's colour bar for a view.
+HeatRange heat_range(ViewMode mode, double pixel_angle);
+
+}  // namespace ergodome

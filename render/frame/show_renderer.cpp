@@ -1,0 +1,129 @@
+#include "render/frame/show_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "calibration/stereo_rig.h"
+#include "content/sky_map.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+//! Both pictures in one: `columns` 2 side by side, 1 on top of each other.
+Picture joined(const Picture& first, const Picture& second, int columns) {
+  Picture whole;
+  whole.width = first.width * columns;
+  whole.height = first.height * (3 - columns);
+  whole.unresolved_pixels = first.unresolved_pixels + second.unresolved_pixels;
+  whole.heat_range = first.heat_range;
+  whole.rgba.resize(first.rgba.size() + second.rgba.size());
+  const std::size_t row = 4 * static_cast<std::size_t>(first.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(first.height); ++y) {
+    const std::size_t to = columns == 2 ? 2 * y * row : y * row;
+    const std::size_t second_to = columns == 2 ? to + row : (y + static_cast<std::size_t>(first.height)) * row;
+    std::copy_n(first.rgba.begin() + static_cast<long>(y * row), row, whole.rgba.begin() + static_cast<long>(to));
+    std::copy_n(second.rgba.begin() + static_cast<long>(y * row), row, whole.rgba.begin() + static_cast<long>(second_to));
+  }
+  return whole;
+}
+
+//! All eyes of one head move together: at the velocity that the head's observer has at the head's place.
+void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
+  eye.motion = show.camera.motion;
+  eye.velocity = show.camera.velocity;
+  if (eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo) {
+    return;
+  }
+  eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, show.camera.velocity);
+  eye.motion = ObserverMotion::velocity;
+  if (!(dot(eye.velocity, eye.velocity) < 1.0)) {
+    throw Error(show.name, fmt::format("no such observer exists at r = {:.6g} M", pose.r),
+                "choose observer = \"zamo\" or a camera path further out");
+  }
+}
+
+}  // namespace
+
+Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg) {
+  const double field_of_view = degree * (field_of_view_deg > 0.0 ? field_of_view_deg : view.field_of_view_deg);
+  switch (view.projection) {
+    case ViewProjection::equirect:
+      return make_equirectangular_projection(width_px, std::max(width_px / 2, 1));
+    case ViewProjection::pinhole:
+      return make_pinhole_projection(
+          width_px, std::clamp(static_cast<int>(std::lround(width_px / view.aspect)), 1, 16384), field_of_view);
+    default:
+      return make_dome_projection(width_px, field_of_view, degree * view.tilt_deg);
+  }
+}
+
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset) {
+  const double horizon = horizon_radius(show.spin);
+  if (!(pose.r > horizon)) {
+    throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
+  }
+  const glm::dmat3 turn = glm::mat3_cast(pose.orientation);
+  double head[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      head[i][j] = turn[j][i];
+    }
+  }
+  // An eye that the baseline would put into the hole waits just outside.
+  const EyeEvent event =
+      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, eye_offset, horizon + 1e-3 * (pose.r - horizon));
+  EyeCamera eye{};
+  eye.spin = show.spin;
+  eye.r = event.r;
+  eye.theta = event.theta;
+  eye.phi = event.phi;
+  set_motion(eye, show, pose);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      eye.frame_from_view[i][j] = event.frame_from_view[i][j];
+    }
+  }
+  return eye;
+}
+
+ShowRenderer::ShowRenderer(const Show& show, Backend backend)
+    : show_(show), sky_(backend, load_sky_map(show), sky_from_map(show.sky)), renderer_(backend) {}
+
+Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode) {
+  PictureSettings settings;
+  settings.mode = mode;
+  settings.beaming = show_.effects.redshift;
+  settings.exposure = static_cast<float>(show_.sky.exposure);
+  settings.tolerance_px = 0.2 * show_.quality.budget_px;
+  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, settings);
+}
+
+std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
+  const CameraPose pose = camera_pose(show_, time_s);
+  const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
+  const Projection projection = make_projection(show_.view, size_px, choice.field_of_view_deg);
+  std::vector<FrameImage> images;
+  if (show_.stereo.layout == StereoLayout::mono) {
+    images.push_back({FramePart::whole, render_eye(pose, 0.0, projection, choice.mode)});
+    return images;
+  }
+  const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
+  Picture left = render_eye(pose, -half, projection, choice.mode);
+  Picture right = render_eye(pose, half, projection, choice.mode);
+  if (show_.stereo.layout == StereoLayout::separate) {
+    images.push_back({FramePart::left, std::move(left)});
+    images.push_back({FramePart::right, std::move(right)});
+  } else {
+    images.push_back({FramePart::whole, joined(left, right, show_.stereo.layout == StereoLayout::top_bottom ? 1 : 2)});
+  }
+  return images;
+}
+
+}  // namespace ergodome

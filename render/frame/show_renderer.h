@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "content/camera_path.h"
+#include "content/show.h"
+#include "render/frame/eye_renderer.h"
+
+namespace ergodome {
+
+//! Which image of a frame a picture is.
+enum class FramePart { whole, left, right };
+
+//! An image to show or to write: linear light, four floats a pixel.
+struct FrameImage {
+  FramePart part = FramePart::whole;
+  Picture picture;
+};
+
+//! What a person may choose beside the show.
+struct ViewChoice {
+  ViewMode mode = ViewMode::sky;
+  int size_px = 0;              //!< width of one eye's image; 0: as the show says
+  double field_of_view_deg = 0; //!< 0: as the show says
+};
+
+//! Renders the frames of a show.
+class ShowRenderer {
+ public:
+  //! Loads the show's sky. Throws Error when the sky cannot be read or the show asks for what is not there yet.
+  ShowRenderer(const Show& show, Backend backend);
+
+  //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`).
+  std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
+
+  //! One eye's picture for a camera that is steered by hand. `eye_offset` in M to the right of the head.
+  Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode);
+
+  [[nodiscard]] const Show& show() const { return show_; }
+  [[nodiscard]] Backend backend() const { return renderer_.backend(); }
+
+ private:
+  Show show_;
+  SkyCube sky_;
+  EyeRenderer renderer_;
+};
+
+//! The projection of a show's view at a width.
+Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg);
+
+//! The head as an eye: the show's camera at a pose. Throws Error inside the horizon and where the observer would outrun light.
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset);
+
+}  // namespace ergodome

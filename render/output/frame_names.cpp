@@ -1,0 +1,22 @@
+#include "render/output/frame_names.h"
+
+#include <fmt/format.h>
+
+namespace ergodome {
+
+std::filesystem::path frame_path(const std::string& name, int index, int frames_in_show, FramePart part,
+                                 const std::string& ending) {
+  constexpr int frames_a_folder = 10'000;
+  std::filesystem::path path;
+  if (part != FramePart::whole) {
+    path /= part == FramePart::left ? "L" : "R";
+  }
+  if (frames_in_show > frames_a_folder) {
+    const int first = index / frames_a_folder * frames_a_folder + 1;
+    const int last = first + frames_a_folder - 1;
+    path /= fmt::format("{}_{:06}_{:03},{:03}", name, first, last / 1000, last % 1000);
+  }
+  return path / fmt::format("{}_{:06}.{}", name, index + 1, ending);
+}
+
+}  // namespace ergodome

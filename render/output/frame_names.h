@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/frame/show_renderer.h"
+
+namespace ergodome {
+
+//! Path of a numbered frame inside the output folder: NAME_000001.png counted from 1; separate eyes in L/ and R/; sequences of more than
+//! 10,000 frames in folders NAME_000001_010,000 (domemaster convention). `index` counts from 0.
+std::filesystem::path frame_path(const std::string& name, int index, int frames_in_show, FramePart part,
+                                 const std::string& ending);
+
+}  // namespace ergodome

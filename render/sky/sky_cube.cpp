@@ -1,0 +1,189 @@
+#include "render/sky/sky_cube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "content/sky_map.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int largest_face = 2048;
+
+int face_size_for(int map_width) {
+  int size = 1;
+  while (size < map_width / 4 && size < largest_face) {
+    size *= 2;
+  }
+  return size;
+}
+
+glm::dvec3 texel_direction(int face, int size, double x, double y) {
+  const Vector3<double> d = cube_direction(face, 2.0 * x / size - 1.0, 2.0 * y / size - 1.0);
+  return glm::normalize(glm::dvec3(d.x, d.y, d.z));
+}
+
+//! Solid angle of a texel, up to a factor: the area element of the cube's surface times the warp's slopes.
+double texel_weight(int size, int x, int y) {
+  const double h = 1.0 / size;
+  const double u = 2.0 * (x + 0.5) * h - 1.0;
+  const double v = 2.0 * (y + 0.5) * h - 1.0;
+  const double s = unwarped(u);
+  const double t = unwarped(v);
+  const double ds = unwarped(u + h) - unwarped(u - h);
+  const double dt = unwarped(v + h) - unwarped(v - h);
+  return ds * dt / std::pow(1.0 + s * s + t * t, 1.5);
+}
+
+glm::vec3 texel_at(const EnvironmentImage& image, int x, int y) {
+  const int wrapped = ((x % image.width) + image.width) % image.width;
+  const int clamped = std::clamp(y, 0, image.height - 1);
+  const float* texel = image.rgb.data() + 3 * (static_cast<std::size_t>(clamped) * image.width + wrapped);
+  return {texel[0], texel[1], texel[2]};
+}
+
+glm::vec3 bilinear(const EnvironmentImage& image, const glm::dvec2& place) {
+  const double x = place.x * image.width - 0.5;
+  const double y = place.y * image.height - 0.5;
+  const int x0 = static_cast<int>(std::floor(x));
+  const int y0 = static_cast<int>(std::floor(y));
+  const auto fx = static_cast<float>(x - x0);
+  const auto fy = static_cast<float>(y - y0);
+  return glm::mix(glm::mix(texel_at(image, x0, y0), texel_at(image, x0 + 1, y0), fx),
+                  glm::mix(texel_at(image, x0, y0 + 1), texel_at(image, x0 + 1, y0 + 1), fx), fy);
+}
+
+//! The faces while they are built, on the host.
+class Pyramid {
+ public:
+  explicit Pyramid(int face_size) {
+    map_.face_size = face_size;
+    long offset = 0;
+    for (int size = face_size; size >= 1; size /= 2) {
+      map_.level_offset[map_.level_count++] = offset;
+      offset += 6L * (size + 2) * (size + 2);
+    }
+    texels_.assign(4 * static_cast<std::size_t>(offset), 0.0F);
+    map_.texels = texels_.data();
+  }
+
+  [[nodiscard]] int size(int level) const { return map_.face_size >> level; }
+  [[nodiscard]] const CubeMap& map() const { return map_; }
+  [[nodiscard]] std::vector<float>& texels() { return texels_; }
+
+  float* texel(int level, int face, int x, int y) { return texels_.data() + 4 * texel_index(map_, level, face, x, y); }
+
+  void set(int level, int face, int x, int y, const glm::vec3& light) {
+    float* to = texel(level, face, x, y);
+    to[0] = light.x;
+    to[1] = light.y;
+    to[2] = light.z;
+    to[3] = 1.0F;
+  }
+
+  //! A texel is the mean of the four below it, weighted with their solid angles.
+  void reduce(int level) {
+    for (int face = 0; face < 6; ++face) {
+      for (int y = 0; y < size(level); ++y) {
+        for (int x = 0; x < size(level); ++x) {
+          glm::dvec3 sum(0.0);
+          double weights = 0.0;
+          for (int i = 0; i < 4; ++i) {
+            const int fine_x = 2 * x + i % 2;
+            const int fine_y = 2 * y + i / 2;
+            const double weight = texel_weight(size(level - 1), fine_x, fine_y);
+            const float* from = texel(level - 1, face, fine_x, fine_y);
+            sum += weight * glm::dvec3(from[0], from[1], from[2]);
+            weights += weight;
+          }
+          set(level, face, x, y, glm::vec3(sum / weights));
+        }
+      }
+    }
+  }
+
+  //! Fills the border of a level with what the neighbouring faces show there.
+  void fill_border(int level) {
+    const int n = size(level);
+    for (int face = 0; face < 6; ++face) {
+      for (int i = -1; i <= n; ++i) {
+        for (const auto& [x, y] : {std::pair{i, -1}, {i, n}, {-1, i}, {n, i}}) {
+          set(level, face, x, y, seen_from(level, texel_direction(face, n, x + 0.5, y + 0.5)));
+        }
+      }
+    }
+  }
+
+ private:
+  //! Bilinear, inside one face only: usable before the borders are there.
+  glm::vec3 seen_from(int level, const glm::dvec3& d) {
+    const int n = size(level);
+    const CubePlace place =
+        cube_place({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    const float last = static_cast<float>(n - 1);
+    const float x = std::clamp((place.x + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
+    const float y = std::clamp((place.y + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
+    const int x0 = static_cast<int>(x);
+    const int y0 = static_cast<int>(y);
+    const auto at = [&](int dx, int dy) {
+      const float* from = texel(level, place.face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
+      return glm::vec3(from[0], from[1], from[2]);
+    };
+    const float fx = x - static_cast<float>(x0);
+    const float fy = y - static_cast<float>(y0);
+    return glm::mix(glm::mix(at(0, 0), at(1, 0), fx), glm::mix(at(0, 1), at(1, 1), fx), fy);
+  }
+
+  CubeMap map_{};
+  std::vector<float> texels_;
+};
+
+}  // namespace
+
+SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map) {
+  const glm::dmat3 map_from_sky = glm::transpose(sky_from_map);
+  build(backend, face_size_for(image.width),
+        [&](const glm::dvec3& d) { return bilinear(image, map_from_direction(map_from_sky * d)); });
+}
+
+SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light) {
+  build(backend, face_size, light);
+}
+
+void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light) {
+  Pyramid pyramid(face_size);
+  parallel_for(6 * face_size, 8, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      const int face = row / face_size;
+      const int y = row % face_size;
+      for (int x = 0; x < face_size; ++x) {
+        // Four samples a texel, so that a source of the same resolution does not alias.
+        glm::vec3 sum(0.0F);
+        for (int i = 0; i < 4; ++i) {
+          sum += light(texel_direction(face, face_size, x + 0.25 + 0.5 * (i % 2), y + 0.25 + 0.5 * (i / 2)));
+        }
+        pyramid.set(0, face, x, y, 0.25F * sum);
+      }
+    }
+  });
+  for (int level = 1; level < pyramid.map().level_count; ++level) {
+    pyramid.reduce(level);
+  }
+  for (int level = 0; level < pyramid.map().level_count; ++level) {
+    pyramid.fill_border(level);
+  }
+  map_ = pyramid.map();
+  texels_ = Buffer<float>(backend, pyramid.texels());
+}
+
+CubeMap SkyCube::view() const {
+  CubeMap map = map_;
+  map.texels = texels_.data();
+  return map;
+}
+
+}  // namespace ergodome

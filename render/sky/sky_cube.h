@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "content/environment_image.h"
+#include "kernels/sky/cube_map.h"
+#include "render/backend/buffer.h"
+
+namespace ergodome {
+
+//! Owns the sky as a cube map with its mip pyramid, on the backend that reads it.
+class SkyCube {
+ public:
+  //! Resamples an equirectangular image, turned into the hole's sky axes; about as many texels as the image has.
+  SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map);
+
+  //! A sky from a function of the direction (unit vector): for tests and procedural skies. `face_size` is a power of two.
+  SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light);
+
+  [[nodiscard]] CubeMap view() const;
+
+ private:
+  void build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light);
+
+  CubeMap map_{};
+  Buffer<float> texels_;
+};
+
+}  // namespace ergodome
