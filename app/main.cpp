@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& problem) {
     return std::string("ergodome: ") + problem.what() + "; try --help\n";
   });
+  ergodome::add_play_command(app);
   ergodome::add_render_command(app);
   ergodome::add_inspect_command(app);
   ergodome::add_trace_command(app);

@@ -92,7 +92,7 @@ class FrameWriter {
   FrameWriter(const RenderOptions& options, const Show& show)
       : options_(options),
         format_(options.format == "exr" ? ImageFormat::exr : ImageFormat::png),
-        choice_{view_mode(options.view), options.size_px, 0.0},
+        choice_{view_mode(options.view), options.size_px},
         renderer_(show, choose_backend(options.backend)) {}
 
   void write(int frame) {

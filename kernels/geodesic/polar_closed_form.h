@@ -183,7 +183,7 @@ ERGO_HD Vector3<double> polar_position(double spin, const RayStart<double>& ray,
     // On the axis every ray has L = 0 and stays in the plane of its first direction, as one that starts just beside the axis.
     const double speed = ::hypot(ray.m_rate.x, ray.m_rate.y);
     RayStart<double> beside = ray;
-    beside.m_rate = {speed * ray.m.z, 0.0, 0.0};
+    beside.m_rate = {speed * ray.m.z, 0.0, -1e-300 * ray.m.z};  // already past the axis
     beside.m.x = 1e-300;
     const Vector3<double> m = detail::polar_position_off_axis(spin, beside, time);
     const double cosine = speed > 0.0 ? ray.m_rate.x / speed * ray.m.z : 1.0;

@@ -117,7 +117,7 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   // With inner = a²/outer: a (2 inner - a L) / (inner (inner - outer)) = (2 a - L outer) / (inner - outer), good at a = 0.
   const double at_outer = spin * (2.0 * outer - spin * l) / (outer * gap);
   const double share = half_gap > 3e-6 ? 1.0 : spin * spin / product;
-  const double at_inner = -(2.0 * spin - l * outer) / gap * share;
+  const double at_inner = -(2.0 * spin - share * l * outer) / gap;
   const double constant = -l * share;
   const double rho[2] = {outer, inner};
   const auto drag = [&](const RadialIntegrals& i) {

@@ -11,6 +11,16 @@
 
 namespace ergodome {
 
+//! Copies `count` elements from where a backend keeps them to host memory.
+template <class T>
+void copy_to_host(Backend backend, T* to, const T* from, std::size_t count) {
+  if (backend == Backend::cuda) {
+    copy_from_cuda(to, from, count * sizeof(T));
+  } else {
+    std::copy(from, from + count, to);
+  }
+}
+
 //! Owns an array where the kernels of a backend can reach it: host memory (64-byte aligned) or device memory.
 template <class T>
 class Buffer {
@@ -34,11 +44,7 @@ class Buffer {
 
   //! Copies the first `count` elements to host memory.
   void read(T* to, std::size_t count) const {
-    if (data_.get_deleter().backend == Backend::cuda) {
-      copy_from_cuda(to, data(), count * sizeof(T));
-    } else {
-      std::copy(data(), data() + count, to);
-    }
+    copy_to_host(data_.get_deleter().backend, to, data(), count);
   }
 
  private:

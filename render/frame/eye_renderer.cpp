@@ -31,7 +31,7 @@ void set_kernel_range(ShadeBatch& batch, const HeatRange& range, double pixel_so
 
 }  // namespace
 
-HeatRange heat_range(ViewMode mode, double) {
+HeatRange heat_range(ViewMode mode) {
   switch (mode) {
     case ViewMode::steps:
       return {0.0, 16.0, false};
@@ -75,39 +75,56 @@ LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& sett
   return lens;
 }
 
+void EyeRenderer::render_rows(const DirectLens& source, ShadeBatch& shade, int row, int rows) {
+  const PixelBatch batch = source.rows(row, rows, shade.lens);
+  trace_pixels(backend_, batch);
+  shade.count = rows * batch.projection.width_px;
+  shade_pixels(backend_, shade);
+}
+
+ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
+                                std::size_t pixels) {
+  const LensPixels lens = channels(pixels, settings);
+  if (rgba_.size() < 4 * pixels) {
+    rgba_ = Buffer<float>(backend_, 4 * pixels);
+  }
+  ShadeBatch shade{lens, sky.view(), settings.mode, settings.beaming, settings.exposure, 0.0F, 1.0F, rgba_.data(), 0};
+  if (settings.mode != ViewMode::sky) {
+    const double pixel = pixel_angle(projection);
+    set_kernel_range(shade, heat_range(settings.mode), pixel * pixel);
+  }
+  return shade;
+}
+
+const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                                          const PictureSettings& settings) {
+  const std::size_t pixels = static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
+  ShadeBatch shade = prepare(projection, sky, settings, pixels);
+  render_rows(DirectLens(backend_, eye, projection, settings.tolerance_px), shade, 0, projection.height_px);
+  return rgba_.data();
+}
+
 Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                             const PictureSettings& settings) {
   Picture picture;
   picture.width = projection.width_px;
   picture.height = projection.height_px;
+  if (settings.mode != ViewMode::sky) {
+    picture.heat_range = heat_range(settings.mode);
+  }
   const auto width = static_cast<std::size_t>(projection.width_px);
   picture.rgba.resize(4 * width * static_cast<std::size_t>(projection.height_px));
   const int block_rows = std::clamp(block_pixels / projection.width_px, 1, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
-  const LensPixels lens = channels(most, settings);
-  if (rgba_.size() < 4 * most) {
-    rgba_ = Buffer<float>(backend_, 4 * most);
-  }
+  ShadeBatch shade = prepare(projection, sky, settings, most);
   const DirectLens source(backend_, eye, projection, settings.tolerance_px);
-  ShadeBatch shade{lens, sky.view(), settings.mode, settings.beaming, settings.exposure, 0.0F, 1.0F, rgba_.data(), 0};
-  const double pixel = pixel_angle(projection);
-  if (settings.mode != ViewMode::sky) {
-    picture.heat_range = heat_range(settings.mode, pixel);
-    set_kernel_range(shade, *picture.heat_range, pixel * pixel);
-  }
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
     const std::size_t pixels = width * static_cast<std::size_t>(rows);
-    trace_pixels(backend_, source.rows(row, rows, lens));
-    shade.count = static_cast<int>(pixels);
-    shade_pixels(backend_, shade);
+    render_rows(source, shade, row, rows);
     rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
-    if (backend_ == Backend::cuda) {
-      copy_from_cuda(estimates.data(), lens.error_estimate, pixels * sizeof(float));
-    } else {
-      std::copy(lens.error_estimate, lens.error_estimate + pixels, estimates.begin());
-    }
+    copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels +=
         std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels), [](float e) { return e < 0.0F; });
   }

@@ -42,7 +42,17 @@ class EyeRenderer {
 
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky, const PictureSettings& settings);
 
+  //! The same in one piece that stays in the backend's memory until the next picture: four floats a pixel.
+  const float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                               const PictureSettings& settings);
+
  private:
+  //! Makes room for `pixels` and sets up the shading.
+  ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings, std::size_t pixels);
+
+  //! Renders rows [row, row + rows) into rgba_.
+  void render_rows(const DirectLens& source, ShadeBatch& shade, int row, int rows);
+
   //! Makes room for the channels that the picture calls for, and no others.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings);
 
@@ -52,6 +62,6 @@ class EyeRenderer {
 };
 
 //! The range of a heat map's colour bar for a view.
-HeatRange heat_range(ViewMode mode, double pixel_angle);
+HeatRange heat_range(ViewMode mode);
 
 }  // namespace ergodome

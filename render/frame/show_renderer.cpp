@@ -96,33 +96,46 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset
 ShowRenderer::ShowRenderer(const Show& show, Backend backend)
     : show_(show), sky_(backend, load_sky_map(show), sky_from_map(show.sky)), renderer_(backend) {}
 
-Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode) {
+PictureSettings ShowRenderer::picture_settings(ViewMode mode) const {
   PictureSettings settings;
   settings.mode = mode;
   settings.beaming = show_.effects.redshift;
   settings.exposure = static_cast<float>(show_.sky.exposure);
   settings.tolerance_px = 0.2 * show_.quality.budget_px;
-  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, settings);
+  return settings;
+}
+
+Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode) {
+  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode));
+}
+
+const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
+                                               ViewMode mode) {
+  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode));
+}
+
+Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode) {
+  if (show_.stereo.layout == StereoLayout::mono) {
+    return render_eye(pose, 0.0, projection, mode);
+  }
+  const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
+  const Picture left = render_eye(pose, -half, projection, mode);
+  const Picture right = render_eye(pose, half, projection, mode);
+  return joined(left, right, show_.stereo.layout == StereoLayout::top_bottom ? 1 : 2);
 }
 
 std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
   const CameraPose pose = camera_pose(show_, time_s);
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
-  const Projection projection = make_projection(show_.view, size_px, choice.field_of_view_deg);
+  const Projection projection = make_projection(show_.view, size_px, 0.0);
   std::vector<FrameImage> images;
-  if (show_.stereo.layout == StereoLayout::mono) {
-    images.push_back({FramePart::whole, render_eye(pose, 0.0, projection, choice.mode)});
+  if (show_.stereo.layout != StereoLayout::separate) {
+    images.push_back({FramePart::whole, render_both_eyes(pose, projection, choice.mode)});
     return images;
   }
   const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
-  Picture left = render_eye(pose, -half, projection, choice.mode);
-  Picture right = render_eye(pose, half, projection, choice.mode);
-  if (show_.stereo.layout == StereoLayout::separate) {
-    images.push_back({FramePart::left, std::move(left)});
-    images.push_back({FramePart::right, std::move(right)});
-  } else {
-    images.push_back({FramePart::whole, joined(left, right, show_.stereo.layout == StereoLayout::top_bottom ? 1 : 2)});
-  }
+  images.push_back({FramePart::left, render_eye(pose, -half, projection, choice.mode)});
+  images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode)});
   return images;
 }
 

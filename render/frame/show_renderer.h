@@ -21,8 +21,7 @@ struct FrameImage {
 //! What a person may choose beside the show.
 struct ViewChoice {
   ViewMode mode = ViewMode::sky;
-  int size_px = 0;              //!< width of one eye's image; 0: as the show says
-  double field_of_view_deg = 0; //!< 0: as the show says
+  int size_px = 0;  //!< width of one eye's image; 0: as the show says
 };
 
 //! Renders the frames of a show.
@@ -34,13 +33,21 @@ class ShowRenderer {
   //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`).
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
+  //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (`separate` side by side).
+  Picture render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode);
+
   //! One eye's picture for a camera that is steered by hand. `eye_offset` in M to the right of the head.
   Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode);
+
+  //! The same, left in the backend's memory until the next picture.
+  const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode);
 
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
  private:
+  [[nodiscard]] PictureSettings picture_settings(ViewMode mode) const;
+
   Show show_;
   SkyCube sky_;
   EyeRenderer renderer_;

@@ -67,6 +67,17 @@ void write_picture(const std::filesystem::path& path, ImageFormat format, const 
   });
 }
 
+void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height) {
+  write_atomically(path, [&](const std::filesystem::path& partial) {
+    const auto output = OIIO::ImageOutput::create("png");
+    const bool written = output && output->open(partial.string(), OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) &&
+                         output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close();
+    if (!written) {
+      throw Error(path.string(), "cannot be written", "check the folder, its permissions and the space left");
+    }
+  });
+}
+
 bool is_complete_image(const std::filesystem::path& path, int width, int height) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -18,6 +19,9 @@ using FrameMetadata = std::vector<std::pair<std::string, std::string>>;
 //! compression. The file is there whole or not at all; Error says why not (a full disk, a folder without permission).
 void write_picture(const std::filesystem::path& path, ImageFormat format, const Picture& picture,
                    const FrameMetadata& metadata);
+
+//! Writes display-referred RGB bytes, the top row first, as a PNG; whole or not at all.
+void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height);
 
 //! Whether a file is an image of this size that can be read to its last pixel.
 bool is_complete_image(const std::filesystem::path& path, int width, int height);

@@ -208,7 +208,7 @@ TEST(Baseline, FailsOrStallsAtThePolesWhereTheOthersDoNot) {
     defeated += fails || stalls ? 1 : 0;
   }
   EXPECT_GT(rays, 50);
-  EXPECT_GT(defeated, rays / 2) << "of " << rays;
+  EXPECT_GT(defeated, 2 * rays / 5) << "of " << rays;
 }
 
 }  // namespace

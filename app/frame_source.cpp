@@ -1,0 +1,65 @@
+#include "app/frame_source.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "render/output/color_bar.h"
+
+namespace ergodome {
+
+Picture render_for_window(ShowRenderer& renderer, const PictureRequest& request) {
+  const Projection projection = make_projection(renderer.show().view, request.size_px, request.field_of_view_deg);
+  Picture picture = renderer.render_both_eyes(request.pose, projection, request.mode);
+  draw_color_bar(picture, request.mode);
+  return picture;
+}
+
+FrameSource::FrameSource(ShowRenderer& renderer)
+    : renderer_(renderer), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+FrameSource::~FrameSource() {
+  thread_.request_stop();
+  wake_.notify_all();
+}
+
+bool FrameSource::idle() {
+  const std::lock_guard lock(mutex_);
+  return !busy_ && !request_;
+}
+
+void FrameSource::ask(const PictureRequest& request) {
+  {
+    const std::lock_guard lock(mutex_);
+    request_ = request;
+  }
+  wake_.notify_all();
+}
+
+std::optional<PictureAnswer> FrameSource::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(answer_, std::nullopt);
+}
+
+void FrameSource::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (wake_.wait(lock, stop, [this] { return request_.has_value(); })) {
+    const PictureRequest request = *std::exchange(request_, std::nullopt);
+    busy_ = true;
+    lock.unlock();
+    PictureAnswer answer;
+    answer.size_px = request.size_px;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      answer.picture = render_for_window(renderer_, request);
+    } catch (const std::exception& problem) {
+      answer.problem = problem.what();
+    }
+    answer.time_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    lock.lock();
+    answer_ = std::move(answer);
+    busy_ = false;
+  }
+}
+
+}  // namespace ergodome

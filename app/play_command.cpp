@@ -1,0 +1,54 @@
+#include <memory>
+
+#include "app/backend_choice.h"
+#include "app/commands.h"
+#include "app/player.h"
+#include "app/player_keys.h"
+#include "app/show_loading.h"
+
+namespace ergodome {
+
+namespace {
+
+struct PlayArguments {
+  std::string show;
+  std::string backend = "auto";
+  std::string projection;
+  std::string stereo;
+  PlayOptions options;
+};
+
+void run(PlayArguments arguments) {
+  arguments.options.free_flight = arguments.options.free_flight || arguments.show.empty();
+  Show show = load_show(arguments.show.empty() ? "free-flight" : arguments.show);
+  override_view(show, arguments.projection, arguments.stereo);
+  require_features(show);
+  ShowRenderer renderer(show, choose_backend(arguments.backend));
+  Player(renderer, arguments.options).run();
+}
+
+}  // namespace
+
+void add_play_command(CLI::App& app) {
+  auto arguments = std::make_shared<PlayArguments>();
+  CLI::App* command = app.add_subcommand("play", "Play a show, or fly freely, in a window");
+  command->footer(key_help());
+  command->add_option("show", arguments->show, "show file (.toml) or the name of a built-in show; without: free flight");
+  command->add_option("--backend", arguments->backend, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->capture_default_str();
+  command->add_option("--projection", arguments->projection, "dome, equirect or pinhole, instead of the show's")
+      ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
+  command->add_option("--stereo", arguments->stereo, "mono, side_by_side or top_bottom, instead of the show's")
+      ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom"}));
+  command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
+  command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
+  command->add_option("--for", arguments->options.for_seconds, "end by itself after this many seconds")->check(CLI::Range(0.0, 1e9));
+  command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace ergodome

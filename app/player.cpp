@@ -1,0 +1,238 @@
+#include "app/player.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/backend_choice.h"
+#include "app/interrupt.h"
+#include "app/player_keys.h"
+#include "render/output/image_writer.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A picture may take this long while something moves: ten a second, with room for the rest of the machine.
+constexpr double moving_budget_ms = 70.0;
+constexpr int smallest_px = 96;
+
+int window_width(const Show& show, int size_px) {
+  return show.stereo.layout == StereoLayout::side_by_side || show.stereo.layout == StereoLayout::separate ? 2 * size_px
+                                                                                                          : size_px;
+}
+
+int window_height(const Show& show, int size_px) {
+  const Projection projection = make_projection(show.view, size_px, 0.0);
+  return show.stereo.layout == StereoLayout::top_bottom ? 2 * projection.height_px : projection.height_px;
+}
+
+}  // namespace
+
+Player::Player(ShowRenderer& renderer, const PlayOptions& options)
+    : renderer_(renderer),
+      options_(options),
+      window_(std::min(window_width(renderer.show(), options.size_px), 1600),
+              std::min(window_height(renderer.show(), options.size_px), 1000), "Ergodome", options.full_screen),
+      flight_(renderer.show()),
+      flying_(options.free_flight),
+      field_of_view_deg_(renderer.show().view.field_of_view_deg) {
+  if (renderer.backend() == Backend::cpu) {
+    source_ = std::make_unique<FrameSource>(renderer);
+  }
+}
+
+Player::~Player() = default;
+
+CameraPose Player::current_pose() const {
+  return flying_ ? flight_.pose() : camera_pose(renderer_.show(), show_time_s_);
+}
+
+bool Player::moving() const { return changed_ || !held_keys_.empty() || (!flying_ && !paused_); }
+
+void Player::run() {
+  const auto start = Clock::now();
+  auto last = start;
+  while (!window_.closed() && !interrupted()) {
+    for (const WindowEvent& event : window_.events(0.004)) {
+      handle(event);
+    }
+    const auto now = Clock::now();
+    advance(std::chrono::duration<double>(now - last).count());
+    last = now;
+    if (source_) {
+      receive();
+      ask_for_picture();
+    } else {
+      show_on_device();
+    }
+    draw();
+    if (options_.for_seconds > 0.0 && std::chrono::duration<double>(now - start).count() >= options_.for_seconds) {
+      window_.close();
+    }
+  }
+}
+
+void Player::handle(const WindowEvent& event) {
+  switch (event.kind) {
+    case WindowEvent::Kind::key_down:
+      held_keys_.insert(event.key);
+      press(event.key);
+      break;
+    case WindowEvent::Kind::key_up:
+      held_keys_.erase(event.key);
+      break;
+    case WindowEvent::Kind::drag: {
+      if (!flying_) {
+        flight_.start_at(current_pose());
+        flying_ = true;
+      }
+      int width = 0;
+      int height = 0;
+      window_.framebuffer_size(width, height);
+      const double radians_per_px = field_of_view_deg_ / 57.29577951308232 / std::max(width, 1);
+      flight_.look(-event.dx * radians_per_px, event.dy * radians_per_px);
+      break;
+    }
+    case WindowEvent::Kind::scroll:
+      field_of_view_deg_ = std::clamp(field_of_view_deg_ * std::exp(-0.1 * event.dy), 0.01, 
+                                      renderer_.show().view.projection == ViewProjection::pinhole ? 170.0 : 360.0);
+      break;
+  }
+  changed_ = true;
+}
+
+void Player::press(int key) {
+  const double duration_s = renderer_.show().duration_s;
+  switch (action_of(key)) {
+    case KeyAction::quit:
+      window_.close();
+      break;
+    case KeyAction::pause:
+      paused_ = !paused_;
+      break;
+    case KeyAction::seek_back:
+      show_time_s_ = std::max(0.0, show_time_s_ - 2.0);
+      break;
+    case KeyAction::seek_forward:
+      show_time_s_ = std::min(duration_s, show_time_s_ + 2.0);
+      break;
+    case KeyAction::restart:
+      show_time_s_ = 0.0;
+      flying_ = false;
+      break;
+    case KeyAction::fly:
+      flight_.start_at(current_pose());
+      flying_ = !flying_;
+      break;
+    case KeyAction::full_screen:
+      window_.toggle_full_screen();
+      break;
+    case KeyAction::next_view:
+      mode_ = static_cast<ViewMode>((static_cast<int>(mode_) + 1) % 6);
+      break;
+    default:
+      break;
+  }
+}
+
+void Player::advance(double seconds) {
+  const auto held = [&](KeyAction action) {
+    return std::any_of(held_keys_.begin(), held_keys_.end(), [&](int key) { return action_of(key) == action; }) ? 1.0 : 0.0;
+  };
+  const double speed = 0.6 * std::min(seconds, 0.1);
+  const double phi = held(KeyAction::right) - held(KeyAction::left);
+  const double theta = held(KeyAction::down) - held(KeyAction::up);
+  const double out = held(KeyAction::out) - held(KeyAction::in);
+  if (phi != 0.0 || theta != 0.0 || out != 0.0) {
+    if (!flying_) {
+      flight_.start_at(current_pose());
+      flying_ = true;
+    }
+    flight_.orbit(speed * phi, speed * theta, std::exp(speed * out));
+    changed_ = true;
+  }
+  const double duration_s = renderer_.show().duration_s;
+  if (!flying_ && !paused_ && duration_s > 0.0) {
+    // The show loops; taking the rest keeps the time exact for as long as an exhibit runs.
+    show_time_s_ = std::fmod(show_time_s_ + seconds, duration_s);
+    changed_ = true;
+  }
+}
+
+void Player::ask_for_picture() {
+  if (!source_->idle()) {
+    return;
+  }
+  if (changed_) {
+    refined_size_px_ = 0;
+    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px)});
+    changed_ = false;
+  } else if (refined_size_px_ > 0 && refined_size_px_ < options_.size_px && !moving()) {
+    const int finer = std::min(2 * refined_size_px_, options_.size_px);
+    refined_size_px_ = 0;
+    source_->ask({current_pose(), mode_, field_of_view_deg_, finer});
+  }
+}
+
+void Player::receive() {
+  auto answer = source_->take();
+  if (!answer) {
+    return;
+  }
+  if (!answer->problem.empty()) {
+    if (answer->problem != said_problem_) {
+      said_problem_ = answer->problem;
+      fmt::print(stderr, "ergodome: {}\n", answer->problem);
+    }
+    return;
+  }
+  frame_time_ms_ = answer->time_ms;
+  refined_size_px_ = answer->size_px;
+  // Time goes with the number of pixels; a damped step towards the width that fits.
+  const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
+  moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), smallest_px, options_.size_px);
+  presenter_.upload(answer->picture);
+  update_title();
+}
+
+void Player::show_on_device() {
+  if (!changed_) {
+    return;
+  }
+  changed_ = false;
+  const auto start = Clock::now();
+  const Projection projection = make_projection(renderer_.show().view, options_.size_px, field_of_view_deg_);
+  if (renderer_.show().stereo.layout == StereoLayout::mono) {
+    const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_);
+    presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, mode_ != ViewMode::sky);
+  } else {
+    presenter_.upload(renderer_.render_both_eyes(current_pose(), projection, mode_));
+  }
+  frame_time_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  update_title();
+}
+
+void Player::draw() {
+  int width = 0;
+  int height = 0;
+  window_.framebuffer_size(width, height);
+  presenter_.draw(width, height);
+  if (window_.closed() && !options_.screenshot.empty() && width > 0 && height > 0) {
+    write_png(options_.screenshot, Presenter::read_back(width, height), width, height);
+    options_.screenshot.clear();
+  }
+  window_.swap();
+}
+
+void Player::update_title() {
+  const CameraPose pose = current_pose();
+  window_.set_title(fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {}{}",
+                                renderer_.show().title, renderer_.show().spin, pose.r, show_time_s_, frame_time_ms_,
+                                refined_size_px_ > 0 ? refined_size_px_ : options_.size_px, describe(renderer_.backend()),
+                                flying_ ? "  free flight" : paused_ ? "  paused" : ""));
+}
+
+}  // namespace ergodome

@@ -1,0 +1,79 @@
+#include "render/present/headless_context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <vector>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+struct HeadlessContext::State {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+};
+
+namespace {
+
+EGLContext make_context(EGLDisplay display) {
+  if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE ||
+      eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
+    return EGL_NO_CONTEXT;
+  }
+  const EGLint config_wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  const bool chosen = eglChooseConfig(display, config_wish, &config, 1, &count) == EGL_TRUE && count > 0;
+  const EGLint context_wish[] = {EGL_CONTEXT_MAJOR_VERSION,       4, EGL_CONTEXT_MINOR_VERSION, 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLContext context = chosen ? eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish) : EGL_NO_CONTEXT;
+  if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+    if (context != EGL_NO_CONTEXT) {
+      eglDestroyContext(display, context);
+    }
+    eglTerminate(display);
+    return EGL_NO_CONTEXT;
+  }
+  return context;
+}
+
+//! Displays in order of preference: every device that a driver names, then Mesa without a surface.
+std::vector<EGLDisplay> candidate_displays() {
+  std::vector<EGLDisplay> displays;
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") &&
+      epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
+    EGLDeviceEXT devices[16];
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(16, devices, &count) == EGL_TRUE) {
+      for (EGLint i = 0; i < count; ++i) {
+        displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+      }
+    }
+  }
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+    displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  }
+  return displays;
+}
+
+}  // namespace
+
+HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
+  for (const EGLDisplay display : candidate_displays()) {
+    state_->context = make_context(display);
+    if (state_->context != EGL_NO_CONTEXT) {
+      state_->display = display;
+      return;
+    }
+  }
+  throw Error("EGL", "no driver here gives OpenGL 4.5 without a display", "install libegl-mesa0 and libgl1-mesa-dri");
+}
+
+HeadlessContext::~HeadlessContext() {
+  eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(state_->display, state_->context);
+  eglTerminate(state_->display);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/frame/eye_renderer.h"
+
+namespace ergodome {
+
+//! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on the GPU, and fills the window with it,
+//! black bars where the shapes differ. The shader computes what render/output/tone_map.h computes.
+class Presenter {
+ public:
+  //! Needs a current OpenGL 4.5 core context, and keeps to it. Throws Error when the driver refuses the shader.
+  Presenter();
+  ~Presenter();
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
+
+  //! Hands over a picture from host memory; it stays until the next one.
+  void upload(const Picture& picture);
+
+  //! Hands over a picture from CUDA device memory (four floats a pixel), without a way through the host.
+  void upload_from_device(const float* rgba, int width, int height, bool heat_map);
+
+  //! Draws the picture into the bound framebuffer of the given size.
+  void draw(int framebuffer_width, int framebuffer_height);
+
+  //! The bound framebuffer's pixels, RGB bytes, the top row first.
+  static std::vector<std::uint8_t> read_back(int width, int height);
+
+ private:
+  struct State;
+  void resize(int width, int height);
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ergodome

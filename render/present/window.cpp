@@ -1,0 +1,114 @@
+#include "render/present/window.h"
+
+#include <epoxy/gl.h>
+// After epoxy, which brings OpenGL itself.
+#include <GLFW/glfw3.h>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+struct Window::State {
+  GLFWwindow* window = nullptr;
+  std::vector<WindowEvent> events;
+  bool dragging = false;
+  double last_x = 0.0;
+  double last_y = 0.0;
+  int windowed[4] = {0, 0, 1024, 1024};  //!< place and size to come back to from full screen
+};
+
+namespace {
+
+std::vector<WindowEvent>& events_of(GLFWwindow* window) {
+  return *static_cast<std::vector<WindowEvent>*>(glfwGetWindowUserPointer(window));
+}
+
+[[noreturn]] void fail(const std::string& problem) {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  glfwTerminate();
+  throw Error("window", problem + (reason != nullptr ? std::string(": ") + reason : ""),
+              "start it where there is a display with OpenGL 4.5, or use `ergodome render`");
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const std::string& title, bool full_screen) : state_(std::make_unique<State>()) {
+  if (glfwInit() == GLFW_FALSE) {
+    fail("there is no display");
+  }
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (state_->window == nullptr) {
+    fail("cannot be opened");
+  }
+  glfwMakeContextCurrent(state_->window);
+  glfwSwapInterval(1);
+  glfwSetWindowUserPointer(state_->window, &state_->events);
+  glfwSetKeyCallback(state_->window, [](GLFWwindow* window, int key, int, int action, int) {
+    if (action != GLFW_REPEAT) {
+      events_of(window).push_back(
+          {action == GLFW_PRESS ? WindowEvent::Kind::key_down : WindowEvent::Kind::key_up, key, 0.0, 0.0});
+    }
+  });
+  glfwSetScrollCallback(state_->window, [](GLFWwindow* window, double dx, double dy) {
+    events_of(window).push_back({WindowEvent::Kind::scroll, 0, dx, dy});
+  });
+  if (full_screen) {
+    toggle_full_screen();
+  }
+}
+
+Window::~Window() {
+  glfwDestroyWindow(state_->window);
+  glfwTerminate();
+}
+
+std::vector<WindowEvent> Window::events(double seconds) {
+  glfwWaitEventsTimeout(seconds);
+  double x = 0.0;
+  double y = 0.0;
+  glfwGetCursorPos(state_->window, &x, &y);
+  const bool pressed = glfwGetMouseButton(state_->window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+  if (pressed && state_->dragging && (x != state_->last_x || y != state_->last_y)) {
+    state_->events.push_back({WindowEvent::Kind::drag, 0, x - state_->last_x, y - state_->last_y});
+  }
+  state_->dragging = pressed;
+  state_->last_x = x;
+  state_->last_y = y;
+  std::vector<WindowEvent> since;
+  since.swap(state_->events);
+  return since;
+}
+
+void Window::swap() { glfwSwapBuffers(state_->window); }
+
+void Window::toggle_full_screen() {
+  int(&w)[4] = state_->windowed;
+  if (glfwGetWindowMonitor(state_->window) != nullptr) {
+    glfwSetWindowMonitor(state_->window, nullptr, w[0], w[1], w[2], w[3], GLFW_DONT_CARE);
+    return;
+  }
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) {
+    return;  // no monitor to fill
+  }
+  glfwGetWindowPos(state_->window, &w[0], &w[1]);
+  glfwGetWindowSize(state_->window, &w[2], &w[3]);
+  glfwSetWindowMonitor(state_->window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->window, title.c_str()); }
+
+void Window::close() { glfwSetWindowShouldClose(state_->window, GLFW_TRUE); }
+
+bool Window::closed() const { return glfwWindowShouldClose(state_->window) == GLFW_TRUE; }
+
+void Window::framebuffer_size(int& width, int& height) const {
+  glfwGetFramebufferSize(state_->window, &width, &height);
+}
+
+}  // namespace ergodome
