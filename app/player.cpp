@@ -73,6 +73,19 @@ void Player::run() {
       window_.close();
     }
   }
+  if (!options_.screenshot.empty()) {
+    save_screenshot();
+  }
+}
+
+void Player::save_screenshot() {
+  int width = 0;
+  int height = 0;
+  window_.framebuffer_size(width, height);
+  if (width > 0 && height > 0) {
+    presenter_.draw(width, height);
+    write_png(options_.screenshot, Presenter::read_back(width, height), width, height);
+  }
 }
 
 void Player::handle(const WindowEvent& event) {
@@ -220,10 +233,6 @@ void Player::draw() {
   int height = 0;
   window_.framebuffer_size(width, height);
   presenter_.draw(width, height);
-  if (window_.closed() && !options_.screenshot.empty() && width > 0 && height > 0) {
-    write_png(options_.screenshot, Presenter::read_back(width, height), width, height);
-    options_.screenshot.clear();
-  }
   window_.swap();
 }
 

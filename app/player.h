@@ -45,6 +45,7 @@ class Player {
   void receive();
   void draw();
   void update_title();
+  void save_screenshot();
   [[nodiscard]] CameraPose current_pose() const;
   [[nodiscard]] bool moving() const;
 
