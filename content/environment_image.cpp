@@ -60,7 +60,6 @@ class MapReader {
     image_.width = spec.width / factor_;
     image_.height = spec.height / factor_;
     image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
-    // Bright in one component only would hide among the channels of a grey map, so grey is spread to all three.
     colour_channels_ = spec.nchannels >= 3 ? 3 : 1;
   }
 
@@ -92,8 +91,11 @@ class MapReader {
       return input_.read_scanlines(0, 0, spec.y + begin, spec.y + end, 0, 0, colour_channels_, OIIO::TypeDesc::FLOAT,
                                    rows.data());
     }
-    // Tiles must be asked for whole: read the tile rows that hold these scanlines once, and keep them.
+    // Tiles are read once and kept: asking for scanlines of them would decode each many times.
     if (tiles_.empty()) {
+      if (static_cast<double>(spec.width) * spec.height > 16384.0 * 8192.0) {
+        throw Error(name_, fmt::format("is tiled and {} pixels wide", spec.width), "save it in scanlines, or scale it to 16384 pixels");
+      }
       tiles_.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height * colour_channels_));
       if (!input_.read_image(0, 0, 0, colour_channels_, OIIO::TypeDesc::FLOAT, tiles_.data())) {
         return false;

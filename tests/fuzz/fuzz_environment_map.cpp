@@ -1,0 +1,20 @@
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "content/environment_image.h"
+#include "kernels/core/error.h"
+
+// The first byte chooses the format, the rest is the file. Images of more than 256 px are left to the size check of the reader.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) {
+    return 0;
+  }
+  constexpr const char* names[] = {"fuzz.png", "fuzz.hdr"};
+  try {
+    ergodome::read_environment_image(std::as_bytes(std::span(data + 1, size - 1)), names[data[0] % 2], 256);
+  } catch (const ergodome::Error&) {
+  }
+  return 0;
+}
