@@ -1,0 +1,76 @@
+#include "content/atomic_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "tests/content/errors.h"
+
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class AtomicFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("ergodome-atomic-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string text(const std::string& name) const {
+    std::ifstream file(folder_ / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  [[nodiscard]] long files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(AtomicFile, ReplacesAnOlderFileWhole) {
+  write_text_atomically(folder_ / "a.txt", "old");
+  write_text_atomically(folder_ / "a.txt", "new");
+  EXPECT_EQ(text("a.txt"), "new");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, KeepsTheOlderFileWhenWritingFails) {
+  write_text_atomically(folder_ / "a.txt", "old");
+  EXPECT_THROW(write_atomically(folder_ / "a.txt",
+                                [](const fs::path& partial) {
+                                  std::ofstream(partial) << "half";
+                                  throw Error("test", "stopped");
+                                }),
+               Error);
+  EXPECT_EQ(text("a.txt"), "old");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, FolderThatIsNotThereIsAnErrorWithTheName) {
+  EXPECT_THAT(test::error_of([&] { write_text_atomically(folder_ / "no" / "a.txt", "x"); }), HasSubstr("a.txt"));
+}
+
+//! A limit on the size of files stands for a full disk: the same calls fail, with the same code path.
+TEST_F(AtomicFile, FullDiskLeavesNothingBehind) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small = {1000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string problem =
+      test::error_of([&] { write_text_atomically(folder_ / "big.txt", std::string(100'000, 'x')); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_THAT(problem, HasSubstr("big.txt"));
+  EXPECT_EQ(files(), 0);
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,136 @@
+#include "content/environment_image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "tests/content/errors.h"
+
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class EnvironmentImageFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("ergodome-map-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& name, int width, int height, int channels, OIIO::TypeDesc type,
+                 const std::vector<float>& values) {
+    const fs::path path = folder_ / name;
+    auto output = OIIO::ImageOutput::create(path.string());
+    EXPECT_TRUE(output->open(path.string(), OIIO::ImageSpec(width, height, channels, type)));
+    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+    EXPECT_TRUE(output->close());
+    return path;
+  }
+
+  static std::vector<float> constant(int width, int height, int channels, float value) {
+    return std::vector<float>(static_cast<std::size_t>(width * height * channels), value);
+  }
+
+  static std::string problem_of(const fs::path& path) {
+    return test::error_of([&] { read_environment_image(path); });
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(EnvironmentImageFile, WholeNumbersAreDecodedFromSrgb) {
+  for (const char* name : {"map.png", "map.tif"}) {
+    const auto image = read_environment_image(write(name, 16, 8, 3, OIIO::TypeDesc::UINT8, constant(16, 8, 3, 0.5F)));
+    EXPECT_EQ(image.width, 16);
+    EXPECT_EQ(image.height, 8);
+    EXPECT_NEAR(image.rgb[0], 0.2159, 0.003) << name;  // sRGB 128 is 21.6 % light
+  }
+}
+
+TEST_F(EnvironmentImageFile, FloatingPointIsLinear) {
+  for (const char* name : {"map.exr", "map.hdr"}) {
+    const auto image = read_environment_image(write(name, 16, 8, 3, OIIO::TypeDesc::FLOAT, constant(16, 8, 3, 7.5F)));
+    EXPECT_NEAR(image.rgb[5], 7.5, 0.05) << name;
+  }
+}
+
+TEST_F(EnvironmentImageFile, GreyBecomesColourAndAlphaIsLeftOut) {
+  const auto grey = read_environment_image(write("grey.exr", 8, 4, 1, OIIO::TypeDesc::HALF, constant(8, 4, 1, 2.0F)));
+  EXPECT_EQ(grey.rgb[0], 2.0F);
+  EXPECT_EQ(grey.rgb[2], 2.0F);
+  std::vector<float> with_alpha = constant(8, 4, 4, 0.25F);
+  const auto rgba = read_environment_image(write("rgba.exr", 8, 4, 4, OIIO::TypeDesc::HALF, with_alpha));
+  EXPECT_EQ(rgba.rgb.size(), 3U * 8U * 4U);
+  EXPECT_EQ(rgba.rgb[0], 0.25F);
+}
+
+TEST_F(EnvironmentImageFile, EightPixelsWideIsEnoughAndFewerAreNot) {
+  EXPECT_EQ(read_environment_image(write("8.png", 8, 4, 3, OIIO::TypeDesc::UINT8, constant(8, 4, 3, 1.0F))).width, 8);
+  EXPECT_THAT(problem_of(write("6.png", 6, 3, 3, OIIO::TypeDesc::UINT8, constant(6, 3, 3, 1.0F))), HasSubstr("6 pixels wide"));
+}
+
+TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRightLight) {
+  // Columns alternate between 0 and 1, so the mean is one half wherever blocks of columns meet.
+  OIIO::ImageSpec spec(32768, 16384, 1, OIIO::TypeDesc::HALF);
+  spec.attribute("compression", "rle");
+  const fs::path path = folder_ / "32k.exr";
+  auto output = OIIO::ImageOutput::create("exr");
+  ASSERT_TRUE(output->open(path.string(), spec));
+  constexpr int rows = 256;
+  std::vector<std::uint16_t> stripes(static_cast<std::size_t>(32768) * rows);
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    stripes[i] = i % 2 == 0 ? 0 : 0x3c00;  // 1 as a half float
+  }
+  for (int y = 0; y < 16384; y += rows) {
+    ASSERT_TRUE(output->write_scanlines(y, y + rows, 0, OIIO::TypeDesc::HALF, stripes.data()));
+  }
+  ASSERT_TRUE(output->close());
+  const auto image = read_environment_image(path, 1024);
+  EXPECT_EQ(image.width, 1024);
+  EXPECT_EQ(image.height, 512);
+  EXPECT_NEAR(image.rgb[1234], 0.5, 1e-5);
+}
+
+TEST_F(EnvironmentImageFile, BrokenTexelsAreRepairedAndCounted) {
+  std::vector<float> values = constant(16, 8, 3, 1.0F);
+  values[0] = std::numeric_limits<float>::quiet_NaN();
+  values[7] = std::numeric_limits<float>::infinity();
+  values[10] = -3.0F;
+  const auto image = read_environment_image(write("nan.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));
+  EXPECT_EQ(image.repaired_texels, 3);
+  for (const float value : image.rgb) {
+    EXPECT_TRUE(std::isfinite(value) && value >= 0.0F);
+  }
+}
+
+TEST_F(EnvironmentImageFile, WithoutAnySoundTexelIsAnError) {
+  EXPECT_THAT(problem_of(write("all-nan.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT,
+                               constant(16, 8, 3, std::numeric_limits<float>::quiet_NaN()))),
+              HasSubstr("no finite light"));
+}
+
+TEST_F(EnvironmentImageFile, OfAnotherShapeIsAnError) {
+  EXPECT_THAT(problem_of(write("square.png", 16, 16, 3, OIIO::TypeDesc::UINT8, constant(16, 16, 3, 1.0F))),
+              HasSubstr("not twice as wide as high"));
+}
+
+TEST_F(EnvironmentImageFile, MissingForeignAndTornFilesAreErrorsWithTheirName) {
+  EXPECT_THAT(problem_of(folder_ / "absent.exr"), HasSubstr("absent.exr"));
+  EXPECT_THAT(problem_of(folder_), HasSubstr("is not a file"));
+  std::ofstream(folder_ / "text.png") << "this is no picture";
+  EXPECT_THAT(problem_of(folder_ / "text.png"), HasSubstr("text.png"));
+  const fs::path whole = write("torn.exr", 64, 32, 3, OIIO::TypeDesc::FLOAT, constant(64, 32, 3, 0.3F));
+  fs::resize_file(whole, fs::file_size(whole) / 2);
+  EXPECT_THAT(problem_of(whole), HasSubstr("torn.exr"));
+}
+
+}  // namespace
+}  // namespace ergodome

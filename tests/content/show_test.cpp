@@ -1,0 +1,164 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "content/show_reader.h"
+#include "tests/content/errors.h"
+
+namespace ergodome {
+namespace {
+
+using test::error_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string minimal = "[camera]\n[[camera.key]]\nr = 10\n";
+
+std::string problem_of(const std::string& text) {
+  return error_of([&] { parse_show(text, "show.toml"); });
+}
+
+TEST(Show, OfTheDesignReadsBackAsItIsWritten) {
+  const Show show = parse_show(R"(
+title = "Once around"
+duration_s = 30
+[hole]
+spin = 0.999
+[camera]
+observer = "geodesic"
+[[camera.key]]
+t_s = 0.0
+r = 30.0
+theta_deg = 80.0
+phi_deg = 0.0
+look = "hole"
+[[camera.key]]
+t_s = 30.0
+r = 6.0
+theta_deg = 90.0
+phi_deg = 720.0
+[sky]
+map = "milky_way"
+stars = "bright_stars"
+spin_axis = { ra_deg = 270.0, dec_deg = 66.6 }
+[effects]
+redshift = true
+magnification = true
+psf = { sigma_px = 0.5 }
+trails = { shutter_s = 0.02 }
+[view]
+projection = "dome"
+fov_deg = 180.0
+tilt_deg = 20.0
+size_px = 4096
+[stereo]
+layout = "mono"
+model = "physical"
+baseline = 0.02
+[quality]
+budget_px = 0.25
+)",
+                               "shows/once.toml");
+  EXPECT_EQ(show.title, "Once around");
+  EXPECT_EQ(show.name, "once");
+  EXPECT_EQ(show.folder, "shows");
+  EXPECT_EQ(show.spin, 0.999);
+  EXPECT_EQ(show.camera.motion, ObserverMotion::geodesic);
+  ASSERT_EQ(show.camera.keys.size(), 2U);
+  EXPECT_NEAR(show.camera.keys[1].phi, 4.0 * 3.14159265358979323846, 1e-12);
+  EXPECT_EQ(show.sky.stars, "bright_stars");
+  EXPECT_TRUE(show.effects.redshift);
+  EXPECT_EQ(show.effects.psf->sigma_px, 0.5);
+  EXPECT_EQ(show.view.size_px, 4096);
+  EXPECT_EQ(show.stereo.baseline, 0.02);
+  EXPECT_EQ(frame_count(show), 900);
+  EXPECT_FALSE(missing_features(show).empty());
+}
+
+TEST(Show, WrittenAsTextReadsBackTheSame) {
+  Show show = parse_show(minimal, "show.toml");
+  show.title = "A \"quoted\" title, ünïcode";
+  show.duration_s = 12.5;
+  show.spin = -0.7;
+  show.camera.motion = ObserverMotion::velocity;
+  show.camera.velocity = {0.1, -0.2, 0.3};
+  show.camera.keys.push_back({4.0, 20.0, 1.0, 7.0, {LookTarget::Kind::direction, {0.0, 1.0, 0.5}}, 0.1, -0.2, 0.3});
+  show.effects.trails = TrailSettings{0.1};
+  show.stereo = {StereoLayout::anaglyph, StereoModel::omni, 0.5, true};
+  const Show back = parse_show(to_toml(show), "show.toml");
+  EXPECT_EQ(back.title, show.title);
+  EXPECT_EQ(back.duration_s, show.duration_s);
+  EXPECT_EQ(back.spin, show.spin);
+  EXPECT_NEAR(back.camera.velocity.y, -0.2, 1e-15);
+  ASSERT_EQ(back.camera.keys.size(), 2U);
+  EXPECT_NEAR(back.camera.keys[1].theta, 1.0, 1e-15);
+  EXPECT_NEAR(back.camera.keys[1].roll, 0.3, 1e-15);
+  EXPECT_EQ(back.camera.keys[1].look.direction.z, 0.5);
+  EXPECT_EQ(back.effects.trails->shutter_s, 0.1);
+  EXPECT_FALSE(back.effects.psf.has_value());
+  EXPECT_EQ(back.stereo.layout, StereoLayout::anaglyph);
+  EXPECT_TRUE(back.stereo.swap_eyes);
+}
+
+TEST(Show, EveryBuiltInShowReadsAndCanBeDrawn) {
+  int shows = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(ERGODOME_SOURCE_DIR "/content/shows")) {
+    EXPECT_TRUE(missing_features(read_show(entry.path())).empty()) << entry.path();
+    ++shows;
+  }
+  EXPECT_GE(shows, 4);
+}
+
+TEST(Show, UnknownKeyNamesTheNearestTheFileAndTheLine) {
+  EXPECT_THAT(problem_of(minimal + "[veiw]\n"), AllOf(HasSubstr("show.toml:4"), HasSubstr("veiw"), HasSubstr("\"view\"")));
+  EXPECT_THAT(problem_of(minimal + "[view]\nfov = 3\n"), AllOf(HasSubstr("show.toml:5"), HasSubstr("view.fov"), HasSubstr("fov_deg")));
+  EXPECT_THAT(problem_of("[camera]\n[[camera.key]]\nr = 10\nradius = 4\n"), HasSubstr("camera.key[0].radius"));
+}
+
+TEST(Show, WrongWordNamesTheNearest) {
+  EXPECT_THAT(problem_of("[camera]\nobserver = \"geodesik\"\n[[camera.key]]\nr = 10\n"), HasSubstr("\"geodesic\""));
+}
+
+TEST(Show, RefusesWhatCannotBe) {
+  EXPECT_THAT(problem_of(""), HasSubstr("camera.key is missing"));
+  EXPECT_THAT(problem_of("[camera]\n"), HasSubstr("camera.key is missing"));
+  EXPECT_THAT(problem_of("[hole]\nspin = 1.5\n" + minimal), HasSubstr("hole.spin is 1.5"));
+  EXPECT_THAT(problem_of("[hole]\nspin = nan\n" + minimal), HasSubstr("hole.spin is nan"));
+  EXPECT_THAT(problem_of("[hole]\nspin = inf\n" + minimal), HasSubstr("hole.spin is inf"));
+  EXPECT_THAT(problem_of("[camera]\n[[camera.key]]\nr = 1.9\n"), HasSubstr("inside the horizon"));
+  EXPECT_THAT(problem_of("[camera]\n[[camera.key]]\nr = \"ten\"\n"), HasSubstr("is not a number"));
+  EXPECT_THAT(problem_of("[camera]\n[[camera.key]]\nt_s = 1\n"), HasSubstr("r is missing"));
+  EXPECT_THAT(problem_of(minimal + "[[camera.key]]\nr = 9\n"), HasSubstr("does not come after"));
+  EXPECT_THAT(problem_of(minimal + "[view]\nsize_px = 0\n"), HasSubstr("view.size_px"));
+  EXPECT_THAT(problem_of(minimal + "[view]\nsize_px = 16385\n"), HasSubstr("view.size_px"));
+  EXPECT_THAT(problem_of(minimal + "[stereo]\nbaseline = -1\n"), HasSubstr("stereo.baseline"));
+  EXPECT_THAT(problem_of(minimal + "[effects]\nredshift = 1\n"), HasSubstr("neither true nor false"));
+  EXPECT_THAT(problem_of("x = = 1\n"), HasSubstr("show.toml:1"));
+  EXPECT_THAT(problem_of("camera = 4\n"), HasSubstr("is not a table"));
+}
+
+TEST(Show, RefusesObserversThatCannotExist) {
+  EXPECT_THAT(problem_of("[hole]\nspin = 0.9\n[camera]\nobserver = \"static\"\n[[camera.key]]\nr = 1.9\n"),
+              HasSubstr("outrun light"));
+  EXPECT_THAT(problem_of("[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 2.9\n"), HasSubstr("photon orbit"));
+  EXPECT_THAT(problem_of("[camera]\nobserver = { beta = 1.0, toward = [1, 0, 0] }\n[[camera.key]]\nr = 9\n"),
+              HasSubstr("speed of light"));
+  EXPECT_THAT(problem_of("[camera]\nobserver = { beta = 0.5, toward = [0, 0, 0] }\n[[camera.key]]\nr = 9\n"),
+              HasSubstr("has no length"));
+}
+
+TEST(Show, MissingFileAndFolderAreErrorsWithTheirName) {
+  EXPECT_THAT(error_of([] { read_show("no/such/show.toml"); }), HasSubstr("no/such/show.toml"));
+  EXPECT_THAT(error_of([] { read_show(ERGODOME_SOURCE_DIR); }), HasSubstr("is not a file"));
+}
+
+TEST(Show, LastsForYearsWithoutLosingAFrame) {
+  Show show = parse_show(minimal, "show.toml");
+  show.duration_s = 1e9;
+  EXPECT_EQ(frame_count(show), 1'000'000'000);
+  EXPECT_NEAR(frame_time_s(show, 999'999'999), 1e9 / 30.0, 0.1);
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,85 @@
+#include "content/sky_map.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace ergodome {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+//! Mean light of a built-in map around a place on the sky.
+double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
+  const glm::dvec3 d(std::cos(dec_deg * degree) * std::cos(ra_deg * degree), std::cos(dec_deg * degree) * std::sin(ra_deg * degree),
+                     std::sin(dec_deg * degree));
+  const glm::dvec2 place = map_from_direction(d);
+  double sum = 0.0;
+  for (int dy = -6; dy <= 6; ++dy) {
+    for (int dx = -6; dx <= 6; ++dx) {
+      const int x = (static_cast<int>(place.x * image.width) + dx + image.width) % image.width;
+      const int y = std::clamp(static_cast<int>(place.y * image.height) + dy, 0, image.height - 1);
+      for (int c = 0; c < 3; ++c) {
+        sum += image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) +
+                         static_cast<std::size_t>(c)];
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(SkyMap, MilkyWayHasTheMagellanicCloudsAndTheGalacticCentreInTheirPlaces) {
+  const EnvironmentImage image = load_sky_map(Show{});
+  EXPECT_EQ(image.width, 2048);
+  // LMC (80.9°, -69.8°) outshines the sky at the same declination on the other side and its mirror images.
+  const double lmc = light_at(image, 80.9, -69.8);
+  EXPECT_GT(lmc, 3.0 * light_at(image, 80.9, 69.8));
+  EXPECT_GT(lmc, 3.0 * light_at(image, -10.0, -60.0));
+  // The Small Cloud, against its place on a map that is read the wrong way round.
+  EXPECT_GT(light_at(image, 13.2, -72.8), 2.0 * light_at(image, 180.0 - 13.2, -72.8));
+  const double centre = light_at(image, 266.4, -29.0);
+  EXPECT_GT(centre, 5.0 * light_at(image, 192.9, 27.1));  // the galactic pole
+}
+
+TEST(SkyMap, PlacesAndDirectionsAreInverses) {
+  for (const double u : {0.0, 0.1, 0.26, 0.5, 0.77, 0.99}) {
+    for (const double v : {0.01, 0.3, 0.5, 0.9}) {
+      const glm::dvec2 back = map_from_direction(direction_from_map(u, v));
+      EXPECT_NEAR(back.x, u, 1e-12);
+      EXPECT_NEAR(back.y, v, 1e-12);
+    }
+  }
+}
+
+TEST(SkyMap, RotationPutsTheSpinAxisOnZAndKeepsTheHandedness) {
+  SkySettings sky;
+  for (const double dec_deg : {-90.0, -20.0, 0.0, 66.6, 90.0}) {
+    sky.spin_axis_dec_deg = dec_deg;
+    const glm::dmat3 turn = sky_from_map(sky);
+    const double ra = sky.spin_axis_ra_deg * degree;
+    const double dec = dec_deg * degree;
+    const glm::dvec3 axis(std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec));
+    EXPECT_NEAR(glm::length(turn * axis - glm::dvec3(0.0, 0.0, 1.0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::determinant(turn), 1.0, 1e-12);
+  }
+}
+
+TEST(SkyMap, GridIsBrighterInTheNorthAndHasAHueForEachQuadrant) {
+  const EnvironmentImage grid = make_grid_sky(720);
+  EXPECT_GT(light_at(grid, 37.0, 37.0), 2.0 * light_at(grid, 37.0, -37.0));
+  const auto texel = [&](double ra_deg) {
+    const glm::dvec2 place = map_from_direction({std::cos(ra_deg * degree), std::sin(ra_deg * degree), 0.14});
+    const std::size_t i = 3 * (static_cast<std::size_t>(place.y * grid.height) * 720U + static_cast<std::size_t>(place.x * 720));
+    return glm::vec3(grid.rgb[i], grid.rgb[i + 1], grid.rgb[i + 2]);
+  };
+  EXPECT_GT(texel(37.0).x, 2.0F * texel(37.0).z);    // red
+  EXPECT_GT(texel(307.0).z, 2.0F * texel(307.0).x);  // blue
+}
+
+}  // namespace
+}  // namespace ergodome
