@@ -7,24 +7,37 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Constants of one ray, as the recurrences use them.
+//!
+//! Time runs in units of 1 / √C (s below), so that the series stays near 1 in size and float does not overflow, however far the
+//! camera is: at r = 10⁶ the tenth derivative in plain Mino time would be 10⁶⁰.
 template <class T>
 struct TaylorCoefficients {
-  T u_linear;     //!< a² - C
-  T u_quadratic;  //!< 3 K
-  T u_cubic;      //!< -2 a² Q
-  T polar;        //!< C
-  T drag_u;       //!< -2 a, backwards
-  T drag_u2;      //!< a² L, backwards
+  T u_linear;                 //!< (a² - C) / s²
+  T u_quadratic;              //!< 3 K / s²
+  T u_cubic;                  //!< -2 a² Q / s²
+  T polar;                    //!< C / s²
+  T drag_u;                   //!< -2 a / s, backwards
+  T drag_u2;                  //!< a² L / s, backwards
+  RealOf<T> spin2;            //!< a² / s²
   ScalarOf<T> outer_horizon;  //!< r_+
 };
 
+//! `inverse_scale` is 1 / s.
 template <class T>
-ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RayStart<T>& ray) {
+ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RayStart<T>& ray, const RealOf<T>& inverse_scale) {
   using S = ScalarOf<T>;
+  using Real = RealOf<T>;
   const S a2 = spin * spin;
+  const Real square = inverse_scale * inverse_scale;
   const T carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
-  return {a2 - ray.polar_constant,  S(3) * ray.shear_constant, -(S(2) * a2 * carter), ray.polar_constant,
-          T(-S(2) * spin), a2 * ray.axial_angular_momentum, S(1) + safe_sqrt(S(1) - a2)};
+  return {(a2 - ray.polar_constant) * square,
+          ray.shear_constant * (S(3) * square),
+          carter * (square * (-S(2) * a2)),
+          ray.polar_constant * square,
+          T(inverse_scale * (-S(2) * spin)),
+          ray.axial_angular_momentum * (inverse_scale * a2),
+          square * a2,
+          S(1) + safe_sqrt(S(1) - a2)};
 }
 
 //! The series of one step: coefficient k belongs to h^k.
@@ -66,7 +79,7 @@ ERGO_HD T square_coefficient(const T* f, int k) {
 }
 }  // namespace detail
 
-//! Fills the series from the state at h = 0.
+//! Fills the series from the state at h = 0; rates and h are in the scaled time of the coefficients.
 //!
 //! Quoting DESIGN section 3: u'' = u [(a² - C) + 3 K u - 2 a² Q u²]; m_xy'' = B m_xy, m_z'' = (B + a²) m_z with B = -(C + 2 a² m_z²);
 //! ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²), backwards.
@@ -110,7 +123,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
       continue;
     }
     force[k] = c.u_quadratic * s.u[k] + c.u_cubic * square[k];
-    bend[k] = -(S(2) * a2) * detail::square_coefficient(s.z, k);
+    bend[k] = detail::square_coefficient(s.z, k) * (S(-2) * c.spin2);
     if (k == 0) {
       force[0] = force[0] + c.u_linear;
       bend[0] = bend[0] - c.polar;
@@ -119,7 +132,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
     s.u[k + 2] = detail::product_coefficient(force, s.u, k) * share;
     s.x[k + 2] = detail::product_coefficient(bend, s.x, k) * share;
     s.y[k + 2] = detail::product_coefficient(bend, s.y, k) * share;
-    s.z[k + 2] = (detail::product_coefficient(bend, s.z, k) + a2 * s.z[k]) * share;
+    s.z[k + 2] = (detail::product_coefficient(bend, s.z, k) + s.z[k] * c.spin2) * share;
   }
 }
 
@@ -206,13 +219,16 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
                                const IntegrationSettings& settings, RealOf<T>& steps, MaskOf<RealOf<T>>& reached) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
-  const TaylorCoefficients<T> coefficients = taylor_coefficients(spin, start);
   const Real tolerance = local_tolerance(spin, start, S(settings.tolerance));
   const Real polar_speed = safe_sqrt(maximum(value_of(start.polar_constant), Real(S(0)))) + S(1);
   const Real tiny(std::numeric_limits<S>::min() * S(1e6));
   // A straight ray has no terms to judge a step by: never more than some radians at a time.
-  const Real longest = S(3) / polar_speed;
+  const Real longest(S(3));
+  const Real inverse_scale = S(1) / polar_speed;
+  const TaylorCoefficients<T> coefficients = taylor_coefficients(spin, start, inverse_scale);
   RayState<T> state = initial_state(start);
+  state.u_rate = state.u_rate * inverse_scale;
+  state.m_rate = {state.m_rate.x * inverse_scale, state.m_rate.y * inverse_scale, state.m_rate.z * inverse_scale};
   T time(S(0));
   Real error(S(0));
   steps = Real(S(0));
@@ -244,7 +260,7 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
   const Vector3<T> sky = sky_direction(state);
   // A number that is not one is no result.
   reached = active_at_start & (!active) & (value_of(dot(sky, sky)) < Real(S(2)));
-  return {sky, time, T(error)};
+  return {sky, time * inverse_scale, T(error)};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

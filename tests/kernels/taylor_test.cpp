@@ -164,8 +164,12 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
             const Traced traced =
                 trace(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma));
             EXPECT_EQ(traced.bright, side > 0.0) << "a " << a << " r " << r << " distance " << side * distance;
-            EXPECT_EQ(traced.reached, traced.bright) << "a " << a << " r " << r << " distance " << side * distance;
-            EXPECT_NEAR(test::length(traced.sky), traced.bright ? 1.0 : test::length(traced.sky), 1e-6);
+            // Along an extremal horizon light winds not a few times but 1 / distance^½: too often to count, and said so.
+            const bool countless = a > 0.99999 && distance < 1e-8;
+            EXPECT_TRUE(traced.reached == traced.bright || countless) << "a " << a << " r " << r << " distance " << distance;
+            if (traced.reached) {
+              EXPECT_NEAR(test::length(traced.sky), 1.0, 1e-6);
+            }
           }
         }
       }

@@ -1,0 +1,269 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "kernels/launch/instruction_set.h"
+#include "render/output/image_writer.h"
+
+// The program as a person runs it.
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("ergodome-cli-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  //! Runs the program in the test's folder; all that it prints goes to output_.
+  int run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.string() + "' && '" ERGODOME_PROGRAM "' " + arguments + " 2>&1";
+    FILE* pipe = ::popen(command.c_str(), "r");
+    output_.clear();
+    char buffer[4096];
+    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) {
+      output_.append(buffer, got);
+    }
+    const int status = ::pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  //! A CSV file as rows of cells by column.
+  [[nodiscard]] static std::vector<std::map<std::string, std::string>> table(const fs::path& path) {
+    std::ifstream file(path);
+    const auto split = [](const std::string& line) {
+      std::vector<std::string> cells;
+      std::stringstream stream(line + ",");
+      for (std::string cell; std::getline(stream, cell, ',');) {
+        cells.push_back(cell);
+      }
+      return cells;
+    };
+    std::string line;
+    std::getline(file, line);
+    const auto header = split(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(file, line)) {
+      const auto cells = split(line);
+      std::map<std::string, std::string> row;
+      for (std::size_t i = 0; i < header.size() && i < cells.size(); ++i) {
+        row[header[i]] = cells[i];
+      }
+      rows.push_back(row);
+    }
+    return rows;
+  }
+
+  fs::path folder_;
+  std::string output_;
+};
+
+constexpr const char* small_show = R"(
+title = "Small"
+duration_s = 0.1
+[hole]
+spin = 0.9
+[camera]
+[[camera.key]]
+r = 8
+[sky]
+map = "grid"
+[view]
+size_px = 64
+)";
+
+TEST_F(CommandLine, EveryCommandAnswersHelp) {
+  EXPECT_EQ(run("--help"), 0);
+  for (const char* command : {"play", "render", "inspect", "trace", "edge"}) {
+    EXPECT_EQ(run(std::string(command) + " --help"), 0) << command;
+    EXPECT_THAT(output_, HasSubstr("--help"));
+  }
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_THAT(output_, HasSubstr(ERGODOME_VERSION));
+}
+
+TEST_F(CommandLine, WrongWordsAreOneLineAndNotZero) {
+  for (const char* words : {"", "fly", "render", "trace --rays x.csv", "render a --size 0", "render a --size 99999",
+                            "trace --rays a --out b --method guess"}) {
+    EXPECT_NE(run(words), 0) << words;
+    EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
+  }
+}
+
+TEST_F(CommandLine, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
+  const std::string rays = ERGODOME_TEST_DATA_DIR "/rays.csv";
+  const auto expected = table(rays);
+  for (const char* method : {"taylor", "closed_form"}) {
+    ASSERT_EQ(run("trace --rays '" + rays + "' --out out.csv --method " + method), 0) << output_;
+    const auto traced = table(folder_ / "out.csv");
+    ASSERT_EQ(traced.size(), expected.size());
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+      const auto& want = expected[i];
+      const auto& got = traced[i];
+      ASSERT_EQ(got.at("id"), want.at("id"));
+      ASSERT_EQ(got.at("status"), want.at("status")) << method << " " << want.at("id");
+      const double g = std::stod(want.at("g"));
+      EXPECT_NEAR(std::stod(got.at("g")), g, 1e-12 * std::abs(g)) << method << " " << want.at("id");
+      if (want.at("status") == "escaped") {
+        const auto difference = [&](const char* axis) { return std::stod(got.at(axis)) - std::stod(want.at(axis)); };
+        const double error = std::hypot(difference("sky_x"), difference("sky_y"), difference("sky_z"));
+        EXPECT_LT(error, 1e-10 + 1e-13 / std::abs(std::stod(want.at("edge_distance")))) << method << " " << want.at("id");
+      }
+    }
+  }
+}
+
+TEST_F(CommandLine, TraceWorksByEveryMethodInBothPrecisions) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
+  for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
+    for (const char* precision : {"float", "double"}) {
+      ASSERT_EQ(run(std::string("trace --rays rays.csv --out out.csv --tolerance 1e-5 --method ") + method + " --precision " + precision),
+                0)
+          << output_;
+      const auto rows = table(folder_ / "out.csv");
+      ASSERT_EQ(rows.size(), 2U);
+      EXPECT_EQ(rows[0].at("status"), "escaped") << method;
+      EXPECT_EQ(rows[1].at("status"), "captured") << method;
+      EXPECT_EQ(rows[1].at("sky_x"), "");
+    }
+  }
+}
+
+TEST_F(CommandLine, EdgeOfTheReferencePointsIsNowhere) {
+  ASSERT_EQ(run("edge --rays '" ERGODOME_TEST_DATA_DIR "/edge.csv' --out out.csv"), 0) << output_;
+  const auto rows = table(folder_ / "out.csv");
+  ASSERT_EQ(rows.size(), 1088U);
+  for (const auto& row : rows) {
+    EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-10);
+  }
+}
+
+TEST_F(CommandLine, EdgeWritesPointsThatLieOnTheEdge) {
+  write("camera.csv", "id,a,r,theta,observer,n_r,n_theta,n_phi\nmy camera,0.9,6,1.2,rain,1,0,0\n");
+  ASSERT_EQ(run("edge --rays camera.csv --out points.csv --points 8"), 0) << output_;
+  const auto points = table(folder_ / "points.csv");
+  ASSERT_EQ(points.size(), 8U);
+  EXPECT_EQ(points[3].at("id"), "my camera");
+  std::string rays = "a,r,theta,observer,n_r,n_theta,n_phi\n";
+  for (const auto& point : points) {
+    rays += "0.9,6,1.2,rain," + point.at("n_r") + "," + point.at("n_theta") + "," + point.at("n_phi") + "\n";
+  }
+  write("rays.csv", rays);
+  ASSERT_EQ(run("edge --rays rays.csv --out out.csv"), 0);
+  for (const auto& row : table(folder_ / "out.csv")) {
+    EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-13);
+  }
+}
+
+TEST_F(CommandLine, ProblemsInATableNameTheLineAndLeaveNoFile) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,0.5,1.2,zamo,1,0,0\n");
+  EXPECT_EQ(run("trace --rays rays.csv --out out.csv"), 1);
+  EXPECT_THAT(output_, HasSubstr("rays.csv:2"));
+  EXPECT_FALSE(fs::exists(folder_ / "out.csv"));
+}
+
+TEST_F(CommandLine, RenderWritesNumberedFramesAndResumesWhatIsMissing) {
+  write("small.toml", small_show);
+  ASSERT_EQ(run("render small.toml --out frames --backend cpu"), 0) << output_;
+  for (const char* name : {"small_000001.png", "small_000002.png", "small_000003.png"}) {
+    EXPECT_TRUE(is_complete_image(folder_ / "frames" / name, 64, 64)) << name;
+  }
+  fs::remove(folder_ / "frames/small_000002.png");
+  fs::resize_file(folder_ / "frames/small_000003.png", 100);
+  ASSERT_EQ(run("render small.toml --out frames --backend cpu --resume"), 0);
+  EXPECT_THAT(output_, HasSubstr("2 frames"));
+  EXPECT_TRUE(is_complete_image(folder_ / "frames/small_000003.png", 64, 64));
+}
+
+TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
+  write("small.toml", small_show);
+  ASSERT_EQ(run("render small.toml --out f --frames 1 --format exr --stereo separate --backend cpu"), 0) << output_;
+  EXPECT_TRUE(is_complete_image(folder_ / "f/L/small_000001.exr", 64, 64));
+  EXPECT_TRUE(is_complete_image(folder_ / "f/R/small_000001.exr", 64, 64));
+  ASSERT_EQ(run("render small.toml --out f --frames 2:2 --size 100 --stereo side_by_side --projection equirect --backend cpu"), 0);
+  EXPECT_TRUE(is_complete_image(folder_ / "f/small_000002.png", 200, 50));
+  for (const char* view : {"steps", "error", "order", "g", "magnification"}) {
+    EXPECT_EQ(run(std::string("render small.toml --out v --frames 1 --size 200 --view ") + view), 0) << view;
+  }
+}
+
+TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
+  write("small.toml", small_show);
+  EXPECT_EQ(run("render small.toml --frames 9:12"), 1);
+  EXPECT_THAT(output_, HasSubstr("1:3"));
+  EXPECT_EQ(run("render small.toml --frames 3:1"), 1);
+  EXPECT_EQ(run("render absent"), 1);
+  EXPECT_THAT(output_, HasSubstr("first-light"));
+  EXPECT_EQ(run("render small.toml --out /proc/nowhere"), 1);
+  write("bad.toml", std::string(small_show) + "[stars]\n");
+  EXPECT_EQ(run("render bad.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("bad.toml:13"));
+  write("stars.toml", std::string(small_show) + "[effects]\npsf = { sigma_px = 0.5 }\n");
+  EXPECT_EQ(run("render stars.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("not drawn yet"));
+  write("map.toml", "[camera]\n[[camera.key]]\nr=9\n[sky]\nmap = \"absent.exr\"\n");
+  EXPECT_EQ(run("render map.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("absent.exr"));
+}
+
+TEST_F(CommandLine, WithoutAGpuAutoSaysSoOnceAndCudaRefuses) {
+  if (cuda_unavailable_reason() == nullptr) {
+    GTEST_SKIP() << "there is a GPU";
+  }
+  write("small.toml", small_show);
+  ASSERT_EQ(run("render small.toml --out f"), 0);
+  EXPECT_EQ(output_.find("no GPU"), output_.rfind("no GPU"));
+  EXPECT_THAT(output_, HasSubstr("no GPU"));
+  EXPECT_EQ(run("render small.toml --out f --backend cuda"), 1);
+}
+
+TEST_F(CommandLine, InspectTellsWhatIsInAShow) {
+  ASSERT_EQ(run("inspect first-light"), 0);
+  EXPECT_THAT(output_, HasSubstr("side_by_side"));
+  ASSERT_EQ(run("inspect first-light --json"), 0);
+  EXPECT_THAT(output_, HasSubstr("\"spin\": 0.999"));
+}
+
+TEST_F(CommandLine, PlayWithoutADisplaySaysSo) {
+  const std::string no_display = "env -u DISPLAY -u WAYLAND_DISPLAY true; unset DISPLAY WAYLAND_DISPLAY";
+  EXPECT_EQ(run("inspect free-flight"), 0);
+  const std::string command = no_display + "; '" ERGODOME_PROGRAM "' play --for 1 2>&1";
+  FILE* pipe = ::popen(command.c_str(), "r");
+  char buffer[2048] = {};
+  const std::size_t got = std::fread(buffer, 1, sizeof buffer - 1, pipe);
+  EXPECT_EQ(WEXITSTATUS(::pclose(pipe)), 1);
+  EXPECT_THAT(std::string(buffer, got), HasSubstr("display"));
+}
+
+TEST_F(CommandLine, PlayShowsAPictureInAWindow) {
+  if (std::system("command -v xvfb-run >/dev/null") != 0) {
+    GTEST_SKIP() << "no virtual display here (xvfb-run)";
+  }
+  const std::string command = "cd '" + folder_.string() +
+                              "' && xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
+                              "' play dome-still --stereo mono --backend cpu --size 256 --for 3 --screenshot shot.png 2>&1";
+  FILE* pipe = ::popen(command.c_str(), "r");
+  char buffer[2048] = {};
+  const std::size_t got = std::fread(buffer, 1, sizeof buffer - 1, pipe);
+  ASSERT_EQ(WEXITSTATUS(::pclose(pipe)), 0) << std::string(buffer, got);
+  EXPECT_TRUE(is_complete_image(folder_ / "shot.png", 256, 256));
+  // A picture of the sky is no black square.
+  EXPECT_GT(fs::file_size(folder_ / "shot.png"), 5000U);
+}
+
+}  // namespace
+}  // namespace ergodome

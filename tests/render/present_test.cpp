@@ -1,0 +1,102 @@
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "kernels/core/error.h"
+#include "render/output/tone_map.h"
+#include "render/present/headless_context.h"
+#include "render/present/presenter.h"
+
+namespace ergodome {
+namespace {
+
+//! A headless context and a framebuffer to draw into.
+class Present : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      context_ = std::make_unique<HeadlessContext>();
+    } catch (const Error& problem) {
+      GTEST_SKIP() << problem.what();
+    }
+  }
+
+  static void make_framebuffer(int width, int height) {
+    GLuint texture = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+    glTextureStorage2D(texture, 1, GL_RGBA8, width, height);
+    GLuint framebuffer = 0;
+    glCreateFramebuffers(1, &framebuffer);
+    glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  }
+
+  static Picture corners(int width, int height) {
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    picture.rgba.assign(4 * static_cast<std::size_t>(width * height), 0.05F);
+    const auto set = [&](int x, int y, int channel) {
+      picture.rgba[4 * static_cast<std::size_t>(y * width + x) + static_cast<std::size_t>(channel)] = 0.7F;
+    };
+    set(0, 0, 0);                   // top left red
+    set(width - 1, 0, 1);           // top right green
+    set(0, height - 1, 2);          // bottom left blue
+    return picture;
+  }
+
+  std::unique_ptr<HeadlessContext> context_;
+};
+
+TEST_F(Present, PictureOfTheWindowsSizeIsTheToneMappedPicture) {
+  make_framebuffer(40, 20);
+  Presenter presenter;
+  const Picture picture = corners(40, 20);
+  presenter.upload(picture);
+  presenter.draw(40, 20);
+  const auto shown = Presenter::read_back(40, 20);
+  const auto expected = tone_mapped(picture);
+  ASSERT_EQ(shown.size(), expected.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    ASSERT_NEAR(shown[i], expected[i], 1) << i;
+  }
+}
+
+TEST_F(Present, PictureOfAnotherShapeIsLetterboxed) {
+  make_framebuffer(100, 100);
+  Presenter presenter;
+  Picture picture = corners(40, 20);
+  std::fill(picture.rgba.begin(), picture.rgba.end(), 1.0F);
+  presenter.upload(picture);
+  presenter.draw(100, 100);
+  const auto shown = Presenter::read_back(100, 100);
+  const auto light = [&](int x, int y) { return shown[3 * static_cast<std::size_t>(100 * y + x)]; };
+  EXPECT_EQ(light(50, 10), 0);
+  EXPECT_EQ(light(50, 90), 0);
+  EXPECT_GT(light(50, 50), 200);
+  EXPECT_GT(light(1, 50), 200);
+}
+
+TEST_F(Present, BeforeAnyPictureTheWindowIsBlack) {
+  make_framebuffer(8, 8);
+  Presenter presenter;
+  presenter.draw(8, 8);
+  for (const auto byte : Presenter::read_back(8, 8)) {
+    EXPECT_EQ(byte, 0);
+  }
+}
+
+TEST_F(Present, PicturesMayChangeTheirSize) {
+  make_framebuffer(16, 16);
+  Presenter presenter;
+  for (const int size : {4, 64, 16}) {
+    presenter.upload(corners(size, size));
+    presenter.draw(16, 16);
+  }
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_GT(Presenter::read_back(16, 16)[0], 150);
+}
+
+}  // namespace
+}  // namespace ergodome
