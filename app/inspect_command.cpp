@@ -27,7 +27,8 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 //! Angular width of the shadow along ±φ from the show's camera at a time [deg].
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
-  const CameraStation camera = make_camera_station(show.spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
+  const CameraStation camera =
+      make_camera_station(show.spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
   return degrees * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, 3.14159265358979323846));
 }
@@ -68,10 +69,12 @@ void print(const nlohmann::json& facts) {
     }
   }
   if (facts.contains("keys")) {
-    fmt::print("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]", "shadow width [deg]");
+    fmt::print("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
+               "shadow width [deg]");
     for (const auto& key : facts["keys"]) {
-      fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}\n", key["t_s"].get<double>(), key["r"].get<double>(),
-                 key["theta_deg"].get<double>(), key["phi_deg"].get<double>(), key["shadow_width_deg"].get<double>());
+      fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}\n", key["t_s"].get<double>(),
+                 key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
+                 key["shadow_width_deg"].get<double>());
     }
   }
 }
@@ -90,8 +93,8 @@ nlohmann::json facts_of(const EnvironmentImage& image) {
 }
 
 void run(const InspectOptions& options) {
-  const bool is_image = std::filesystem::path(options.file).has_extension() &&
-                        std::filesystem::path(options.file).extension() != ".toml";
+  const bool is_image =
+      std::filesystem::path(options.file).has_extension() && std::filesystem::path(options.file).extension() != ".toml";
   const nlohmann::json facts =
       is_image ? facts_of(read_environment_image(options.file)) : facts_of(load_show(options.file));
   if (options.json) {
@@ -106,7 +109,8 @@ void run(const InspectOptions& options) {
 void add_inspect_command(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show or a sky map");
-  command->add_option("file", options->file, "show (.toml or the name of a built-in one) or equirectangular image")->required();
+  command->add_option("file", options->file, "show (.toml or the name of a built-in one) or equirectangular image")
+      ->required();
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options] { run(*options); });
 }

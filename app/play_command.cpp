@@ -33,7 +33,8 @@ void add_play_command(CLI::App& app) {
   auto arguments = std::make_shared<PlayArguments>();
   CLI::App* command = app.add_subcommand("play", "Play a show, or fly freely, in a window");
   command->footer(key_help());
-  command->add_option("show", arguments->show, "show file (.toml) or the name of a built-in show; without: free flight");
+  command->add_option("show", arguments->show,
+                      "show file (.toml) or the name of a built-in show; without: free flight");
   command->add_option("--backend", arguments->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
@@ -46,7 +47,8 @@ void add_play_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
-  command->add_option("--for", arguments->options.for_seconds, "end by itself after this many seconds")->check(CLI::Range(0.0, 1e9));
+  command->add_option("--for", arguments->options.for_seconds, "end by itself after this many seconds")
+      ->check(CLI::Range(0.0, 1e9));
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
   command->callback([arguments] { run(*arguments); });
 }

@@ -110,7 +110,7 @@ void Player::handle(const WindowEvent& event) {
       break;
     }
     case WindowEvent::Kind::scroll:
-      field_of_view_deg_ = std::clamp(field_of_view_deg_ * std::exp(-0.1 * event.dy), 0.01, 
+      field_of_view_deg_ = std::clamp(field_of_view_deg_ * std::exp(-0.1 * event.dy), 0.01,
                                       renderer_.show().view.projection == ViewProjection::pinhole ? 170.0 : 360.0);
       break;
   }
@@ -153,7 +153,8 @@ void Player::press(int key) {
 
 void Player::advance(double seconds) {
   const auto held = [&](KeyAction action) {
-    return std::any_of(held_keys_.begin(), held_keys_.end(), [&](int key) { return action_of(key) == action; }) ? 1.0 : 0.0;
+    return std::any_of(held_keys_.begin(), held_keys_.end(), [&](int key) { return action_of(key) == action; }) ? 1.0
+                                                                                                                : 0.0;
   };
   const double speed = 0.6 * std::min(seconds, 0.1);
   const double phi = held(KeyAction::right) - held(KeyAction::left);
@@ -240,8 +241,11 @@ void Player::update_title() {
   const CameraPose pose = current_pose();
   window_.set_title(fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {}{}",
                                 renderer_.show().title, renderer_.show().spin, pose.r, show_time_s_, frame_time_ms_,
-                                refined_size_px_ > 0 ? refined_size_px_ : options_.size_px, describe(renderer_.backend()),
-                                flying_ ? "  free flight" : paused_ ? "  paused" : ""));
+                                refined_size_px_ > 0 ? refined_size_px_ : options_.size_px,
+                                describe(renderer_.backend()),
+                                flying_   ? "  free flight"
+                                : paused_ ? "  paused"
+                                          : ""));
 }
 
 }  // namespace ergodome

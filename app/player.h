@@ -15,9 +15,9 @@ namespace ergodome {
 struct PlayOptions {
   bool full_screen = false;
   bool free_flight = false;
-  int size_px = 1024;          //!< width of one eye's image when the picture stands still
-  double for_seconds = 0.0;    //!< ends by itself after this time; 0: when it is closed
-  std::string screenshot;      //!< what the window showed last, as a PNG; empty: none
+  int size_px = 1024;        //!< width of one eye's image when the picture stands still
+  double for_seconds = 0.0;  //!< ends by itself after this time; 0: when it is closed
+  std::string screenshot;    //!< what the window showed last, as a PNG; empty: none
 };
 
 //! Plays a show, or flies through its scene, in a window.
@@ -62,8 +62,8 @@ class Player {
   bool changed_ = true;
   ViewMode mode_ = ViewMode::sky;
   double field_of_view_deg_ = 0.0;
-  int moving_size_px_ = 256;    //!< what keeps ten pictures a second
-  int refined_size_px_ = 0;     //!< width of the last picture of what stands still
+  int moving_size_px_ = 256;  //!< what keeps ten pictures a second
+  int refined_size_px_ = 0;   //!< width of the last picture of what stands still
   double frame_time_ms_ = 0.0;
   std::string said_problem_;
 };

@@ -9,7 +9,11 @@
 namespace ergodome {
 
 Progress::Progress(std::string what, long total)
-    : what_(std::move(what)), total_(total), on_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
+    : what_(std::move(what)),
+      total_(total),
+      on_terminal_(isatty(STDERR_FILENO) != 0),
+      start_(Clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() {
   if (drawn_) {
@@ -29,8 +33,8 @@ void Progress::advance_to(long done) {
   constexpr long cells = 30;
   const long filled = cells * done / total_;
   const double left_s = spent_s * static_cast<double>(total_ - done) / static_cast<double>(done);
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
-                          std::string(static_cast<std::size_t>(cells - filled), '.');
+  const std::string bar =
+      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(cells - filled), '.');
   fmt::print(stderr, "\r\033[K{} [{}] {} of {}, {:.0f} s left", what_, bar, done, total_, left_s);
 }
 

@@ -167,7 +167,8 @@ void run_edge(const RayOptions& options) {
 void add_trace_command(CLI::App& app) {
   auto options = std::make_shared<RayOptions>();
   CLI::App* command = app.add_subcommand("trace", "Trace single light rays from a table to a table");
-  command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")->required();
+  command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")
+      ->required();
   command->add_option("--out", options->out, "table to write")->required();
   command->add_option("--method", options->method, "taylor, rk34, cash_karp, closed_form or baseline_rk34")
       ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}))
@@ -175,14 +176,16 @@ void add_trace_command(CLI::App& app) {
   command->add_option("--precision", options->precision, "float or double")
       ->check(CLI::IsMember({"float", "double"}))
       ->capture_default_str();
-  command->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
+  command
+      ->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
       ->check(CLI::Range(1e-16, 1.0));
   command->callback([options] { run_trace(*options); });
 }
 
 void add_edge_command(CLI::App& app) {
   auto options = std::make_shared<RayOptions>();
-  CLI::App* command = app.add_subcommand("edge", "Signed angle of directions from the shadow's edge, or points of the edge");
+  CLI::App* command =
+      app.add_subcommand("edge", "Signed angle of directions from the shadow's edge, or points of the edge");
   command->add_option("--rays", options->rays, "table of rays (CSV), as for trace")->required();
   command->add_option("--out", options->out, "table to write")->required();
   command->add_option("--points", options->points, "write this many points of the edge for each camera instead")

@@ -184,7 +184,9 @@ void add_render_command(CLI::App& app) {
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  command->add_option("--format", options->format, "png or exr")->check(CLI::IsMember({"png", "exr"}))->capture_default_str();
+  command->add_option("--format", options->format, "png or exr")
+      ->check(CLI::IsMember({"png", "exr"}))
+      ->capture_default_str();
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();

@@ -24,11 +24,12 @@ Axes axes_at(double theta, double phi) {
 
 }  // namespace
 
-EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3], double offset,
-                   double least_r) {
+EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
+                   double offset, double least_r) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
   // Proper lengths to coordinate displacements: √(Δ/Σ) dr, r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
-  const double scale[3] = {std::sqrt(std::max(f.delta, 0.0) / f.sigma), r / std::sqrt(f.sigma), r / f.circumference_factor};
+  const double scale[3] = {std::sqrt(std::max(f.delta, 0.0) / f.sigma), r / std::sqrt(f.sigma),
+                           r / f.circumference_factor};
   const Axes here = axes_at(theta, phi);
   double place[3];
   for (int j = 0; j < 3; ++j) {

@@ -18,7 +18,7 @@ struct EyeEvent {
 //! through the metric, carried along a straight line of the Cartesian-like coordinates x = r sinθ cosφ, ..., so it works across the spin
 //! axis and for any length. The eye's axes stay parallel to the head's in those coordinates. An eye that would come closer to the hole
 //! than `least_r` stays there. `frame_from_view` are the head's axes at (r, θ, φ).
-EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3], double offset,
-                   double least_r);
+EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
+                   double offset, double least_r);
 
 }  // namespace ergodome

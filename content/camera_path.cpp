@@ -111,8 +111,8 @@ glm::dquat key_orientation(const CameraKey& key) {
 CameraPose camera_pose(const Show& show, double time_s) {
   const Keys& keys = show.camera.keys;
   const auto hold = [](const CameraKey& key) { return CameraPose{key.r, key.theta, key.phi, key_orientation(key)}; };
-  const auto after = std::upper_bound(keys.begin(), keys.end(), time_s,
-                                      [](double t, const CameraKey& key) { return t < key.time_s; });
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });
   if (after == keys.begin()) {
     return hold(keys.front());
   }

@@ -49,7 +49,8 @@ class MapReader {
       : input_(input), name_(std::move(name)), encoded_(is_encoded(input.spec())) {
     const OIIO::ImageSpec& spec = input.spec();
     check_shape(spec, name_);
-    while (spec.width / factor_ > largest_width && spec.width % (2 * factor_) == 0 && spec.height % (2 * factor_) == 0) {
+    while (spec.width / factor_ > largest_width && spec.width % (2 * factor_) == 0 &&
+           spec.height % (2 * factor_) == 0) {
       factor_ *= 2;
     }
     if (spec.width / factor_ > largest_width && spec.width > 2 * largest_width) {
@@ -66,7 +67,8 @@ class MapReader {
   EnvironmentImage read() {
     const OIIO::ImageSpec spec = input_.spec();
     constexpr int rows_at_once = 64;
-    std::vector<float> rows(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(colour_channels_) * rows_at_once);
+    std::vector<float> rows(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(colour_channels_) *
+                            rows_at_once);
     for (int begin = 0; begin < spec.height; begin += rows_at_once) {
       const int end = std::min(begin + rows_at_once, spec.height);
       if (!read_rows(spec, begin, end, rows)) {
@@ -74,8 +76,9 @@ class MapReader {
                     "the file seems torn; save it again");
       }
       for (int y = begin; y < end; ++y) {
-        add_row(rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(spec.width * colour_channels_), y,
-                spec.width);
+        add_row(
+            rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(spec.width * colour_channels_),
+            y, spec.width);
       }
     }
     if (repaired_ == static_cast<long>(spec.width) * spec.height) {
@@ -94,7 +97,8 @@ class MapReader {
     // Tiles are read once and kept: asking for scanlines of them would decode each many times.
     if (tiles_.empty()) {
       if (static_cast<double>(spec.width) * spec.height > 16384.0 * 8192.0) {
-        throw Error(name_, fmt::format("is tiled and {} pixels wide", spec.width), "save it in scanlines, or scale it to 16384 pixels");
+        throw Error(name_, fmt::format("is tiled and {} pixels wide", spec.width),
+                    "save it in scanlines, or scale it to 16384 pixels");
       }
       tiles_.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height * colour_channels_));
       if (!input_.read_image(0, 0, 0, colour_channels_, OIIO::TypeDesc::FLOAT, tiles_.data())) {
@@ -134,7 +138,8 @@ class MapReader {
   EnvironmentImage image_;
 };
 
-EnvironmentImage read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::string& name, int largest_width) {
+EnvironmentImage read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::string& name,
+                             int largest_width) {
   if (!input) {
     throw Error(name, "is not an image that can be read: " + OIIO::geterror(),
                 "give an equirectangular EXR, HDR, PNG, TIFF or JPEG");

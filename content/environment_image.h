@@ -12,9 +12,9 @@ namespace ergodome {
 struct EnvironmentImage {
   std::string name;
   int width = 0;
-  int height = 0;             //!< width / 2
-  std::vector<float> rgb;     //!< 3 * width * height, finite and >= 0
-  int repaired_texels = 0;    //!< texels that held NaN, infinity or negative light in the file; now 0
+  int height = 0;           //!< width / 2
+  std::vector<float> rgb;   //!< 3 * width * height, finite and >= 0
+  int repaired_texels = 0;  //!< texels that held NaN, infinity or negative light in the file; now 0
 };
 
 //! Reads an equirectangular image (2:1; EXR, HDR, PNG, TIFF, JPEG, ...) through OpenImageIO.

@@ -153,8 +153,11 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
     throw Error(file, "has no header line", "name the columns in the first line");
   }
   const Header header(text, file);
-  Columns columns{header.find("id"),       header.need("a"), header.need("r"),
-                  header.need("theta"),    header.need("observer"),
+  Columns columns{header.find("id"),
+                  header.need("a"),
+                  header.need("r"),
+                  header.need("theta"),
+                  header.need("observer"),
                   {header.find("beta_r"), header.find("beta_theta"), header.find("beta_phi")},
                   {header.find("n_r"), header.find("n_theta"), header.find("n_phi")}};
   if (need_directions) {

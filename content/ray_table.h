@@ -11,10 +11,10 @@ namespace ergodome {
 
 //! One light ray to trace: a hole, a camera at φ = 0, its observer, and a direction.
 struct RayRow {
-  std::string id;             //!< as in the file; the row's number where the file has no such column
-  double spin = 0.0;          //!< [M]
-  double r = 0.0;             //!< [M]
-  double theta = 0.0;         //!< [rad]
+  std::string id;      //!< as in the file; the row's number where the file has no such column
+  double spin = 0.0;   //!< [M]
+  double r = 0.0;      //!< [M]
+  double theta = 0.0;  //!< [rad]
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity;   //!< in the ZAMO frame, for ObserverMotion::velocity ("boost")
   Vector3<double> direction;  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)

@@ -18,13 +18,13 @@ struct LookTarget {
 //! The camera at one instant of the show.
 struct CameraKey {
   double time_s = 0.0;
-  double r = 10.0;                           //!< Boyer-Lindquist radius [M]
-  double theta = 1.57079632679489661923;     //!< polar angle [rad]
-  double phi = 0.0;                          //!< azimuth [rad]; may run over many turns
+  double r = 10.0;                        //!< Boyer-Lindquist radius [M]
+  double theta = 1.57079632679489661923;  //!< polar angle [rad]
+  double phi = 0.0;                       //!< azimuth [rad]; may run over many turns
   LookTarget look;
-  double yaw = 0.0;                          //!< to the right [rad]
-  double pitch = 0.0;                        //!< upwards [rad]
-  double roll = 0.0;                         //!< clockwise [rad]
+  double yaw = 0.0;    //!< to the right [rad]
+  double pitch = 0.0;  //!< upwards [rad]
+  double roll = 0.0;   //!< clockwise [rad]
 };
 
 struct CameraSettings {
@@ -34,11 +34,11 @@ struct CameraSettings {
 };
 
 struct SkySettings {
-  std::string map = "milky_way";   //!< a built-in name, or a path relative to the show
-  std::string stars;               //!< a built-in name, a path, or empty: no stars
-  double spin_axis_ra_deg = 270.0; //!< where the hole's spin axis points, J2000
+  std::string map = "milky_way";    //!< a built-in name, or a path relative to the show
+  std::string stars;                //!< a built-in name, a path, or empty: no stars
+  double spin_axis_ra_deg = 270.0;  //!< where the hole's spin axis points, J2000
   double spin_axis_dec_deg = 66.6;
-  double exposure = 1.0;           //!< factor on the map's light
+  double exposure = 1.0;  //!< factor on the map's light
 };
 
 struct PointSpreadSettings {
@@ -63,8 +63,8 @@ struct ViewSettings {
   ViewProjection projection = ViewProjection::dome;
   double field_of_view_deg = 180.0;
   double tilt_deg = 0.0;
-  int size_px = 1024;    //!< width of the image
-  double aspect = 1.0;   //!< width over height, for the pinhole
+  int size_px = 1024;   //!< width of the image
+  double aspect = 1.0;  //!< width over height, for the pinhole
 };
 
 enum class StereoLayout { mono, side_by_side, top_bottom, separate, multiview, anaglyph, dubois, rows, quad_buffer };
@@ -73,7 +73,7 @@ enum class StereoModel { physical, flat, omni };
 struct StereoSettings {
   StereoLayout layout = StereoLayout::mono;
   StereoModel model = StereoModel::physical;
-  double baseline = 0.0;   //!< distance of the eyes [M]
+  double baseline = 0.0;  //!< distance of the eyes [M]
   bool swap_eyes = false;
 };
 
@@ -83,8 +83,8 @@ struct QualitySettings {
 
 //! A show as its file tells it; angles in radians but where a name says degrees.
 struct Show {
-  std::string name;        //!< file name without folder and ending
-  std::string folder;      //!< where relative paths start
+  std::string name;    //!< file name without folder and ending
+  std::string folder;  //!< where relative paths start
   std::string title;
   double duration_s = 0.0;
   double frame_rate_hz = 30.0;

@@ -19,7 +19,6 @@ constexpr double largest_angle_deg = 1e9;
 constexpr std::uintmax_t largest_file = 16U << 20U;
 constexpr std::size_t most_keys = 100'000;
 
-
 Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
   const toml::array* list = node.as_array();
   Vector3<double> v{};
@@ -104,7 +103,8 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   read_observer(camera, file, show.camera);
   const auto keys = camera.tables("key", most_keys);
   if (keys.empty()) {
-    throw camera.error_at("key", "is missing", "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
+    throw camera.error_at("key", "is missing",
+                          "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
   }
   for (std::size_t i = 0; i < keys.size(); ++i) {
     TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
@@ -167,9 +167,9 @@ void read_view(const toml::table& table, const std::string& file, ViewSettings& 
 
 void read_stereo(const toml::table& table, const std::string& file, StereoSettings& stereo) {
   TomlTable reader(table, file, "stereo");
-  stereo.layout = static_cast<StereoLayout>(reader.choice("layout", 0,
-                                                          {"mono", "side_by_side", "top_bottom", "separate", "multiview",
-                                                           "anaglyph", "dubois", "rows", "quad_buffer"}));
+  stereo.layout = static_cast<StereoLayout>(reader.choice(
+      "layout", 0,
+      {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows", "quad_buffer"}));
   stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
   stereo.baseline = reader.number("baseline", 0.0, 0.0, 1e6);
   stereo.swap_eyes = reader.boolean("swap_eyes", false);

@@ -31,7 +31,8 @@ glm::dvec3 grid_colour(double latitude_deg, double longitude_deg, double texel_d
   const double stretch = 1.0 / std::max(std::cos(latitude_deg * pi / 180.0), 1e-3);
   // Near the poles only every sixth meridian goes on, so that the lines do not flood the pole.
   const double step_deg = std::abs(latitude_deg) > 75.0 ? 90.0 : 15.0;
-  const double meridian = line(nearest_line_deg(longitude_deg, step_deg), 0.35 * std::min(stretch, 40.0), texel_deg * stretch);
+  const double meridian =
+      line(nearest_line_deg(longitude_deg, step_deg), 0.35 * std::min(stretch, 40.0), texel_deg * stretch);
   colour = glm::mix(colour, glm::dvec3(0.75, 0.78, 0.8), std::max(parallel, meridian));
   const double equator = line(std::abs(latitude_deg), 0.7, texel_deg);
   colour = glm::mix(colour, glm::dvec3(0.9, 0.75, 0.2), equator);
@@ -68,7 +69,8 @@ EnvironmentImage load_sky_map(const Show& show) {
   const std::filesystem::path path = std::filesystem::path(show.folder) / show.sky.map;
   std::error_code problem;
   if (!std::filesystem::exists(path, problem)) {
-    throw Error(path.string(), "is not there (sky.map)", "give a built-in sky (milky_way, grid) or the path of an image");
+    throw Error(path.string(), "is not there (sky.map)",
+                "give a built-in sky (milky_way, grid) or the path of an image");
   }
   return read_environment_image(path);
 }

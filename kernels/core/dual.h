@@ -17,7 +17,8 @@ struct Dual {
   T along_y;  //!< derivative along the second direction
 
   Dual() = default;
-  ERGO_HD Dual(const T& v) : value(v), along_x(ScalarOf<T>(0)), along_y(ScalarOf<T>(0)) {}  // NOLINT(google-explicit-constructor)
+  ERGO_HD Dual(const T& v)
+      : value(v), along_x(ScalarOf<T>(0)), along_y(ScalarOf<T>(0)) {}  // NOLINT(google-explicit-constructor)
   ERGO_HD Dual(const T& v, const T& x, const T& y) : value(v), along_x(x), along_y(y) {}
 };
 

@@ -24,8 +24,7 @@ class Error : public std::runtime_error {
   [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
 
  private:
-  static std::string compose(const std::string& place, const std::string& problem,
-                             const std::string& remedy) {
+  static std::string compose(const std::string& place, const std::string& problem, const std::string& remedy) {
     std::string text = place.empty() ? problem : place + ": " + problem;
     if (!remedy.empty()) {
       text += "; " + remedy;

@@ -47,7 +47,8 @@ ERGO_HD Complex carlson_rj(Complex x, Complex y, Complex z, Complex p) {
   double power = 1.0;
   for (int round = 0; round < detail::duplication_limit; ++round) {
     const Complex mean = (x + y + z + p + p) * Complex(0.2);
-    const double spread = ::fmax(::fmax(size_of(x - mean), size_of(p - mean)), ::fmax(size_of(y - mean), size_of(z - mean)));
+    const double spread =
+        ::fmax(::fmax(size_of(x - mean), size_of(p - mean)), ::fmax(size_of(y - mean), size_of(z - mean)));
     if (spread < 2e-3 * size_of(mean)) {
       break;
     }

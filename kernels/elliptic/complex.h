@@ -11,7 +11,8 @@ struct Complex {
   double re;
   double im;
 
-  ERGO_HD Complex(double real = 0.0, double imaginary = 0.0) : re(real), im(imaginary) {}  // NOLINT(google-explicit-constructor)
+  ERGO_HD Complex(double real = 0.0, double imaginary = 0.0)
+      : re(real), im(imaginary) {}  // NOLINT(google-explicit-constructor)
 };
 
 // clang-format off

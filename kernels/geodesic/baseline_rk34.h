@@ -35,7 +35,8 @@ ERGO_HD AngularState<T> angular_rate(ScalarOf<T> spin, const RayStart<T>& ray, c
 
 template <class T>
 ERGO_HD AngularState<T> angular_sum(const AngularState<T>& s, const T& f, const AngularState<T>& d) {
-  return {s.u + f * d.u, s.u_rate + f * d.u_rate, s.theta + f * d.theta, s.theta_rate + f * d.theta_rate, s.phi + f * d.phi};
+  return {s.u + f * d.u, s.u_rate + f * d.u_rate, s.theta + f * d.theta, s.theta_rate + f * d.theta_rate,
+          s.phi + f * d.phi};
 }
 
 template <class T>
@@ -58,7 +59,8 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   const T sine_theta = start.m.x;
   T camera_theta = zero;
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    set_lane(camera_theta, i, static_cast<S>(::atan2(static_cast<double>(lane(start.m.x, i)), static_cast<double>(lane(start.m.z, i)))));
+    set_lane(camera_theta, i,
+             static_cast<S>(::atan2(static_cast<double>(lane(start.m.x, i)), static_cast<double>(lane(start.m.z, i)))));
   }
   const T theta_rate = start.m.z * start.m_rate.x - sine_theta * start.m_rate.z;
   AngularState<T> y = {start.u, start.u_rate, camera_theta, theta_rate, zero};
@@ -83,7 +85,8 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
     // The published estimate: (a + 2b + 3c) / 6 against (a + 2b + 2c + d) / 6.
     const AngularState<T> e = {sixth * (c.u - d.u), sixth * (c.u_rate - d.u_rate), sixth * (c.theta - d.theta),
                                sixth * (c.theta_rate - d.theta_rate), sixth * (c.phi - d.phi)};
-    const T estimate = sqrt(e.u * e.u + e.u_rate * e.u_rate + e.theta * e.theta + e.theta_rate * e.theta_rate + e.phi * e.phi);
+    const T estimate =
+        sqrt(e.u * e.u + e.u_rate * e.u_rate + e.theta * e.theta + e.theta_rate * e.theta_rate + e.phi * e.phi);
     const T wished = h * sqrt(tolerance / (estimate + std::numeric_limits<S>::min()));
     const auto accepted = active & (wished >= S(0.5) * h);
     y = detail::angular_choice(accepted, end, y);

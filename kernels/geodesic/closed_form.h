@@ -15,7 +15,9 @@ ERGO_HD RayEnd<double> trace_closed_form(double spin, const RayStart<double>& st
   const double cosine = ::cos(radial.drag);
   const double horizon_r = 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
   const double height = ::fabs(radial_barrier(spin, horizon_r, start).clearance);
-  return {{cosine * m.x - sine * m.y, sine * m.x + cosine * m.y, m.z}, radial.time, 1e-15 * (1.0 + 1.0 / (height + 1e-300))};
+  return {{cosine * m.x - sine * m.y, sine * m.x + cosine * m.y, m.z},
+          radial.time,
+          1e-15 * (1.0 + 1.0 / (height + 1e-300))};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

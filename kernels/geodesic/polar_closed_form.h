@@ -10,12 +10,13 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! The angle η that parametrizes the polar motion: dη/dλ = √(A + B sin²η), and 1 / (1 - x²) = constant + factor / (cos²η + ℓ² sin²η).
 struct PolarForm {
-  double a;         //!< A [M²]
-  double b;         //!< B [M²]; A + B >= 0
-  double l2;        //!< ℓ², in [0, 1]
+  double a;   //!< A [M²]
+  double b;   //!< B [M²]; A + B >= 0
+  double l2;  //!< ℓ², in [0, 1]
   double constant;
   double factor;
-  double start_sine;    //!< η at the camera; its sine and cosine, because next to the axis the cosine is small and known well
+  double
+      start_sine;  //!< η at the camera; its sine and cosine, because next to the axis the cosine is small and known well
   double start_cosine;
 };
 

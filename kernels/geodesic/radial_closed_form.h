@@ -88,9 +88,9 @@ ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, boo
     const Complex f5_squared = one - pole * Complex(x);
     const Complex s = (f[1] * f[2] * f[3] / f[0] + f5_squared) * per_x;
     const Complex q_squared = f5_squared * u15_squared / (f[0] * f[0]);
-    const Complex with_factor = Complex(2.0 / 3.0) * d12 * d13 * d14 / d15 *
-                                    carlson_rj(u12 * u12, u13 * u13, u14 * u14, u15_squared) +
-                                Complex(2.0) * carlson_rc(s * s, q_squared);
+    const Complex with_factor =
+        Complex(2.0 / 3.0) * d12 * d13 * d14 / d15 * carlson_rj(u12 * u12, u13 * u13, u14 * u14, u15_squared) +
+        Complex(2.0) * carlson_rc(s * s, q_squared);
     // (1 - r_1 u) / (1 - ρ u) = r_1 / ρ + (1 - r_1 / ρ) / (1 - ρ u)
     const Complex integral = (pole * with_factor - roots.r[0] * time) / (pole - roots.r[0]);
     result.pole[i] = integral.re;

@@ -12,8 +12,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! number. No quartic is solved and no step is counted.
 template <class T>
 struct RadialBarrier {
-  T u;         //!< where U is lowest between infinity and the horizon [1/M]; 0 when U has no minimum there
-  T clearance; //!< X - √(K Δ) there, over r²; negative: light turns back. 1 when U has no minimum outside the horizon
+  T u;          //!< where U is lowest between infinity and the horizon [1/M]; 0 when U has no minimum there
+  T clearance;  //!< X - √(K Δ) there, over r²; negative: light turns back. 1 when U has no minimum outside the horizon
 };
 
 //! U(u) = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴ = (du/dλ)².
@@ -44,8 +44,8 @@ ERGO_HD RadialBarrier<T> radial_barrier(ScalarOf<T> spin, ScalarOf<T> horizon_r,
   const T denominator = select(has_minimum, b + safe_sqrt(discriminant), T(S(1)));
   const T u = select(has_minimum, S(2) * c / denominator, zero);
   const T lapse = (S(1) - horizon_r * u) * (S(1) - (a2 / horizon_r) * u);
-  const T clearance = S(1) + (a2 - spin * ray.axial_angular_momentum) * u * u -
-                      u * safe_sqrt(ray.shear_constant * lapse);
+  const T clearance =
+      S(1) + (a2 - spin * ray.axial_angular_momentum) * u * u - u * safe_sqrt(ray.shear_constant * lapse);
   const auto outside_horizon = has_minimum & (horizon_r * u < T(S(1)));
   return {select(outside_horizon, u, zero), select(outside_horizon, clearance, T(S(1)))};
 }
@@ -71,8 +71,8 @@ ERGO_HD T darkness(ScalarOf<T> spin, ScalarOf<T> horizon_r, const RayStart<T>& r
   const T beside = barrier.u - ray.u;
   const T near_value = ray.u_rate - beside * safe_sqrt(q);
   const auto outwards = ray.u_rate < zero;
-  const T far_value = select(beside > zero, select(outwards, -one, barrier.clearance),
-                             select(outwards, -barrier.clearance, one));
+  const T far_value =
+      select(beside > zero, select(outwards, -one, barrier.clearance), select(outwards, -barrier.clearance, one));
   const auto near_barrier = absolute(beside) < S(0.5) * barrier.u;
   const T with_barrier = select(near_barrier, near_value, far_value);
   const T value = select(barrier.u > zero, with_barrier, ray.u_rate);

@@ -35,8 +35,8 @@ ERGO_HD RayState<T> chosen(const MaskOf<T>& mask, const RayState<T>& yes, const 
   const auto pick = [&](const Vector3<T>& a, const Vector3<T>& b) {
     return Vector3<T>{select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
   };
-  return {select(mask, yes.u, no.u), select(mask, yes.u_rate, no.u_rate), pick(yes.m, no.m), pick(yes.m_rate, no.m_rate),
-          select(mask, yes.drag, no.drag)};
+  return {select(mask, yes.u, no.u), select(mask, yes.u_rate, no.u_rate), pick(yes.m, no.m),
+          pick(yes.m_rate, no.m_rate), select(mask, yes.drag, no.drag)};
 }
 
 //! An error of the state as an error of the sky direction; `polar_speed` turns Mino time into angle.

@@ -13,7 +13,8 @@ struct RungeKutta34 {
   static constexpr int stages = 5;
   static constexpr int error_order = 3;
   static constexpr bool first_same_as_last = true;
-  static constexpr double a[5][4] = {{0, 0, 0, 0}, {0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 1, 0}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
+  static constexpr double a[5][4] = {
+      {0, 0, 0, 0}, {0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 1, 0}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
   static constexpr double b[5] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6, 0};
   static constexpr double b_embedded[5] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 0, 1.0 / 6};
 };

@@ -24,7 +24,8 @@ struct TaylorCoefficients {
 
 //! `inverse_scale` is 1 / s.
 template <class T>
-ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RayStart<T>& ray, const RealOf<T>& inverse_scale) {
+ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RayStart<T>& ray,
+                                                  const RealOf<T>& inverse_scale) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const S a2 = spin * spin;
@@ -84,14 +85,15 @@ ERGO_HD T square_coefficient(const T* f, int k) {
 //! Quoting DESIGN section 3: u'' = u [(a² - C) + 3 K u - 2 a² Q u²]; m_xy'' = B m_xy, m_z'' = (B + a²) m_z with B = -(C + 2 a² m_z²);
 //! ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²), backwards.
 template <int Order, class T>
-ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state, TaylorSeries<Order, T>& s) {
+ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state,
+                    TaylorSeries<Order, T>& s) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const S a2 = spin * spin;
-  T square[Order + 1];    // u²
-  T force[Order + 1];     // u'' / u
-  T bend[Order + 1];      // B
-  T lapse[Order + 1];     // Δ u²
+  T square[Order + 1];  // u²
+  T force[Order + 1];   // u'' / u
+  T bend[Order + 1];    // B
+  T lapse[Order + 1];   // Δ u²
   T drag_rate[Order + 1];
   s.u[0] = state.u;
   s.u[1] = state.u_rate;

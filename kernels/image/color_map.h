@@ -31,7 +31,8 @@ ERGO_HD Vector3<float> shift_color(float value) {
   }
   const float signed_value = 2.0F * ::fminf(::fmaxf(value, 0.0F), 1.0F) - 1.0F;
   const float fade = ::fabsf(signed_value);
-  const Vector3<float> end = signed_value < 0.0F ? Vector3<float>{0.70F, 0.05F, 0.10F} : Vector3<float>{0.08F, 0.25F, 0.75F};
+  const Vector3<float> end =
+      signed_value < 0.0F ? Vector3<float>{0.70F, 0.05F, 0.10F} : Vector3<float>{0.08F, 0.25F, 0.75F};
   const Vector3<float> white = {0.95F, 0.95F, 0.93F};
   return white + fade * (end - white);
 }

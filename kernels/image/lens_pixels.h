@@ -6,14 +6,14 @@ namespace ergodome {
 //!
 //! One array a channel, an element a pixel. A null pointer is a channel that the scene does not call for.
 struct LensPixels {
-  float* sky[3];          //!< unit vector to the source on the celestial sphere
-  float* sky_along_x[3];  //!< its derivative per pixel to the right
-  float* sky_along_y[3];  //!< its derivative per pixel downwards
-  float* coverage;        //!< fraction of the pixel that the sky lights: 0 in the shadow and outside the image
-  float* frequency_ratio; //!< g = ν_observed / ν_emitted
-  float* steps;           //!< integration steps
-  float* error_estimate;  //!< the integrator's own [rad]; negative: the ray did not converge
-  float* half_orbits;     //!< angle swept about the hole, in units of π: the order of the image
+  float* sky[3];           //!< unit vector to the source on the celestial sphere
+  float* sky_along_x[3];   //!< its derivative per pixel to the right
+  float* sky_along_y[3];   //!< its derivative per pixel downwards
+  float* coverage;         //!< fraction of the pixel that the sky lights: 0 in the shadow and outside the image
+  float* frequency_ratio;  //!< g = ν_observed / ν_emitted
+  float* steps;            //!< integration steps
+  float* error_estimate;   //!< the integrator's own [rad]; negative: the ray did not converge
+  float* half_orbits;      //!< angle swept about the hole, in units of π: the order of the image
 };
 
 }  // namespace ergodome

@@ -15,9 +15,9 @@ struct ShadeBatch {
   LensPixels lens;
   CubeMap sky;
   ViewMode mode;
-  bool beaming;            //!< the frequency ratio acts on the sky's light
-  float exposure;          //!< factor on the sky's light
-  float range_low;         //!< value at the low end of a heat map (its logarithm for logarithmic ones)
+  bool beaming;     //!< the frequency ratio acts on the sky's light
+  float exposure;   //!< factor on the sky's light
+  float range_low;  //!< value at the low end of a heat map (its logarithm for logarithmic ones)
   float range_high;
   float* rgba;
   int count;

@@ -32,7 +32,8 @@ struct ShadeSky {
     const float coverage = batch.lens.coverage[index];
     Vector3<float> light = {0.0F, 0.0F, 0.0F};
     if (coverage > 0.0F) {
-      light = filter_sky(batch.sky, detail::vector_at(batch.lens.sky, index), detail::vector_at(batch.lens.sky_along_x, index),
+      light = filter_sky(batch.sky, detail::vector_at(batch.lens.sky, index),
+                         detail::vector_at(batch.lens.sky_along_x, index),
                          detail::vector_at(batch.lens.sky_along_y, index));
       float scale = coverage * batch.exposure;
       if constexpr (Beaming) {

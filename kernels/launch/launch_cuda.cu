@@ -19,9 +19,8 @@ namespace {
 
 template <class T>
 void trace(const RayBatch<T>& batch) {
-  dispatch_method(batch.method, [&](auto tracer) {
-    launch_cuda("trace_rays", batch.count, TraceRays<decltype(tracer), T>{batch});
-  });
+  dispatch_method(batch.method,
+                  [&](auto tracer) { launch_cuda("trace_rays", batch.count, TraceRays<decltype(tracer), T>{batch}); });
 }
 
 }  // namespace

@@ -5,9 +5,7 @@ namespace ergodome {
 
 namespace {
 
-[[noreturn]] void refuse() {
-  throw Error("CUDA", "this program was built without CUDA", "run with --backend cpu");
-}
+[[noreturn]] void refuse() { throw Error("CUDA", "this program was built without CUDA", "run with --backend cpu"); }
 
 }  // namespace
 

@@ -20,12 +20,12 @@ struct DirectionForm {
 //! near the horizon, so that a ray can be set up in float.
 template <class S>
 struct CameraStationOf {
-  S spin;                           //!< a [M]
-  S horizon_r;                      //!< radius of the outer horizon [M]
-  S u;                              //!< 1 / r [1/M]
-  S sine_phi;                       //!< azimuth of the camera: a plain rotation of the sky
+  S spin;       //!< a [M]
+  S horizon_r;  //!< radius of the outer horizon [M]
+  S u;          //!< 1 / r [1/M]
+  S sine_phi;   //!< azimuth of the camera: a plain rotation of the sky
   S cosine_phi;
-  S sine_theta;                     //!< polar angle of the camera
+  S sine_theta;  //!< polar angle of the camera
   S cosine_theta;
   DirectionForm<S> energy;          //!< energy at infinity, for an observed energy of 1
   DirectionForm<S> axial_momentum;  //!< L_z of the photon [M]
@@ -61,7 +61,8 @@ ERGO_HD T evaluate(const DirectionForm<ScalarOf<T>>& form, const Vector3<T>& n) 
 
 template <class S>
 ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
-  return {static_cast<S>(f.constant), {static_cast<S>(f.along.x), static_cast<S>(f.along.y), static_cast<S>(f.along.z)}};
+  return {static_cast<S>(f.constant),
+          {static_cast<S>(f.along.x), static_cast<S>(f.along.y), static_cast<S>(f.along.z)}};
 }
 }  // namespace detail
 

@@ -10,9 +10,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Radius of the outer event horizon [M]: 1 + √(1 - a²).
-ERGO_HD double horizon_radius(double spin) {
-  return 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
-}
+ERGO_HD double horizon_radius(double spin) { return 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin))); }
 
 //! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.
 ERGO_HD double static_limit_radius(double spin, double theta) {

@@ -10,8 +10,8 @@ namespace ergodome {
 //! Parameters of a fisheye image.
 template <class S>
 struct DomeFisheye {
-  S half_angle;   //!< zenith angle at the rim of the circle [rad], up to π
-  S tilt_sine;    //!< how far the dome's top leans to the front
+  S half_angle;  //!< zenith angle at the rim of the circle [rad], up to π
+  S tilt_sine;   //!< how far the dome's top leans to the front
   S tilt_cosine;
 };
 
@@ -38,7 +38,8 @@ ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, 
 }
 
 //! Image position of a view direction: the inverse; the antipode of the zenith has no single position.
-ERGO_HD void fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x, double& y) {
+ERGO_HD void fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x,
+                                    double& y) {
   const double forward = -view.z;
   const double zenith = dome.tilt_cosine * view.y + dome.tilt_sine * forward;
   const double front = dome.tilt_cosine * forward - dome.tilt_sine * view.y;

@@ -37,7 +37,8 @@ ERGO_HD Projection make_equirectangular_projection(int width_px, int height_px) 
 //! A flat screen of the given horizontal field of view [rad], below π, with square pixels.
 ERGO_HD Projection make_pinhole_projection(int width_px, int height_px, double field_of_view) {
   const double half_width = ::tan(0.5 * field_of_view);
-  return {ProjectionKind::pinhole, width_px, height_px, {1.0, 0.0, 1.0}, {half_width, half_width * height_px / width_px}};
+  return {
+      ProjectionKind::pinhole, width_px, height_px, {1.0, 0.0, 1.0}, {half_width, half_width * height_px / width_px}};
 }
 
 //! The same projection for kernels that work in another precision.

@@ -10,7 +10,8 @@ namespace ergodome::inline ERGO_TARGET {
 //!
 //! `chart` and `gamma` give the circle. The ray's darkness passes through zero linearly there. Newton's method on it (the
 //! derivative is exact, by dual numbers) inside a shrinking bracket finds the place to rounding.
-ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart& chart, double gamma, double bright_limit) {
+ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart& chart, double gamma,
+                                 double bright_limit) {
   double dark = 0.0;
   double bright = bright_limit;
   double alpha = 0.5 * bright_limit;
@@ -72,8 +73,8 @@ ERGO_HD ShadowChart make_shadow_chart(const CameraStation& camera) {
       return detail::chart_about(-out);
     }
   }
-  const double middle = 0.5 * (edge_along_circle(camera, arc, 0.0, forward_limit) -
-                               edge_along_circle(camera, arc, pi, backward_limit));
+  const double middle =
+      0.5 * (edge_along_circle(camera, arc, 0.0, forward_limit) - edge_along_circle(camera, arc, pi, backward_limit));
   return detail::chart_about(normalized(chart_direction<double>(arc, ::cos(middle), ::sin(middle), 0.0)));
 }
 

@@ -10,13 +10,13 @@ namespace ergodome {
 //!
 //! The curve is smooth and periodic, so a cubic through four neighbours is good to rounding of float with some hundred points.
 struct EdgeCurve {
-  Vector3<float> centre;     //!< axes of the chart, see ShadowChart
+  Vector3<float> centre;  //!< axes of the chart, see ShadowChart
   Vector3<float> first;
   Vector3<float> second;
   const float* polar_angle;  //!< α at γ = 2π i / count [rad]
   int count;
-  float smallest;            //!< least α [rad]
-  float largest;             //!< greatest α [rad]
+  float smallest;  //!< least α [rad]
+  float largest;   //!< greatest α [rad]
 };
 
 inline namespace ERGO_TARGET {

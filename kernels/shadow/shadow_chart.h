@@ -23,7 +23,8 @@ template <class T>
 ERGO_HD Vector3<T> chart_direction(const ShadowChart& chart, const T& cosine_alpha, const T& sine_alpha, double gamma) {
   using S = ScalarOf<T>;
   const Vector3<double> across = ::cos(gamma) * chart.first + ::sin(gamma) * chart.second;
-  return {cosine_alpha * S(chart.centre.x) + sine_alpha * S(across.x), cosine_alpha * S(chart.centre.y) + sine_alpha * S(across.y),
+  return {cosine_alpha * S(chart.centre.x) + sine_alpha * S(across.x),
+          cosine_alpha * S(chart.centre.y) + sine_alpha * S(across.y),
           cosine_alpha * S(chart.centre.z) + sine_alpha * S(across.z)};
 }
 

@@ -14,9 +14,9 @@ inline constexpr int cube_level_limit = 16;
 
 //! A cube map as kernels read it. Face order: +x, -x, +y, -y, +z, -z.
 struct CubeMap {
-  const float* texels;                   //!< four floats a texel (red, green, blue, unused), 16-byte aligned
-  long level_offset[cube_level_limit];   //!< in texels; a level holds 6 faces of (size + 2)² texels, border included
-  int face_size;                         //!< of level 0; a power of two; level k has face_size >> k
+  const float* texels;                  //!< four floats a texel (red, green, blue, unused), 16-byte aligned
+  long level_offset[cube_level_limit];  //!< in texels; a level holds 6 faces of (size + 2)² texels, border included
+  int face_size;                        //!< of level 0; a power of two; level k has face_size >> k
   int level_count;
 };
 
@@ -93,7 +93,8 @@ ERGO_HD Vector3<float> cube_bilinear(const CubeMap& map, int level, const CubePl
   const float fx = x - x_floor;
   const float fy = y - y_floor;
   const long stride = (map.face_size >> level) + 2;
-  const float* top = map.texels + 4 * texel_index(map, level, place.face, static_cast<int>(x_floor), static_cast<int>(y_floor));
+  const float* top =
+      map.texels + 4 * texel_index(map, level, place.face, static_cast<int>(x_floor), static_cast<int>(y_floor));
   const float* bottom = top + 4 * stride;
   const float w00 = (1.0F - fx) * (1.0F - fy);
   const float w10 = fx * (1.0F - fy);

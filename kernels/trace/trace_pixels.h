@@ -12,12 +12,14 @@ namespace ergodome {
 struct PixelBatch {
   CameraStationOf<float> camera;
   ProjectionOf<float> projection;
-  float frame_from_view[3][3];   //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
+  float
+      frame_from_view[3]
+                     [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
   EdgeCurve edge;
-  float edge_cosine_lowest;      //!< pixels whose cosine to the chart's centre lies between these may touch the edge
+  float edge_cosine_lowest;  //!< pixels whose cosine to the chart's centre lies between these may touch the edge
   float edge_cosine_highest;
   IntegrationSettings settings;
-  int first_row;   //!< first row of the image in this block
+  int first_row;  //!< first row of the image in this block
   int row_count;
   LensPixels out;  //!< row_count * width elements a channel
 };

@@ -17,13 +17,13 @@ struct RayBatch {
   IntegrationSettings settings;
   TraceMethod method;
   int count;
-  const Scalar* direction[3];    //!< unit vectors in the observer's frame (e_r, e_θ, e_φ)
-  Scalar* sky[3];                //!< unit vectors to the sources, turned by the camera's φ; 0 where there is none
-  Scalar* frequency_ratio;       //!< g = ν_observed / ν_emitted; formal 1 / E for captured rays
-  Scalar* status;                //!< RayStatus as a number
-  Scalar* steps;                 //!< integration steps
-  Scalar* error_estimate;        //!< the integrator's own [rad]
-  Scalar* mino_time;             //!< [1/M]
+  const Scalar* direction[3];  //!< unit vectors in the observer's frame (e_r, e_θ, e_φ)
+  Scalar* sky[3];              //!< unit vectors to the sources, turned by the camera's φ; 0 where there is none
+  Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; formal 1 / E for captured rays
+  Scalar* status;              //!< RayStatus as a number
+  Scalar* steps;               //!< integration steps
+  Scalar* error_estimate;      //!< the integrator's own [rad]
+  Scalar* mino_time;           //!< [1/M]
 };
 
 }  // namespace ergodome

@@ -13,7 +13,8 @@ namespace ergodome::inline ERGO_TARGET {
 struct TraceByTaylor {
   template <class T>
   ERGO_HD RayEnd<T> operator()(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<RealOf<T>>& active,
-                               const IntegrationSettings& settings, RealOf<T>& steps, MaskOf<RealOf<T>>& reached) const {
+                               const IntegrationSettings& settings, RealOf<T>& steps,
+                               MaskOf<RealOf<T>>& reached) const {
     if constexpr (sizeof(ScalarOf<T>) == 4) {
       return trace_taylor<10>(spin, start, active, settings, steps, reached);
     } else {
@@ -53,9 +54,14 @@ struct TraceByClosedForm {
         continue;
       }
       const auto at = [&](const T& value) { return static_cast<double>(lane(value, i)); };
-      const RayStart<double> ray = {at(start.axial_angular_momentum), at(start.polar_constant), at(start.shear_constant),
-                                    at(start.u), at(start.u_rate), {at(start.m.x), at(start.m.y), at(start.m.z)},
-                                    {at(start.m_rate.x), at(start.m_rate.y), at(start.m_rate.z)}, at(start.energy)};
+      const RayStart<double> ray = {at(start.axial_angular_momentum),
+                                    at(start.polar_constant),
+                                    at(start.shear_constant),
+                                    at(start.u),
+                                    at(start.u_rate),
+                                    {at(start.m.x), at(start.m.y), at(start.m.z)},
+                                    {at(start.m_rate.x), at(start.m_rate.y), at(start.m_rate.z)},
+                                    at(start.energy)};
       const RayEnd<double> exact = trace_closed_form(static_cast<double>(spin), ray);
       set_lane(end.sky.x, i, static_cast<S>(exact.sky.x));
       set_lane(end.sky.y, i, static_cast<S>(exact.sky.y));
@@ -78,7 +84,8 @@ struct TraceRays {
     using S = ScalarOf<T>;
     const int first = index * RealTraits<T>::lane_count;
     const int count = batch.count;
-    const Vector3<T> n = {load_lanes<T>(batch.direction[0], first, count), load_lanes<T>(batch.direction[1], first, count),
+    const Vector3<T> n = {load_lanes<T>(batch.direction[0], first, count),
+                          load_lanes<T>(batch.direction[1], first, count),
                           load_lanes<T>(batch.direction[2], first, count)};
     const S spin = batch.camera.spin;
     const RayStart<T> start = start_ray(batch.camera, n);

@@ -43,9 +43,7 @@ class Buffer {
   [[nodiscard]] std::size_t size() const { return count_; }
 
   //! Copies the first `count` elements to host memory.
-  void read(T* to, std::size_t count) const {
-    copy_to_host(data_.get_deleter().backend, to, data(), count);
-  }
+  void read(T* to, std::size_t count) const { copy_to_host(data_.get_deleter().backend, to, data(), count); }
 
  private:
   struct Release {

@@ -51,7 +51,8 @@ LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& sett
   const bool footprint = sky || settings.mode == ViewMode::magnification;
   const bool ratio = (sky && settings.beaming) || settings.mode == ViewMode::frequency_ratio;
   const std::size_t count = 2U + (sky ? 3U : 0U) + (footprint ? 6U : 0U) + (ratio ? 1U : 0U) +
-                            (settings.mode == ViewMode::steps ? 1U : 0U) + (settings.mode == ViewMode::image_order ? 1U : 0U);
+                            (settings.mode == ViewMode::steps ? 1U : 0U) +
+                            (settings.mode == ViewMode::image_order ? 1U : 0U);
   if (lens_.size() < count * pixels) {
     lens_ = Buffer<float>(backend_, count * pixels);
   }
@@ -98,7 +99,8 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 
 const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                           const PictureSettings& settings) {
-  const std::size_t pixels = static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
+  const std::size_t pixels =
+      static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
   render_rows(DirectLens(backend_, eye, projection, settings.tolerance_px), shade, 0, projection.height_px);
   return rgba_.data();
@@ -125,8 +127,8 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     render_rows(source, shade, row, rows);
     rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
-    picture.unresolved_pixels +=
-        std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels), [](float e) { return e < 0.0F; });
+    picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
+                                               [](float e) { return e < 0.0F; });
   }
   return picture;
 }

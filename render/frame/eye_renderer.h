@@ -12,9 +12,9 @@ namespace ergodome {
 //! How a picture is made of what the lens shows.
 struct PictureSettings {
   ViewMode mode = ViewMode::sky;
-  bool beaming = false;          //!< the frequency ratio acts on the sky's light
+  bool beaming = false;  //!< the frequency ratio acts on the sky's light
   float exposure = 1.0F;
-  double tolerance_px = 0.05;    //!< accepted error of a light ray [px]
+  double tolerance_px = 0.05;  //!< accepted error of a light ray [px]
 };
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
@@ -29,7 +29,7 @@ struct Picture {
   int width = 0;
   int height = 0;
   std::vector<float> rgba;
-  long unresolved_pixels = 0;          //!< rays that did not converge: shown as the mean of the sky
+  long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
   std::optional<HeatRange> heat_range;
 };
 
@@ -40,7 +40,8 @@ class EyeRenderer {
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky, const PictureSettings& settings);
+  Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                 const PictureSettings& settings);
 
   //! The same in one piece that stays in the backend's memory until the next picture: four floats a pixel.
   const float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
@@ -48,7 +49,8 @@ class EyeRenderer {
 
  private:
   //! Makes room for `pixels` and sets up the shading.
-  ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings, std::size_t pixels);
+  ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
+                     std::size_t pixels);
 
   //! Renders rows [row, row + rows) into rgba_.
   void render_rows(const DirectLens& source, ShadeBatch& shade, int row, int rows);

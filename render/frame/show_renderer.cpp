@@ -29,7 +29,8 @@ Picture joined(const Picture& first, const Picture& second, int columns) {
     const std::size_t to = columns == 2 ? 2 * y * row : y * row;
     const std::size_t second_to = columns == 2 ? to + row : (y + static_cast<std::size_t>(first.height)) * row;
     std::copy_n(first.rgba.begin() + static_cast<long>(y * row), row, whole.rgba.begin() + static_cast<long>(to));
-    std::copy_n(second.rgba.begin() + static_cast<long>(y * row), row, whole.rgba.begin() + static_cast<long>(second_to));
+    std::copy_n(second.rgba.begin() + static_cast<long>(y * row), row,
+                whole.rgba.begin() + static_cast<long>(second_to));
   }
   return whole;
 }
@@ -105,7 +106,8 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode) const {
   return settings;
 }
 
-Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode) {
+Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection,
+                                 ViewMode mode) {
   return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode));
 }
 

@@ -6,13 +6,13 @@ namespace ergodome {
 
 //! One eye at one instant: an event in the hole's spacetime, the observer's motion there, and where the view's axes point.
 struct EyeCamera {
-  double spin;                     //!< [M]
-  double r;                        //!< Boyer-Lindquist radius [M]
-  double theta;                    //!< polar angle [rad]
-  double phi;                      //!< azimuth [rad]
+  double spin;   //!< [M]
+  double r;      //!< Boyer-Lindquist radius [M]
+  double theta;  //!< polar angle [rad]
+  double phi;    //!< azimuth [rad]
   ObserverMotion motion;
-  Vector3<double> velocity;        //!< in the ZAMO frame, for ObserverMotion::velocity
-  double frame_from_view[3][3];    //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
+  Vector3<double> velocity;      //!< in the ZAMO frame, for ObserverMotion::velocity
+  double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
 };
 
 }  // namespace ergodome

@@ -41,8 +41,8 @@ void fill(Picture& picture, ViewMode mode, const Bar& bar) {
 
 void write(OIIO::ImageBuf& image, int x, int y, const std::string& text, int font_px) {
   const float white[4] = {0.8F, 0.8F, 0.8F, 1.0F};
-  OIIO::ImageBufAlgo::render_text(image, x, y, text, font_px, "DejaVuSans", white, OIIO::ImageBufAlgo::TextAlignX::Center,
-                                  OIIO::ImageBufAlgo::TextAlignY::Top, 1);
+  OIIO::ImageBufAlgo::render_text(image, x, y, text, font_px, "DejaVuSans", white,
+                                  OIIO::ImageBufAlgo::TextAlignX::Center, OIIO::ImageBufAlgo::TextAlignY::Top, 1);
 }
 
 void label(Picture& picture, ViewMode mode, const Bar& bar, int font_px) {

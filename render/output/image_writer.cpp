@@ -61,8 +61,10 @@ void write_picture(const std::filesystem::path& path, ImageFormat format, const 
     }
     // Closing flushes, so it can fail too.
     if (!written || !output->close() || !is_complete_image(partial, picture.width, picture.height)) {
-      const std::string reason = output && output->has_error() ? output->geterror() : "the folder or the disk refuses it";
-      throw Error(path.string(), "cannot be written: " + reason, "check the folder, its permissions and the space left");
+      const std::string reason =
+          output && output->has_error() ? output->geterror() : "the folder or the disk refuses it";
+      throw Error(path.string(), "cannot be written: " + reason,
+                  "check the folder, its permissions and the space left");
     }
   });
 }
@@ -70,7 +72,8 @@ void write_picture(const std::filesystem::path& path, ImageFormat format, const 
 void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
     const auto output = OIIO::ImageOutput::create("png");
-    const bool written = output && output->open(partial.string(), OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) &&
+    const bool written = output &&
+                         output->open(partial.string(), OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) &&
                          output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close();
     if (!written) {
       throw Error(path.string(), "cannot be written", "check the folder, its permissions and the space left");

@@ -19,7 +19,8 @@ const std::array<std::uint8_t, table_size>& encoding_table() {
     std::array<std::uint8_t, table_size> bytes{};
     for (int i = 0; i < table_size; ++i) {
       const float encoded = srgb_encoded(static_cast<float>(i) / (table_size - 1));
-      bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(encoded, 0.0F, 1.0F)));
+      bytes[static_cast<std::size_t>(i)] =
+          static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(encoded, 0.0F, 1.0F)));
     }
     return bytes;
   }();
@@ -36,7 +37,8 @@ float shoulder(float light) {
 std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
   const auto& table = encoding_table();
   const bool heat_map = picture.heat_range.has_value();
-  std::vector<std::uint8_t> bytes(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+  std::vector<std::uint8_t> bytes(3 * static_cast<std::size_t>(picture.width) *
+                                  static_cast<std::size_t>(picture.height));
   parallel_for(picture.height, 16, [&](int begin, int end) {
     for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(picture.width);
          i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {

@@ -1,8 +1,7 @@
 #include "render/present/cuda_interop.h"
 
-#include <epoxy/gl.h>
-
 #include <cuda_gl_interop.h>
+#include <epoxy/gl.h>
 
 #include <string>
 
@@ -14,7 +13,8 @@ namespace {
 
 void check(cudaError_t code, const char* doing) {
   if (code != cudaSuccess) {
-    throw Error("CUDA and OpenGL", std::string(doing) + " failed: " + cudaGetErrorString(code), "run with --backend cpu");
+    throw Error("CUDA and OpenGL", std::string(doing) + " failed: " + cudaGetErrorString(code),
+                "run with --backend cpu");
   }
 }
 
@@ -35,10 +35,10 @@ void CudaTextureLink::copy_from_device(const float* rgba) {
   cudaArray_t array = nullptr;
   const cudaError_t found = cudaGraphicsSubResourceGetMappedArray(&array, resource, 0, 0);
   const std::size_t row = 4 * sizeof(float) * static_cast<std::size_t>(width_);
-  const cudaError_t copied =
-      found == cudaSuccess
-          ? cudaMemcpy2DToArray(array, 0, 0, rgba, row, row, static_cast<std::size_t>(height_), cudaMemcpyDeviceToDevice)
-          : found;
+  const cudaError_t copied = found == cudaSuccess
+                                 ? cudaMemcpy2DToArray(array, 0, 0, rgba, row, row, static_cast<std::size_t>(height_),
+                                                       cudaMemcpyDeviceToDevice)
+                                 : found;
   check(cudaGraphicsUnmapResources(1, &resource), "giving back the picture");
   check(copied, "copying the picture");
 }

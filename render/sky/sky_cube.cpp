@@ -122,8 +122,7 @@ class Pyramid {
   //! Bilinear, inside one face only: usable before the borders are there.
   glm::vec3 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
-    const CubePlace place =
-        cube_place({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    const CubePlace place = cube_place({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
     const float last = static_cast<float>(n - 1);
     const float x = std::clamp((place.x + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
     const float y = std::clamp((place.y + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);

@@ -121,7 +121,8 @@ TEST_F(CommandLine, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
       if (want.at("status") == "escaped") {
         const auto difference = [&](const char* axis) { return std::stod(got.at(axis)) - std::stod(want.at(axis)); };
         const double error = std::hypot(difference("sky_x"), difference("sky_y"), difference("sky_z"));
-        EXPECT_LT(error, 1e-10 + 1e-13 / std::abs(std::stod(want.at("edge_distance")))) << method << " " << want.at("id");
+        EXPECT_LT(error, 1e-10 + 1e-13 / std::abs(std::stod(want.at("edge_distance"))))
+            << method << " " << want.at("id");
       }
     }
   }
@@ -131,7 +132,8 @@ TEST_F(CommandLine, TraceWorksByEveryMethodInBothPrecisions) {
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
   for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
     for (const char* precision : {"float", "double"}) {
-      ASSERT_EQ(run(std::string("trace --rays rays.csv --out out.csv --tolerance 1e-5 --method ") + method + " --precision " + precision),
+      ASSERT_EQ(run(std::string("trace --rays rays.csv --out out.csv --tolerance 1e-5 --method ") + method +
+                    " --precision " + precision),
                 0)
           << output_;
       const auto rows = table(folder_ / "out.csv");
@@ -194,7 +196,9 @@ TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
   ASSERT_EQ(run("render small.toml --out f --frames 1 --format exr --stereo separate --backend cpu"), 0) << output_;
   EXPECT_TRUE(is_complete_image(folder_ / "f/L/small_000001.exr", 64, 64));
   EXPECT_TRUE(is_complete_image(folder_ / "f/R/small_000001.exr", 64, 64));
-  ASSERT_EQ(run("render small.toml --out f --frames 2:2 --size 100 --stereo side_by_side --projection equirect --backend cpu"), 0);
+  ASSERT_EQ(run("render small.toml --out f --frames 2:2 --size 100 --stereo side_by_side --projection equirect "
+                "--backend cpu"),
+            0);
   EXPECT_TRUE(is_complete_image(folder_ / "f/small_000002.png", 200, 50));
   for (const char* view : {"steps", "error", "order", "g", "magnification"}) {
     EXPECT_EQ(run(std::string("render small.toml --out v --frames 1 --size 200 --view ") + view), 0) << view;
@@ -253,9 +257,10 @@ TEST_F(CommandLine, PlayShowsAPictureInAWindow) {
   if (std::system("command -v xvfb-run >/dev/null") != 0) {
     GTEST_SKIP() << "no virtual display here (xvfb-run)";
   }
-  const std::string command = "cd '" + folder_.string() +
-                              "' && xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
-                              "' play dome-still --stereo mono --backend cpu --size 256 --for 3 --screenshot shot.png 2>&1";
+  const std::string command =
+      "cd '" + folder_.string() +
+      "' && xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
+      "' play dome-still --stereo mono --backend cpu --size 256 --for 3 --screenshot shot.png 2>&1";
   FILE* pipe = ::popen(command.c_str(), "r");
   char buffer[2048] = {};
   const std::size_t got = std::fread(buffer, 1, sizeof buffer - 1, pipe);

@@ -13,7 +13,8 @@ namespace ergodome {
 namespace {
 
 Show show_with(const std::string& observer) {
-  return parse_show("[hole]\nspin = 0.9\n[camera]\nobserver = \"" + observer + "\"\n[[camera.key]]\nr = 12\n", "f.toml");
+  return parse_show("[hole]\nspin = 0.9\n[camera]\nobserver = \"" + observer + "\"\n[[camera.key]]\nr = 12\n",
+                    "f.toml");
 }
 
 TEST(Flight, NeverLeavesTheRegionWhereItsObserverExists) {

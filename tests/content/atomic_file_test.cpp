@@ -28,9 +28,7 @@ class AtomicFile : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  [[nodiscard]] long files() const {
-    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-  }
+  [[nodiscard]] long files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
 
   fs::path folder_;
 };

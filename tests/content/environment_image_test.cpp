@@ -74,7 +74,8 @@ TEST_F(EnvironmentImageFile, GreyBecomesColourAndAlphaIsLeftOut) {
 
 TEST_F(EnvironmentImageFile, EightPixelsWideIsEnoughAndFewerAreNot) {
   EXPECT_EQ(read_environment_image(write("8.png", 8, 4, 3, OIIO::TypeDesc::UINT8, constant(8, 4, 3, 1.0F))).width, 8);
-  EXPECT_THAT(problem_of(write("6.png", 6, 3, 3, OIIO::TypeDesc::UINT8, constant(6, 3, 3, 1.0F))), HasSubstr("6 pixels wide"));
+  EXPECT_THAT(problem_of(write("6.png", 6, 3, 3, OIIO::TypeDesc::UINT8, constant(6, 3, 3, 1.0F))),
+              HasSubstr("6 pixels wide"));
 }
 
 TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRightLight) {

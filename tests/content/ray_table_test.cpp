@@ -50,7 +50,8 @@ TEST(RayTable, ReadsNumbersOfFortyDigitsAndTinyOnes) {
 TEST(RayTable, ProblemsNameTheLine) {
   EXPECT_THAT(problem_of(""), HasSubstr("no header"));
   EXPECT_THAT(problem_of("a,r,theta,observer,n_r,n_theta\n"), AllOf(HasSubstr("rays.csv:1"), HasSubstr("n_phi")));
-  EXPECT_THAT(problem_of(header + "0,9,1,zamo,1,0,0\n0,x,1,zamo,1,0,0\n"), AllOf(HasSubstr("rays.csv:3"), HasSubstr("\"x\"")));
+  EXPECT_THAT(problem_of(header + "0,9,1,zamo,1,0,0\n0,x,1,zamo,1,0,0\n"),
+              AllOf(HasSubstr("rays.csv:3"), HasSubstr("\"x\"")));
   EXPECT_THAT(problem_of(header + "0,nan,1,zamo,1,0,0\n"), HasSubstr("not a number"));
   EXPECT_THAT(problem_of(header + "0,9,1,zamo,inf,0,0\n"), HasSubstr("not a number"));
   EXPECT_THAT(problem_of(header + "0,9,1,zamo,0,0,0\n"), HasSubstr("no length"));

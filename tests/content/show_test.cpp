@@ -111,8 +111,10 @@ TEST(Show, EveryBuiltInShowReadsAndCanBeDrawn) {
 }
 
 TEST(Show, UnknownKeyNamesTheNearestTheFileAndTheLine) {
-  EXPECT_THAT(problem_of(minimal + "[veiw]\n"), AllOf(HasSubstr("show.toml:4"), HasSubstr("veiw"), HasSubstr("\"view\"")));
-  EXPECT_THAT(problem_of(minimal + "[view]\nfov = 3\n"), AllOf(HasSubstr("show.toml:5"), HasSubstr("view.fov"), HasSubstr("fov_deg")));
+  EXPECT_THAT(problem_of(minimal + "[veiw]\n"),
+              AllOf(HasSubstr("show.toml:4"), HasSubstr("veiw"), HasSubstr("\"view\"")));
+  EXPECT_THAT(problem_of(minimal + "[view]\nfov = 3\n"),
+              AllOf(HasSubstr("show.toml:5"), HasSubstr("view.fov"), HasSubstr("fov_deg")));
   EXPECT_THAT(problem_of("[camera]\n[[camera.key]]\nr = 10\nradius = 4\n"), HasSubstr("camera.key[0].radius"));
 }
 

@@ -19,8 +19,8 @@ bool print_device(int device) {
   if (failed(cudaGetDeviceProperties(&properties, device), "read the device's properties")) {
     return false;
   }
-  std::printf("GPU check on %s: compute capability %d.%d, %d multiprocessors, %.1f GiB\n",
-              properties.name, properties.major, properties.minor, properties.multiProcessorCount,
+  std::printf("GPU check on %s: compute capability %d.%d, %d multiprocessors, %.1f GiB\n", properties.name,
+              properties.major, properties.minor, properties.multiProcessorCount,
               static_cast<double>(properties.totalGlobalMem) / (1024.0 * 1024.0 * 1024.0));
   return true;
 }

@@ -29,7 +29,8 @@ Outcome by_taylor(const CameraStation& camera, const Vector3<double>& n) {
 template <class Tableau>
 Outcome by_pair(const CameraStation& camera, const Vector3<double>& n, double tolerance) {
   Outcome o{};
-  o.sky = trace_runge_kutta<Tableau>(camera.spin, start_ray(camera, n), true, {tolerance, 200'000}, o.steps, o.reached).sky;
+  o.sky =
+      trace_runge_kutta<Tableau>(camera.spin, start_ray(camera, n), true, {tolerance, 200'000}, o.steps, o.reached).sky;
   return o;
 }
 
@@ -113,7 +114,8 @@ TEST(HardCasesAtTheEdge, ClosedFormAndTaylorSeriesAgreeDownToTheRoundingOfTheDir
         const Outcome series = by_taylor(camera, n);
         ASSERT_TRUE(series.reached);
         // Both see the same rounded direction, but round its constants of motion differently: 1e-13 rad² / distance.
-        EXPECT_LT(test::length(series.sky - by_closed_form(camera, n).sky), 1e-10 + 2e-13 / distance) << a << " " << distance;
+        EXPECT_LT(test::length(series.sky - by_closed_form(camera, n).sky), 1e-10 + 2e-13 / distance)
+            << a << " " << distance;
       }
     }
   }
@@ -125,7 +127,8 @@ void expect_tolerance_met(double tolerance) {
     if (ray.status == RayStatus::escaped) {
       const Outcome o = by_pair<Tableau>(test::station_of(ray), ray.n, tolerance);
       ASSERT_TRUE(o.reached) << "ray " << ray.id;
-      EXPECT_LT(test::length(o.sky - ray.sky), 10.0 * tolerance + 1e-13 / std::abs(ray.edge_distance)) << "ray " << ray.id;
+      EXPECT_LT(test::length(o.sky - ray.sky), 10.0 * tolerance + 1e-13 / std::abs(ray.edge_distance))
+          << "ray " << ray.id;
     }
   }
 }

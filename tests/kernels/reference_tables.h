@@ -20,8 +20,8 @@ struct ReferenceRay {
   RayStatus status;
   Vector3<double> sky;
   double g, mino_time;
-  double edge_distance;   //!< -1 where none was computed
-  double magnification;   //!< 0 where none was computed
+  double edge_distance;  //!< -1 where none was computed
+  double magnification;  //!< 0 where none was computed
 };
 
 //! A row of tests/data/edge.csv.

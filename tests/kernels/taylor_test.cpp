@@ -166,7 +166,8 @@ TEST(Taylor, TellsBothSidesOfTheEdgeApartDownToRounding) {
             EXPECT_EQ(traced.bright, side > 0.0) << "a " << a << " r " << r << " distance " << side * distance;
             // Along an extremal horizon light winds not a few times but 1 / distance^½: too often to count, and said so.
             const bool countless = a > 0.99999 && distance < 1e-8;
-            EXPECT_TRUE(traced.reached == traced.bright || countless) << "a " << a << " r " << r << " distance " << distance;
+            EXPECT_TRUE(traced.reached == traced.bright || countless)
+                << "a " << a << " r " << r << " distance " << distance;
             if (traced.reached) {
               EXPECT_NEAR(test::length(traced.sky), 1.0, 1e-6);
             }
@@ -214,7 +215,8 @@ TEST(Taylor, MagnificationFromExactDerivativesIsThatOfTheReference) {
       continue;
     }
     const CameraStation camera = test::station_of(ray);
-    const Vector3<double> axis = std::abs(ray.n.z) < 0.7 ? Vector3<double>{0.0, 0.0, 1.0} : Vector3<double>{0.0, 1.0, 0.0};
+    const Vector3<double> axis =
+        std::abs(ray.n.z) < 0.7 ? Vector3<double>{0.0, 0.0, 1.0} : Vector3<double>{0.0, 1.0, 0.0};
     const Vector3<double> e1 = normalized(cross(axis, ray.n));
     const Vector3<double> e2 = cross(ray.n, e1);
     const Vector3<Dual<double>> n = {{ray.n.x, e1.x, e2.x}, {ray.n.y, e1.y, e2.y}, {ray.n.z, e1.z, e2.z}};

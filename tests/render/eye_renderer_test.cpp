@@ -66,8 +66,11 @@ TEST(DirectLens, PixelsShowTheSkyOfTheClosedForm) {
         continue;
       }
       const Vector3<double> v = direction_from_pixel(projection, x + 0.5, y + 0.5);
-      const auto row = [&](int k) { return eye.frame_from_view[k][0] * v.x + eye.frame_from_view[k][1] * v.y + eye.frame_from_view[k][2] * v.z; };
-      const RayEnd<double> exact = trace_closed_form(camera.spin, start_ray(camera, Vector3<double>{row(0), row(1), row(2)}));
+      const auto row = [&](int k) {
+        return eye.frame_from_view[k][0] * v.x + eye.frame_from_view[k][1] * v.y + eye.frame_from_view[k][2] * v.z;
+      };
+      const RayEnd<double> exact =
+          trace_closed_form(camera.spin, start_ray(camera, Vector3<double>{row(0), row(1), row(2)}));
       errors.push_back(std::hypot(lens.pixels.sky[0][i] - exact.sky.x, lens.pixels.sky[1][i] - exact.sky.y,
                                   lens.pixels.sky[2][i] - exact.sky.z));
     }
@@ -184,13 +187,14 @@ TEST(EyeRenderer, OnePixelAndOneRowAreImagesToo) {
   const SkyCube sky = white_sky();
   const Picture one = EyeRenderer(Backend::cpu).render(eye_at(0.9, 6.0), make_dome_projection(1, pi, 0.0), sky, {});
   EXPECT_EQ(one.rgba.size(), 4U);
-  const Picture row = EyeRenderer(Backend::cpu).render(eye_at(0.9, 6.0), make_equirectangular_projection(33, 1), sky, {});
+  const Picture row =
+      EyeRenderer(Backend::cpu).render(eye_at(0.9, 6.0), make_equirectangular_projection(33, 1), sky, {});
   EXPECT_EQ(row.rgba.size(), 4U * 33U);
 }
 
 TEST(EyeRenderer, HeatMapsHaveTheirRangeAndColourOutsideTheShadow) {
-  for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order, ViewMode::frequency_ratio,
-                              ViewMode::magnification}) {
+  for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order,
+                              ViewMode::frequency_ratio, ViewMode::magnification}) {
     PictureSettings settings;
     settings.mode = mode;
     const Picture picture =
@@ -212,9 +216,11 @@ TEST(EyeRenderer, MagnificationFarFromTheHoleIsOne) {
 }
 
 Show stereo_show(const std::string& layout, double baseline) {
-  return parse_show("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"grid\"\n[view]\nprojection = \"pinhole\"\n"
-                    "size_px = 64\n[stereo]\nlayout = \"" + layout + "\"\nbaseline = " + std::to_string(baseline) + "\n",
-                    "stereo.toml");
+  return parse_show(
+      "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"grid\"\n[view]\nprojection = \"pinhole\"\n"
+      "size_px = 64\n[stereo]\nlayout = \"" +
+          layout + "\"\nbaseline = " + std::to_string(baseline) + "\n",
+      "stereo.toml");
 }
 
 TEST(ShowRenderer, SideBySideHoldsTheTwoSeparateEyes) {

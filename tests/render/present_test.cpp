@@ -40,9 +40,9 @@ class Present : public testing::Test {
     const auto set = [&](int x, int y, int channel) {
       picture.rgba[4 * static_cast<std::size_t>(y * width + x) + static_cast<std::size_t>(channel)] = 0.7F;
     };
-    set(0, 0, 0);                   // top left red
-    set(width - 1, 0, 1);           // top right green
-    set(0, height - 1, 2);          // bottom left blue
+    set(0, 0, 0);           // top left red
+    set(width - 1, 0, 1);   // top right green
+    set(0, height - 1, 2);  // bottom left blue
     return picture;
   }
 

@@ -32,7 +32,8 @@ glm::dvec3 random_direction(std::mt19937& random) {
 
 //! Light that varies as the cosine to an axis: every average over a small footprint is known.
 SkyCube dipole_sky(int size = 64) {
-  return {Backend::cpu, size, [](const glm::dvec3& d) { return glm::vec3(1.0 + 0.5 * d.x, 1.0 + 0.5 * d.y, 1.0 + 0.5 * d.z); }};
+  return {Backend::cpu, size,
+          [](const glm::dvec3& d) { return glm::vec3(1.0 + 0.5 * d.x, 1.0 + 0.5 * d.y, 1.0 + 0.5 * d.z); }};
 }
 
 TEST(SkyCube, ConstantSkyStaysConstantForEveryFootprint) {
@@ -72,7 +73,8 @@ TEST(SkyCube, HasNoSeamAtEdgesCornersAndPoles) {
     Vector3<float> last{};
     for (int i = 0; i <= 4000; ++i) {
       const double angle = (i - 2000) * 1e-5;
-      const Vector3<float> light = look(sky.view(), glm::normalize(std::cos(angle) * from + std::sin(angle) * across), footprint, footprint);
+      const Vector3<float> light =
+          look(sky.view(), glm::normalize(std::cos(angle) * from + std::sin(angle) * across), footprint, footprint);
       jump = i > 0 ? std::max(jump, static_cast<double>(std::abs(light.x - last.x))) : jump;
       last = light;
     }
@@ -118,7 +120,8 @@ TEST(SkyCube, WholeSkyKeepsItsLight) {
 TEST(SkyCube, EllipticFootprintIsTheGaussianAverageOfTheMap) {
   // Against a dense sum over the footprint of a smooth random map; anisotropy up to 8.
   const auto light = [](const glm::dvec3& d) {
-    return static_cast<float>(1.0 + 0.4 * std::sin(11.0 * d.x + 3.0) * std::cos(13.0 * d.y) + 0.4 * std::sin(17.0 * d.z));
+    return static_cast<float>(1.0 + 0.4 * std::sin(11.0 * d.x + 3.0) * std::cos(13.0 * d.y) +
+                              0.4 * std::sin(17.0 * d.z));
   };
   const SkyCube sky(Backend::cpu, 256, [&](const glm::dvec3& d) { return glm::vec3(light(d)); });
   std::mt19937 random(3);
