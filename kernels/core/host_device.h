@@ -7,12 +7,16 @@
 //! processor without it. Plain data that crosses that border lives in `ergodome` itself.
 #if defined(__CUDACC__)
 #define ERGO_HD __host__ __device__ __forceinline__
-#define ERGO_UNROLL _Pragma("unroll")
-#elif defined(__clang__)
-#define ERGO_HD inline
-#define ERGO_UNROLL _Pragma("unroll")
 #else
 #define ERGO_HD inline
+#endif
+
+//! Asks the compiler to unroll the loop that follows: the order of a series and the stages of a method are constants.
+#if defined(__CUDA_ARCH__) || defined(__clang__)
+#define ERGO_UNROLL _Pragma("unroll")
+#elif defined(__CUDACC__)
+#define ERGO_UNROLL
+#else
 #define ERGO_UNROLL _Pragma("GCC unroll 32")
 #endif
 

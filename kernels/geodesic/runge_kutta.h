@@ -62,8 +62,8 @@ ERGO_HD Trial<T> try_step(ScalarOf<T> spin, const RayStart<T>& ray, const RaySta
     RayState<T> at = state;
     ERGO_UNROLL
     for (int j = 0; j < i; ++j) {
-      if (Tableau::a[i][j] != 0.0) {
-        at = added(at, static_cast<S>(Tableau::a[i][j]) * h, stage[j]);
+      if (Tableau::a(i, j) != 0.0) {
+        at = added(at, static_cast<S>(Tableau::a(i, j)) * h, stage[j]);
       }
     }
     stage[i] = rate_of(spin, ray, at);
@@ -73,8 +73,8 @@ ERGO_HD Trial<T> try_step(ScalarOf<T> spin, const RayStart<T>& ray, const RaySta
   RayState<T> difference = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero};
   ERGO_UNROLL
   for (int i = 0; i < Tableau::stages; ++i) {
-    end = added(end, static_cast<S>(Tableau::b[i]) * h, stage[i]);
-    difference = added(difference, static_cast<S>(Tableau::b[i] - Tableau::b_embedded[i]) * h, stage[i]);
+    end = added(end, static_cast<S>(Tableau::b(i)) * h, stage[i]);
+    difference = added(difference, static_cast<S>(Tableau::b(i) - Tableau::b_embedded(i)) * h, stage[i]);
   }
   return {end, state_size(difference, polar_speed)};
 }

@@ -1,28 +1,19 @@
 // Compares every kernel on GPU and CPU and times both. Exit status: 0 passed or no GPU, 1 a difference or a CUDA error.
 
-#include <cuda_runtime.h>
-
 #include <cstdio>
+#include <exception>
+
+#include "tests/gpu/harness.cuh"
 
 namespace {
 
-bool failed(cudaError_t error, const char* doing) {
-  if (error == cudaSuccess) {
-    return false;
-  }
-  std::printf("GPU check: %s: %s\n", doing, cudaGetErrorString(error));
-  return true;
-}
-
-bool print_device(int device) {
+void print_device(int device) {
   cudaDeviceProp properties{};
-  if (failed(cudaGetDeviceProperties(&properties, device), "read the device's properties")) {
-    return false;
-  }
+  ergodome::check_cuda(cudaGetDeviceProperties(&properties, device), "read the device's properties");
   std::printf("GPU check on %s: compute capability %d.%d, %d multiprocessors, %.1f GiB\n", properties.name,
               properties.major, properties.minor, properties.multiProcessorCount,
               static_cast<double>(properties.totalGlobalMem) / (1024.0 * 1024.0 * 1024.0));
-  return true;
+  std::printf("%-34s %10s %10s %10s %9s %12s\n", "kernel", "elements", "GPU ms", "CPU ms", "ratio", "difference");
 }
 
 }  // namespace
@@ -34,5 +25,13 @@ int main() {
     std::puts("GPU check skipped: no usable GPU");
     return 0;
   }
-  return print_device(0) ? 0 : 1;
+  try {
+    print_device(0);
+    const bool rays = ergodome::gpu_check::check_rays();
+    const bool pixels = ergodome::gpu_check::check_pixels();
+    return rays && pixels ? 0 : 1;
+  } catch (const std::exception& problem) {
+    std::printf("GPU check: %s\n", problem.what());
+    return 1;
+  }
 }

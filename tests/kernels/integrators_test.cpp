@@ -159,12 +159,12 @@ void expect_order_conditions(double fifth_moment_order) {
   for (int i = 0; i < Tableau::stages; ++i) {
     double c = 0.0;
     for (int j = 0; j < i; ++j) {
-      c += Tableau::a[i][j];
+      c += Tableau::a(i, j);
     }
-    sum += Tableau::b[i];
-    embedded_sum += Tableau::b_embedded[i];
+    sum += Tableau::b(i);
+    embedded_sum += Tableau::b_embedded(i);
     for (int k = 1; k < 5; ++k) {
-      moment[k] += Tableau::b[i] * std::pow(c, k);
+      moment[k] += Tableau::b(i) * std::pow(c, k);
     }
   }
   EXPECT_NEAR(sum, 1.0, 1e-15);

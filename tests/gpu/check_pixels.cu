@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <memory>
+
+#include "kernels/image/shade_pixels_kernel.h"
+#include "kernels/shadow/critical_curve.h"
+#include "kernels/trace/trace_pixels_kernel.h"
+#include "tests/gpu/harness.cuh"
+
+namespace ergodome::gpu_check {
+
+namespace {
+
+constexpr int channel_count = 14;
+
+LensPixels lens_at(float* store, std::size_t pixels) {
+  LensPixels lens{};
+  float** const channels[channel_count] = {
+      &lens.sky[0],          &lens.sky[1],         &lens.sky[2],         &lens.sky_along_x[0], &lens.sky_along_x[1],
+      &lens.sky_along_x[2],  &lens.sky_along_y[0], &lens.sky_along_y[1], &lens.sky_along_y[2], &lens.coverage,
+      &lens.frequency_ratio, &lens.steps,          &lens.error_estimate, &lens.half_orbits};
+  for (int i = 0; i < channel_count; ++i) {
+    *channels[i] = store + static_cast<std::size_t>(i) * pixels;
+  }
+  return lens;
+}
+
+//! A dome at r = 5 M of a fast hole, as a show would ask for it.
+PixelBatch dome_batch(int size, const Twin<float>& edge_table, const ShadowChart& chart) {
+  PixelBatch batch{};
+  batch.camera = converted_station<float>(make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo));
+  batch.projection = converted_projection<float>(make_dome_projection(size, 3.14159265358979, 0.5));
+  const float at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
+  std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &batch.frame_from_view[0][0]);
+  const auto narrow = [](const Vector3<double>& v) {
+    return Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  const auto [least, most] = std::minmax_element(edge_table.host.begin(), edge_table.host.end());
+  batch.edge = {narrow(chart.centre),
+                narrow(chart.first),
+                narrow(chart.second),
+                edge_table.host.data(),
+                static_cast<int>(edge_table.host.size()),
+                *least,
+                *most};
+  batch.edge_cosine_highest = std::cos(*least - 0.01F);
+  batch.edge_cosine_lowest = std::cos(*most + 0.01F);
+  batch.settings = {3e-5, 200};
+  batch.row_count = size;
+  return batch;
+}
+
+//! A cube map with a smooth pattern; its borders are as good as its inside for comparing two machines.
+CubeMap patterned_cube(Twin<float>& texels, int face_size) {
+  CubeMap map{};
+  map.face_size = face_size;
+  long offset = 0;
+  for (int size = face_size; size >= 1; size /= 2) {
+    map.level_offset[map.level_count++] = offset;
+    offset += 6L * (size + 2) * (size + 2);
+  }
+  for (std::size_t i = 0; i < texels.host.size(); ++i) {
+    texels.host[i] = 0.5F + 0.5F * std::sin(0.01F * static_cast<float>(i % 100'000));
+  }
+  texels.upload();
+  return map;
+}
+
+bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, bool beaming, const char* name) {
+  Twin<float> texels(std::size_t{4} * 6 * 2 * 514 * 514);
+  Twin<float> rgba(4 * pixels);
+  ShadeBatch on_host{
+      lens_at(lens.host.data(), pixels), patterned_cube(texels, 512), mode, beaming, 1.0F, 0.0F, 1.0F, rgba.host.data(),
+      static_cast<int>(pixels)};
+  ShadeBatch on_device = on_host;
+  on_host.sky.texels = texels.host.data();
+  on_device.lens = lens_at(lens.device(), pixels);
+  on_device.sky.texels = texels.device();
+  on_device.rgba = rgba.device();
+  const auto run = [&](auto host_functor, auto device_functor) {
+    const double device_ms = run_on_device_ms(name, device_functor, on_device.count);
+    const double host_ms = run_on_host_ms(host_functor, on_host.count);
+    return report(name, on_host.count, device_ms, host_ms, compare(rgba.download(), rgba.host, 0.999, 1e-4));
+  };
+  if (mode != ViewMode::sky) {
+    return run(ShadeHeatMap{on_host}, ShadeHeatMap{on_device});
+  }
+  return beaming ? run(ShadeSky<true>{on_host}, ShadeSky<true>{on_device})
+                 : run(ShadeSky<false>{on_host}, ShadeSky<false>{on_device});
+}
+
+bool check_size(int size, bool compare_all) {
+  const CameraStation station = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
+  const ShadowChart chart = make_shadow_chart(station);
+  Twin<float> edge(1024);
+  for (std::size_t i = 0; i < edge.host.size(); ++i) {
+    edge.host[i] =
+        static_cast<float>(edge_polar_angle(station, chart, 6.283185307179586 * static_cast<double>(i) / 1024));
+  }
+  edge.upload();
+  const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+  Twin<float> lens(channel_count * pixels);
+  PixelBatch on_host = dome_batch(size, edge, chart);
+  PixelBatch on_device = on_host;
+  on_host.out = lens_at(lens.host.data(), pixels);
+  on_device.out = lens_at(lens.device(), pixels);
+  on_device.edge.polar_angle = edge.device();
+  const int count = static_cast<int>(pixels);
+  const double device_ms = run_on_device_ms("trace_pixels", TracePixels<float>{on_device}, count);
+  const double host_ms = run_on_host_ms(TracePixels<float>{on_host}, count);
+  bool good = report("trace_pixels " + std::to_string(size) + "^2 dome", count, device_ms, host_ms,
+                     compare(lens.download(), lens.host, 0.98, 1e-4));
+  lens.upload();
+  good = check_shading(lens, pixels, ViewMode::sky, false, "shade sky") && good;
+  if (compare_all) {
+    good = check_shading(lens, pixels, ViewMode::sky, true, "shade sky with beaming") && good;
+    good = check_shading(lens, pixels, ViewMode::image_order, false, "shade heat map") && good;
+  }
+  return good;
+}
+
+}  // namespace
+
+bool check_pixels() {
+  const bool small = check_size(1024, true);
+  return check_size(4096, false) && small;
+}
+
+}  // namespace ergodome::gpu_check
