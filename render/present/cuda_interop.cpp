@@ -1,8 +1,6 @@
 #include "render/present/cuda_interop.h"
 
 #include <cuda_gl_interop.h>
-#include <epoxy/gl.h>
-
 #include <string>
 
 #include "kernels/core/error.h"
