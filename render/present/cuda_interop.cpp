@@ -1,6 +1,7 @@
 #include "render/present/cuda_interop.h"
 
 #include <cuda_gl_interop.h>
+
 #include <string>
 
 #include "kernels/core/error.h"
