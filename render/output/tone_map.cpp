@@ -47,7 +47,7 @@ std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
         const float shown = heat_map ? light : shoulder(light);
         // The comparison is false for NaN, which becomes black.
         const float clamped = shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
-        bytes[3 * i + c] = table[static_cast<std::size_t>(clamped * (table_size - 1) + 0.5F)];
+        bytes[3 * i + c] = table[static_cast<std::size_t>(std::lrint(clamped * (table_size - 1)))];
       }
     }
   });

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "kernels/core/error.h"
@@ -138,8 +139,8 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height) {
   }
   const double scale = std::min(static_cast<double>(framebuffer_width) / state_->width,
                                 static_cast<double>(framebuffer_height) / state_->height);
-  const int width = std::max(1, static_cast<int>(scale * state_->width + 0.5));
-  const int height = std::max(1, static_cast<int>(scale * state_->height + 0.5));
+  const int width = std::max(1, static_cast<int>(std::lround(scale * state_->width)));
+  const int height = std::max(1, static_cast<int>(std::lround(scale * state_->height)));
   glViewport((framebuffer_width - width) / 2, (framebuffer_height - height) / 2, width, height);
   glUseProgram(state_->program);
   glUniform1i(0, state_->heat_map ? 1 : 0);

@@ -162,8 +162,10 @@ void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec
       for (int x = 0; x < face_size; ++x) {
         // Four samples a texel, so that a source of the same resolution does not alias.
         glm::vec3 sum(0.0F);
-        for (int i = 0; i < 4; ++i) {
-          sum += light(texel_direction(face, face_size, x + 0.25 + 0.5 * (i % 2), y + 0.25 + 0.5 * (i / 2)));
+        for (const double dy : {0.25, 0.75}) {
+          for (const double dx : {0.25, 0.75}) {
+            sum += light(texel_direction(face, face_size, x + dx, y + dy));
+          }
         }
         pyramid.set(0, face, x, y, 0.25F * sum);
       }

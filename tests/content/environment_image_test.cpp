@@ -25,9 +25,9 @@ class EnvironmentImageFile : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  fs::path write(const std::string& name, int width, int height, int channels, OIIO::TypeDesc type,
+  fs::path write(const std::string& name, int width, int height, int channels, const OIIO::TypeDesc& type,
                  const std::vector<float>& values) {
-    const fs::path path = folder_ / name;
+    fs::path path = folder_ / name;
     auto output = OIIO::ImageOutput::create(path.string());
     EXPECT_TRUE(output->open(path.string(), OIIO::ImageSpec(width, height, channels, type)));
     EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
