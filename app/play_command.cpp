@@ -47,7 +47,8 @@ void add_play_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
-  command->add_option("--for", arguments->options.for_seconds, "end by itself after this many seconds")
+  command
+      ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")
       ->check(CLI::Range(0.0, 1e9));
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
   command->callback([arguments] { run(*arguments); });

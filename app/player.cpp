@@ -53,8 +53,7 @@ CameraPose Player::current_pose() const {
 bool Player::moving() const { return changed_ || !held_keys_.empty() || (!flying_ && !paused_); }
 
 void Player::run() {
-  const auto start = Clock::now();
-  auto last = start;
+  auto last = Clock::now();
   while (!window_.closed() && !interrupted()) {
     for (const WindowEvent& event : window_.events(0.004)) {
       handle(event);
@@ -69,9 +68,13 @@ void Player::run() {
       show_on_device();
     }
     draw();
-    if (options_.for_seconds > 0.0 && std::chrono::duration<double>(now - start).count() >= options_.for_seconds) {
+    if (options_.for_seconds > 0.0 && first_answer_ &&
+        std::chrono::duration<double>(now - *first_answer_).count() >= options_.for_seconds) {
       window_.close();
     }
+  }
+  if (options_.for_seconds > 0.0 && pictures_ > 0) {
+    fmt::print("{} pictures after the first in {:.1f} s\n", pictures_ - 1, options_.for_seconds);
   }
   if (!options_.screenshot.empty()) {
     save_screenshot();
@@ -196,6 +199,7 @@ void Player::receive() {
   if (!answer) {
     return;
   }
+  note_answer();
   if (!answer->problem.empty()) {
     if (answer->problem != said_problem_) {
       said_problem_ = answer->problem;
@@ -205,6 +209,7 @@ void Player::receive() {
   }
   frame_time_ms_ = answer->time_ms;
   refined_size_px_ = answer->size_px;
+  ++pictures_;
   // Time goes with the number of pixels; a damped step towards the width that fits.
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
   moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), smallest_px, options_.size_px);
@@ -226,7 +231,15 @@ void Player::show_on_device() {
     presenter_.upload(renderer_.render_both_eyes(current_pose(), projection, mode_));
   }
   frame_time_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  ++pictures_;
+  note_answer();
   update_title();
+}
+
+void Player::note_answer() {
+  if (!first_answer_) {
+    first_answer_ = Clock::now();
+  }
 }
 
 void Player::draw() {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -16,7 +17,7 @@ struct PlayOptions {
   bool full_screen = false;
   bool free_flight = false;
   int size_px = 1024;        //!< width of one eye's image when the picture stands still
-  double for_seconds = 0.0;  //!< ends by itself after this time; 0: when it is closed
+  double for_seconds = 0.0;  //!< ends by itself this long after the first picture; 0: when it is closed
   std::string screenshot;    //!< what the window showed last, as a PNG; empty: none
 };
 
@@ -43,6 +44,7 @@ class Player {
   void ask_for_picture();
   void show_on_device();
   void receive();
+  void note_answer();
   void draw();
   void update_title();
   void save_screenshot();
@@ -66,6 +68,8 @@ class Player {
   int refined_size_px_ = 0;   //!< width of the last picture of what stands still
   double frame_time_ms_ = 0.0;
   std::string said_problem_;
+  std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
+  int pictures_ = 0;
 };
 
 }  // namespace ergodome
