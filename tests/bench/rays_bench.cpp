@@ -38,9 +38,8 @@ Rays<S> all_sky() {
       const double z = 1.0 - 2.0 * (y + 0.5) / rows;
       const double across = std::sqrt(1.0 - z * z);
       const double angle = 3.14159265358979 * (x + 0.5) / rows;
-      // Directions as floats, so that both precisions trace the same rays.
-      const float v[3] = {static_cast<float>(across * std::cos(angle)), static_cast<float>(across * std::sin(angle)),
-                          static_cast<float>(z)};
+      // Unit vectors to the precision they are traced in: a float's rounding of its direction counts as its error.
+      const double v[3] = {across * std::cos(angle), across * std::sin(angle), z};
       for (std::size_t k = 0; k < 3; ++k) {
         rays.n[k][i] = static_cast<S>(v[k]);
       }
