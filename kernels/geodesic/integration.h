@@ -31,8 +31,7 @@ ERGO_HD Vector3<T> sky_direction(const RayState<T>& end) {
 
 //! How much smaller than the tolerance local errors must stay: near the critical curve an error grows by 1 / distance.
 //!
-//! The distance is proportional to the clearance at the barrier (DESIGN: "Near the critical curve an error in the impact parameter
-//! is amplified by 1/distance"), which is known before the first step.
+//! The distance is proportional to the clearance at the barrier, which is known before the first step.
 template <class T>
 ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, ScalarOf<T> tolerance) {
   using Real = RealOf<T>;

@@ -16,7 +16,7 @@ enum class RayStatus : std::int32_t {
 //! A null geodesic at the camera, in Mino time that runs backwards: away from the camera, into the past.
 //!
 //! E = 1; lengths in M. The polar position is the unit vector `m` = (sinθ cosφ, sinθ sinφ, cosθ) with φ = 0 at the camera and
-//! without frame dragging, which is the separate angle ψ (DESIGN: "Null geodesics without singularities").
+//! without frame dragging, which is the separate angle ψ.
 template <class T>
 struct RayStart {
   T axial_angular_momentum;  //!< L = L_z / E of the photon [M]
