@@ -212,7 +212,8 @@ void Player::receive() {
   ++pictures_;
   // Time goes with the number of pixels; a damped step towards the width that fits.
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
-  moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), smallest_px, options_.size_px);
+  moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)),
+                               std::min(smallest_px, options_.size_px), options_.size_px);
   presenter_.upload(answer->picture);
   update_title();
 }
