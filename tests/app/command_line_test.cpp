@@ -11,6 +11,8 @@
 
 #include "kernels/launch/instruction_set.h"
 #include "render/output/image_writer.h"
+#include "tests/support/csv_table.h"
+#include "tests/support/folder_test.h"
 
 // The program as a person runs it.
 namespace ergodome {
@@ -19,14 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class CommandLine : public testing::Test {
+class CommandLine : public test::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("ergodome-cli-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   //! Runs the program in the test's folder; all that it prints goes to output_.
   int run(const std::string& arguments) {
     const std::string command = "cd '" + folder_.string() + "' && '" ERGODOME_PROGRAM "' " + arguments + " 2>&1";
@@ -42,33 +38,6 @@ class CommandLine : public testing::Test {
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
-  //! A CSV file as rows of cells by column.
-  [[nodiscard]] static std::vector<std::map<std::string, std::string>> table(const fs::path& path) {
-    std::ifstream file(path);
-    const auto split = [](const std::string& line) {
-      std::vector<std::string> cells;
-      std::stringstream stream(line + ",");
-      for (std::string cell; std::getline(stream, cell, ',');) {
-        cells.push_back(cell);
-      }
-      return cells;
-    };
-    std::string line;
-    std::getline(file, line);
-    const auto header = split(line);
-    std::vector<std::map<std::string, std::string>> rows;
-    while (std::getline(file, line)) {
-      const auto cells = split(line);
-      std::map<std::string, std::string> row;
-      for (std::size_t i = 0; i < header.size() && i < cells.size(); ++i) {
-        row[header[i]] = cells[i];
-      }
-      rows.push_back(row);
-    }
-    return rows;
-  }
-
-  fs::path folder_;
   std::string output_;
 };
 
@@ -106,10 +75,10 @@ TEST_F(CommandLine, WrongWordsAreOneLineAndNotZero) {
 
 TEST_F(CommandLine, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
   const std::string rays = ERGODOME_TEST_DATA_DIR "/rays.csv";
-  const auto expected = table(rays);
+  const auto expected = test::read_csv(rays);
   for (const char* method : {"taylor", "closed_form"}) {
     ASSERT_EQ(run("trace --rays '" + rays + "' --out out.csv --method " + method), 0) << output_;
-    const auto traced = table(folder_ / "out.csv");
+    const auto traced = test::read_csv(folder_ / "out.csv");
     ASSERT_EQ(traced.size(), expected.size());
     for (std::size_t i = 0; i < traced.size(); ++i) {
       const auto& want = expected[i];
@@ -136,7 +105,7 @@ TEST_F(CommandLine, TraceWorksByEveryMethodInBothPrecisions) {
                     " --precision " + precision),
                 0)
           << output_;
-      const auto rows = table(folder_ / "out.csv");
+      const auto rows = test::read_csv(folder_ / "out.csv");
       ASSERT_EQ(rows.size(), 2U);
       EXPECT_EQ(rows[0].at("status"), "escaped") << method;
       EXPECT_EQ(rows[1].at("status"), "captured") << method;
@@ -147,7 +116,7 @@ TEST_F(CommandLine, TraceWorksByEveryMethodInBothPrecisions) {
 
 TEST_F(CommandLine, EdgeOfTheReferencePointsIsNowhere) {
   ASSERT_EQ(run("edge --rays '" ERGODOME_TEST_DATA_DIR "/edge.csv' --out out.csv"), 0) << output_;
-  const auto rows = table(folder_ / "out.csv");
+  const auto rows = test::read_csv(folder_ / "out.csv");
   ASSERT_EQ(rows.size(), 1088U);
   for (const auto& row : rows) {
     EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-10);
@@ -157,7 +126,7 @@ TEST_F(CommandLine, EdgeOfTheReferencePointsIsNowhere) {
 TEST_F(CommandLine, EdgeWritesPointsThatLieOnTheEdge) {
   write("camera.csv", "id,a,r,theta,observer,n_r,n_theta,n_phi\nmy camera,0.9,6,1.2,rain,1,0,0\n");
   ASSERT_EQ(run("edge --rays camera.csv --out points.csv --points 8"), 0) << output_;
-  const auto points = table(folder_ / "points.csv");
+  const auto points = test::read_csv(folder_ / "points.csv");
   ASSERT_EQ(points.size(), 8U);
   EXPECT_EQ(points[3].at("id"), "my camera");
   std::string rays = "a,r,theta,observer,n_r,n_theta,n_phi\n";
@@ -166,7 +135,7 @@ TEST_F(CommandLine, EdgeWritesPointsThatLieOnTheEdge) {
   }
   write("rays.csv", rays);
   ASSERT_EQ(run("edge --rays rays.csv --out out.csv"), 0);
-  for (const auto& row : table(folder_ / "out.csv")) {
+  for (const auto& row : test::read_csv(folder_ / "out.csv")) {
     EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-13);
   }
 }

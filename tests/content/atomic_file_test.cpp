@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/content/errors.h"
+#include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
@@ -15,22 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class AtomicFile : public testing::Test {
+class AtomicFile : public test::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("ergodome-atomic-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   [[nodiscard]] std::string text(const std::string& name) const {
     std::ifstream file(folder_ / name);
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
   [[nodiscard]] long files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
-
-  fs::path folder_;
 };
 
 TEST_F(AtomicFile, ReplacesAnOlderFileWhole) {

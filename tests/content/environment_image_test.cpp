@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "tests/content/errors.h"
+#include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
@@ -17,14 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class EnvironmentImageFile : public testing::Test {
+class EnvironmentImageFile : public test::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("ergodome-map-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& name, int width, int height, int channels, const OIIO::TypeDesc& type,
                  const std::vector<float>& values) {
     fs::path path = folder_ / name;
@@ -42,8 +37,6 @@ class EnvironmentImageFile : public testing::Test {
   static std::string problem_of(const fs::path& path) {
     return test::error_of([&] { read_environment_image(path); });
   }
-
-  fs::path folder_;
 };
 
 TEST_F(EnvironmentImageFile, WholeNumbersAreDecodedFromSrgb) {

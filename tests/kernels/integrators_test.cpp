@@ -83,7 +83,7 @@ TEST_P(HardCases, ClosedFormAndTaylorSeriesAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Design10, HardCases,
+    Kerr, HardCases,
     testing::Values(HardCase{"Schwarzschild", 0.0, 6.0, 1.0, {-0.5, 0.4, 0.8}, 1e-12},
                     HardCase{"TinySpin", 1e-8, 6.0, 1.0, {-0.5, 0.4, 0.8}, 1e-12},
                     HardCase{"ExtremalSpin", 1.0, 6.0, 1.0, {-0.5, 0.4, 0.8}, 1e-9},

@@ -1,42 +1,17 @@
 #include "tests/kernels/reference_tables.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+
+#include "tests/support/csv_table.h"
 
 namespace ergodome::test {
 
 namespace {
 
-using Row = std::map<std::string, std::string>;
+using Row = CsvRow;
 
 std::vector<Row> read_table(const std::string& name) {
-  std::ifstream file(std::string(ERGODOME_TEST_DATA_DIR) + "/" + name);
-  if (!file) {
-    throw std::runtime_error("cannot open tests/data/" + name);
-  }
-  const auto split = [](const std::string& line) {
-    std::vector<std::string> cells;
-    std::stringstream stream(line + ",");
-    for (std::string cell; std::getline(stream, cell, ',');) {
-      cells.push_back(cell);
-    }
-    return cells;
-  };
-  std::string line;
-  std::getline(file, line);
-  const std::vector<std::string> header = split(line);
-  std::vector<Row> rows;
-  while (std::getline(file, line)) {
-    const std::vector<std::string> cells = split(line);
-    Row row;
-    for (std::size_t i = 0; i < header.size(); ++i) {
-      row[header[i]] = i < cells.size() ? cells[i] : "";
-    }
-    rows.push_back(row);
-  }
-  return rows;
+  return read_csv(std::string(ERGODOME_TEST_DATA_DIR) + "/" + name);
 }
 
 double number(const Row& row, const std::string& key, double otherwise = 0.0) {

@@ -12,20 +12,15 @@
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"
+#include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Output : public testing::Test {
+class Output : public test::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("ergodome-output-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static Picture ramp(int width = 64, int height = 32) {
     Picture picture;
     picture.width = width;
@@ -38,8 +33,6 @@ class Output : public testing::Test {
   }
 
   [[nodiscard]] long files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
-
-  fs::path folder_;
 };
 
 TEST_F(Output, ExrKeepsLinearLightChromaticitiesAndFacts) {
