@@ -7,7 +7,8 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! The equations of motion in Mino time as a first-order system: rate of every component of the state.
 //!
-//! From the Carter potentials R(r) and Θ(θ), differentiated once: u'' = u [(a² - C) + 3 K u - 2 a² Q u²]; m'' = -(C + 2 a² m_z²) m, and + a² m_z for the z component;
+//! From Carter's potentials R(r) and Θ(θ), differentiated once. The radius obeys u'' = u [(a² - C) + 3 K u - 2 a² Q u²], the polar
+//! position m'' = -(C + 2 a² m_z²) m with a² m_z more in its z component, and frame dragging
 //! ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²), backwards.
 template <class T>
 ERGO_HD RayState<T> rate_of(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& s) {

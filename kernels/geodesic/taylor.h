@@ -82,8 +82,7 @@ ERGO_HD T square_coefficient(const T* f, int k) {
 
 //! Fills the series from the state at h = 0; rates and h are in the scaled time of the coefficients.
 //!
-//! As in runge_kutta.h: u'' = u [(a² - C) + 3 K u - 2 a² Q u²]; m_xy'' = B m_xy, m_z'' = (B + a²) m_z with B = -(C + 2 a² m_z²);
-//! ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²), backwards.
+//! The equations are those of rate_of() in runge_kutta.h, with B short for -(C + 2 a² m_z²).
 template <int Order, class T>
 ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state,
                     TaylorSeries<Order, T>& s) {
