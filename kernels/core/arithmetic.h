@@ -24,6 +24,10 @@ struct RealTraits {
   static constexpr int lane_count = 1;
 };
 
+//! Whether a real type carries a mixed second derivative (kernels/core/mixed_dual.h).
+template <class T>
+inline constexpr bool has_mixed_part = false;
+
 template <class T>
 using ScalarOf = typename RealTraits<T>::Scalar;
 template <class T>

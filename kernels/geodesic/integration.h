@@ -29,6 +29,19 @@ ERGO_HD Vector3<T> sky_direction(const RayState<T>& end) {
   return {cosine * end.m.x - sine * end.m.y, sine * end.m.x + cosine * end.m.y, end.m.z};
 }
 
+//! A ray without its derivatives.
+template <class T>
+ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
+  return {value_of(start.axial_angular_momentum),
+          value_of(start.polar_constant),
+          value_of(start.shear_constant),
+          value_of(start.u),
+          value_of(start.u_rate),
+          {value_of(start.m.x), value_of(start.m.y), value_of(start.m.z)},
+          {value_of(start.m_rate.x), value_of(start.m_rate.y), value_of(start.m_rate.z)},
+          value_of(start.energy)};
+}
+
 //! How much smaller than the tolerance local errors must stay: near the critical curve an error grows by 1 / distance.
 //!
 //! The distance is proportional to the clearance at the barrier, which is known before the first step.
@@ -36,16 +49,8 @@ template <class T>
 ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, ScalarOf<T> tolerance) {
   using Real = RealOf<T>;
   using S = ScalarOf<T>;
-  const RayStart<Real> plain = {value_of(start.axial_angular_momentum),
-                                value_of(start.polar_constant),
-                                value_of(start.shear_constant),
-                                value_of(start.u),
-                                value_of(start.u_rate),
-                                {value_of(start.m.x), value_of(start.m.y), value_of(start.m.z)},
-                                {value_of(start.m_rate.x), value_of(start.m_rate.y), value_of(start.m_rate.z)},
-                                value_of(start.energy)};
   const S horizon_r = S(1) + safe_sqrt(S(1) - spin * spin);
-  const Real height = absolute(radial_barrier(spin, horizon_r, plain).clearance);
+  const Real height = absolute(radial_barrier(spin, horizon_r, plain_start(start)).clearance);
   const Real wanted = tolerance * minimum(height, Real(S(1)));
   // Nothing is gained by asking for less than rounding leaves.
   return maximum(wanted, Real(S(0.25) * std::numeric_limits<S>::epsilon()));

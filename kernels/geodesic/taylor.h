@@ -188,7 +188,7 @@ ERGO_HD void assign_where(const MaskOf<Real>& mask, RayState<T>& to, const RaySt
   to.drag = select(mask, from.drag, to.drag);
 }
 
-//! The h in (0, within] at which a ray reaches infinity, u(h) = 0; exact to first order in the dual parts too.
+//! The h in (0, within] at which a ray reaches infinity, u(h) = 0; exact in the dual parts too.
 template <int Order, class T>
 ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& within) {
   using Real = RealOf<T>;
@@ -207,7 +207,12 @@ ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& wit
     const Real next = h - series_value(u, h) / series_rate(u, h);
     h = select((next > Real(S(0))) & (next < within), next, h);
   }
-  return T(h) - series_value(s.u, T(h)) / series_rate(s.u, T(h));
+  // One round of Newton's method on the dual number makes its first derivatives exact, a second round the mixed one.
+  T exact = T(h) - series_value(s.u, T(h)) / series_rate(s.u, T(h));
+  if constexpr (has_mixed_part<T>) {
+    exact = exact - series_value(s.u, exact) / series_rate(s.u, exact);
+  }
+  return exact;
 }
 }  // namespace detail
 

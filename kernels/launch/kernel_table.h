@@ -2,6 +2,8 @@
 
 #include "kernels/image/shade_pixels.h"
 #include "kernels/launch/instruction_set.h"
+#include "kernels/lens/grid_build.h"
+#include "kernels/lens/look_up.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -14,6 +16,12 @@ struct KernelTable {
   void (*trace_rays_float)(const RayBatch<float>& batch, int begin, int end);
   void (*trace_rays_double)(const RayBatch<double>& batch, int begin, int end);
   void (*trace_pixels)(const PixelBatch& batch, int begin, int end);
+  void (*trace_nodes_float)(const NodeBatch<float>& batch, int begin, int end);
+  void (*trace_nodes_double)(const NodeBatch<double>& batch, int begin, int end);
+  void (*check_cells_float)(const CheckBatch<float>& batch, int begin, int end);
+  void (*check_cells_double)(const CheckBatch<double>& batch, int begin, int end);
+  void (*look_up_pixels)(const LookUpBatch& batch, int begin, int end);
+  void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
   void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
 };
 

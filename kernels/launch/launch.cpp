@@ -9,10 +9,18 @@ namespace {
 
 //! Kernel indices a thread takes at a time: some tens of microseconds of work, so that uneven rays balance.
 constexpr int grain = 32;
+//! The same for the rays of a grid, which come by the hundred and cost more each.
+constexpr int grid_grain = 4;
 
 int index_count(int elements, int lanes) { return elements > 0 ? (elements - 1) / lanes + 1 : 0; }
 
 const KernelTable& active_table() { return kernel_table(active_instruction_set()); }
+
+//! Runs a CPU kernel over `elements`, `lanes` an index, on all threads.
+template <class Batch>
+void run_on_cpu(void (*kernel)(const Batch&, int, int), const Batch& batch, int elements, int lanes, int chunk = grain) {
+  parallel_for(index_count(elements, lanes), chunk, [&](int begin, int end) { kernel(batch, begin, end); });
+}
 
 }  // namespace
 
@@ -23,42 +31,74 @@ const char* cuda_unavailable_reason() {
 
 void trace_rays(Backend backend, const RayBatch<float>& batch) {
   if (backend == Backend::cuda) {
-    trace_rays_cuda(batch);
-    return;
+    return trace_rays_cuda(batch);
   }
-  const KernelTable& table = active_table();
-  parallel_for(index_count(batch.count, table.lanes_float), grain,
-               [&](int begin, int end) { table.trace_rays_float(batch, begin, end); });
+  run_on_cpu(active_table().trace_rays_float, batch, batch.count, active_table().lanes_float);
 }
 
 void trace_rays(Backend backend, const RayBatch<double>& batch) {
   if (backend == Backend::cuda) {
-    trace_rays_cuda(batch);
-    return;
+    return trace_rays_cuda(batch);
   }
-  const KernelTable& table = active_table();
-  parallel_for(index_count(batch.count, table.lanes_double), grain,
-               [&](int begin, int end) { table.trace_rays_double(batch, begin, end); });
+  run_on_cpu(active_table().trace_rays_double, batch, batch.count, active_table().lanes_double);
 }
 
 void trace_pixels(Backend backend, const PixelBatch& batch) {
   if (backend == Backend::cuda) {
-    trace_pixels_cuda(batch);
-    return;
+    return trace_pixels_cuda(batch);
   }
-  const KernelTable& table = active_table();
   const int pixels = batch.row_count * batch.projection.width_px;
-  parallel_for(index_count(pixels, table.lanes_float), grain,
-               [&](int begin, int end) { table.trace_pixels(batch, begin, end); });
+  run_on_cpu(active_table().trace_pixels, batch, pixels, active_table().lanes_float);
+}
+
+void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
+  if (backend == Backend::cuda) {
+    return trace_nodes_cuda(batch);
+  }
+  run_on_cpu(active_table().trace_nodes_float, batch, batch.count, active_table().lanes_float, grid_grain);
+}
+
+void trace_nodes(Backend backend, const NodeBatch<double>& batch) {
+  if (backend == Backend::cuda) {
+    return trace_nodes_cuda(batch);
+  }
+  run_on_cpu(active_table().trace_nodes_double, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
+void check_cells(Backend backend, const CheckBatch<float>& batch) {
+  if (backend == Backend::cuda) {
+    return check_cells_cuda(batch);
+  }
+  run_on_cpu(active_table().check_cells_float, batch, batch.count, active_table().lanes_float, grid_grain);
+}
+
+void check_cells(Backend backend, const CheckBatch<double>& batch) {
+  if (backend == Backend::cuda) {
+    return check_cells_cuda(batch);
+  }
+  run_on_cpu(active_table().check_cells_double, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
+void look_up_pixels(Backend backend, const LookUpBatch& batch) {
+  if (backend == Backend::cuda) {
+    return look_up_pixels_cuda(batch);
+  }
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  run_on_cpu(active_table().look_up_pixels, batch, pixels, active_table().lanes_float);
+}
+
+void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch) {
+  if (backend == Backend::cuda) {
+    return look_up_rays_cuda(batch);
+  }
+  run_on_cpu(active_table().look_up_rays, batch, batch.rays.count, active_table().lanes_double);
 }
 
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
   if (backend == Backend::cuda) {
-    shade_pixels_cuda(batch);
-    return;
+    return shade_pixels_cuda(batch);
   }
-  const KernelTable& table = active_table();
-  parallel_for(batch.count, 16 * grain, [&](int begin, int end) { table.shade_pixels(batch, begin, end); });
+  run_on_cpu(active_table().shade_pixels, batch, batch.count, 1, 16 * grain);
 }
 
 }  // namespace ergodome

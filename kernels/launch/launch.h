@@ -19,6 +19,20 @@ void trace_rays(Backend backend, const RayBatch<double>& batch);
 //! Traces the pixels of an image; see PixelBatch.
 void trace_pixels(Backend backend, const PixelBatch& batch);
 
+//! Traces nodes of a lens grid; see NodeBatch.
+void trace_nodes(Backend backend, const NodeBatch<float>& batch);
+void trace_nodes(Backend backend, const NodeBatch<double>& batch);
+
+//! Compares cells of a lens grid with traced rays; see CheckBatch.
+void check_cells(Backend backend, const CheckBatch<float>& batch);
+void check_cells(Backend backend, const CheckBatch<double>& batch);
+
+//! Reads the pixels of an image from a lens grid; see LookUpBatch.
+void look_up_pixels(Backend backend, const LookUpBatch& batch);
+
+//! Reads rays from a lens grid; see LookUpRaysBatch.
+void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch);
+
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 
 #include "kernels/image/shade_pixels.h"
+#include "kernels/lens/grid_build.h"
+#include "kernels/lens/look_up.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -14,6 +16,12 @@ const char* find_cuda_unavailable_reason();
 void trace_rays_cuda(const RayBatch<float>& batch);
 void trace_rays_cuda(const RayBatch<double>& batch);
 void trace_pixels_cuda(const PixelBatch& batch);
+void trace_nodes_cuda(const NodeBatch<float>& batch);
+void trace_nodes_cuda(const NodeBatch<double>& batch);
+void check_cells_cuda(const CheckBatch<float>& batch);
+void check_cells_cuda(const CheckBatch<double>& batch);
+void look_up_pixels_cuda(const LookUpBatch& batch);
+void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;

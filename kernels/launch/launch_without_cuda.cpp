@@ -17,6 +17,18 @@ void trace_rays_cuda(const RayBatch<double>&) { refuse(); }
 
 void trace_pixels_cuda(const PixelBatch&) { refuse(); }
 
+void trace_nodes_cuda(const NodeBatch<float>&) { refuse(); }
+
+void trace_nodes_cuda(const NodeBatch<double>&) { refuse(); }
+
+void check_cells_cuda(const CheckBatch<float>&) { refuse(); }
+
+void check_cells_cuda(const CheckBatch<double>&) { refuse(); }
+
+void look_up_pixels_cuda(const LookUpBatch&) { refuse(); }
+
+void look_up_rays_cuda(const LookUpRaysBatch<double>&) { refuse(); }
+
 void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
 void* allocate_cuda(std::size_t) { refuse(); }

@@ -1,6 +1,8 @@
 #include "kernels/core/host_device.h"
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
+#include "kernels/lens/grid_build_kernel.h"
+#include "kernels/lens/look_up_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -43,6 +45,12 @@ const KernelTable& own_kernel_table() {
       &trace_rays<WidePack<float>>,
       &trace_rays<WidePack<double>>,
       &run<TracePixels<WidePack<float>>, PixelBatch>,
+      &run<TraceNodes<WidePack<float>>, NodeBatch<float>>,
+      &run<TraceNodes<WidePack<double>>, NodeBatch<double>>,
+      &run<CheckCells<WidePack<float>>, CheckBatch<float>>,
+      &run<CheckCells<WidePack<double>>, CheckBatch<double>>,
+      &run<LookUpPixels<WidePack<float>>, LookUpBatch>,
+      &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &shade_pixels,
   };
   return table;

@@ -8,8 +8,6 @@ namespace ergodome {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-//! Points of the edge table: a cubic between them is good to 1e-7 rad even for the flattened shadow of a fast hole.
-constexpr int edge_points = 1024;
 //! Light that still circles after this many steps is closer to the critical curve than float can tell.
 constexpr int step_limit = 200;
 

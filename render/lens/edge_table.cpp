@@ -1,7 +1,6 @@
 #include "render/lens/edge_table.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/critical_curve.h"
@@ -16,18 +15,36 @@ Vector3<float> narrowed(const Vector3<double>& v) {
 
 }  // namespace
 
-EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {
+std::vector<float> solve_edge(const CameraStation& camera, const ShadowChart& chart, int count, bool mirrored) {
   constexpr double full_turn = 6.28318530717958647692;
   std::vector<float> polar_angle(static_cast<std::size_t>(count));
-  const ShadowChart chart = make_shadow_chart(camera);
-  parallel_for(count, 64, [&](int begin, int end) {
+  parallel_for(mirrored ? count / 2 + 1 : count, 64, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       polar_angle[static_cast<std::size_t>(i)] =
           static_cast<float>(edge_polar_angle(camera, chart, full_turn * i / count));
     }
   });
+  for (int i = count / 2 + 1; mirrored && i < count; ++i) {
+    polar_angle[static_cast<std::size_t>(i)] = polar_angle[static_cast<std::size_t>(count - i)];
+  }
+  return polar_angle;
+}
+
+EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_angle) {
   const auto [smallest, largest] = std::minmax_element(polar_angle.begin(), polar_angle.end());
-  curve_ = {narrowed(chart.centre), narrowed(chart.first), narrowed(chart.second), nullptr, count, *smallest, *largest};
+  return {narrowed(chart.centre),
+          narrowed(chart.first),
+          narrowed(chart.second),
+          polar_angle.data(),
+          static_cast<int>(polar_angle.size()),
+          *smallest,
+          *largest};
+}
+
+EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {
+  const ShadowChart chart = make_shadow_chart(camera);
+  const std::vector<float> polar_angle = solve_edge(camera, chart, count);
+  curve_ = edge_view(chart, polar_angle);
   polar_angle_ = Buffer<float>(backend, polar_angle);
 }
 

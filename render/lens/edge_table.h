@@ -1,15 +1,29 @@
 #pragma once
 
+#include <vector>
+
 #include "kernels/metric/camera_station.h"
 #include "kernels/shadow/edge_curve.h"
+#include "kernels/shadow/shadow_chart.h"
 #include "render/backend/buffer.h"
 
 namespace ergodome {
 
+//! Points of an edge table: a cubic between them is good to 1e-7 rad even for the flattened shadow of a fast hole.
+inline constexpr int edge_points = 1024;
+
+//! Solves the shadow's edge at `count` position angles about a chart's centre, in double, on all CPU threads [rad].
+//!
+//! `mirrored`: the edge at -γ is that at γ, and only half is solved.
+std::vector<float> solve_edge(const CameraStation& camera, const ShadowChart& chart, int count, bool mirrored = false);
+
+//! The edge as kernels on the host read it; it points into `polar_angle`, which must not be empty.
+EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_angle);
+
 //! Owns the shadow's edge of one camera as a table.
 class EdgeTable {
  public:
-  //! Solves the edge at `count` position angles, in double, on all CPU threads, and puts it where the backend's kernels read it.
+  //! Solves the edge at `count` position angles and puts it where the backend's kernels read it.
   EdgeTable(Backend backend, const CameraStation& camera, int count);
 
   //! The table as kernels read it; `polar_angle` points into this object.

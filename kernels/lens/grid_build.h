@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/geodesic/integration_settings.h"
+#include "kernels/lens/lens_grid.h"
+#include "kernels/metric/camera_station.h"
+#include "kernels/metric/frame_boost.h"
+
+namespace ergodome {
+
+//! What the kernels that trace a grid's rays share: the camera in the rain frame at φ = 0, and the chart.
+template <class S>
+struct GridCamera {
+  CameraStationOf<S> rain;
+  LensChart chart;
+  IntegrationSettings settings;
+};
+
+//! Nodes of a grid to trace. A node's first pad is 1 when its ray came from the sky and converged, else 0.
+template <class S>
+struct NodeBatch {
+  GridCamera<S> camera;
+  int count;
+  const float* gamma_turns;
+  const float* s;
+  float* nodes;  //!< floats_a_node each
+};
+
+//! A cell that is to be checked: its four nodes, its place and extent.
+struct GridCell {
+  int corners[4];
+  float gamma_turns;
+  float s;
+  float width_turns;
+  float height;
+};
+
+//! Points at which a cell is checked: its middle, and the middles of its sides at s0, s1, γ0, γ1.
+inline constexpr int checks_a_cell = 5;
+
+//! Cells to check by traced rays: kernel index i stands for check i % checks_a_cell of cell i / checks_a_cell.
+template <class S>
+struct CheckBatch {
+  GridCamera<S> camera;
+  AberrationOf<S> observer;  //!< whose screen counts
+  S pixel;                   //!< angle of a pixel on that screen [rad]
+  int count;                 //!< checks: checks_a_cell a cell
+  const GridCell* cells;
+  const float* nodes;
+  float* error_px;  //!< displacement on the screen that a viewer sees; huge where a corner or the check has no sky
+  float* area_px;   //!< the cell's area on the screen, by the stretch at the check [px²]
+};
+
+}  // namespace ergodome

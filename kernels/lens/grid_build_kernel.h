@@ -1,0 +1,156 @@
+#pragma once
+
+#include "kernels/core/lanes.h"
+#include "kernels/geodesic/taylor.h"
+#include "kernels/lens/grid_build.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+//! Order of the Taylor series: double is chosen for fine budgets, float for live grids.
+template <class T>
+inline constexpr int grid_order = sizeof(ScalarOf<T>) == 4 ? 10 : 16;
+
+//! Follows a ray of the rain frame to the sky, if it comes from there.
+template <class T>
+ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>>& camera, const Vector3<T>& n,
+                            MaskOf<RealOf<T>>& reached) {
+  using Real = RealOf<T>;
+  const CameraStationOf<ScalarOf<T>>& rain = camera.rain;
+  const RayStart<T> start = start_ray(rain, n);
+  const auto bright = comes_from_sky(rain.spin, rain.horizon_r, plain_start(start));
+  Real steps(ScalarOf<T>(0));
+  return trace_taylor<grid_order<T>>(rain.spin, start, bright, camera.settings, steps, reached).sky;
+}
+}  // namespace detail
+
+//! Traces the nodes of a batch with their derivatives; index i stands for the nodes i * lanes, i * lanes + 1, ...
+template <class T>
+struct TraceNodes {
+  using S = ScalarOf<T>;
+  using M = MixedDual<T>;
+  NodeBatch<S> batch;
+
+  ERGO_HD void operator()(int index) const {
+    constexpr int lanes = RealTraits<T>::lane_count;
+    const int first = index * lanes;
+    T gamma_turns;
+    T s;
+    for (int i = 0; i < lanes; ++i) {
+      const int node = first + i < batch.count ? first + i : batch.count - 1;
+      set_lane(gamma_turns, i, S(batch.gamma_turns[node]));
+      set_lane(s, i, S(batch.s[node]));
+    }
+    const ChartStretch<T> stretch = chart_stretch(batch.camera.chart, gamma_turns, s);
+    MaskOf<T> reached;
+    const Vector3<M> sky =
+        detail::grid_sky(batch.camera, chart_direction_at(batch.camera.chart, gamma_turns, stretch.alpha), reached);
+    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
+      float* node = batch.nodes + floats_a_node * (first + i);
+      const bool good = mask_lane(reached, i);
+      store(node, sky, &M::value, i, good);
+      store(node + 4, sky, &M::along_x, i, good);
+      store(node + 8, sky, &M::along_y, i, good);
+      store(node + 12, sky, &M::mixed, i, good);
+      node[3] = good ? 1.0F : 0.0F;
+    }
+  }
+
+ private:
+  ERGO_HD static void store(float* to, const Vector3<M>& v, T M::*part, int i, bool good) {
+    to[0] = good ? static_cast<float>(lane(v.x.*part, i)) : 0.0F;
+    to[1] = good ? static_cast<float>(lane(v.y.*part, i)) : 0.0F;
+    to[2] = good ? static_cast<float>(lane(v.z.*part, i)) : 0.0F;
+    to[3] = 0.0F;
+  }
+};
+
+//! Compares cells with traced rays.
+//!
+//! The error is what a viewer sees: with the traced sky's Jacobian J [per radian on the screen], the least displacement δ of the
+//! camera direction for which J δ = read sky - traced sky.
+template <class T>
+struct CheckCells {
+  using S = ScalarOf<T>;
+  using D = Dual<T>;
+  CheckBatch<S> batch;
+
+  ERGO_HD void operator()(int index) const {
+    constexpr int lanes = RealTraits<T>::lane_count;
+    const int first = index * lanes;
+    T gamma_turns;
+    T s;
+    Vector3<T> read;
+    T good;
+    T extent;
+    for (int i = 0; i < lanes; ++i) {
+      const int check = first + i < batch.count ? first + i : batch.count - 1;
+      read_cell(check, i, gamma_turns, s, read, good, extent);
+    }
+    const LensChart& chart = batch.camera.chart;
+    const ChartStretch<T> stretch = chart_stretch(chart, gamma_turns, s);
+    const Vector3<MixedDual<T>> n = chart_direction_at(chart, gamma_turns, stretch.alpha);
+    const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
+    // Along s the direction moves along α: a unit tangent, and the one across it.
+    const T inverse = S(1) / stretch.alpha.along_y;
+    const Vector3<T> tangent = {n.x.along_y * inverse, n.y.along_y * inverse, n.z.along_y * inverse};
+    const Vector3<T> across = cross(direction, tangent);
+    MaskOf<T> reached;
+    const Vector3<D> sky = detail::grid_sky(
+        batch.camera,
+        Vector3<D>{D(direction.x, tangent.x, across.x), D(direction.y, tangent.y, across.y),
+                   D(direction.z, tangent.z, across.z)},
+        reached);
+    const T scale = observed_scale(batch.observer, direction) * (S(1) / batch.pixel);
+    const T error = displacement(sky, read) * scale;
+    const auto known = reached & (good > T(S(0.999))) & (error < T(S(1e30)));
+    const T shown = select(known, error, T(S(1e30)));
+    T sine;
+    T cosine;
+    sine_cosine(stretch.alpha.value, sine, cosine);
+    const T area = absolute(sine) * absolute(stretch.alpha.along_y) * extent * scale * scale;
+    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
+      batch.error_px[first + i] = static_cast<float>(lane(shown, i));
+      batch.area_px[first + i] = static_cast<float>(lane(area, i));
+    }
+  }
+
+ private:
+  ERGO_HD void read_cell(int check, int i, T& gamma_turns, T& s, Vector3<T>& read, T& good, T& extent) const {
+    const GridCell& cell = batch.cells[check / checks_a_cell];
+    const int which = check % checks_a_cell;
+    const float u = which == 3 ? 0.0F : (which == 4 ? 1.0F : 0.5F);
+    const float v = which == 1 ? 0.0F : (which == 2 ? 1.0F : 0.5F);
+    set_lane(gamma_turns, i, S(cell.gamma_turns + u * cell.width_turns));
+    set_lane(s, i, S(cell.s + v * cell.height));
+    const PatchValue value = patch_value(batch.nodes, cell.corners, u, v, cell.width_turns, cell.height);
+    const float inverse =
+        1.0F / ::sqrtf(value.sky[0] * value.sky[0] + value.sky[1] * value.sky[1] + value.sky[2] * value.sky[2]);
+    set_lane(read.x, i, S(value.sky[0] * inverse));
+    set_lane(read.y, i, S(value.sky[1] * inverse));
+    set_lane(read.z, i, S(value.sky[2] * inverse));
+    // The weights of the four corners sum to 1: less means that one of them has no sky.
+    set_lane(good, i, S(value.sky[3]));
+    set_lane(extent, i, S(6.28318530717958647692) * S(cell.width_turns) * S(cell.height));
+  }
+
+  //! The least δ with J δ = read - traced, by the normal equations; its length [rad].
+  ERGO_HD static T displacement(const Vector3<D>& sky, const Vector3<T>& read) {
+    const Vector3<T> miss = {read.x - sky.x.value, read.y - sky.y.value, read.z - sky.z.value};
+    const Vector3<T> j1 = {sky.x.along_x, sky.y.along_x, sky.z.along_x};
+    const Vector3<T> j2 = {sky.x.along_y, sky.y.along_y, sky.z.along_y};
+    const T a = dot(j1, j1);
+    const T b = dot(j1, j2);
+    const T c = dot(j2, j2);
+    const T p = dot(j1, miss);
+    const T q = dot(j2, miss);
+    // |j1 x j2|² keeps the digits that a c - b² loses when J is long and thin.
+    const Vector3<T> normal = cross(j1, j2);
+    const T inverse = S(1) / (dot(normal, normal) + T(S(1e-30)));
+    const T x = (c * p - b * q) * inverse;
+    const T y = (a * q - b * p) * inverse;
+    return sqrt(x * x + y * y);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

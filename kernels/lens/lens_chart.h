@@ -1,0 +1,126 @@
+#pragma once
+
+#include "kernels/core/dual.h"
+#include "kernels/core/mixed_dual.h"
+#include "kernels/core/transcendental.h"
+#include "kernels/shadow/edge_curve.h"
+
+namespace ergodome {
+
+//! The conforming chart of a camera's sky, in the rain frame: position angle γ about the shadow's centre, and s in [0, 1].
+//!
+//! With x the fraction of the way from the shadow's edge to the far pole of the chart, s = 1 + ln x / range: the edge is the line
+//! s -> -infinity, the sky winds uniformly in s near it, s = 1 is the far pole, and s = 0 the cut-off. γ is counted in turns.
+struct LensChart {
+  EdgeCurve edge;
+  float range;  //!< ln of x between the cut-off and the far pole
+  int mirrored;  //!< 1: the sky at -γ is the sky at γ, mirrored in the equator; the grid holds γ >= 0 alone
+};
+
+//! Where a direction lies in the chart.
+template <class T>
+struct ChartPlace {
+  T gamma_turns;    //!< in [0, 1), or [0, ½] when mirrored
+  T s;              //!< at most 1; below 0 beyond the cut-off
+  T edge_distance;  //!< angle from the shadow's edge along the circle through the chart's centre; negative in the shadow [rad]
+  RealOf<T> mirror;  //!< -1 where the sky has to be mirrored, else 1
+};
+
+inline namespace ERGO_TARGET {
+
+//! edge_at() for any real type and its lanes: α and dα/dγ at a position angle.
+template <class T>
+ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slope) {
+  using S = ScalarOf<T>;
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    float value = 0.0F;
+    float rate = 0.0F;
+    edge_at(edge, static_cast<float>(lane(gamma, i)), value, rate);
+    set_lane(alpha, i, S(value));
+    set_lane(slope, i, S(rate));
+  }
+}
+
+//! Place of a unit direction of the rain frame.
+template <class T>
+ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Dual<T>>& n) {
+  using S = ScalarOf<T>;
+  using D = Dual<T>;
+  const EdgeCurve& edge = chart.edge;
+  const auto along = [&](const Vector3<float>& axis) { return n.x * S(axis.x) + n.y * S(axis.y) + n.z * S(axis.z); };
+  const D c = along(edge.centre);
+  const D p = along(edge.first);
+  const D q = along(edge.second);
+  // At the chart's poles γ means nothing; a square of the sine that is not quite 0 keeps its derivative a number.
+  const D square = p * p + q * q + D(T(S(1e-30)));
+  const D sine = sqrt(square);
+  const T inverse_square = S(1) / square.value;
+  const auto turned = [&](const T& dp, const T& dq) { return (p.value * dq - q.value * dp) * inverse_square; };
+  const D gamma = {arc_tangent(q.value, p.value), turned(p.along_x, q.along_x), turned(p.along_y, q.along_y)};
+  const auto opened = [&](const T& ds, const T& dc) { return c.value * ds - sine.value * dc; };
+  const D alpha = {arc_tangent(sine.value, c.value), opened(sine.along_x, c.along_x), opened(sine.along_y, c.along_y)};
+  T edge_value;
+  T slope;
+  edge_lanes(edge, gamma.value, edge_value, slope);
+  const D edge_alpha = {edge_value, slope * gamma.along_x, slope * gamma.along_y};
+  const D distance = alpha - edge_alpha;
+  const D fraction = distance / (T(S(3.14159265358979323846)) - edge_alpha);
+  const T x = maximum(fraction.value, T(S(1e-30)));
+  const T inverse_x = S(1) / (x * S(chart.range));
+  const D s = {S(1) + natural_logarithm(x) * (S(1) / S(chart.range)), fraction.along_x * inverse_x,
+               fraction.along_y * inverse_x};
+  const T one(S(1));
+  const D turns = gamma * S(0.159154943091895335769);
+  const auto negative = turns.value < T(S(0));
+  if (chart.mirrored != 0) {
+    return {select(negative, -turns, turns), s, distance, select(negative, -one, one)};
+  }
+  return {select(negative, turns + one, turns), s, distance, one};
+}
+
+//! The chart's stretch at a place: α with its derivatives along γ [turns] and s.
+template <class T>
+struct ChartStretch {
+  MixedDual<T> alpha;
+  T fraction;    //!< x
+  T edge_alpha;  //!< α of the shadow's edge
+};
+
+template <class T>
+ERGO_HD ChartStretch<T> chart_stretch(const LensChart& chart, const T& gamma_turns, const T& s) {
+  using S = ScalarOf<T>;
+  constexpr S turn = S(6.28318530717958647692);
+  const S range = S(chart.range);
+  T edge_alpha;
+  T slope;
+  edge_lanes(chart.edge, gamma_turns * turn, edge_alpha, slope);
+  slope = slope * turn;
+  const T x = exponential((s - S(1)) * range);
+  const T rest = S(3.14159265358979323846) - edge_alpha;
+  return {{edge_alpha + rest * x, slope * (S(1) - x), rest * x * range, -(slope * x * range)}, x, edge_alpha};
+}
+
+//! The rain-frame direction at (γ, s) [turns, -], with its derivatives along both: unit length.
+template <class T>
+ERGO_HD Vector3<MixedDual<T>> chart_direction_at(const LensChart& chart, const T& gamma_turns,
+                                                 const MixedDual<T>& alpha) {
+  using S = ScalarOf<T>;
+  using M = MixedDual<T>;
+  constexpr S turn = S(6.28318530717958647692);
+  const T zero(S(0));
+  M sine_alpha;
+  M cosine_alpha;
+  M sine_gamma;
+  M cosine_gamma;
+  sine_cosine(alpha, sine_alpha, cosine_alpha);
+  sine_cosine(M(gamma_turns * turn, T(turn), zero, zero), sine_gamma, cosine_gamma);
+  const M first = sine_alpha * cosine_gamma;
+  const M second = sine_alpha * sine_gamma;
+  const EdgeCurve& e = chart.edge;
+  const auto component = [&](float c, float f, float h) { return cosine_alpha * S(c) + first * S(f) + second * S(h); };
+  return {component(e.centre.x, e.first.x, e.second.x), component(e.centre.y, e.first.y, e.second.y),
+          component(e.centre.z, e.first.z, e.second.z)};
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "kernels/geodesic/taylor.h"
+#include "kernels/lens/look_up.h"
+#include "kernels/trace/pixel_geometry.h"
+#include "kernels/trace/trace_pixels_kernel.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Reads the pixels of a batch from a lens grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block.
+template <class T>
+struct LookUpPixels {
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+
+  LookUpBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const PixelBatch& pixels = batch.pixels;
+    const int first = index * RealTraits<T>::lane_count;
+    const T one(S(1));
+    const T zero(S(0));
+    T x_px;
+    T y_px;
+    pixel_middles(pixels, first, x_px, y_px);
+    const T inside = image_coverage(pixels.projection, x_px, y_px);
+    Vector3<D> n = observed_direction(pixels, x_px, y_px);
+    Vector3<D> in_rain = rain_direction(batch.aberration, n);
+    ChartPlace<D> place = chart_place(batch.grid.chart, in_rain);
+    T sky_lit = select(place.edge_distance.value > zero, one, zero);
+    if (cover_lanes(batch.grid.chart.edge, in_rain, near_edge(in_rain, place), x_px, y_px, sky_lit)) {
+      n = observed_direction(pixels, x_px, y_px);
+      in_rain = rain_direction(batch.aberration, n);
+      place = chart_place(batch.grid.chart, in_rain);
+    }
+    const T lit = sky_lit * inside;
+    const auto wanted = lit > zero;
+    GridSky<T> read = read_grid(batch.grid, place);
+    T steps = zero;
+    T estimate = zero;
+    const auto traced = wanted & read.flagged;
+    if (any(traced)) {
+      trace(n, traced, read.sky, steps, estimate);
+    }
+    store(first, n, read.sky, lit, wanted, steps, estimate);
+  }
+
+ private:
+  //! Lanes within two pixels of the edge, or of a shadow smaller than that.
+  ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPlace<D>& place) const {
+    const T square = maximum(n.x.along_x * n.x.along_x + n.y.along_x * n.y.along_x + n.z.along_x * n.z.along_x,
+                             n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);
+    const T d = place.edge_distance.value;
+    return d * d < square * S(9);
+  }
+
+  //! Lanes that did not come to an end keep what the grid has, which is all that float can tell.
+  ERGO_HD void trace(const Vector3<D>& n, const MaskOf<T>& traced, Vector3<D>& sky, T& steps, T& estimate) const {
+    const PixelBatch& pixels = batch.pixels;
+    const RayStart<D> start = start_ray(pixels.camera, n);
+    const auto bright = traced & comes_from_sky(pixels.camera.spin, pixels.camera.horizon_r, plain_start(start));
+    MaskOf<T> reached = bright;
+    const RayEnd<D> end = trace_taylor<picture_order>(pixels.camera.spin, start, bright, pixels.settings, steps, reached);
+    sky = {select(reached, end.sky.x, sky.x), select(reached, end.sky.y, sky.y), select(reached, end.sky.z, sky.z)};
+    estimate = select(reached, end.error_estimate.value, estimate);
+  }
+
+  ERGO_HD void store(int first, const Vector3<D>& n, const Vector3<D>& sky, const T& lit, const MaskOf<T>& wanted,
+                     const T& steps, const T& estimate) const {
+    const LensPixels& out = batch.pixels.out;
+    const int count = pixel_count(batch.pixels);
+    store_sky(batch.pixels, first, sky, wanted);
+    store_lanes(out.coverage, first, count, lit);
+    store_lanes(out.steps, first, count, steps);
+    store_lanes(out.error_estimate, first, count, estimate);
+    if (out.frequency_ratio != nullptr) {
+      const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
+      store_lanes(out.frequency_ratio, first, count, S(1) / detail::evaluate(batch.pixels.camera.energy, direction));
+    }
+  }
+};
+
+//! Reads rays from a lens grid; index i stands for the rays i * lanes, i * lanes + 1, ...
+template <class T>
+struct LookUpRays {
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+
+  LookUpRaysBatch<S> batch;
+
+  ERGO_HD void operator()(int index) const {
+    const RayBatch<S>& rays = batch.rays;
+    const int first = index * RealTraits<T>::lane_count;
+    const int count = rays.count;
+    const T zero(S(0));
+    const Vector3<T> n = {load_lanes<T>(rays.direction[0], first, count), load_lanes<T>(rays.direction[1], first, count),
+                          load_lanes<T>(rays.direction[2], first, count)};
+    const Vector3<T> in_rain = rain_direction(batch.aberration, n);
+    const ChartPlace<D> place = chart_place(batch.grid.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
+    const GridSky<T> read = read_grid(batch.grid, place);
+    const RayStart<T> start = start_ray(rays.camera, n);
+    const auto bright = comes_from_sky(rays.camera.spin, rays.camera.horizon_r, start);
+    const auto traced = bright & read.flagged;
+    T steps = zero;
+    MaskOf<T> reached = traced;
+    RayEnd<T> end = {{zero, zero, zero}, zero, zero};
+    if (any(traced)) {
+      end = trace_taylor<picture_order>(rays.camera.spin, start, traced, rays.settings, steps, reached);
+    }
+    const Vector3<T> sky = turned_to_camera(
+        rays.camera, Vector3<T>{select(reached, end.sky.x, read.sky.x.value), select(reached, end.sky.y, read.sky.y.value),
+                                select(reached, end.sky.z, read.sky.z.value)});
+    store_lanes(rays.sky[0], first, count, select(bright, sky.x, zero));
+    store_lanes(rays.sky[1], first, count, select(bright, sky.y, zero));
+    store_lanes(rays.sky[2], first, count, select(bright, sky.z, zero));
+    store_lanes(rays.frequency_ratio, first, count, S(1) / start.energy);
+    const T escaped(S(static_cast<int>(RayStatus::escaped)));
+    const T captured(S(static_cast<int>(RayStatus::captured)));
+    store_lanes(rays.status, first, count, select(bright, escaped, captured));
+    store_lanes(rays.steps, first, count, steps);
+    store_lanes(rays.error_estimate, first, count, end.error_estimate);
+    store_lanes(rays.mino_time, first, count, end.mino_time);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

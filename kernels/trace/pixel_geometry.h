@@ -1,0 +1,85 @@
+#pragma once
+
+#include "kernels/core/dual.h"
+#include "kernels/core/lanes.h"
+#include "kernels/shadow/pixel_coverage.h"
+#include "kernels/trace/trace_pixels.h"
+
+// What the kernels that fill LensPixels share, be their light traced or read from a grid.
+namespace ergodome::inline ERGO_TARGET {
+
+//! Number of pixels in a block.
+ERGO_HD int pixel_count(const PixelBatch& batch) { return batch.row_count * batch.projection.width_px; }
+
+//! Image coordinates of the middles of the pixels first, first + 1, ... of a block [px].
+template <class T>
+ERGO_HD void pixel_middles(const PixelBatch& batch, int first, T& x_px, T& y_px) {
+  using S = ScalarOf<T>;
+  const int count = pixel_count(batch);
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    const int pixel = first + i < count ? first + i : count - 1;
+    const int row = pixel / batch.projection.width_px;
+    set_lane(x_px, i, static_cast<S>(pixel - row * batch.projection.width_px) + S(0.5));
+    set_lane(y_px, i, static_cast<S>(row + batch.first_row) + S(0.5));
+  }
+}
+
+//! The observer's direction of a place in the image, with its derivatives per pixel.
+template <class T>
+ERGO_HD Vector3<Dual<T>> observed_direction(const PixelBatch& batch, const T& x_px, const T& y_px) {
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+  const T one(S(1));
+  const T zero(S(0));
+  const Vector3<D> view = direction_from_pixel(batch.projection, D(x_px, one, zero), D(y_px, zero, one));
+  const auto row = [&](int i) {
+    const float* m = batch.frame_from_view[i];
+    return view.x * m[0] + view.y * m[1] + view.z * m[2];
+  };
+  return {row(0), row(1), row(2)};
+}
+
+//! Gives the lanes of `near_edge` their coverage, and moves their place into the lit part of the pixel. `n` is the direction in the
+//! frame of the edge. Tells whether any place moved.
+template <class T>
+ERGO_HD bool cover_lanes(const EdgeCurve& edge, const Vector3<Dual<T>>& n, const MaskOf<T>& near_edge, T& x_px, T& y_px,
+                         T& lit) {
+  using D = Dual<T>;
+  const auto lane_of = [&](int i, T D::*part) {
+    return Vector3<float>{lane(n.x.*part, i), lane(n.y.*part, i), lane(n.z.*part, i)};
+  };
+  bool shifted = false;
+  if (any(near_edge)) {
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (mask_lane(near_edge, i)) {
+        const PixelCoverage cover =
+            cover_pixel(edge, lane_of(i, &D::value), lane_of(i, &D::along_x), lane_of(i, &D::along_y));
+        set_lane(lit, i, cover.lit);
+        set_lane(x_px, i, lane(x_px, i) + cover.shift_x);
+        set_lane(y_px, i, lane(y_px, i) + cover.shift_y);
+        shifted = shifted || cover.shift_x != 0.0F || cover.shift_y != 0.0F;
+      }
+    }
+  }
+  return shifted;
+}
+
+//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky.
+template <class T>
+ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<Dual<T>>& sky, const MaskOf<T>& valid) {
+  using S = ScalarOf<T>;
+  const int count = pixel_count(batch);
+  const auto store = [&](const Vector3<T>& v, S otherwise, float* const(&to)[3]) {
+    const Vector3<T> turned = turned_to_camera(batch.camera, v);
+    const T other(otherwise);
+    store_lanes(to[0], first, count, select(valid, turned.x, other));
+    store_lanes(to[1], first, count, select(valid, turned.y, other));
+    store_lanes(to[2], first, count, select(valid, turned.z, other));
+  };
+  constexpr S wide = S(1e3);
+  store({sky.x.value, sky.y.value, sky.z.value}, S(0.57735027), batch.out.sky);
+  store({sky.x.along_x, sky.y.along_x, sky.z.along_x}, wide, batch.out.sky_along_x);
+  store({sky.x.along_y, sky.y.along_y, sky.z.along_y}, wide, batch.out.sky_along_y);
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

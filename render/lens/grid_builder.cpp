@@ -1,0 +1,223 @@
+#include "render/lens/grid_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "kernels/launch/launch.h"
+#include "kernels/shadow/critical_curve.h"
+#include "render/lens/edge_table.h"
+#include "render/lens/hanging_nodes.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int root_columns = 16;
+constexpr int root_rows = 8;
+constexpr int deepest_a_side = 10;
+//! Errors are sampled; the worst between the samples is about a quarter larger.
+constexpr double safety = 0.8;
+constexpr int step_limit = 400;
+
+//! A cell on its way: its place in units of the finest cells, and its slot in the tree.
+struct OpenCell {
+  CellBox box;
+  int slot;
+  std::array<int, 4> corners;
+};
+
+//! Distance from the shadow's edge below which every direction shows the same sky: half the budget, in the rain frame.
+double cut_off(const GridSettings& settings, const ShadowChart& chart, const std::vector<float>& edge) {
+  double largest_scale = 0.0;
+  for (std::size_t i = 0; i < edge.size(); i += edge.size() / 32) {
+    const double gamma = 2.0 * pi * static_cast<double>(i) / static_cast<double>(edge.size());
+    const double alpha = static_cast<double>(edge[i]);
+    const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+    largest_scale = std::max(largest_scale, observed_scale(settings.observer, n));
+  }
+  // Float holds directions to some 1e-7 rad.
+  return std::max(0.5 * settings.budget_px * settings.pixel / largest_scale, 3e-7);
+}
+
+template <class S>
+class GridBuilder {
+ public:
+  GridBuilder(LensStation& station, const GridSettings& settings)
+      : station_(station),
+        settings_(settings),
+        camera_(make_camera(station, settings)),
+        observer_(converted_aberration<S>(settings.observer)) {}
+
+  GridStatistics build() {
+    std::vector<OpenCell> open = root_cells();
+    while (!open.empty()) {
+      place_corners(open);
+      check(open);
+      open = decide(open);
+    }
+    mend_hanging_nodes(station_, nodes_.index_by_place, boxes_);
+    statistics_.nodes = static_cast<int>(station_.node_count());
+    statistics_.leaves = static_cast<int>(station_.leaf_count());
+    return statistics_;
+  }
+
+ private:
+  static GridCamera<S> make_camera(const LensStation& station, const GridSettings& settings) {
+    const CameraStation rain =
+        make_camera_station(station.spin, station.r, station.theta, 0.0, ObserverMotion::rain);
+    const double tolerance = 0.05 * settings.budget_px * settings.pixel;
+    return {converted_station<S>(rain), grid_view(station).chart,
+            {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit}};
+  }
+
+  std::vector<OpenCell> root_cells() {
+    station_.columns = station_.mirrored ? root_columns / 2 : root_columns;
+    station_.rows = root_rows;
+    std::vector<OpenCell> open;
+    for (int row = 0; row < station_.rows; ++row) {
+      for (int column = 0; column < station_.columns; ++column) {
+        const CellBox box = {column * finest_a_root, row * finest_a_root, finest_a_root, finest_a_root};
+        open.push_back({box, static_cast<int>(station_.tree.size()), {}});
+        station_.tree.push_back(0);
+      }
+    }
+    return open;
+  }
+
+  [[nodiscard]] float gamma_turns(int place) const {
+    const int columns = station_.mirrored ? 2 * station_.columns : station_.columns;
+    return static_cast<float>(place) / static_cast<float>(columns * finest_a_root);
+  }
+
+  [[nodiscard]] float s_of(int place) const {
+    return static_cast<float>(place) / static_cast<float>(station_.rows * finest_a_root);
+  }
+
+  //! Finds or makes the nodes of new cells, and traces the new ones.
+  void place_corners(std::vector<OpenCell>& open) {
+    const auto first = static_cast<int>(station_.node_count());
+    std::vector<float> gamma;
+    std::vector<float> s;
+    for (OpenCell& cell : open) {
+      for (int corner = 0; corner < 4; ++corner) {
+        const NodePlace place = corner_place(station_, cell.box, corner);
+        const auto [found, fresh] =
+            nodes_.index_by_place.try_emplace(place.key(), first + static_cast<int>(gamma.size()));
+        if (fresh) {
+          gamma.push_back(gamma_turns(place.gamma));
+          s.push_back(s_of(place.s));
+        }
+        cell.corners[static_cast<std::size_t>(corner)] = found->second;
+      }
+    }
+    station_.nodes.resize(station_.nodes.size() + floats_a_node * gamma.size());
+    trace_nodes(Backend::cpu,
+                NodeBatch<S>{camera_, static_cast<int>(gamma.size()), gamma.data(), s.data(),
+                             station_.nodes.data() + floats_a_node * static_cast<std::size_t>(first)});
+    statistics_.traced_nodes += static_cast<long>(gamma.size());
+  }
+
+  void check(const std::vector<OpenCell>& open) {
+    std::vector<GridCell> cells;
+    cells.reserve(open.size());
+    for (const OpenCell& cell : open) {
+      const auto& c = cell.corners;
+      cells.push_back({{c[0], c[1], c[2], c[3]},
+                       gamma_turns(cell.box.gamma),
+                       s_of(cell.box.s),
+                       gamma_turns(cell.box.width),
+                       s_of(cell.box.height)});
+    }
+    const std::size_t checks = checks_a_cell * cells.size();
+    error_px_.resize(checks);
+    area_px_.resize(checks);
+    check_cells(Backend::cpu, CheckBatch<S>{camera_, observer_, static_cast<S>(settings_.pixel), static_cast<int>(checks),
+                                            cells.data(), station_.nodes.data(), error_px_.data(), area_px_.data()});
+    statistics_.traced_checks += static_cast<long>(checks);
+  }
+
+  //! Makes leaves of what is good or cannot be made good, and splits the rest.
+  std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
+    const auto limit = static_cast<float>(safety * settings_.budget_px);
+    const bool full = static_cast<int>(station_.node_count()) >= settings_.most_nodes;
+    std::vector<OpenCell> next;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const float* e = error_px_.data() + checks_a_cell * i;
+      const float across_gamma = std::max(e[1], e[2]);
+      const float across_s = std::max(e[3], e[4]);
+      const float worst = std::max({e[0], across_gamma, across_s});
+      const float area = area_px_[checks_a_cell * i];
+      const CellBox& box = open[i].box;
+      const bool may_split_gamma = box.width > finest_a_root >> deepest_a_side;
+      const bool may_split_s = box.height > finest_a_root >> deepest_a_side;
+      if (worst <= limit || full || area < settings_.least_area_px || !(may_split_gamma || may_split_s)) {
+        make_leaf(open[i], worst, worst > limit, area);
+      } else {
+        split(open[i], may_split_gamma && (across_gamma >= across_s || !may_split_s) ? 0 : 1, next);
+      }
+    }
+    return next;
+  }
+
+  void make_leaf(const OpenCell& cell, float error_px, bool flagged, float area_px) {
+    const auto leaf = static_cast<int>(station_.leaf_count());
+    station_.leaves.insert(station_.leaves.end(), cell.corners.begin(), cell.corners.end());
+    station_.leaf_error_px.push_back(error_px);
+    boxes_.push_back(cell.box);
+    station_.tree[static_cast<std::size_t>(cell.slot)] = -1 - (2 * leaf + (flagged ? 1 : 0));
+    statistics_.flagged_leaves += flagged ? 1 : 0;
+    statistics_.flagged_px += flagged ? static_cast<double>(area_px) * (station_.mirrored ? 2.0 : 1.0) : 0.0;
+  }
+
+  void split(const OpenCell& cell, int axis, std::vector<OpenCell>& next) {
+    const auto children = static_cast<int>(station_.tree.size());
+    station_.tree[static_cast<std::size_t>(cell.slot)] = 2 * children + axis;
+    station_.tree.insert(station_.tree.end(), 2, 0);
+    CellBox box = cell.box;
+    (axis == 0 ? box.width : box.height) /= 2;
+    next.push_back({box, children, {}});
+    (axis == 0 ? box.gamma : box.s) += axis == 0 ? box.width : box.height;
+    next.push_back({box, children + 1, {}});
+  }
+
+  LensStation& station_;
+  const GridSettings& settings_;
+  GridCamera<S> camera_;
+  AberrationOf<S> observer_;
+  NodeIndex nodes_;
+  std::vector<CellBox> boxes_;
+  std::vector<float> error_px_;
+  std::vector<float> area_px_;
+  GridStatistics statistics_;
+};
+
+}  // namespace
+
+LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
+                               GridStatistics* statistics) {
+  LensStation station;
+  station.spin = spin;
+  station.r = r;
+  station.theta = theta;
+  station.mirrored = std::abs(theta - 0.5 * pi) < 1e-9;
+  const CameraStation rain = make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain);
+  const ShadowChart chart = make_shadow_chart(rain);
+  station.edge = solve_edge(rain, chart, edge_points, station.mirrored);
+  const EdgeCurve edge = edge_view(chart, station.edge);
+  station.centre = edge.centre;
+  station.first = edge.first;
+  station.second = edge.second;
+  station.range = static_cast<float>(std::log((pi - static_cast<double>(edge.smallest)) /
+                                              cut_off(settings, chart, station.edge)));
+  const GridStatistics done = settings.fine ? GridBuilder<double>(station, settings).build()
+                                            : GridBuilder<float>(station, settings).build();
+  if (statistics != nullptr) {
+    *statistics = done;
+  }
+  return station;
+}
+
+}  // namespace ergodome

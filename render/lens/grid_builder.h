@@ -1,0 +1,37 @@
+#pragma once
+
+#include "content/lens_station.h"
+#include "kernels/metric/frame_boost.h"
+
+namespace ergodome {
+
+//! What a lens grid is built for.
+struct GridSettings {
+  double pixel = 7.67e-4;   //!< angle of a pixel on the screen [rad]
+  double budget_px = 0.1;   //!< greatest displacement on the screen
+  Aberration observer{};    //!< whose screen: from aberration_to_rain()
+  bool fine = true;         //!< nodes traced in double; float is faster and good for budgets of 1e-5 rad and more
+  double least_area_px = 32.0;  //!< a cell smaller than this is not split: tracing its pixels is cheaper than its nodes
+  int most_nodes = 1 << 16;     //!< what is bad still when there are so many is left to direct rays
+};
+
+//! What a build did.
+struct GridStatistics {
+  int nodes = 0;
+  int leaves = 0;
+  int flagged_leaves = 0;
+  long traced_nodes = 0;
+  long traced_checks = 0;
+  double flagged_px = 0.0;  //!< area of the flagged leaves on the screen [px²]
+};
+
+//! Builds the lens grid of a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
+//!
+//! Cells of the conforming chart are split where traced rays in their middles and the middles of their sides miss the patch by more
+//! than 0.8 of the budget, along the axis that misses more. What stays bad at the depth limit or at `least_area_px` is flagged: its
+//! pixels are to be traced. Nodes in the middle of a larger cell's side then take that side's values, so that the map and its
+//! derivatives are continuous. A camera on the equator (θ = π/2) gets half a grid, mirrored on reading.
+LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
+                               GridStatistics* statistics = nullptr);
+
+}  // namespace ergodome
