@@ -15,6 +15,7 @@ struct PlayArguments {
   std::string backend = "auto";
   std::string projection;
   std::string stereo;
+  std::string lens = "auto";
   PlayOptions options;
 };
 
@@ -23,7 +24,7 @@ void run(PlayArguments arguments) {
   Show show = load_show(arguments.show.empty() ? "free-flight" : arguments.show);
   override_view(show, arguments.projection, arguments.stereo);
   require_features(show);
-  ShowRenderer renderer(show, choose_backend(arguments.backend));
+  ShowRenderer renderer(show, choose_backend(arguments.backend), lens_choice(arguments.lens));
   Player(renderer, arguments.options).run();
 }
 
@@ -42,6 +43,9 @@ void add_play_command(CLI::App& app) {
       ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
   command->add_option("--stereo", arguments->stereo, "mono, side_by_side or top_bottom, instead of the show's")
       ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom"}));
+  command->add_option("--lens", arguments->lens, "live (a grid for each place), direct (a ray a pixel), or auto")
+      ->check(CLI::IsMember(lens_names()))
+      ->capture_default_str();
   command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();

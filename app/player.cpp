@@ -214,6 +214,7 @@ void Player::receive() {
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
   moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)),
                                std::min(smallest_px, options_.size_px), options_.size_px);
+  lens_ = answer->picture.lens;
   presenter_.upload(answer->picture);
   update_title();
 }
@@ -226,10 +227,12 @@ void Player::show_on_device() {
   const auto start = Clock::now();
   const Projection projection = make_projection(renderer_.show().view, options_.size_px, field_of_view_deg_);
   if (renderer_.show().stereo.layout == StereoLayout::mono) {
-    const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_);
+    const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_, &lens_);
     presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, mode_ != ViewMode::sky);
   } else {
-    presenter_.upload(renderer_.render_both_eyes(current_pose(), projection, mode_));
+    const Picture picture = renderer_.render_both_eyes(current_pose(), projection, mode_);
+    lens_ = picture.lens;
+    presenter_.upload(picture);
   }
   frame_time_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   ++pictures_;
@@ -253,9 +256,9 @@ void Player::draw() {
 
 void Player::update_title() {
   const CameraPose pose = current_pose();
-  window_.set_title(fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {}{}",
+  window_.set_title(fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}",
                                 renderer_.show().title, renderer_.show().spin, pose.r, show_time_s_, frame_time_ms_,
-                                refined_size_px_ > 0 ? refined_size_px_ : options_.size_px,
+                                refined_size_px_ > 0 ? refined_size_px_ : options_.size_px, lens_,
                                 describe(renderer_.backend()),
                                 flying_   ? "  free flight"
                                 : paused_ ? "  paused"

@@ -67,6 +67,7 @@ class Player {
   int moving_size_px_ = 256;  //!< what keeps ten pictures a second
   int refined_size_px_ = 0;   //!< width of the last picture of what stands still
   double frame_time_ms_ = 0.0;
+  const char* lens_ = "";  //!< where the last picture's lens came from
   std::string said_problem_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   int pictures_ = 0;

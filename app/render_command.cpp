@@ -28,6 +28,7 @@ struct RenderOptions {
   std::string backend = "auto";
   std::string format = "png";
   std::string view = "sky";
+  std::string lens = "auto";
   bool resume = false;
 };
 
@@ -93,7 +94,7 @@ class FrameWriter {
       : options_(options),
         format_(options.format == "exr" ? ImageFormat::exr : ImageFormat::png),
         choice_{view_mode(options.view), options.size_px},
-        renderer_(show, choose_backend(options.backend)) {}
+        renderer_(show, choose_backend(options.backend), lens_choice(options.lens)) {}
 
   void write(int frame) {
     const Show& show = renderer_.show();
@@ -189,6 +190,9 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
+      ->capture_default_str();
+  command->add_option("--lens", options->lens, "live (a grid for each place), direct (a ray a pixel), or auto")
+      ->check(CLI::IsMember(lens_names()))
       ->capture_default_str();
   command->add_flag("--resume", options->resume, "skip frames that are there and complete");
   command->callback([options] { run(*options); });

@@ -46,14 +46,18 @@ ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
 //!
 //! The distance is proportional to the clearance at the barrier, which is known before the first step.
 template <class T>
-ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, ScalarOf<T> tolerance) {
+ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, const IntegrationSettings& settings) {
   using Real = RealOf<T>;
   using S = ScalarOf<T>;
+  const S tolerance = static_cast<S>(settings.tolerance);
+  // Nothing is gained by asking for less than rounding leaves.
+  const Real least(S(0.25) * std::numeric_limits<S>::epsilon());
+  if (settings.on_screen) {
+    return maximum(Real(tolerance), least);
+  }
   const S horizon_r = S(1) + safe_sqrt(S(1) - spin * spin);
   const Real height = absolute(radial_barrier(spin, horizon_r, plain_start(start)).clearance);
-  const Real wanted = tolerance * minimum(height, Real(S(1)));
-  // Nothing is gained by asking for less than rounding leaves.
-  return maximum(wanted, Real(S(0.25) * std::numeric_limits<S>::epsilon()));
+  return maximum(tolerance * minimum(height, Real(S(1))), least);
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

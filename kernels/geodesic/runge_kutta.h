@@ -92,7 +92,7 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   const T zero(S(0));
   const T one(S(1));
   const T polar_speed = safe_sqrt(maximum(start.polar_constant, zero)) + S(1);
-  const T tolerance = local_tolerance(spin, start, static_cast<S>(settings.tolerance));
+  const T tolerance = local_tolerance(spin, start, settings);
   const T rounding(S(4) * std::numeric_limits<S>::epsilon());
   const T longest = S(0.5) / polar_speed;
   const S exponent = S(1.0 / (Tableau::error_order + 1));

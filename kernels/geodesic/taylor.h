@@ -225,7 +225,7 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
                                const IntegrationSettings& settings, RealOf<T>& steps, MaskOf<RealOf<T>>& reached) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
-  const Real tolerance = local_tolerance(spin, start, S(settings.tolerance));
+  const Real tolerance = local_tolerance(spin, start, settings);
   const Real polar_speed = safe_sqrt(maximum(value_of(start.polar_constant), Real(S(0)))) + S(1);
   const Real tiny(std::numeric_limits<S>::min() * S(1e6));
   // A straight ray has no terms to judge a step by: never more than some radians at a time.

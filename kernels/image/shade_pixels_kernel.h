@@ -56,18 +56,18 @@ struct ShadeHeatMap {
       case ViewMode::steps:
         return batch.lens.steps[index];
       case ViewMode::error_estimate:
-        return ::log10f(::fmaxf(batch.lens.error_estimate[index], 1e-30F));
+        return ::log10f(maximum(batch.lens.error_estimate[index], 1e-30F));
       case ViewMode::image_order:
         return batch.lens.half_orbits[index];
       case ViewMode::frequency_ratio:
-        return ::log2f(::fmaxf(batch.lens.frequency_ratio[index], 1e-30F));
+        return ::log2f(maximum(batch.lens.frequency_ratio[index], 1e-30F));
       default:
         break;
     }
     const Vector3<float> area =
         cross(detail::vector_at(batch.lens.sky_along_x, index), detail::vector_at(batch.lens.sky_along_y, index));
     // log10 of the solid angle on the sky that one pixel sees; the bar is labelled relative to an undisturbed pixel.
-    return -0.5F * ::log10f(::fmaxf(dot(area, area), 1e-30F));
+    return -0.5F * ::log10f(maximum(dot(area, area), 1e-30F));
   }
 
   ERGO_HD void operator()(int index) const {

@@ -67,12 +67,11 @@ struct TraceNodes {
 
 //! Compares cells with traced rays.
 //!
-//! The error is what a viewer sees: with the traced sky's Jacobian J [per radian on the screen], the least displacement δ of the
-//! camera direction for which J δ = read sky - traced sky.
+//! The error is what a viewer sees: with the patch's Jacobian J [per radian on the screen], the least displacement δ of the camera
+//! direction for which J δ = read sky - traced sky.
 template <class T>
 struct CheckCells {
   using S = ScalarOf<T>;
-  using D = Dual<T>;
   CheckBatch<S> batch;
 
   ERGO_HD void operator()(int index) const {
@@ -80,35 +79,25 @@ struct CheckCells {
     const int first = index * lanes;
     T gamma_turns;
     T s;
-    Vector3<T> read;
-    T good;
-    T extent;
+    Patch patch;
     for (int i = 0; i < lanes; ++i) {
       const int check = first + i < batch.count ? first + i : batch.count - 1;
-      read_cell(check, i, gamma_turns, s, read, good, extent);
+      read_cell(check, i, gamma_turns, s, patch);
     }
     const LensChart& chart = batch.camera.chart;
     const ChartStretch<T> stretch = chart_stretch(chart, gamma_turns, s);
     const Vector3<MixedDual<T>> n = chart_direction_at(chart, gamma_turns, stretch.alpha);
     const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
-    // Along s the direction moves along α: a unit tangent, and the one across it.
-    const T inverse = S(1) / stretch.alpha.along_y;
-    const Vector3<T> tangent = {n.x.along_y * inverse, n.y.along_y * inverse, n.z.along_y * inverse};
-    const Vector3<T> across = cross(direction, tangent);
-    MaskOf<T> reached;
-    const Vector3<D> sky = detail::grid_sky(
-        batch.camera,
-        Vector3<D>{D(direction.x, tangent.x, across.x), D(direction.y, tangent.y, across.y),
-                   D(direction.z, tangent.z, across.z)},
-        reached);
-    const T scale = observed_scale(batch.observer, direction) * (S(1) / batch.pixel);
-    const T error = displacement(sky, read) * scale;
-    const auto known = reached & (good > T(S(0.999))) & (error < T(S(1e30)));
-    const T shown = select(known, error, T(S(1e30)));
     T sine;
     T cosine;
     sine_cosine(stretch.alpha.value, sine, cosine);
-    const T area = absolute(sine) * absolute(stretch.alpha.along_y) * extent * scale * scale;
+    MaskOf<T> reached;
+    const Vector3<T> sky = detail::grid_sky(batch.camera, direction, reached);
+    const T scale = observed_scale(batch.observer, direction) * (S(1) / batch.pixel);
+    const T error = displacement(patch, stretch.alpha, sine, without_noise(patch.sky - sky)) * scale;
+    const auto known = reached & (patch.good > T(S(0.999))) & (error < T(S(1e30)));
+    const T shown = select(known, error, T(S(1e30)));
+    const T area = absolute(sine) * absolute(stretch.alpha.along_y) * patch.extent * scale * scale;
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       batch.error_px[first + i] = static_cast<float>(lane(shown, i));
       batch.area_px[first + i] = static_cast<float>(lane(area, i));
@@ -116,7 +105,16 @@ struct CheckCells {
   }
 
  private:
-  ERGO_HD void read_cell(int check, int i, T& gamma_turns, T& s, Vector3<T>& read, T& good, T& extent) const {
+  //! What the patches of the lanes' cells say at the checks.
+  struct Patch {
+    Vector3<T> sky;  //!< unit vector
+    Vector3<T> along_gamma;
+    Vector3<T> along_s;
+    T good;    //!< the weights of the corners sum to 1: less means that one of them has no sky
+    T extent;  //!< the cell's width times its height [rad]
+  };
+
+  ERGO_HD void read_cell(int check, int i, T& gamma_turns, T& s, Patch& patch) const {
     const GridCell& cell = batch.cells[check / checks_a_cell];
     const int which = check % checks_a_cell;
     const float u = which == 3 ? 0.0F : (which == 4 ? 1.0F : 0.5F);
@@ -125,20 +123,35 @@ struct CheckCells {
     set_lane(s, i, S(cell.s + v * cell.height));
     const PatchValue value = patch_value(batch.nodes, cell.corners, u, v, cell.width_turns, cell.height);
     const float inverse =
-        1.0F / ::sqrtf(value.sky[0] * value.sky[0] + value.sky[1] * value.sky[1] + value.sky[2] * value.sky[2]);
-    set_lane(read.x, i, S(value.sky[0] * inverse));
-    set_lane(read.y, i, S(value.sky[1] * inverse));
-    set_lane(read.z, i, S(value.sky[2] * inverse));
-    // The weights of the four corners sum to 1: less means that one of them has no sky.
-    set_lane(good, i, S(value.sky[3]));
-    set_lane(extent, i, S(6.28318530717958647692) * S(cell.width_turns) * S(cell.height));
+        1.0F / ::sqrtf(quad_part(value.sky, 0) * quad_part(value.sky, 0) + quad_part(value.sky, 1) * quad_part(value.sky, 1) +
+                       quad_part(value.sky, 2) * quad_part(value.sky, 2));
+    const auto set = [&](Vector3<T>& to, const Quad& from) {
+      set_lane(to.x, i, S(quad_part(from, 0) * inverse));
+      set_lane(to.y, i, S(quad_part(from, 1) * inverse));
+      set_lane(to.z, i, S(quad_part(from, 2) * inverse));
+    };
+    set(patch.sky, value.sky);
+    set(patch.along_gamma, value.along_gamma);
+    set(patch.along_s, value.along_s);
+    set_lane(patch.good, i, S(quad_part(value.sky, 3)));
+    set_lane(patch.extent, i, S(6.28318530717958647692) * S(cell.width_turns) * S(cell.height));
   }
 
-  //! The least δ with J δ = read - traced, by the normal equations; its length [rad].
-  ERGO_HD static T displacement(const Vector3<D>& sky, const Vector3<T>& read) {
-    const Vector3<T> miss = {read.x - sky.x.value, read.y - sky.y.value, read.z - sky.z.value};
-    const Vector3<T> j1 = {sky.x.along_x, sky.y.along_x, sky.z.along_x};
-    const Vector3<T> j2 = {sky.x.along_y, sky.y.along_y, sky.z.along_y};
+  //! Less what the tracing itself may be wrong: smaller cells would not mend that.
+  ERGO_HD Vector3<T> without_noise(const Vector3<T>& miss) const {
+    constexpr S rounding = S(4) * std::numeric_limits<S>::epsilon();
+    const S noise = S(2) * static_cast<S>(batch.camera.settings.tolerance) + rounding;
+    const T size = sqrt(dot(miss, miss) + T(S(1e-30)));
+    const T kept = maximum(size - noise, T(S(0))) / size;
+    return {kept * miss.x, kept * miss.y, kept * miss.z};
+  }
+
+  //! The least δ with J δ = `miss`, by the normal equations; its length [rad]. J has a column along α and one across it.
+  ERGO_HD static T displacement(const Patch& patch, const MixedDual<T>& alpha, const T& sine, const Vector3<T>& miss) {
+    const T per_alpha = S(1) / alpha.along_y;
+    const T per_across = S(0.159154943091895335769) / maximum(sine, T(S(1e-6)));
+    const Vector3<T> j1 = per_alpha * patch.along_s;
+    const Vector3<T> j2 = per_across * (patch.along_gamma - alpha.along_x * j1);
     const T a = dot(j1, j1);
     const T b = dot(j1, j2);
     const T c = dot(j2, j2);

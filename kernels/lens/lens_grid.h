@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/quad.h"
 #include "kernels/lens/lens_chart.h"
 
 namespace ergodome {
@@ -35,13 +36,6 @@ struct LeafPlace {
   float height;       //!< the leaf's extent along s
 };
 
-//! A bicubic patch's sum: the sky direction before it is normalized, and its derivatives along γ [turns] and s.
-struct PatchValue {
-  float sky[4];
-  float along_gamma[4];
-  float along_s[4];
-};
-
 inline namespace ERGO_TARGET {
 
 //! Finds the leaf at (γ, s); both are clamped to the grid.
@@ -49,7 +43,7 @@ ERGO_HD LeafPlace find_leaf(const LensGrid& grid, float gamma_turns, float s) {
   const float root_width = (grid.chart.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);
   const float root_height = 1.0F / static_cast<float>(grid.rows);
   const auto place = [](float value, int count, int& cell) {
-    const float clamped = ::fminf(::fmaxf(value, 0.0F), static_cast<float>(count));
+    const float clamped = minimum(maximum(value, 0.0F), static_cast<float>(count));
     const int whole = static_cast<int>(clamped);
     cell = whole < count ? whole : count - 1;
     return clamped - static_cast<float>(cell);
@@ -90,6 +84,13 @@ ERGO_HD void hermite_basis(float t, float (&basis)[4], float (&slope)[4]) {
   slope[3] = 3.0F * t2 - 2.0F * t;
 }
 
+//! A bicubic patch's sum: the sky direction before it is normalized, and its derivatives along γ [turns] and s.
+struct PatchValue {
+  Quad sky;  //!< x, y, z, and the sum of the corners' weights of those that have a sky: 1 when all have
+  Quad along_gamma;
+  Quad along_s;
+};
+
 //! Sums the patch of four nodes at (u, v) in a cell of the given extent.
 ERGO_HD PatchValue patch_value(const float* nodes, const int* corners, float u, float v, float width_turns,
                                float height) {
@@ -101,25 +102,27 @@ ERGO_HD PatchValue patch_value(const float* nodes, const int* corners, float u, 
   hermite_basis(v, along_v, slope_v);
   const float per_turn = 1.0F / width_turns;
   const float per_s = 1.0F / height;
-  PatchValue sum{};
+  PatchValue sum = {quad_of(0.0F), quad_of(0.0F), quad_of(0.0F)};
+  ERGO_UNROLL
   for (int corner = 0; corner < 4; ++corner) {
     const float* node = nodes + floats_a_node * corners[corner];
     const int i = 2 * (corner & 1);
     const int j = 2 * (corner >> 1);
-    for (int term = 0; term < 4; ++term) {
-      const int a = i + (term & 1);
-      const int b = j + (term >> 1);
-      const float scale = ((term & 1) != 0 ? width_turns : 1.0F) * ((term >> 1) != 0 ? height : 1.0F);
-      const float weight = scale * along_u[a] * along_v[b];
-      const float weight_u = scale * per_turn * slope_u[a] * along_v[b];
-      const float weight_v = scale * per_s * along_u[a] * slope_v[b];
-      for (int c = 0; c < 4; ++c) {
-        const float part = node[4 * term + c];
-        sum.sky[c] += weight * part;
-        sum.along_gamma[c] += weight_u * part;
-        sum.along_s[c] += weight_v * part;
-      }
-    }
+    // Along γ first: the value and the derivative along s, each with its rate along γ.
+    const Quad value = load_quad(node);
+    const Quad by_gamma = load_quad(node + 4);
+    const Quad by_s = load_quad(node + 8);
+    const Quad mixed = load_quad(node + 12);
+    const float b = width_turns * along_u[i + 1];
+    const Quad at_value = along_u[i] * value + b * by_gamma;
+    const Quad at_slope = along_u[i] * by_s + b * mixed;
+    const float a_rate = per_turn * slope_u[i];
+    const Quad rate_value = a_rate * value + slope_u[i + 1] * by_gamma;
+    const Quad rate_slope = a_rate * by_s + slope_u[i + 1] * mixed;
+    const float d = height * along_v[j + 1];
+    sum.sky = sum.sky + along_v[j] * at_value + d * at_slope;
+    sum.along_gamma = sum.along_gamma + along_v[j] * rate_value + d * rate_slope;
+    sum.along_s = sum.along_s + (per_s * slope_v[j]) * at_value + slope_v[j + 1] * at_slope;
   }
   return sum;
 }
@@ -145,15 +148,15 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
                                    static_cast<float>(lane(place.s.value, i)));
     const PatchValue value =
         patch_value(grid.nodes, grid.leaves + 4 * at.leaf, at.u, at.v, at.width_turns, at.height);
-    set_lane(sum.x, i, S(value.sky[0]));
-    set_lane(sum.y, i, S(value.sky[1]));
-    set_lane(sum.z, i, S(value.sky[2]));
-    set_lane(along_gamma.x, i, S(value.along_gamma[0]));
-    set_lane(along_gamma.y, i, S(value.along_gamma[1]));
-    set_lane(along_gamma.z, i, S(value.along_gamma[2]));
-    set_lane(along_s.x, i, S(value.along_s[0]));
-    set_lane(along_s.y, i, S(value.along_s[1]));
-    set_lane(along_s.z, i, S(value.along_s[2]));
+    set_lane(sum.x, i, S(quad_part(value.sky, 0)));
+    set_lane(sum.y, i, S(quad_part(value.sky, 1)));
+    set_lane(sum.z, i, S(quad_part(value.sky, 2)));
+    set_lane(along_gamma.x, i, S(quad_part(value.along_gamma, 0)));
+    set_lane(along_gamma.y, i, S(quad_part(value.along_gamma, 1)));
+    set_lane(along_gamma.z, i, S(quad_part(value.along_gamma, 2)));
+    set_lane(along_s.x, i, S(quad_part(value.along_s, 0)));
+    set_lane(along_s.y, i, S(quad_part(value.along_s, 1)));
+    set_lane(along_s.z, i, S(quad_part(value.along_s, 2)));
     set_lane(flag, i, S(at.flagged ? 1 : 0));
   }
   const auto chained = [&](const T& value, const T& by_gamma, const T& by_s) {

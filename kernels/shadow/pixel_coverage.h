@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/arithmetic.h"
 #include "kernels/shadow/edge_curve.h"
 
 namespace ergodome::inline ERGO_TARGET {
@@ -17,8 +18,8 @@ ERGO_HD PixelCoverage cover_by_speck(const EdgeCurve& edge, float alpha, float p
   const float pi = 3.14159265F;
   const float radius_px = 0.5F * (edge.smallest + edge.largest) / pixel_angle;
   const float distance_px = alpha / pixel_angle;
-  const float share = ::fmaxf(0.0F, 1.0F - distance_px) * 3.0F / pi;
-  return {1.0F - ::fminf(1.0F, pi * radius_px * radius_px * share), 0.0F, 0.0F};
+  const float share = maximum(0.0F, 1.0F - distance_px) * 3.0F / pi;
+  return {1.0F - minimum(1.0F, pi * radius_px * radius_px * share), 0.0F, 0.0F};
 }
 }  // namespace detail
 
@@ -34,7 +35,7 @@ ERGO_HD PixelCoverage cover_pixel(const EdgeCurve& edge, const Vector3<float>& n
   const float py = dot(n, edge.second);
   const float sine = ::sqrtf(px * px + py * py);
   const float alpha = ::atan2f(sine, cosine);
-  const float pixel_angle = ::sqrtf(::fmaxf(dot(n_along_x, n_along_x), dot(n_along_y, n_along_y)));
+  const float pixel_angle = ::sqrtf(maximum(dot(n_along_x, n_along_x), dot(n_along_y, n_along_y)));
   if (edge.largest < 1.5F * pixel_angle) {
     return detail::cover_by_speck(edge, alpha, pixel_angle);
   }

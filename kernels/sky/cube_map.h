@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "kernels/core/host_device.h"
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/quad.h"
 #include "kernels/core/vector3.h"
 
 // The sky as a cube map: no poles and no seam. Each face carries a border of one texel taken from its neighbours, so a bilinear look-up
@@ -83,11 +84,11 @@ ERGO_HD long texel_index(const CubeMap& map, int level, int face, int x, int y) 
 }
 
 //! Bilinear look-up at one level.
-ERGO_HD Vector3<float> cube_bilinear(const CubeMap& map, int level, const CubePlace& place) {
+ERGO_HD Quad cube_bilinear(const CubeMap& map, int level, const CubePlace& place) {
   const float size = static_cast<float>(map.face_size >> level);
   // Rounding can put a place on the rim a hair outside; the border has one texel to give.
-  const float x = ::fminf(::fmaxf((place.x + 1.0F) * 0.5F * size - 0.5F, -0.5F), size - 0.5F);
-  const float y = ::fminf(::fmaxf((place.y + 1.0F) * 0.5F * size - 0.5F, -0.5F), size - 0.5F);
+  const float x = minimum(maximum((place.x + 1.0F) * 0.5F * size - 0.5F, -0.5F), size - 0.5F);
+  const float y = minimum(maximum((place.y + 1.0F) * 0.5F * size - 0.5F, -0.5F), size - 0.5F);
   const float x_floor = ::floorf(x);
   const float y_floor = ::floorf(y);
   const float fx = x - x_floor;
@@ -96,13 +97,8 @@ ERGO_HD Vector3<float> cube_bilinear(const CubeMap& map, int level, const CubePl
   const float* top =
       map.texels + 4 * texel_index(map, level, place.face, static_cast<int>(x_floor), static_cast<int>(y_floor));
   const float* bottom = top + 4 * stride;
-  const float w00 = (1.0F - fx) * (1.0F - fy);
-  const float w10 = fx * (1.0F - fy);
-  const float w01 = (1.0F - fx) * fy;
-  const float w11 = fx * fy;
-  return {w00 * top[0] + w10 * top[4] + w01 * bottom[0] + w11 * bottom[4],
-          w00 * top[1] + w10 * top[5] + w01 * bottom[1] + w11 * bottom[5],
-          w00 * top[2] + w10 * top[6] + w01 * bottom[2] + w11 * bottom[6]};
+  return (1.0F - fy) * ((1.0F - fx) * load_quad(top) + fx * load_quad(top + 4)) +
+         fy * ((1.0F - fx) * load_quad(bottom) + fx * load_quad(bottom + 4));
 }
 
 //! The mean over the whole sky, from the coarsest level (one texel a face; by symmetry the faces are equal in solid angle).

@@ -1,24 +1,60 @@
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 #include "kernels/sky/cube_map.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! Trilinear look-up of a round footprint of the given radius [rad].
-ERGO_HD Vector3<float> cube_trilinear(const CubeMap& map, const Vector3<float>& d, float radius) {
-  const CubePlace place = cube_place(d);
-  const float level = ::fmaxf(::log2f(::fmaxf(2.0F * radius / cube_texel_angle(map), 1e-6F)), 0.0F);
+//! log2 of a positive number to 0.01: what choosing between mip levels takes.
+ERGO_HD float rough_log2(float a) {
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &a, sizeof bits);
+  const std::int32_t exponent = bits >> 23;
+  const std::int32_t mantissa_bits = (bits & 0x007fffff) | 0x3f800000;
+  float m = 0.0F;
+  std::memcpy(&m, &mantissa_bits, sizeof m);
+  return static_cast<float>(exponent - 128) + (-0.33333333F * m + 2.0F) * m - 0.66666667F;
+}
+
+//! The two levels between which a round footprint lies, and how far towards the coarser one.
+struct CubeLevel {
+  int fine;
+  float part;
+};
+
+ERGO_HD CubeLevel cube_level(const CubeMap& map, float radius) {
+  const float level = maximum(rough_log2(maximum(2.0F * radius / cube_texel_angle(map), 1.0F)), 0.0F);
   const float last = static_cast<float>(map.level_count - 1);
-  const int below = static_cast<int>(::fminf(level, last));
-  const Vector3<float> fine = cube_bilinear(map, below, place);
-  const float part = level - static_cast<float>(below);
-  if (below + 1 >= map.level_count) {
+  const int fine = static_cast<int>(minimum(level, last));
+  return {fine, fine + 1 < map.level_count ? level - static_cast<float>(fine) : 0.0F};
+}
+
+//! Trilinear look-up of a round footprint.
+ERGO_HD Quad cube_trilinear(const CubeMap& map, const Vector3<float>& d, const CubeLevel& level) {
+  const CubePlace place = cube_place(d);
+  const Quad fine = cube_bilinear(map, level.fine, place);
+  if (!(level.part > 0.0F)) {
     return fine;
   }
-  return fine + part * (cube_bilinear(map, below + 1, place) - fine);
+  return (1.0F - level.part) * fine + level.part * cube_bilinear(map, level.fine + 1, place);
 }
+
+//! exp(-2 (i / n)²): weights of the probes on one side, out to two standard deviations.
+ERGO_HD float probe_weight(int i, int n) {
+  const float part = static_cast<float>(i) / static_cast<float>(n);
+  // e^x for x from -2 to 0 as the eighth power of a quartic.
+  const float x = -0.25F * part * part;
+  const float e = 1.0F + x * (1.0F + x * (0.5F + x * (0.16666667F + x * 0.041666667F)));
+  const float e2 = e * e;
+  const float e4 = e2 * e2;
+  return e4 * e4;
+}
+
+ERGO_HD Vector3<float> rgb_of(const Quad& q) { return {quad_part(q, 0), quad_part(q, 1), quad_part(q, 2)}; }
 
 //! Half axes of the ellipse onto which a pixel of unit radius falls: major axis as a vector, minor axis as a length.
 struct Ellipse {
@@ -66,31 +102,38 @@ ERGO_HD Vector3<float> filter_sky(const CubeMap& map, const Vector3<float>& dire
     return cube_mean(map);
   }
   const float texel = cube_texel_angle(map);
-  const float minor = ::fmaxf(ellipse.minor_length, 0.5F * texel);
+  const float minor = maximum(ellipse.minor_length, 0.5F * texel);
   const float ratio = ellipse.major_length / minor;
   if (ratio <= 1.3F) {
-    return detail::cube_trilinear(map, direction, minor);
+    return detail::rgb_of(detail::cube_trilinear(map, direction, detail::cube_level(map, minor)));
   }
-  // Probes one minor axis apart, out to two standard deviations of the footprint.
-  const int wanted = static_cast<int>(::ceilf(2.0F * ratio));
-  const int half_count = wanted < probe_limit / 2 ? wanted : probe_limit / 2;
+  // Probes out to two standard deviations of the footprint. A texel of their level is two minor axes wide, and bilinear look-ups a
+  // texel apart add up evenly: less than that is close enough.
+  constexpr int most = probe_limit / 2;
+  const float wanted = 1.25F * ratio;
+  const int half_count = wanted < static_cast<float>(most) ? static_cast<int>(wanted) + 1 : most;
   const float spacing = 2.0F * ellipse.major_length / static_cast<float>(half_count);
-  const float radius = ::fmaxf(minor, 0.6F * spacing);
+  const detail::CubeLevel level = detail::cube_level(map, maximum(minor, 0.5F * spacing));
   const Vector3<float> unit = (1.0F / ellipse.major_length) * ellipse.major;
-  Vector3<float> sum = detail::cube_trilinear(map, direction, radius);
+  // One turn by the spacing, again and again.
+  float sine_step = 0.0F;
+  float cosine_step = 1.0F;
+  sine_cosine(spacing, sine_step, cosine_step);
+  float sine = 0.0F;
+  float cosine = 1.0F;
+  Quad sum = detail::cube_trilinear(map, direction, level);
   float weights = 1.0F;
   for (int i = 1; i <= half_count; ++i) {
-    const float angle = spacing * static_cast<float>(i);
-    const float deviations = angle / ellipse.major_length;
-    const float weight = ::expf(-0.5F * deviations * deviations);
-    const float sine = ::sinf(angle);
-    const float cosine = ::cosf(angle);
+    const float weight = detail::probe_weight(i, half_count);
+    const float next_sine = sine * cosine_step + cosine * sine_step;
+    cosine = cosine * cosine_step - sine * sine_step;
+    sine = next_sine;
     const Vector3<float> ahead = cosine * direction + sine * unit;
     const Vector3<float> behind = cosine * direction - sine * unit;
-    sum = sum + weight * (detail::cube_trilinear(map, ahead, radius) + detail::cube_trilinear(map, behind, radius));
+    sum = sum + weight * (detail::cube_trilinear(map, ahead, level) + detail::cube_trilinear(map, behind, level));
     weights += 2.0F * weight;
   }
-  return (1.0F / weights) * sum;
+  return (1.0F / weights) * detail::rgb_of(sum);
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

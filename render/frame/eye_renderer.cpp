@@ -76,10 +76,9 @@ LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& sett
   return lens;
 }
 
-void EyeRenderer::render_rows(const DirectLens& source, ShadeBatch& shade, int row, int rows) {
-  const PixelBatch batch = source.rows(row, rows, shade.lens);
-  trace_pixels(backend_, batch);
-  shade.count = rows * batch.projection.width_px;
+void EyeRenderer::render_rows(const LensSource& source, ShadeBatch& shade, int width_px, int row, int rows) {
+  source.fill(row, rows, shade.lens);
+  shade.count = rows * width_px;
   shade_pixels(backend_, shade);
 }
 
@@ -98,11 +97,15 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 }
 
 const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                                          const PictureSettings& settings) {
+                                          const PictureSettings& settings, const char** lens) {
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
-  render_rows(DirectLens(backend_, eye, projection, settings.tolerance_px), shade, 0, projection.height_px);
+  const auto source = lenses_.choose(settings.lens, eye, projection, settings.mode, settings.accuracy);
+  render_rows(*source, shade, projection.width_px, 0, projection.height_px);
+  if (lens != nullptr) {
+    *lens = source->name();
+  }
   return rgba_.data();
 }
 
@@ -119,12 +122,13 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   const int block_rows = std::clamp(block_pixels / projection.width_px, 1, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
   ShadeBatch shade = prepare(projection, sky, settings, most);
-  const DirectLens source(backend_, eye, projection, settings.tolerance_px);
+  const auto source = lenses_.choose(settings.lens, eye, projection, settings.mode, settings.accuracy);
+  picture.lens = source->name();
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
     const std::size_t pixels = width * static_cast<std::size_t>(rows);
-    render_rows(source, shade, row, rows);
+    render_rows(*source, shade, projection.width_px, row, rows);
     rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "render/backend/buffer.h"
-#include "render/lens/direct_lens.h"
+#include "render/lens/lens_chooser.h"
 #include "render/sky/sky_cube.h"
 
 namespace ergodome {
@@ -14,7 +14,8 @@ struct PictureSettings {
   ViewMode mode = ViewMode::sky;
   bool beaming = false;  //!< the frequency ratio acts on the sky's light
   float exposure = 1.0F;
-  double tolerance_px = 0.05;  //!< accepted error of a light ray [px]
+  LensChoice lens = LensChoice::automatic;
+  LensAccuracy accuracy{};
 };
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
@@ -29,6 +30,7 @@ struct Picture {
   int width = 0;
   int height = 0;
   std::vector<float> rgba;
+  const char* lens = "";       //!< where the lens came from: LensSource::name()
   long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
   std::optional<HeatRange> heat_range;
 };
@@ -36,7 +38,7 @@ struct Picture {
 //! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
 class EyeRenderer {
  public:
-  explicit EyeRenderer(Backend backend) : backend_(backend) {}
+  explicit EyeRenderer(Backend backend) : backend_(backend), lenses_(backend) {}
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
@@ -44,21 +46,24 @@ class EyeRenderer {
                  const PictureSettings& settings);
 
   //! The same in one piece that stays in the backend's memory until the next picture: four floats a pixel.
+  //!
+  //! `lens`, where given, receives LensSource::name().
   const float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                               const PictureSettings& settings);
+                               const PictureSettings& settings, const char** lens = nullptr);
 
  private:
   //! Makes room for `pixels` and sets up the shading.
   ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
                      std::size_t pixels);
 
-  //! Renders rows [row, row + rows) into rgba_.
-  void render_rows(const DirectLens& source, ShadeBatch& shade, int row, int rows);
+  //! Renders rows [row, row + rows) of `width_px` pixels into rgba_.
+  void render_rows(const LensSource& source, ShadeBatch& shade, int width_px, int row, int rows);
 
   //! Makes room for the channels that the picture calls for, and no others.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings);
 
   Backend backend_;
+  LensChooser lenses_;
   Buffer<float> lens_;
   Buffer<float> rgba_;
 };

@@ -23,6 +23,7 @@ Picture joined(const Picture& first, const Picture& second, int columns) {
   whole.height = first.height * (3 - columns);
   whole.unresolved_pixels = first.unresolved_pixels + second.unresolved_pixels;
   whole.heat_range = first.heat_range;
+  whole.lens = first.lens;
   whole.rgba.resize(first.rgba.size() + second.rgba.size());
   const std::size_t row = 4 * static_cast<std::size_t>(first.width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(first.height); ++y) {
@@ -94,15 +95,16 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset
   return eye;
 }
 
-ShowRenderer::ShowRenderer(const Show& show, Backend backend)
-    : show_(show), sky_(backend, load_sky_map(show), sky_from_map(show.sky)), renderer_(backend) {}
+ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens)
+    : show_(show), lens_(lens), sky_(backend, load_sky_map(show), sky_from_map(show.sky)), renderer_(backend) {}
 
 PictureSettings ShowRenderer::picture_settings(ViewMode mode) const {
   PictureSettings settings;
   settings.mode = mode;
   settings.beaming = show_.effects.redshift;
   settings.exposure = static_cast<float>(show_.sky.exposure);
-  settings.tolerance_px = 0.2 * show_.quality.budget_px;
+  settings.lens = lens_;
+  settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
   return settings;
 }
 
@@ -112,8 +114,8 @@ Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, cons
 }
 
 const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                               ViewMode mode) {
-  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode));
+                                               ViewMode mode, const char** lens) {
+  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode), lens);
 }
 
 Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode) {

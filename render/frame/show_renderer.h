@@ -28,7 +28,7 @@ struct ViewChoice {
 class ShowRenderer {
  public:
   //! Loads the show's sky. Throws Error when the sky cannot be read or the show asks for what is not there yet.
-  ShowRenderer(const Show& show, Backend backend);
+  ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic);
 
   //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`).
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
@@ -40,8 +40,8 @@ class ShowRenderer {
   Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode);
 
   //! The same, left in the backend's memory until the next picture.
-  const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                   ViewMode mode);
+  const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
+                                   const char** lens = nullptr);
 
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
@@ -50,6 +50,7 @@ class ShowRenderer {
   [[nodiscard]] PictureSettings picture_settings(ViewMode mode) const;
 
   Show show_;
+  LensChoice lens_;
   SkyCube sky_;
   EyeRenderer renderer_;
 };

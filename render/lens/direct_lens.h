@@ -3,21 +3,24 @@
 #include "kernels/launch/launch.h"
 #include "render/lens/edge_table.h"
 #include "render/lens/eye_camera.h"
+#include "render/lens/lens_source.h"
 
 namespace ergodome {
 
+//! What every lens source needs to know of an eye and its image. The edge is left to the source. `tolerance_px` is the error of a
+//! traced pixel's direction that is accepted, as a displacement on the screen.
+PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px);
+
 //! The exact lens: one light ray a pixel, with its footprint, and the coverage of the shadow's edge.
-class DirectLens {
+class DirectLens : public LensSource {
  public:
-  //! Prepares an eye for an image. `tolerance_px` is the error of a pixel's direction on the sky, in pixels, that is accepted
-  //! where the sky is neither stretched nor squeezed.
   DirectLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px);
 
-  //! The batch that traces rows [first_row, first_row + row_count) into `out`. It refers to this object.
-  [[nodiscard]] PixelBatch rows(int first_row, int row_count, const LensPixels& out) const;
+  void fill(int first_row, int row_count, const LensPixels& out) const override;
+  [[nodiscard]] const char* name() const override { return "direct"; }
 
  private:
-  CameraStation station_;
+  Backend backend_;
   EdgeTable edge_;
   PixelBatch prototype_;
 };

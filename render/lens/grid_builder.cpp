@@ -68,9 +68,9 @@ class GridBuilder {
   static GridCamera<S> make_camera(const LensStation& station, const GridSettings& settings) {
     const CameraStation rain =
         make_camera_station(station.spin, station.r, station.theta, 0.0, ObserverMotion::rain);
-    const double tolerance = 0.05 * settings.budget_px * settings.pixel;
+    const double tolerance = 0.005 * settings.budget_px * settings.pixel;
     return {converted_station<S>(rain), grid_view(station).chart,
-            {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit}};
+            {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
   }
 
   std::vector<OpenCell> root_cells() {

@@ -3,8 +3,11 @@
 #include "content/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
+#include "render/lens/edge_table.h"
+#include "render/lens/grid_builder.h"
 
-// Whole frames of the direct lens: a ray a pixel with its footprint, the shadow's soft edge, and the filtered sky; memory to memory.
+// Whole frames, memory to memory: the lens with its footprints, the shadow's soft edge, and the filtered sky. The lens is traced (a
+// ray a pixel), or read from a grid that is there already (kept), or from one that each frame builds anew (live).
 namespace {
 
 using namespace ergodome;
@@ -16,12 +19,13 @@ Show dome_show() {
       "bench.toml");
 }
 
-void dome_frame(benchmark::State& state, ViewMode mode) {
+void dome_frame(benchmark::State& state, ViewMode mode, LensChoice lens, bool moving) {
   const int size = static_cast<int>(state.range(0));
-  ShowRenderer renderer(dome_show(), Backend::cpu);
+  ShowRenderer renderer(dome_show(), Backend::cpu, lens);
   const Projection projection = make_projection(renderer.show().view, size, 0.0);
-  const CameraPose pose = camera_pose(renderer.show(), 0.0);
+  CameraPose pose = camera_pose(renderer.show(), 0.0);
   for (auto _ : state) {
+    pose.r += moving ? 1e-9 : 0.0;
     benchmark::DoNotOptimize(renderer.render_eye(pose, 0.0, projection, mode).rgba.data());
   }
   state.counters["ns_per_pixel"] =
@@ -30,16 +34,37 @@ void dome_frame(benchmark::State& state, ViewMode mode) {
   state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
 }
 
-BENCHMARK_CAPTURE(dome_frame, sky, ViewMode::sky)
-    ->Arg(512)
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(512)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(dome_frame, direct, ViewMode::sky, LensChoice::direct, false)->Apply(sizes);
+BENCHMARK_CAPTURE(dome_frame, kept_grid, ViewMode::sky, LensChoice::live, false)->Apply(sizes);
+BENCHMARK_CAPTURE(dome_frame, live_grid, ViewMode::sky, LensChoice::live, true)->Apply(sizes);
+BENCHMARK_CAPTURE(dome_frame, image_order, ViewMode::image_order, LensChoice::direct, false)
     ->Arg(1024)
-    ->Arg(2048)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(dome_frame, image_order, ViewMode::image_order)
-    ->Arg(1024)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+
+//! A grid for the camera of the frames: budget in hundredths of a pixel of a 4096² dome, traced in float or double.
+void grid_build(benchmark::State& state, bool fine) {
+  GridSettings settings;
+  settings.budget_px = 0.01 * static_cast<double>(state.range(0));
+  settings.fine = fine;
+  settings.observer = aberration_to_rain(0.999, 5.0, 0.5 * 3.14159265358979323846, ObserverMotion::zamo, {});
+  GridStatistics statistics;
+  for (auto _ : state) {
+    const LensStation station =
+        build_lens_station(0.999, 5.0, 0.5 * 3.14159265358979323846, settings, &statistics);
+    benchmark::DoNotOptimize(station.nodes.data());
+  }
+  state.counters["nodes"] = statistics.nodes;
+  state.counters["checks"] = static_cast<double>(statistics.traced_checks);
+  state.counters["flagged_px"] = statistics.flagged_px;
+}
+
+BENCHMARK_CAPTURE(grid_build, float, false)->Arg(10)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(grid_build, double, true)->Arg(1)->Arg(10)->Arg(25)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void edge_table(benchmark::State& state) {
   const CameraStation camera = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);

@@ -10,6 +10,7 @@
 #include "kernels/image/color_map.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"
+#include "render/lens/direct_lens.h"
 
 namespace ergodome {
 namespace {
@@ -56,7 +57,7 @@ TEST(DirectLens, PixelsShowTheSkyOfTheClosedForm) {
   const Projection projection = make_dome_projection(128, pi, 0.6);
   Lens lens(128 * 128);
   const DirectLens source(Backend::cpu, eye, projection, 0.01);
-  trace_pixels(Backend::cpu, source.rows(0, 128, lens.pixels));
+  source.fill(0, 128, lens.pixels);
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   std::vector<double> errors;
   for (int y = 0; y < 128; y += 3) {
@@ -85,7 +86,7 @@ TEST(DirectLens, FootprintsAreTheDifferencesOfNeighbours) {
   const Projection projection = make_dome_projection(512, pi, 0.6);
   Lens lens(512 * 512);
   const DirectLens source(Backend::cpu, eye_at(0.9, 8.0), projection, 0.01);
-  trace_pixels(Backend::cpu, source.rows(0, 512, lens.pixels));
+  source.fill(0, 512, lens.pixels);
   std::vector<double> relative;
   for (int i = 512 * 100; i < 512 * 300; i += 7) {
     if (lens.pixels.coverage[i - 1] < 1.0F || lens.pixels.coverage[i] < 1.0F || lens.pixels.coverage[i + 1] < 1.0F) {
@@ -145,7 +146,7 @@ TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
   const Projection projection = make_pinhole_projection(2048, 1024, 1.6);
   Lens lens(2048 * 1024);
   const DirectLens source(Backend::cpu, eye, projection, 0.05);
-  trace_pixels(Backend::cpu, source.rows(700, 324, lens.pixels));
+  source.fill(700, 324, lens.pixels);
   const Picture picture = EyeRenderer(Backend::cpu).render(eye, projection, white_sky(), {});
   double least = 1.0;
   double most = 0.0;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "kernels/core/host_device.h"
+
+// Four floats that are loaded, weighted and added as one: a texel, or a part of a grid's node. Memory is 16-byte aligned.
+namespace ergodome::inline ERGO_TARGET {
+
+#if defined(__CUDACC__)
+struct Quad {
+  float4 part;
+};
+
+ERGO_HD Quad load_quad(const float* from) { return {*reinterpret_cast<const float4*>(from)}; }
+ERGO_HD Quad quad_of(float a) { return {make_float4(a, a, a, a)}; }
+ERGO_HD float quad_part(const Quad& q, int i) {
+  return i == 0 ? q.part.x : (i == 1 ? q.part.y : (i == 2 ? q.part.z : q.part.w));
+}
+ERGO_HD Quad operator+(const Quad& a, const Quad& b) {
+  return {make_float4(a.part.x + b.part.x, a.part.y + b.part.y, a.part.z + b.part.z, a.part.w + b.part.w)};
+}
+ERGO_HD Quad operator*(float s, const Quad& a) {
+  return {make_float4(s * a.part.x, s * a.part.y, s * a.part.z, s * a.part.w)};
+}
+#else
+struct Quad {
+  using Register __attribute__((vector_size(16))) = float;
+  Register part;
+};
+
+ERGO_HD Quad load_quad(const float* from) { return {*reinterpret_cast<const Quad::Register*>(from)}; }
+ERGO_HD Quad quad_of(float a) { return {Quad::Register{a, a, a, a}}; }
+ERGO_HD float quad_part(const Quad& q, int i) { return q.part[i]; }
+ERGO_HD Quad operator+(const Quad& a, const Quad& b) { return {a.part + b.part}; }
+ERGO_HD Quad operator*(float s, const Quad& a) { return {s * a.part}; }
+#endif
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "kernels/image/lens_pixels.h"
+
+namespace ergodome {
+
+//! Where the lens of a picture may come from; `automatic` takes what is cheapest at the asked accuracy.
+enum class LensChoice { automatic, live, direct };
+
+//! What maps the pixels of one eye's image to the sky.
+class LensSource {
+ public:
+  LensSource() = default;
+  virtual ~LensSource() = default;
+  LensSource(const LensSource&) = delete;
+  LensSource& operator=(const LensSource&) = delete;
+
+  //! Fills the channels of rows [first_row, first_row + row_count): row_count * width elements each, in the backend's memory.
+  virtual void fill(int first_row, int row_count, const LensPixels& out) const = 0;
+
+  //! A word for the display: "direct", "live".
+  [[nodiscard]] virtual const char* name() const = 0;
+};
+
+}  // namespace ergodome
