@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -13,6 +14,7 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
 #include "kernels/shadow/critical_curve.h"
+#include "render/lens/grid_builder.h"
 
 namespace ergodome {
 
@@ -25,6 +27,8 @@ struct RayOptions {
   std::string precision = "double";
   double tolerance = 0.0;
   int points = 0;
+  std::string budget = "0.1px";
+  int size_px = 4096;
 };
 
 const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
@@ -58,40 +62,34 @@ struct BatchArrays {
   }
 };
 
-//! Traces rows [begin, end), which share a camera, and appends a line for each.
+//! The batch of rows [begin, end), which share a camera, and its arrays.
 template <class S>
-void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
-                 std::string& text) {
-  const std::size_t count = end - begin;
-  BatchArrays<S> arrays(count);
-  for (std::size_t i = 0; i < count; ++i) {
+RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchArrays<S>& arrays) {
+  RayBatch<S> batch{};
+  batch.camera = converted_station<S>(station_of(rows[begin]));
+  batch.count = static_cast<int>(arrays.g.size());
+  for (int k = 0; k < 3; ++k) {
+    batch.direction[k] = arrays.n[k].data();
+    batch.sky[k] = arrays.sky[k].data();
+  }
+  for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const Vector3<double>& n = rows[begin + i].direction;
     arrays.n[0][i] = static_cast<S>(n.x);
     arrays.n[1][i] = static_cast<S>(n.y);
     arrays.n[2][i] = static_cast<S>(n.z);
   }
-  const bool narrow = sizeof(S) == 4;
-  const double finest = options.method == "taylor" ? 1e-14 : 1e-12;
-  const double tolerance = options.tolerance > 0.0 ? options.tolerance : (narrow ? 1e-7 : finest);
-  RayBatch<S> batch{};
-  batch.camera = converted_station<S>(station_of(rows[begin]));
-  batch.settings = {tolerance, 1'000'000};
-  if (options.method == "baseline_rk34") {
-    batch.settings.step_limit = 20'000;  // ten times the published tracer's limit
-  }
-  batch.method = methods.at(options.method);
-  batch.count = static_cast<int>(count);
-  for (int i = 0; i < 3; ++i) {
-    batch.direction[i] = arrays.n[i].data();
-    batch.sky[i] = arrays.sky[i].data();
-  }
   batch.frequency_ratio = arrays.g.data();
   batch.status = arrays.status.data();
   batch.steps = arrays.steps.data();
   batch.error_estimate = arrays.error_estimate.data();
-  trace_rays(Backend::cpu, batch);
+  return batch;
+}
+
+//! Appends a line for each ray of a batch that starts at row `begin`.
+template <class S>
+void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, std::string& text) {
   constexpr const char* words[] = {"escaped", "captured", "not_converged"};
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
     text += fmt::format("{},{},", rows[begin + i].id, words[status]);
     if (status == 0) {
@@ -101,6 +99,63 @@ void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t
     }
     text += fmt::format("{:.17g},{:.0f},{:.17g}\n", arrays.g[i], arrays.steps[i], arrays.error_estimate[i]);
   }
+}
+
+//! Traces rows [begin, end), which share a camera, and appends a line for each.
+template <class S>
+void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                 std::string& text) {
+  BatchArrays<S> arrays(end - begin);
+  const bool narrow = sizeof(S) == 4;
+  const double finest = options.method == "taylor" ? 1e-14 : 1e-12;
+  const double tolerance = options.tolerance > 0.0 ? options.tolerance : (narrow ? 1e-7 : finest);
+  RayBatch<S> batch = batch_of(rows, begin, arrays);
+  batch.settings = {tolerance, 1'000'000};
+  if (options.method == "baseline_rk34") {
+    batch.settings.step_limit = 20'000;  // ten times the published tracer's limit
+  }
+  batch.method = methods.at(options.method);
+  trace_rays(Backend::cpu, batch);
+  append_rays(rows, begin, arrays, text);
+}
+
+//! The number of pixels in "0.1px" or "0.1".
+double budget_px_of(const std::string& text) {
+  std::size_t used = 0;
+  double value = 0.0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const std::string unit = text.substr(used);
+  if (used == 0 || !(unit.empty() || unit == "px") || !(value >= 1e-4 && value <= 100.0)) {
+    throw Error("--budget " + text, "is not a number of pixels", "write for example --budget 0.1px, from 1e-4 to 100");
+  }
+  return value;
+}
+
+//! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line for each.
+void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                   std::string& text) {
+  const RayRow& row = rows[begin];
+  GridSettings settings;
+  settings.pixel = 3.14159265358979323846 / options.size_px;
+  settings.budget_px = budget_px_of(options.budget);
+  settings.observer = aberration_to_rain(row.spin, row.r, row.theta, row.motion, row.velocity);
+  settings.fine = options.precision == "double";
+  GridStatistics statistics;
+  const auto start = std::chrono::steady_clock::now();
+  const LensStation station = build_lens_station(row.spin, row.r, row.theta, settings, &statistics);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  BatchArrays<double> arrays(end - begin);
+  LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), grid_view(station), settings.observer};
+  batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
+  look_up_rays(Backend::cpu, batch);
+  append_rays(rows, begin, arrays, text);
+  fmt::print("a {:.9g} r {:.9g} theta {:.9g}: {} nodes{}, {} cells, {} of them ({:.0f} px) left to rays, {:.1f} ms\n",
+             row.spin, row.r, row.theta, statistics.nodes, station.mirrored ? " (half the sky, mirrored)" : "",
+             statistics.leaves, statistics.flagged_leaves, statistics.flagged_px, time.count());
 }
 
 //! Calls work(begin, end) for each run of rows with one camera; runs are bounded so that progress and Ctrl-C work.
@@ -126,7 +181,9 @@ void run_trace(const RayOptions& options) {
   const std::vector<RayRow> rows = read_ray_table(options.rays);
   std::string text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
-    if (options.precision == "float") {
+    if (options.method == "grid") {
+      look_up_group(rows, begin, end, options, text);
+    } else if (options.precision == "float") {
       trace_group<float>(rows, begin, end, options, text);
     } else {
       trace_group<double>(rows, begin, end, options, text);
@@ -170,8 +227,8 @@ void add_trace_command(CLI::App& app) {
   command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")
       ->required();
   command->add_option("--out", options->out, "table to write")->required();
-  command->add_option("--method", options->method, "taylor, rk34, cash_karp, closed_form or baseline_rk34")
-      ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}))
+  command->add_option("--method", options->method, "taylor, rk34, cash_karp, closed_form, baseline_rk34, or grid: through a lens grid built for each camera")
+      ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid"}))
       ->capture_default_str();
   command->add_option("--precision", options->precision, "float or double")
       ->check(CLI::IsMember({"float", "double"}))
@@ -179,6 +236,10 @@ void add_trace_command(CLI::App& app) {
   command
       ->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
       ->check(CLI::Range(1e-16, 1.0));
+  command->add_option("--budget", options->budget, "for grid: accepted displacement on the screen")->capture_default_str();
+  command->add_option("--size", options->size_px, "for grid: the screen is a dome of 180 degrees, this many pixels wide")
+      ->check(CLI::Range(16, 1'000'000))
+      ->capture_default_str();
   command->callback([options] { run_trace(*options); });
 }
 

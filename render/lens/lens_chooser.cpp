@@ -41,6 +41,7 @@ const LensChooser::Grid& LensChooser::grid_for(const EyeCamera& eye, const Proje
   const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
   grids_.push_front({eye.spin, eye.r, eye.theta, error, eye.motion, eye.velocity, statistics.flagged_px,
                      std::make_shared<StationBuffers>(backend_, station)});
+  ++built_;
   if (grids_.size() > kept_grids) {
     grids_.pop_back();
   }

@@ -26,6 +26,9 @@ class LensChooser {
   std::unique_ptr<LensSource> choose(LensChoice choice, const EyeCamera& eye, const Projection& projection,
                                      ViewMode mode, const LensAccuracy& accuracy);
 
+  //! Number of grids built so far.
+  [[nodiscard]] int built() const { return built_; }
+
  private:
   //! What a grid was built for.
   struct Grid {
@@ -42,6 +45,7 @@ class LensChooser {
   const Grid& grid_for(const EyeCamera& eye, const Projection& projection, double budget_px);
 
   Backend backend_;
+  int built_ = 0;
   std::list<Grid> grids_;  //!< the latest first
 };
 

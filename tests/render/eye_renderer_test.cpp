@@ -147,7 +147,9 @@ TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
   Lens lens(2048 * 1024);
   const DirectLens source(Backend::cpu, eye, projection, 0.05);
   source.fill(700, 324, lens.pixels);
-  const Picture picture = EyeRenderer(Backend::cpu).render(eye, projection, white_sky(), {});
+  PictureSettings settings;
+  settings.lens = LensChoice::direct;
+  const Picture picture = EyeRenderer(Backend::cpu).render(eye, projection, white_sky(), settings);
   double least = 1.0;
   double most = 0.0;
   for (int i = 0; i < 2048 * 324; i += 1001) {

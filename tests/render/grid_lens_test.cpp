@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "content/show_reader.h"
+#include "content/sky_map.h"
+#include "render/frame/show_renderer.h"
+
+namespace ergodome {
+namespace {
+
+//! A show with one camera before the grid sky.
+Show show_of(const std::string& camera, const std::string& view) {
+  return parse_show("[hole]\nspin = 0.999\n[camera]\n" + camera + "[sky]\nmap = \"grid\"\n[view]\n" + view, "test.toml");
+}
+
+const SkyCube& grid_sky() {
+  static const SkyCube sky(Backend::cpu, make_grid_sky(256), glm::dmat3(1.0));
+  return sky;
+}
+
+Picture picture_of(const Show& show, LensChoice lens, ViewMode mode = ViewMode::sky) {
+  PictureSettings settings;
+  settings.mode = mode;
+  settings.lens = lens;
+  return EyeRenderer(Backend::cpu)
+      .render(eye_camera(show, camera_pose(show, 0.0), 0.0), make_projection(show.view, show.view.size_px, 0.0),
+              grid_sky(), settings);
+}
+
+//! Differences of all colour channels, sorted.
+std::vector<double> differences(const Picture& a, const Picture& b) {
+  std::vector<double> all(a.rgba.size());
+  std::transform(a.rgba.begin(), a.rgba.end(), b.rgba.begin(), all.begin(),
+                 [](float x, float y) { return std::abs(static_cast<double>(x) - static_cast<double>(y)); });
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void expect_alike(const Show& show) {
+  const Picture grid = picture_of(show, LensChoice::live);
+  const Picture direct = picture_of(show, LensChoice::direct);
+  ASSERT_STREQ(grid.lens, "live");
+  ASSERT_STREQ(direct.lens, "direct");
+  const std::vector<double> all = differences(grid, direct);
+  // A quarter of a pixel on lines that are a pixel soft.
+  EXPECT_LT(all[all.size() * 99 / 100], 0.03);
+  EXPECT_LT(all[all.size() * 999 / 1000], 0.15);
+}
+
+TEST(GridLens, DomePictureIsThatOfDirectRays) {
+  expect_alike(show_of("[[camera.key]]\nr = 5\npitch_deg = -30\n", "projection = \"dome\"\nsize_px = 400\n"));
+}
+
+TEST(GridLens, PinholePictureOfAMovingObserverIsThatOfDirectRays) {
+  expect_alike(show_of("observer = \"geodesic\"\n[[camera.key]]\nr = 6\ntheta_deg = 90\nphi_deg = 77\n",
+                       "projection = \"pinhole\"\nfov_deg = 70\nsize_px = 400\n"));
+}
+
+TEST(GridLens, WholeSkyOffTheEquatorIsThatOfDirectRays) {
+  expect_alike(show_of("observer = \"rain\"\n[[camera.key]]\nr = 8\ntheta_deg = 30\n",
+                       "projection = \"equirect\"\nsize_px = 400\n"));
+}
+
+TEST(GridLens, ShadowHasTheSameSoftEdge) {
+  const Show show = show_of("[[camera.key]]\nr = 5\n", "projection = \"pinhole\"\nfov_deg = 90\nsize_px = 300\n");
+  const Picture grid = picture_of(show, LensChoice::live);
+  const Picture direct = picture_of(show, LensChoice::direct);
+  double worst = 0.0;
+  for (std::size_t i = 3; i < grid.rgba.size(); i += 4) {
+    worst = std::max(worst, std::abs(static_cast<double>(grid.rgba[i]) - static_cast<double>(direct.rgba[i])));
+  }
+  EXPECT_LT(worst, 0.02);
+}
+
+TEST(GridLens, FarAwayHoleIsTheSameSpeck) {
+  expect_alike(show_of("[[camera.key]]\nr = 20000\n", "projection = \"pinhole\"\nfov_deg = 20\nsize_px = 300\n"));
+}
+
+TEST(GridLens, EveryHardCameraGivesAFinitePicture) {
+  for (const char* camera :
+       {"[[camera.key]]\nr = 1.0458\n", "[[camera.key]]\nr = 1.5\ntheta_deg = 60\n", "[[camera.key]]\nr = 3\ntheta_deg = 0\n",
+        "[[camera.key]]\nr = 1e6\n", "observer = { beta = 0.999, toward = [0, 0, 1] }\n[[camera.key]]\nr = 7\n"}) {
+    const Picture picture =
+        picture_of(show_of(camera, "projection = \"dome\"\nfov_deg = 360\nsize_px = 128\n"), LensChoice::live);
+    EXPECT_TRUE(std::all_of(picture.rgba.begin(), picture.rgba.end(), [](float v) { return std::isfinite(v); })) << camera;
+  }
+}
+
+TEST(LensChooser, TracesSmallPicturesAndReadsLargeOnes) {
+  const std::string camera = "[[camera.key]]\nr = 8\n";
+  EXPECT_STREQ(picture_of(show_of(camera, "size_px = 64\n"), LensChoice::automatic).lens, "direct");
+  EXPECT_STREQ(picture_of(show_of(camera, "size_px = 512\n"), LensChoice::automatic).lens, "live");
+}
+
+TEST(LensChooser, TracesWhatShowsRays) {
+  const Show show = show_of("[[camera.key]]\nr = 8\n", "size_px = 64\n");
+  for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order}) {
+    EXPECT_STREQ(picture_of(show, LensChoice::live, mode).lens, "direct");
+  }
+}
+
+TEST(LensChooser, KeepsTheGridOfACameraThatTurnsAndGoesRoundTheAxis) {
+  const Show show = show_of("[[camera.key]]\nr = 8\ntheta_deg = 70\n", "size_px = 256\n");
+  LensChooser lenses(Backend::cpu);
+  const Projection projection = make_projection(show.view, 256, 0.0);
+  CameraPose pose = camera_pose(show, 0.0);
+  const auto built = [&] {
+    lenses.choose(LensChoice::live, eye_camera(show, pose, 0.0), projection, ViewMode::sky, {});
+    return lenses.built();
+  };
+  EXPECT_EQ(built(), 1);
+  pose.phi += 1.0;
+  EXPECT_EQ(built(), 1);
+  pose.r += 0.01;
+  EXPECT_EQ(built(), 2);
+  pose.r -= 0.01;
+  EXPECT_EQ(built(), 2);
+}
+
+}  // namespace
+}  // namespace ergodome

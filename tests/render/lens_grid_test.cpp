@@ -1,0 +1,290 @@
+#include "render/lens/grid_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "kernels/core/dual.h"
+#include "kernels/geodesic/taylor.h"
+#include "kernels/launch/launch.h"
+#include "kernels/shadow/shadow_chart.h"
+
+namespace ergodome {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+//! A camera, its observer, and the grid for it with the budget of 0.1 px of a 4096² dome.
+struct Case {
+  double spin;
+  double r;
+  double theta;
+  ObserverMotion motion = ObserverMotion::zamo;
+  Vector3<double> velocity{};
+  GridSettings settings{};
+  GridStatistics statistics{};
+  LensStation station{};
+
+  Case(double a, double radius, double polar, ObserverMotion observer = ObserverMotion::zamo)
+      : spin(a), r(radius), theta(polar), motion(observer) {
+    settings.pixel = pi / 4096.0;
+    settings.observer = aberration_to_rain(spin, r, theta, motion, velocity);
+    build();
+  }
+
+  void build() { station = build_lens_station(spin, r, theta, settings, &statistics); }
+
+  [[nodiscard]] CameraStation camera() const { return make_camera_station(spin, r, theta, 0.0, motion, velocity); }
+};
+
+struct Rays {
+  std::vector<double> n[3], sky[3], status, steps;
+};
+
+Rays random_rays(std::size_t count, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Rays rays;
+  for (int k = 0; k < 3; ++k) {
+    rays.n[k].resize(count);
+    rays.sky[k].resize(count);
+  }
+  rays.status.resize(count);
+  rays.steps.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double v[3] = {normal(random), normal(random), normal(random)};
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      rays.n[k][i] = v[k] / length;
+    }
+  }
+  return rays;
+}
+
+void read_through(const Case& c, Rays& rays) {
+  LookUpRaysBatch<double> batch{};
+  batch.rays.camera = c.camera();
+  batch.rays.settings = {1e-9, 10'000};
+  batch.rays.count = static_cast<int>(rays.status.size());
+  for (int k = 0; k < 3; ++k) {
+    batch.rays.direction[k] = rays.n[k].data();
+    batch.rays.sky[k] = rays.sky[k].data();
+  }
+  batch.rays.status = rays.status.data();
+  batch.rays.steps = rays.steps.data();
+  batch.grid = grid_view(c.station);
+  batch.aberration = c.settings.observer;
+  look_up_rays(Backend::cpu, batch);
+}
+
+//! Displacement on the observer's screen [rad] that turns the exact sky of direction n into `seen`, by the exact Jacobian.
+double displacement(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& seen) {
+  using D = Dual<double>;
+  const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
+  const Vector3<double> e1 = normalized(cross(n, aside));
+  const Vector3<double> e2 = cross(n, e1);
+  const RayStart<D> start =
+      start_ray(camera, Vector3<D>{D(n.x, e1.x, e2.x), D(n.y, e1.y, e2.y), D(n.z, e1.z, e2.z)});
+  double steps = 0.0;
+  bool reached = false;
+  const RayEnd<D> end = trace_taylor<20>(camera.spin, start, true, {1e-13, 5000}, steps, reached);
+  const Vector3<double> j1 = {end.sky.x.along_x, end.sky.y.along_x, end.sky.z.along_x};
+  const Vector3<double> j2 = {end.sky.x.along_y, end.sky.y.along_y, end.sky.z.along_y};
+  const Vector3<double> miss = seen - Vector3<double>{end.sky.x.value, end.sky.y.value, end.sky.z.value};
+  const Vector3<double> normal = cross(j1, j2);
+  const double inverse = 1.0 / dot(normal, normal);
+  const double x = (dot(j2, j2) * dot(j1, miss) - dot(j1, j2) * dot(j2, miss)) * inverse;
+  const double y = (dot(j1, j1) * dot(j2, miss) - dot(j1, j2) * dot(j1, miss)) * inverse;
+  return std::hypot(x, y);
+}
+
+struct Errors {
+  std::vector<double> px;  //!< sorted
+  double traced = 0.0;     //!< share of the rays that the grid left to tracing
+
+  [[nodiscard]] double at(double share) const {
+    return px[std::min(px.size() - 1, static_cast<std::size_t>(share * static_cast<double>(px.size())))];
+  }
+};
+
+//! Errors on the screen over random directions that see the sky, those in the cut-off and the traced ones included.
+Errors errors_of(const Case& c, std::size_t count = 100'000) {
+  Rays rays = random_rays(count, 1);
+  read_through(c, rays);
+  const CameraStation camera = c.camera();
+  Errors errors;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (rays.status[i] == 0.0) {
+      const Vector3<double> n = {rays.n[0][i], rays.n[1][i], rays.n[2][i]};
+      errors.px.push_back(displacement(camera, n, {rays.sky[0][i], rays.sky[1][i], rays.sky[2][i]}) / c.settings.pixel);
+      errors.traced += rays.steps[i] > 0.0 ? 1.0 : 0.0;
+    }
+  }
+  errors.traced /= static_cast<double>(errors.px.size());
+  std::sort(errors.px.begin(), errors.px.end());
+  return errors;
+}
+
+TEST(LensGrid, FastHoleAtFiveHoldsATenthOfAPixelWithFewNodes) {
+  const Case c(0.999, 5.0, 0.5 * pi);
+  EXPECT_LE(c.statistics.nodes, 10'000);
+  const Errors errors = errors_of(c);
+  EXPECT_LE(errors.at(0.99), 0.1);
+  EXPECT_LE(errors.at(0.999), 0.5);
+  EXPECT_LE(errors.traced, 0.005);
+}
+
+TEST(LensGrid, SlowHoleNeedsAFourthOfTheNodes) {
+  const Case c(0.5, 5.0, 0.5 * pi);
+  EXPECT_LE(c.statistics.nodes, 2500);
+  EXPECT_LE(errors_of(c).at(0.99), 0.1);
+}
+
+TEST(LensGrid, CloseToAFastHoleHoldsHalfAPixel) {
+  const Case c(0.999, 1.5, 0.5 * pi);
+  EXPECT_LE(c.statistics.nodes, 20'000);
+  const Errors errors = errors_of(c);
+  EXPECT_LE(errors.at(0.99), 0.5);
+  EXPECT_LE(errors.traced, 0.03);
+}
+
+TEST(LensGrid, FloatTracedNodesHoldTheSameBudget) {
+  Case c(0.999, 5.0, 0.5 * pi);
+  c.settings.fine = false;
+  c.build();
+  EXPECT_LE(errors_of(c).at(0.99), 0.1);
+}
+
+//! Every place and motion that a grid may be asked for.
+class LensGridOfHardCamera : public testing::TestWithParam<Case> {};
+
+TEST_P(LensGridOfHardCamera, HoldsItsBudgetOverTheSky) {
+  const Errors errors = errors_of(GetParam(), 20'000);
+  EXPECT_LE(errors.at(0.98), 0.1);
+  EXPECT_TRUE(std::isfinite(errors.px.back()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    HardCases, LensGridOfHardCamera,
+    testing::Values(Case(0.0, 10.0, 1.0), Case(1.0, 5.0, 0.5 * pi), Case(-0.9, 4.0, 1.1), Case(0.9, 3.0, 0.0),
+                    Case(0.9, 3.0, 1e-9), Case(1.0 - 1e-6, 30.0, 2.0), Case(0.7, 1e6, 1.0), Case(0.95, 1.45, 0.8),
+                    Case(0.999, 5.0, 0.5 * pi, ObserverMotion::geodesic),
+                    Case(0.999, 6.0, 0.5 * pi, ObserverMotion::retrograde), Case(0.5, 8.0, 2.0, ObserverMotion::rain),
+                    Case(0.0, 3.0, 0.5 * pi), Case(0.5, 8.0, 0.6, ObserverMotion::fixed)));
+
+TEST(LensGrid, MirroredHalfIsTheWholeSky) {
+  // The same camera a hair off the equator gets a whole grid.
+  const Case half(0.9, 6.0, 0.5 * pi);
+  const Case whole(0.9, 6.0, 0.5 * pi - 1e-7);
+  ASSERT_TRUE(half.station.mirrored);
+  ASSERT_FALSE(whole.station.mirrored);
+  EXPECT_LT(half.statistics.nodes, 0.6 * whole.statistics.nodes);
+  Rays a = random_rays(5000, 2);
+  Rays b = a;
+  read_through(half, a);
+  read_through(whole, b);
+  std::vector<double> difference;
+  for (std::size_t i = 0; i < a.status.size(); ++i) {
+    if (a.status[i] == 0.0 && b.status[i] == 0.0) {
+      difference.push_back(std::hypot(a.sky[0][i] - b.sky[0][i], a.sky[1][i] - b.sky[1][i], a.sky[2][i] - b.sky[2][i]));
+    }
+  }
+  std::sort(difference.begin(), difference.end());
+  EXPECT_LT(difference[difference.size() * 95 / 100], 2e-4);
+}
+
+//! Sky and derivatives of the patch sums at a place of the chart.
+GridSky<double> at(const LensStation& station, double gamma_turns, double s) {
+  ChartPlace<Dual<double>> place{};
+  place.gamma_turns = {gamma_turns, 1.0, 0.0};
+  place.s = {s, 0.0, 1.0};
+  place.mirror = 1.0;
+  return read_grid(grid_view(station), place);
+}
+
+TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
+  const Case c(0.999, 5.0, 1.0);
+  const float unit = 1.0F / (16.0F * 64.0F);
+  double worst_value = 0.0;
+  double worst_slope = 0.0;
+  int across_levels = 0;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform;
+  for (int i = 0; i < 20'000; ++i) {
+    // A line of the finest common lattice, crossed at a random place.
+    const double line = std::floor(uniform(random) * 1024.0) * static_cast<double>(unit);
+    const double s = 0.3 + 0.7 * uniform(random);
+    const double step = 1e-7;
+    const LeafPlace before = find_leaf(grid_view(c.station), static_cast<float>(line) - 1e-6F, static_cast<float>(s));
+    const LeafPlace after = find_leaf(grid_view(c.station), static_cast<float>(line) + 1e-6F, static_cast<float>(s));
+    if (before.leaf == after.leaf || before.flagged || after.flagged || line <= 0.0) {
+      continue;
+    }
+    across_levels += before.height != after.height ? 1 : 0;
+    const GridSky<double> a = at(c.station, line - step, s);
+    const GridSky<double> b = at(c.station, line + step, s);
+    const double slope = std::abs(a.sky.x.along_x) + std::abs(a.sky.y.along_x) + std::abs(a.sky.z.along_x) +
+                         std::abs(a.sky.x.along_y) + std::abs(a.sky.y.along_y) + std::abs(a.sky.z.along_y);
+    worst_value = std::max(worst_value, std::abs(a.sky.x.value - b.sky.x.value) / (1.0 + slope));
+    worst_slope = std::max({worst_slope, std::abs(a.sky.x.along_x - b.sky.x.along_x) / (1.0 + slope),
+                            std::abs(a.sky.z.along_y - b.sky.z.along_y) / (1.0 + slope)});
+  }
+  EXPECT_GT(across_levels, 50);
+  EXPECT_LT(worst_value, 1e-5);
+  EXPECT_LT(worst_slope, 2e-3);
+}
+
+TEST(LensGrid, MagnificationMatchesTheExactOneAwayFromFlaggedCells) {
+  const Case c(0.9, 8.0, 1.2);
+  Rays rays = random_rays(4000, 5);
+  read_through(c, rays);
+  const CameraStation camera = c.camera();
+  const LensGrid grid = grid_view(c.station);
+  std::vector<double> relative;
+  for (std::size_t i = 0; i < rays.status.size(); ++i) {
+    if (rays.status[i] != 0.0 || rays.steps[i] > 0.0) {
+      continue;
+    }
+    using D = Dual<double>;
+    const Vector3<double> n = {rays.n[0][i], rays.n[1][i], rays.n[2][i]};
+    const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
+    const Vector3<double> e1 = normalized(cross(n, aside));
+    const Vector3<double> e2 = cross(n, e1);
+    const Vector3<D> seeded = {D(n.x, e1.x, e2.x), D(n.y, e1.y, e2.y), D(n.z, e1.z, e2.z)};
+    const auto area = [](const Vector3<D>& sky) {
+      const Vector3<double> normal = cross(Vector3<double>{sky.x.along_x, sky.y.along_x, sky.z.along_x},
+                                           Vector3<double>{sky.x.along_y, sky.y.along_y, sky.z.along_y});
+      return std::sqrt(dot(normal, normal));
+    };
+    double steps = 0.0;
+    bool reached = false;
+    const double exact =
+        area(trace_taylor<20>(camera.spin, start_ray(camera, seeded), true, {1e-13, 5000}, steps, reached).sky);
+    const double read = area(read_grid(grid, chart_place(grid.chart, rain_direction(c.settings.observer, seeded))).sky);
+    relative.push_back(std::abs(read / exact - 1.0));
+  }
+  std::sort(relative.begin(), relative.end());
+  EXPECT_LT(relative[relative.size() / 2], 1e-3);
+  EXPECT_LT(relative[relative.size() * 95 / 100], 2e-2);
+}
+
+TEST(LensGrid, TwoBuildsAreTheSameToTheBit) {
+  const Case a(0.999, 5.0, 1.3);
+  const Case b(0.999, 5.0, 1.3);
+  EXPECT_EQ(a.station.nodes, b.station.nodes);
+  EXPECT_EQ(a.station.tree, b.station.tree);
+  EXPECT_EQ(a.station.leaves, b.station.leaves);
+}
+
+TEST(LensGrid, NodeLimitLeavesTheRestToRays) {
+  Case c(1.0, 1.01, 0.5 * pi);
+  c.settings.most_nodes = 2000;
+  c.build();
+  EXPECT_LE(c.statistics.nodes, 8000);
+  EXPECT_GT(c.statistics.flagged_leaves, 0);
+}
+
+}  // namespace
+}  // namespace ergodome
