@@ -227,7 +227,10 @@ void add_trace_command(CLI::App& app) {
   command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")
       ->required();
   command->add_option("--out", options->out, "table to write")->required();
-  command->add_option("--method", options->method, "taylor, rk34, cash_karp, closed_form, baseline_rk34, or grid: through a lens grid built for each camera")
+  command
+      ->add_option(
+          "--method", options->method,
+          "taylor, rk34, cash_karp, closed_form, baseline_rk34, or grid: through a lens grid built for each camera")
       ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid"}))
       ->capture_default_str();
   command->add_option("--precision", options->precision, "float or double")
@@ -236,8 +239,10 @@ void add_trace_command(CLI::App& app) {
   command
       ->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
       ->check(CLI::Range(1e-16, 1.0));
-  command->add_option("--budget", options->budget, "for grid: accepted displacement on the screen")->capture_default_str();
-  command->add_option("--size", options->size_px, "for grid: the screen is a dome of 180 degrees, this many pixels wide")
+  command->add_option("--budget", options->budget, "for grid: accepted displacement on the screen")
+      ->capture_default_str();
+  command
+      ->add_option("--size", options->size_px, "for grid: the screen is a dome of 180 degrees, this many pixels wide")
       ->check(CLI::Range(16, 1'000'000))
       ->capture_default_str();
   command->callback([options] { run_trace(*options); });

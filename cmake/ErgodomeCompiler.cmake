@@ -34,5 +34,6 @@ endif()
 if(ERGODOME_SANITIZE)
   target_compile_options(ergodome_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                     -fno-omit-frame-pointer)
+  target_compile_definitions(ergodome_options INTERFACE ERGODOME_SANITIZED=1)
   target_link_options(ergodome_options INTERFACE -fsanitize=address,undefined)
 endif()

@@ -6,10 +6,15 @@ namespace ergodome {
 
 LensGrid grid_view(const LensStation& station) {
   const auto [smallest, largest] = std::minmax_element(station.edge.begin(), station.edge.end());
-  const EdgeCurve edge = {station.centre,      station.first, station.second, station.edge.data(), static_cast<int>(station.edge.size()),
-                          *smallest, *largest};
-  return {{edge, station.range, station.mirrored ? 1 : 0}, station.columns, station.rows, station.tree.data(),
-          station.leaves.data(), station.nodes.data()};
+  const EdgeCurve edge = {
+      station.centre, station.first, station.second, station.edge.data(), static_cast<int>(station.edge.size()),
+      *smallest,      *largest};
+  return {{edge, station.range, station.mirrored ? 1 : 0},
+          station.columns,
+          station.rows,
+          station.tree.data(),
+          station.leaves.data(),
+          station.nodes.data()};
 }
 
 std::vector<bool> flagged_leaves(const LensStation& station) {

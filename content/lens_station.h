@@ -9,9 +9,9 @@ namespace ergodome {
 //! The lens of one place of a camera: a grid over its whole sky in the rain frame, which serves every motion, orientation and azimuth
 //! of the camera there. LensGrid says what the arrays hold.
 struct LensStation {
-  double spin = 0.0;   //!< [M]
-  double r = 0.0;      //!< Boyer-Lindquist radius [M]
-  double theta = 0.0;  //!< polar angle [rad]
+  double spin = 0.0;        //!< [M]
+  double r = 0.0;           //!< Boyer-Lindquist radius [M]
+  double theta = 0.0;       //!< polar angle [rad]
   Vector3<float> centre{};  //!< axes of the chart, see EdgeCurve
   Vector3<float> first{};
   Vector3<float> second{};

@@ -12,7 +12,10 @@
 #endif
 
 //! Asks the compiler to unroll the loop that follows: the order of a series and the stages of a method are constants.
-#if defined(__CUDA_ARCH__) || defined(__clang__)
+//! Not under the sanitizers, whose checks in unrolled code take the compiler many minutes.
+#if defined(ERGODOME_SANITIZED)
+#define ERGO_UNROLL
+#elif defined(__CUDA_ARCH__) || defined(__clang__)
 #define ERGO_UNROLL _Pragma("unroll")
 #elif defined(__CUDACC__)
 #define ERGO_UNROLL

@@ -18,7 +18,8 @@ const KernelTable& active_table() { return kernel_table(active_instruction_set()
 
 //! Runs a CPU kernel over `elements`, `lanes` an index, on all threads.
 template <class Batch>
-void run_on_cpu(void (*kernel)(const Batch&, int, int), const Batch& batch, int elements, int lanes, int chunk = grain) {
+void run_on_cpu(void (*kernel)(const Batch&, int, int), const Batch& batch, int elements, int lanes,
+                int chunk = grain) {
   parallel_for(index_count(elements, lanes), chunk, [&](int begin, int end) { kernel(batch, begin, end); });
 }
 

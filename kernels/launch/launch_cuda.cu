@@ -35,13 +35,17 @@ void trace_pixels_cuda(const PixelBatch& batch) {
   launch_cuda("trace_pixels", batch.row_count * batch.projection.width_px, TracePixels<float>{batch});
 }
 
-void trace_nodes_cuda(const NodeBatch<float>& batch) { launch_cuda("trace_nodes", batch.count, TraceNodes<float>{batch}); }
+void trace_nodes_cuda(const NodeBatch<float>& batch) {
+  launch_cuda("trace_nodes", batch.count, TraceNodes<float>{batch});
+}
 
 void trace_nodes_cuda(const NodeBatch<double>& batch) {
   launch_cuda("trace_nodes", batch.count, TraceNodes<double>{batch});
 }
 
-void check_cells_cuda(const CheckBatch<float>& batch) { launch_cuda("check_cells", batch.count, CheckCells<float>{batch}); }
+void check_cells_cuda(const CheckBatch<float>& batch) {
+  launch_cuda("check_cells", batch.count, CheckCells<float>{batch});
+}
 
 void check_cells_cuda(const CheckBatch<double>& batch) {
   launch_cuda("check_cells", batch.count, CheckCells<double>{batch});

@@ -13,8 +13,7 @@ inline constexpr int grid_order = sizeof(ScalarOf<T>) == 4 ? 10 : 16;
 
 //! Follows a ray of the rain frame to the sky, if it comes from there.
 template <class T>
-ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>>& camera, const Vector3<T>& n,
-                            MaskOf<RealOf<T>>& reached) {
+ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>>& camera, const Vector3<T>& n, MaskOf<RealOf<T>>& reached) {
   using Real = RealOf<T>;
   const CameraStationOf<ScalarOf<T>>& rain = camera.rain;
   const RayStart<T> start = start_ray(rain, n);
@@ -122,9 +121,9 @@ struct CheckCells {
     set_lane(gamma_turns, i, S(cell.gamma_turns + u * cell.width_turns));
     set_lane(s, i, S(cell.s + v * cell.height));
     const PatchValue value = patch_value(batch.nodes, cell.corners, u, v, cell.width_turns, cell.height);
-    const float inverse =
-        1.0F / ::sqrtf(quad_part(value.sky, 0) * quad_part(value.sky, 0) + quad_part(value.sky, 1) * quad_part(value.sky, 1) +
-                       quad_part(value.sky, 2) * quad_part(value.sky, 2));
+    const float inverse = 1.0F / ::sqrtf(quad_part(value.sky, 0) * quad_part(value.sky, 0) +
+                                         quad_part(value.sky, 1) * quad_part(value.sky, 1) +
+                                         quad_part(value.sky, 2) * quad_part(value.sky, 2));
     const auto set = [&](Vector3<T>& to, const Quad& from) {
       set_lane(to.x, i, S(quad_part(from, 0) * inverse));
       set_lane(to.y, i, S(quad_part(from, 1) * inverse));

@@ -13,15 +13,15 @@ namespace ergodome {
 //! s -> -infinity, the sky winds uniformly in s near it, s = 1 is the far pole, and s = 0 the cut-off. γ is counted in turns.
 struct LensChart {
   EdgeCurve edge;
-  float range;  //!< ln of x between the cut-off and the far pole
+  float range;   //!< ln of x between the cut-off and the far pole
   int mirrored;  //!< 1: the sky at -γ is the sky at γ, mirrored in the equator; the grid holds γ >= 0 alone
 };
 
 //! Where a direction lies in the chart.
 template <class T>
 struct ChartPlace {
-  T gamma_turns;    //!< in [0, 1), or [0, ½] when mirrored
-  T s;              //!< at most 1; below 0 beyond the cut-off
+  T gamma_turns;  //!< in [0, 1), or [0, ½] when mirrored
+  T s;            //!< at most 1; below 0 beyond the cut-off
   T edge_distance;  //!< angle from the shadow's edge along the circle through the chart's centre; negative in the shadow [rad]
   RealOf<T> mirror;  //!< -1 where the sky has to be mirrored, else 1
 };

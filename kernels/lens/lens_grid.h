@@ -130,8 +130,8 @@ ERGO_HD PatchValue patch_value(const float* nodes, const int* corners, float u, 
 //! A sky direction read from a grid.
 template <class T>
 struct GridSky {
-  Vector3<Dual<T>> sky;           //!< unit vector, with derivatives along the same directions as the place asked for
-  MaskOf<T> flagged;              //!< the leaf could not be made good
+  Vector3<Dual<T>> sky;  //!< unit vector, with derivatives along the same directions as the place asked for
+  MaskOf<T> flagged;     //!< the leaf could not be made good
 };
 
 //! Reads the grid at a place of its chart (camera at φ = 0).
@@ -146,8 +146,7 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
     const LeafPlace at = find_leaf(grid, static_cast<float>(lane(place.gamma_turns.value, i)),
                                    static_cast<float>(lane(place.s.value, i)));
-    const PatchValue value =
-        patch_value(grid.nodes, grid.leaves + 4 * at.leaf, at.u, at.v, at.width_turns, at.height);
+    const PatchValue value = patch_value(grid.nodes, grid.leaves + 4 * at.leaf, at.u, at.v, at.width_turns, at.height);
     set_lane(sum.x, i, S(quad_part(value.sky, 0)));
     set_lane(sum.y, i, S(quad_part(value.sky, 1)));
     set_lane(sum.z, i, S(quad_part(value.sky, 2)));

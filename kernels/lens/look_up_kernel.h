@@ -60,7 +60,8 @@ struct LookUpPixels {
     const RayStart<D> start = start_ray(pixels.camera, n);
     const auto bright = traced & comes_from_sky(pixels.camera.spin, pixels.camera.horizon_r, plain_start(start));
     MaskOf<T> reached = bright;
-    const RayEnd<D> end = trace_taylor<picture_order>(pixels.camera.spin, start, bright, pixels.settings, steps, reached);
+    const RayEnd<D> end =
+        trace_taylor<picture_order>(pixels.camera.spin, start, bright, pixels.settings, steps, reached);
     sky = {select(reached, end.sky.x, sky.x), select(reached, end.sky.y, sky.y), select(reached, end.sky.z, sky.z)};
     estimate = select(reached, end.error_estimate.value, estimate);
   }
@@ -93,7 +94,8 @@ struct LookUpRays {
     const int first = index * RealTraits<T>::lane_count;
     const int count = rays.count;
     const T zero(S(0));
-    const Vector3<T> n = {load_lanes<T>(rays.direction[0], first, count), load_lanes<T>(rays.direction[1], first, count),
+    const Vector3<T> n = {load_lanes<T>(rays.direction[0], first, count),
+                          load_lanes<T>(rays.direction[1], first, count),
                           load_lanes<T>(rays.direction[2], first, count)};
     const Vector3<T> in_rain = rain_direction(batch.aberration, n);
     const ChartPlace<D> place = chart_place(batch.grid.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
@@ -107,9 +109,9 @@ struct LookUpRays {
     if (any(traced)) {
       end = trace_taylor<picture_order>(rays.camera.spin, start, traced, rays.settings, steps, reached);
     }
-    const Vector3<T> sky = turned_to_camera(
-        rays.camera, Vector3<T>{select(reached, end.sky.x, read.sky.x.value), select(reached, end.sky.y, read.sky.y.value),
-                                select(reached, end.sky.z, read.sky.z.value)});
+    const Vector3<T> sky = turned_to_camera(rays.camera, Vector3<T>{select(reached, end.sky.x, read.sky.x.value),
+                                                                    select(reached, end.sky.y, read.sky.y.value),
+                                                                    select(reached, end.sky.z, read.sky.z.value)});
     store_lanes(rays.sky[0], first, count, select(bright, sky.x, zero));
     store_lanes(rays.sky[1], first, count, select(bright, sky.y, zero));
     store_lanes(rays.sky[2], first, count, select(bright, sky.z, zero));

@@ -40,8 +40,8 @@ class ShowRenderer {
   Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode);
 
   //! The same, left in the backend's memory until the next picture.
-  const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
-                                   const char** lens = nullptr);
+  const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
+                                   ViewMode mode, const char** lens = nullptr);
 
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }

@@ -66,10 +66,10 @@ class GridBuilder {
 
  private:
   static GridCamera<S> make_camera(const LensStation& station, const GridSettings& settings) {
-    const CameraStation rain =
-        make_camera_station(station.spin, station.r, station.theta, 0.0, ObserverMotion::rain);
+    const CameraStation rain = make_camera_station(station.spin, station.r, station.theta, 0.0, ObserverMotion::rain);
     const double tolerance = 0.005 * settings.budget_px * settings.pixel;
-    return {converted_station<S>(rain), grid_view(station).chart,
+    return {converted_station<S>(rain),
+            grid_view(station).chart,
             {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
   }
 
@@ -114,9 +114,8 @@ class GridBuilder {
       }
     }
     station_.nodes.resize(station_.nodes.size() + floats_a_node * gamma.size());
-    trace_nodes(Backend::cpu,
-                NodeBatch<S>{camera_, static_cast<int>(gamma.size()), gamma.data(), s.data(),
-                             station_.nodes.data() + floats_a_node * static_cast<std::size_t>(first)});
+    trace_nodes(Backend::cpu, NodeBatch<S>{camera_, static_cast<int>(gamma.size()), gamma.data(), s.data(),
+                                           station_.nodes.data() + floats_a_node * static_cast<std::size_t>(first)});
     statistics_.traced_nodes += static_cast<long>(gamma.size());
   }
 
@@ -134,8 +133,9 @@ class GridBuilder {
     const std::size_t checks = checks_a_cell * cells.size();
     error_px_.resize(checks);
     area_px_.resize(checks);
-    check_cells(Backend::cpu, CheckBatch<S>{camera_, observer_, static_cast<S>(settings_.pixel), static_cast<int>(checks),
-                                            cells.data(), station_.nodes.data(), error_px_.data(), area_px_.data()});
+    check_cells(Backend::cpu,
+                CheckBatch<S>{camera_, observer_, static_cast<S>(settings_.pixel), static_cast<int>(checks),
+                              cells.data(), station_.nodes.data(), error_px_.data(), area_px_.data()});
     statistics_.traced_checks += static_cast<long>(checks);
   }
 
@@ -210,10 +210,10 @@ LensStation build_lens_station(double spin, double r, double theta, const GridSe
   station.centre = edge.centre;
   station.first = edge.first;
   station.second = edge.second;
-  station.range = static_cast<float>(std::log((pi - static_cast<double>(edge.smallest)) /
-                                              cut_off(settings, chart, station.edge)));
-  const GridStatistics done = settings.fine ? GridBuilder<double>(station, settings).build()
-                                            : GridBuilder<float>(station, settings).build();
+  station.range =
+      static_cast<float>(std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, chart, station.edge)));
+  const GridStatistics done =
+      settings.fine ? GridBuilder<double>(station, settings).build() : GridBuilder<float>(station, settings).build();
   if (statistics != nullptr) {
     *statistics = done;
   }

@@ -7,10 +7,10 @@ namespace ergodome {
 
 //! What a lens grid is built for.
 struct GridSettings {
-  double pixel = 7.67e-4;   //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.1;   //!< greatest displacement on the screen
-  Aberration observer{};    //!< whose screen: from aberration_to_rain()
-  bool fine = true;         //!< nodes traced in double; float is faster and good for budgets of 1e-5 rad and more
+  double pixel = 7.67e-4;       //!< angle of a pixel on the screen [rad]
+  double budget_px = 0.1;       //!< greatest displacement on the screen
+  Aberration observer{};        //!< whose screen: from aberration_to_rain()
+  bool fine = true;             //!< nodes traced in double; float is faster and good for budgets of 1e-5 rad and more
   double least_area_px = 32.0;  //!< a cell smaller than this is not split: tracing its pixels is cheaper than its nodes
   int most_nodes = 1 << 16;     //!< what is bad still when there are so many is left to direct rays
 };

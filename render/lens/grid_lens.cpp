@@ -26,9 +26,9 @@ GridLens::GridLens(Backend backend, std::shared_ptr<const StationBuffers> statio
                    const Projection& projection, double tolerance_px)
     : backend_(backend),
       station_(std::move(station)),
-      prototype_{pixel_batch(eye, projection, tolerance_px), station_->view(),
-                 converted_aberration<float>(
-                     aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))} {}
+      prototype_{
+          pixel_batch(eye, projection, tolerance_px), station_->view(),
+          converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))} {}
 
 void GridLens::fill(int first_row, int row_count, const LensPixels& out) const {
   LookUpBatch batch = prototype_;

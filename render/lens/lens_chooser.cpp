@@ -50,8 +50,7 @@ const LensChooser::Grid& LensChooser::grid_for(const EyeCamera& eye, const Proje
 
 std::unique_ptr<LensSource> LensChooser::choose(LensChoice choice, const EyeCamera& eye, const Projection& projection,
                                                 ViewMode mode, const LensAccuracy& accuracy) {
-  const bool about_rays =
-      mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
+  const bool about_rays = mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
   if (!about_rays && choice != LensChoice::direct && (choice == LensChoice::live || pixels >= least_pixels)) {
     const Grid& grid = grid_for(eye, projection, accuracy.budget_px);

@@ -54,8 +54,7 @@ void grid_build(benchmark::State& state, bool fine) {
   settings.observer = aberration_to_rain(0.999, 5.0, 0.5 * 3.14159265358979323846, ObserverMotion::zamo, {});
   GridStatistics statistics;
   for (auto _ : state) {
-    const LensStation station =
-        build_lens_station(0.999, 5.0, 0.5 * 3.14159265358979323846, settings, &statistics);
+    const LensStation station = build_lens_station(0.999, 5.0, 0.5 * 3.14159265358979323846, settings, &statistics);
     benchmark::DoNotOptimize(station.nodes.data());
   }
   state.counters["nodes"] = statistics.nodes;

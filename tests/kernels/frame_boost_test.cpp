@@ -10,8 +10,8 @@
 namespace ergodome {
 namespace {
 
-constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
-                                      ObserverMotion::retrograde, ObserverMotion::rain, ObserverMotion::velocity};
+constexpr ObserverMotion motions[] = {ObserverMotion::zamo,       ObserverMotion::fixed, ObserverMotion::geodesic,
+                                      ObserverMotion::retrograde, ObserverMotion::rain,  ObserverMotion::velocity};
 
 Vector3<double> direction(int i) {
   const double z = 1.0 - 2.0 * (i + 0.5) / 40.0;

@@ -55,9 +55,9 @@ TEST(MixedDual, TracedRayHasTheMixedDerivativeOfDifferences) {
   const Vector3<M> exact = sky(x_at(1.4), y_at(0.6));
   const double h = 1e-3;
   const auto y_part = [&](double a, double b) { return sky(a, b).y; };
-  const double difference = (y_part(1.4 + h, 0.6 + h) - y_part(1.4 + h, 0.6 - h) - y_part(1.4 - h, 0.6 + h) +
-                             y_part(1.4 - h, 0.6 - h)) /
-                            (4.0 * h * h);
+  const double difference =
+      (y_part(1.4 + h, 0.6 + h) - y_part(1.4 + h, 0.6 - h) - y_part(1.4 - h, 0.6 + h) + y_part(1.4 - h, 0.6 - h)) /
+      (4.0 * h * h);
   EXPECT_NEAR(exact.y.mixed, difference, 1e-5 * std::max(1.0, std::abs(difference)));
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 //! A show with one camera before the grid sky.
 Show show_of(const std::string& camera, const std::string& view) {
-  return parse_show("[hole]\nspin = 0.999\n[camera]\n" + camera + "[sky]\nmap = \"grid\"\n[view]\n" + view, "test.toml");
+  return parse_show("[hole]\nspin = 0.999\n[camera]\n" + camera + "[sky]\nmap = \"grid\"\n[view]\n" + view,
+                    "test.toml");
 }
 
 const SkyCube& grid_sky() {
@@ -80,12 +81,13 @@ TEST(GridLens, FarAwayHoleIsTheSameSpeck) {
 }
 
 TEST(GridLens, EveryHardCameraGivesAFinitePicture) {
-  for (const char* camera :
-       {"[[camera.key]]\nr = 1.0458\n", "[[camera.key]]\nr = 1.5\ntheta_deg = 60\n", "[[camera.key]]\nr = 3\ntheta_deg = 0\n",
-        "[[camera.key]]\nr = 1e6\n", "observer = { beta = 0.999, toward = [0, 0, 1] }\n[[camera.key]]\nr = 7\n"}) {
+  for (const char* camera : {"[[camera.key]]\nr = 1.0458\n", "[[camera.key]]\nr = 1.5\ntheta_deg = 60\n",
+                             "[[camera.key]]\nr = 3\ntheta_deg = 0\n", "[[camera.key]]\nr = 1e6\n",
+                             "observer = { beta = 0.999, toward = [0, 0, 1] }\n[[camera.key]]\nr = 7\n"}) {
     const Picture picture =
         picture_of(show_of(camera, "projection = \"dome\"\nfov_deg = 360\nsize_px = 128\n"), LensChoice::live);
-    EXPECT_TRUE(std::all_of(picture.rgba.begin(), picture.rgba.end(), [](float v) { return std::isfinite(v); })) << camera;
+    EXPECT_TRUE(std::all_of(picture.rgba.begin(), picture.rgba.end(), [](float v) { return std::isfinite(v); }))
+        << camera;
   }
 }
 

@@ -1,5 +1,3 @@
-#include "render/lens/grid_builder.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "kernels/geodesic/taylor.h"
 #include "kernels/launch/launch.h"
 #include "kernels/shadow/shadow_chart.h"
+#include "render/lens/grid_builder.h"
 
 namespace ergodome {
 namespace {
@@ -85,8 +84,7 @@ double displacement(const CameraStation& camera, const Vector3<double>& n, const
   const Vector3<double> aside = std::abs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
   const Vector3<double> e1 = normalized(cross(n, aside));
   const Vector3<double> e2 = cross(n, e1);
-  const RayStart<D> start =
-      start_ray(camera, Vector3<D>{D(n.x, e1.x, e2.x), D(n.y, e1.y, e2.y), D(n.z, e1.z, e2.z)});
+  const RayStart<D> start = start_ray(camera, Vector3<D>{D(n.x, e1.x, e2.x), D(n.y, e1.y, e2.y), D(n.z, e1.z, e2.z)});
   double steps = 0.0;
   bool reached = false;
   const RayEnd<D> end = trace_taylor<20>(camera.spin, start, true, {1e-13, 5000}, steps, reached);
@@ -166,13 +164,14 @@ TEST_P(LensGridOfHardCamera, HoldsItsBudgetOverTheSky) {
   EXPECT_TRUE(std::isfinite(errors.px.back()));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    HardCases, LensGridOfHardCamera,
-    testing::Values(Case(0.0, 10.0, 1.0), Case(1.0, 5.0, 0.5 * pi), Case(-0.9, 4.0, 1.1), Case(0.9, 3.0, 0.0),
-                    Case(0.9, 3.0, 1e-9), Case(1.0 - 1e-6, 30.0, 2.0), Case(0.7, 1e6, 1.0), Case(0.95, 1.45, 0.8),
-                    Case(0.999, 5.0, 0.5 * pi, ObserverMotion::geodesic),
-                    Case(0.999, 6.0, 0.5 * pi, ObserverMotion::retrograde), Case(0.5, 8.0, 2.0, ObserverMotion::rain),
-                    Case(0.0, 3.0, 0.5 * pi), Case(0.5, 8.0, 0.6, ObserverMotion::fixed)));
+INSTANTIATE_TEST_SUITE_P(HardCases, LensGridOfHardCamera,
+                         testing::Values(Case(0.0, 10.0, 1.0), Case(1.0, 5.0, 0.5 * pi), Case(-0.9, 4.0, 1.1),
+                                         Case(0.9, 3.0, 0.0), Case(0.9, 3.0, 1e-9), Case(1.0 - 1e-6, 30.0, 2.0),
+                                         Case(0.7, 1e6, 1.0), Case(0.95, 1.45, 0.8),
+                                         Case(0.999, 5.0, 0.5 * pi, ObserverMotion::geodesic),
+                                         Case(0.999, 6.0, 0.5 * pi, ObserverMotion::retrograde),
+                                         Case(0.5, 8.0, 2.0, ObserverMotion::rain), Case(0.0, 3.0, 0.5 * pi),
+                                         Case(0.5, 8.0, 0.6, ObserverMotion::fixed)));
 
 TEST(LensGrid, MirroredHalfIsTheWholeSky) {
   // The same camera a hair off the equator gets a whole grid.
