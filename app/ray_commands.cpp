@@ -15,6 +15,7 @@
 #include "kernels/launch/launch.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/grid_builder.h"
+#include "render/lens/quadtree_builder.h"
 
 namespace ergodome {
 
@@ -29,6 +30,8 @@ struct RayOptions {
   int points = 0;
   std::string budget = "0.1px";
   int size_px = 4096;
+  int level = 10;
+  std::string interpolation = "spline";
 };
 
 const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
@@ -158,6 +161,26 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
              statistics.leaves, statistics.flagged_leaves, statistics.flagged_px, time.count());
 }
 
+//! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a line for each.
+void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                         std::string& text) {
+  const RayRow& row = rows[begin];
+  QuadtreeSettings settings;
+  settings.coarsest_level = std::min(settings.coarsest_level, options.level);
+  settings.finest_level = options.level;
+  const bool mirrored = std::abs(row.theta - 0.5 * 3.14159265358979323846) < 1e-9 && row.velocity.y == 0.0;
+  const auto start = std::chrono::steady_clock::now();
+  const QuadtreeLens lens(station_of(row), mirrored, settings);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  BatchArrays<double> arrays(end - begin);
+  const bool linear = options.interpolation == "linear";
+  read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), lens.view(),
+                                    linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline});
+  append_rays(rows, begin, arrays, text);
+  fmt::print("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
+             lens.vertex_count(), mirrored ? " (half the sky, mirrored)" : "", time.count());
+}
+
 //! Calls work(begin, end) for each run of rows with one camera; runs are bounded so that progress and Ctrl-C work.
 template <class Work>
 void for_each_camera(const std::vector<RayRow>& rows, const Work& work) {
@@ -183,6 +206,8 @@ void run_trace(const RayOptions& options) {
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
     if (options.method == "grid") {
       look_up_group(rows, begin, end, options, text);
+    } else if (options.method == "quadtree") {
+      read_quadtree_group(rows, begin, end, options, text);
     } else if (options.precision == "float") {
       trace_group<float>(rows, begin, end, options, text);
     } else {
@@ -228,10 +253,10 @@ void add_trace_command(CLI::App& app) {
       ->required();
   command->add_option("--out", options->out, "table to write")->required();
   command
-      ->add_option(
-          "--method", options->method,
-          "taylor, rk34, cash_karp, closed_form, baseline_rk34, or grid: through a lens grid built for each camera")
-      ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid"}))
+      ->add_option("--method", options->method,
+                   "taylor, rk34, cash_karp, closed_form, baseline_rk34; or, through a grid built for each camera: "
+                   "grid, quadtree")
+      ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid", "quadtree"}))
       ->capture_default_str();
   command->add_option("--precision", options->precision, "float or double")
       ->check(CLI::IsMember({"float", "double"}))
@@ -244,6 +269,12 @@ void add_trace_command(CLI::App& app) {
   command
       ->add_option("--size", options->size_px, "for grid: the screen is a dome of 180 degrees, this many pixels wide")
       ->check(CLI::Range(16, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--level", options->level, "for quadtree: the finest level")
+      ->check(CLI::Range(3, 13))
+      ->capture_default_str();
+  command->add_option("--interpolation", options->interpolation, "for quadtree: linear or spline")
+      ->check(CLI::IsMember({"linear", "spline"}))
       ->capture_default_str();
   command->callback([options] { run_trace(*options); });
 }

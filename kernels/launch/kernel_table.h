@@ -22,7 +22,8 @@ struct KernelTable {
   void (*check_cells_double)(const CheckBatch<double>& batch, int begin, int end);
   void (*look_up_pixels)(const LookUpBatch& batch, int begin, int end);
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
-  void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
+  void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index
+  void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);               //!< one element an index
 };
 
 //! The kernels compiled for an instruction set that `has_instruction_set` affirms.

@@ -95,6 +95,13 @@ void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch) {
   run_on_cpu(active_table().look_up_rays, batch, batch.rays.count, active_table().lanes_double);
 }
 
+void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch) {
+  if (backend == Backend::cuda) {
+    return read_quadtree_rays_cuda(batch);
+  }
+  run_on_cpu(active_table().read_quadtree_rays, batch, batch.rays.count, 1, 16 * grain);
+}
+
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);

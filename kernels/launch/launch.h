@@ -33,6 +33,9 @@ void look_up_pixels(Backend backend, const LookUpBatch& batch);
 //! Reads rays from a lens grid; see LookUpRaysBatch.
 void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch);
 
+//! Reads rays from a quadtree grid; see QuadtreeRaysBatch.
+void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch);
+
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 

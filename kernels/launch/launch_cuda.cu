@@ -59,6 +59,10 @@ void look_up_rays_cuda(const LookUpRaysBatch<double>& batch) {
   launch_cuda("look_up_rays", batch.rays.count, LookUpRays<double>{batch});
 }
 
+void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch) {
+  launch_cuda("read_quadtree_rays", batch.rays.count, ReadQuadtreeRays{batch});
+}
+
 void shade_pixels_cuda(const ShadeBatch& batch) {
   if (batch.mode != ViewMode::sky) {
     launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});

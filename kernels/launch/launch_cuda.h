@@ -22,6 +22,7 @@ void check_cells_cuda(const CheckBatch<float>& batch);
 void check_cells_cuda(const CheckBatch<double>& batch);
 void look_up_pixels_cuda(const LookUpBatch& batch);
 void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
+void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;

@@ -29,6 +29,8 @@ void look_up_pixels_cuda(const LookUpBatch&) { refuse(); }
 
 void look_up_rays_cuda(const LookUpRaysBatch<double>&) { refuse(); }
 
+void read_quadtree_rays_cuda(const QuadtreeRaysBatch&) { refuse(); }
+
 void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
 void* allocate_cuda(std::size_t) { refuse(); }

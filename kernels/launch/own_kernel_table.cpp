@@ -51,6 +51,7 @@ const KernelTable& own_kernel_table() {
       &run<CheckCells<WidePack<double>>, CheckBatch<double>>,
       &run<LookUpPixels<WidePack<float>>, LookUpBatch>,
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
+      &run<ReadQuadtreeRays, QuadtreeRaysBatch>,
       &shade_pixels,
   };
   return table;
