@@ -17,6 +17,22 @@ namespace {
 constexpr std::size_t longest_line = 65'536;
 constexpr std::size_t most_rows = 50'000'000;
 
+//! The next line, without its end. Of a line that is too long only the beginning comes: one character more than may be.
+bool read_line(std::istream& stream, std::string& line) {
+  line.resize(longest_line + 2);
+  stream.getline(line.data(), static_cast<std::streamsize>(line.size()));
+  const auto taken = static_cast<std::size_t>(stream.gcount());
+  const bool cut = stream.fail() && taken == longest_line + 1;
+  if (stream.fail() && !cut) {
+    return false;
+  }
+  if (cut) {
+    stream.clear();
+  }
+  line.resize(cut || stream.eof() ? taken : taken - 1);
+  return true;
+}
+
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
   while (true) {
@@ -149,8 +165,11 @@ void check(const RayRow& row, const Line& line) {
 
 std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions) {
   std::string text;
-  if (!std::getline(stream, text) || text.size() > longest_line) {
+  if (!read_line(stream, text) || text.size() > longest_line) {
     throw Error(file, "has no header line", "name the columns in the first line");
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) {
+    text.erase(0, 3);  // spreadsheets mark UTF-8 so
   }
   const Header header(text, file);
   Columns columns{header.find("id"),
@@ -166,7 +185,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
     }
   }
   std::vector<RayRow> rows;
-  for (std::size_t number = 2; std::getline(stream, text); ++number) {
+  for (std::size_t number = 2; read_line(stream, text); ++number) {
     const std::string place = fmt::format("{}:{}", file, number);
     if (text.empty() || text == "\r") {
       continue;

@@ -16,8 +16,8 @@ struct RayRow {
   double r = 0.0;      //!< [M]
   double theta = 0.0;  //!< [rad]
   ObserverMotion motion = ObserverMotion::zamo;
-  Vector3<double> velocity;   //!< in the ZAMO frame, for ObserverMotion::velocity ("boost")
-  Vector3<double> direction;  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
+  Vector3<double> velocity{};   //!< in the ZAMO frame, for ObserverMotion::velocity ("boost")
+  Vector3<double> direction{};  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
 };
 
 //! Reads a table of rays (CSV with a header; columns a, r, theta, observer, n_r, n_theta, n_phi, and beta_r, beta_theta, beta_phi

@@ -11,7 +11,7 @@ struct EyeCamera {
   double theta;  //!< polar angle [rad]
   double phi;    //!< azimuth [rad]
   ObserverMotion motion;
-  Vector3<double> velocity;      //!< in the ZAMO frame, for ObserverMotion::velocity
+  Vector3<double> velocity{};    //!< in the ZAMO frame, for ObserverMotion::velocity
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
 };
 

@@ -31,6 +31,25 @@ TEST(RayTable, ReadsTheReferenceTable) {
   EXPECT_EQ(rows[48].motion, ObserverMotion::velocity);
 }
 
+TEST(RayTable, RowsWithoutAVelocityHaveNone) {
+  const auto rows = parse(header + "0.5,6,1,zamo,1,0,0\n0.5,6,1,zamo,0,1,0");
+  ASSERT_EQ(rows.size(), 2U);
+  for (const RayRow& row : rows) {
+    EXPECT_EQ(row.velocity.x, 0.0);
+    EXPECT_EQ(row.velocity.y, 0.0);
+    EXPECT_EQ(row.velocity.z, 0.0);
+  }
+}
+
+TEST(RayTable, TakesTheMarkThatSpreadsheetsWriteFirst) {
+  EXPECT_EQ(parse("\xEF\xBB\xBF" + header + "0.5,6,1,zamo,1,0,0\n").size(), 1U);
+}
+
+TEST(RayTable, RefusesALineWithoutEndBeforeReadingItAll) {
+  EXPECT_THAT(problem_of(header + "0.5,6,1,zamo,1,0,0\n" + std::string(10'000'000, '1')),
+              AllOf(HasSubstr("rays.csv:3"), HasSubstr("too much")));
+}
+
 TEST(RayTable, FindsColumnsByNameAndIgnoresOthers) {
   const auto rows = parse("n_phi,n_theta,n_r,note,observer,theta,r,a\n3,0,4,hello,rain,+1.0e+00,5,-0.5\r\n");
   ASSERT_EQ(rows.size(), 1U);
