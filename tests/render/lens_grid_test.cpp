@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
                     HardCamera{0.999, 6.0, 0.5 * pi, ObserverMotion::retrograde},
                     HardCamera{0.5, 8.0, 2.0, ObserverMotion::rain}, HardCamera{0.0, 3.0, 0.5 * pi},
                     HardCamera{0.5, 8.0, 0.6, ObserverMotion::fixed}),
-    [](const testing::TestParamInfo<HardCamera>& info) { return "Camera" + std::to_string(info.index); });
+    [](const testing::TestParamInfo<HardCamera>& each) { return "Camera" + std::to_string(each.index); });
 
 TEST(LensGrid, MirroredHalfIsTheWholeSky) {
   // The same camera a hair off the equator gets a whole grid.
