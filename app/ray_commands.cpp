@@ -152,7 +152,8 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   const LensStation station = build_lens_station(row.spin, row.r, row.theta, settings, &statistics);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   BatchArrays<double> arrays(end - begin);
-  LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), grid_view(station), settings.observer};
+  const LensGrid grid = grid_view(station);
+  LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
   batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
   look_up_rays(Backend::cpu, batch);
   append_rays(rows, begin, arrays, text);

@@ -13,17 +13,15 @@ namespace ergodome {
 //! s -> -infinity, the sky winds uniformly in s near it, s = 1 is the far pole, and s = 0 the cut-off. γ is counted in turns.
 struct LensChart {
   EdgeCurve edge;
-  float range;   //!< ln of x between the cut-off and the far pole
-  int mirrored;  //!< 1: the sky at -γ is the sky at γ, mirrored in the equator; the grid holds γ >= 0 alone
+  float range;  //!< ln of x between the cut-off and the far pole
 };
 
 //! Where a direction lies in the chart.
 template <class T>
 struct ChartPlace {
-  T gamma_turns;  //!< in [0, 1), or [0, ½] when mirrored
+  T gamma_turns;  //!< in [0, 1)
   T s;            //!< at most 1; below 0 beyond the cut-off
   T edge_distance;  //!< angle from the shadow's edge along the circle through the chart's centre; negative in the shadow [rad]
-  RealOf<T> mirror;  //!< -1 where the sky has to be mirrored, else 1
 };
 
 inline namespace ERGO_TARGET {
@@ -72,10 +70,7 @@ ERGO_HD ChartPlace<Dual<T>> chart_place(const LensChart& chart, const Vector3<Du
   const T one(S(1));
   const D turns = gamma * S(0.159154943091895335769);
   const auto negative = turns.value < T(S(0));
-  if (chart.mirrored != 0) {
-    return {select(negative, -turns, turns), s, distance, select(negative, -one, one)};
-  }
-  return {select(negative, turns + one, turns), s, distance, one};
+  return {select(negative, turns + one, turns), s, distance};
 }
 
 //! The chart's stretch at a place: α with its derivatives along γ [turns] and s.

@@ -19,6 +19,7 @@ inline constexpr int deepest_cell = 24;
 //! not be made good and its pixels are to be traced.
 struct LensGrid {
   LensChart chart;
+  int mirrored;  //!< 1: the sky at -γ is the sky at γ, mirrored in the equator; the grid holds the first half turn alone
   int columns;
   int rows;
   const int* tree;
@@ -38,9 +39,9 @@ struct LeafPlace {
 
 inline namespace ERGO_TARGET {
 
-//! Finds the leaf at (γ, s); both are clamped to the grid.
+//! Finds the leaf at (γ, s); both are clamped to the grid. γ of a mirrored grid is at most half a turn.
 ERGO_HD LeafPlace find_leaf(const LensGrid& grid, float gamma_turns, float s) {
-  const float root_width = (grid.chart.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);
+  const float root_width = (grid.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);
   const float root_height = 1.0F / static_cast<float>(grid.rows);
   const auto place = [](float value, int count, int& cell) {
     const float clamped = minimum(maximum(value, 0.0F), static_cast<float>(count));
@@ -143,9 +144,15 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
   Vector3<T> along_gamma;
   Vector3<T> along_s;
   T flag(S(0));
+  // A mirrored grid is read at -γ, backwards in γ, and its sky turned over.
+  const T one(S(1));
+  const T whole = place.gamma_turns.value;
+  const auto over = (whole > T(S(0.5))) & (T(S(grid.mirrored)) > T(S(0)));
+  const T mirror = select(over, -one, one);
+  const T gamma_turns = select(over, one - whole, whole);
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    const LeafPlace at = find_leaf(grid, static_cast<float>(lane(place.gamma_turns.value, i)),
-                                   static_cast<float>(lane(place.s.value, i)));
+    const LeafPlace at =
+        find_leaf(grid, static_cast<float>(lane(gamma_turns, i)), static_cast<float>(lane(place.s.value, i)));
     const PatchValue value = patch_value(grid.nodes, grid.leaves + 4 * at.leaf, at.u, at.v, at.width_turns, at.height);
     set_lane(sum.x, i, S(quad_part(value.sky, 0)));
     set_lane(sum.y, i, S(quad_part(value.sky, 1)));
@@ -159,11 +166,12 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
     set_lane(flag, i, S(at.flagged ? 1 : 0));
   }
   const auto chained = [&](const T& value, const T& by_gamma, const T& by_s) {
-    return D(value, by_gamma * place.gamma_turns.along_x + by_s * place.s.along_x,
-             by_gamma * place.gamma_turns.along_y + by_s * place.s.along_y);
+    const T turned = by_gamma * mirror;
+    return D(value, turned * place.gamma_turns.along_x + by_s * place.s.along_x,
+             turned * place.gamma_turns.along_y + by_s * place.s.along_y);
   };
   const Vector3<D> v = {chained(sum.x, along_gamma.x, along_s.x), chained(sum.y, along_gamma.y, along_s.y),
-                        chained(sum.z * place.mirror, along_gamma.z * place.mirror, along_s.z * place.mirror)};
+                        chained(sum.z * mirror, along_gamma.z * mirror, along_s.z * mirror)};
   const D inverse = D(T(S(1))) / sqrt(dot(v, v));
   return {{v.x * inverse, v.y * inverse, v.z * inverse}, flag > T(S(0.5))};
 }

@@ -8,20 +8,57 @@
 
 namespace ergodome {
 
-//! A block of rows of one image, read from a lens grid. The grid serves any motion of the observer: `aberration` leads to its rain
-//! frame. Pixels of leaves that could not be made good are traced.
+//! A lens for one place of the camera: the grid of a station there, or two of stations to both sides.
+struct LensBlend {
+  LensChart chart;  //!< of the place itself
+  LensGrid grids[2];
+  float turn[2][3][3];  //!< from each station's sky to that of the place: what moving there turns of itself
+  float second_weight;  //!< 0: the first grid alone, and the second is not looked at
+};
+
+inline namespace ERGO_TARGET {
+
+//! Reads the lens at a place of its chart: both grids at the same (γ, s), turned, and mixed by the weight of the second. Flagged
+//! where either is.
+template <class T>
+ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>& place) {
+  using S = ScalarOf<T>;
+  using D = Dual<T>;
+  const GridSky<T> first = read_grid(lens.grids[0], place);
+  if (!(lens.second_weight > 0.0F)) {
+    return first;
+  }
+  const GridSky<T> second = read_grid(lens.grids[1], place);
+  const S w = S(lens.second_weight);
+  const auto component = [&](int i) {
+    const float(&p)[3] = lens.turn[0][i];
+    const float(&q)[3] = lens.turn[1][i];
+    const D a = first.sky.x * S(p[0]) + first.sky.y * S(p[1]) + first.sky.z * S(p[2]);
+    const D b = second.sky.x * S(q[0]) + second.sky.y * S(q[1]) + second.sky.z * S(q[2]);
+    return a * (S(1) - w) + b * w;
+  };
+  const Vector3<D> v = {component(0), component(1), component(2)};
+  // Next to the edge the two may point anywhere, even away from each other.
+  const D inverse = D(T(S(1))) / sqrt(dot(v, v) + D(T(S(1e-12))));
+  return {{v.x * inverse, v.y * inverse, v.z * inverse}, first.flagged | second.flagged};
+}
+
+}  // namespace ERGO_TARGET
+
+//! A block of rows of one image, read from lens grids. They serve any motion of the observer: `aberration` leads to their rain frame.
+//! Pixels of leaves that could not be made good are traced.
 struct LookUpBatch {
-  PixelBatch pixels;  //!< its edge is not used: the grid's chart has the edge
-  LensGrid grid;
+  PixelBatch pixels;  //!< its edge is not used: the chart has the edge
+  LensBlend lens;
   AberrationOf<float> aberration;
 };
 
-//! Rays of one camera, read from a lens grid; `rays.method` and the channels `steps`, `error_estimate` and `mino_time` speak of the
+//! Rays of one camera, read from lens grids; `rays.method` and the channels `steps`, `error_estimate` and `mino_time` speak of the
 //! rays that are traced (steps 0: read from the grid).
 template <class S>
 struct LookUpRaysBatch {
   RayBatch<S> rays;
-  LensGrid grid;
+  LensBlend lens;
   AberrationOf<S> aberration;
 };
 

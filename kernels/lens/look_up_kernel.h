@@ -26,16 +26,16 @@ struct LookUpPixels {
     const T inside = image_coverage(pixels.projection, x_px, y_px);
     Vector3<D> n = observed_direction(pixels, x_px, y_px);
     Vector3<D> in_rain = rain_direction(batch.aberration, n);
-    ChartPlace<D> place = chart_place(batch.grid.chart, in_rain);
+    ChartPlace<D> place = chart_place(batch.lens.chart, in_rain);
     T sky_lit = select(place.edge_distance.value > zero, one, zero);
-    if (cover_lanes(batch.grid.chart.edge, in_rain, near_edge(in_rain, place), x_px, y_px, sky_lit)) {
+    if (cover_lanes(batch.lens.chart.edge, in_rain, near_edge(in_rain, place), x_px, y_px, sky_lit)) {
       n = observed_direction(pixels, x_px, y_px);
       in_rain = rain_direction(batch.aberration, n);
-      place = chart_place(batch.grid.chart, in_rain);
+      place = chart_place(batch.lens.chart, in_rain);
     }
     const T lit = sky_lit * inside;
     const auto wanted = lit > zero;
-    GridSky<T> read = read_grid(batch.grid, place);
+    GridSky<T> read = read_blended(batch.lens, place);
     T steps = zero;
     T estimate = zero;
     const auto traced = wanted & read.flagged;
@@ -98,8 +98,8 @@ struct LookUpRays {
                           load_lanes<T>(rays.direction[1], first, count),
                           load_lanes<T>(rays.direction[2], first, count)};
     const Vector3<T> in_rain = rain_direction(batch.aberration, n);
-    const ChartPlace<D> place = chart_place(batch.grid.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
-    const GridSky<T> read = read_grid(batch.grid, place);
+    const ChartPlace<D> place = chart_place(batch.lens.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
+    const GridSky<T> read = read_blended(batch.lens, place);
     const RayStart<T> start = start_ray(rays.camera, n);
     const auto bright = comes_from_sky(rays.camera.spin, rays.camera.horizon_r, start);
     const auto traced = bright & read.flagged;

@@ -1,6 +1,7 @@
 #include "render/lens/lens_chooser.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/lens/direct_lens.h"
 #include "render/lens/grid_builder.h"
@@ -38,9 +39,9 @@ const LensChooser::Grid& LensChooser::grid_for(const EyeCamera& eye, const Proje
   settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
   settings.fine = error < finest_float_budget;
   GridStatistics statistics;
-  const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
+  LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
   grids_.push_front({eye.spin, eye.r, eye.theta, error, eye.motion, eye.velocity, statistics.flagged_px,
-                     std::make_shared<StationBuffers>(backend_, station)});
+                     std::make_shared<StationBuffers>(backend_, std::move(station))});
   ++built_;
   if (grids_.size() > kept_grids) {
     grids_.pop_back();
@@ -55,7 +56,8 @@ std::unique_ptr<LensSource> LensChooser::choose(LensChoice choice, const EyeCame
   if (!about_rays && choice != LensChoice::direct && (choice == LensChoice::live || pixels >= least_pixels)) {
     const Grid& grid = grid_for(eye, projection, accuracy.budget_px);
     if (choice == LensChoice::live || grid.traced_px < 0.25 * pixels) {
-      return std::make_unique<GridLens>(backend_, grid.station, eye, projection, accuracy.tolerance_px);
+      return std::make_unique<GridLens>(backend_, StationBlend(backend_, grid.station), eye, projection,
+                                        accuracy.tolerance_px);
     }
   }
   return std::make_unique<DirectLens>(backend_, eye, projection, accuracy.tolerance_px);

@@ -5,6 +5,7 @@
 
 #include "kernels/launch/launch.h"
 #include "render/lens/quadtree_builder.h"
+#include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
@@ -84,6 +85,9 @@ TEST(Quadtree, TracesThePublishedNumberOfRays) {
 }
 
 TEST(Quadtree, HasThePublishedErrorsOfBothInterpolations) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "a million rays";
+  }
   // VE, section 4.3.2: 0.369 rad² linear, 0.008 rad² spline, over the full level-10 grid.
   QuadtreeSettings settings;
   settings.repair = false;
