@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,10 @@
 #include "content/sky_map.h"
 #include "kernels/core/error.h"
 #include "kernels/shadow/critical_curve.h"
+#include "render/frame/show_renderer.h"
+#include "render/lens/grid_builder.h"
+#include "render/output/grid_picture.h"
+#include "render/output/image_writer.h"
 
 namespace ergodome {
 
@@ -20,6 +25,9 @@ namespace {
 struct InspectOptions {
   std::string file;
   bool json = false;
+  std::string picture;
+  double time_s = 0.0;
+  int size_px = 1024;
 };
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
@@ -64,7 +72,7 @@ nlohmann::json facts_of(const Show& show) {
 
 void print(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    if (name != "keys") {
+    if (name != "keys" && name != "grid") {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
   }
@@ -76,6 +84,18 @@ void print(const nlohmann::json& facts) {
                  key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
                  key["shadow_width_deg"].get<double>());
     }
+  }
+}
+
+void print_grid(const nlohmann::json& grid) {
+  fmt::print("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {} nodes, {} cells{}, {} of them ({} px) left to rays\n",
+             grid["r"].get<double>(), grid["theta_deg"].get<double>(), grid["nodes"].get<int>(),
+             grid["cells"].get<int>(), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
+             grid["left_to_rays"].get<int>(), grid["left_to_rays_px"].get<double>());
+  fmt::print("{:>10} {:>8} {:>14}\n", "halvings", "cells", "left to rays");
+  for (const auto& level : grid["levels"]) {
+    fmt::print("{:>10} {:>8} {:>14}\n", level["halvings"].get<int>(), level["cells"].get<int>(),
+               level["left_to_rays"].get<int>());
   }
 }
 
@@ -92,15 +112,54 @@ nlohmann::json facts_of(const EnvironmentImage& image) {
           {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
 }
 
+//! The lens grid that a picture of the show would be read from, at the show's budget and size.
+LensStation grid_of(const Show& show, double time_s, GridSettings& settings, GridStatistics& statistics) {
+  const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
+  settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));
+  settings.budget_px = show.quality.budget_px;
+  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  return build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
+}
+
+//! Draws the grid of the show's camera at a time, and adds its numbers to the facts.
+void inspect_grid(const Show& show, const InspectOptions& options, nlohmann::json& facts) {
+  GridSettings settings;
+  GridStatistics statistics;
+  const LensStation station = grid_of(show, options.time_s, settings, statistics);
+  write_png(options.picture, draw_grid(station, options.size_px, settings.budget_px), options.size_px, options.size_px);
+  nlohmann::json& grid = facts["grid"];
+  grid = {{"r", station.r},
+          {"theta_deg", station.theta * degrees},
+          {"mirrored", station.mirrored},
+          {"nodes", statistics.nodes},
+          {"cells", statistics.leaves},
+          {"left_to_rays", statistics.flagged_leaves},
+          {"left_to_rays_px", std::round(statistics.flagged_px)}};
+  for (const GridLevel& level : grid_levels(station)) {
+    grid["levels"].push_back({{"halvings", level.halvings}, {"cells", level.leaves}, {"left_to_rays", level.flagged}});
+  }
+}
+
 void run(const InspectOptions& options) {
   const bool is_image =
       std::filesystem::path(options.file).has_extension() && std::filesystem::path(options.file).extension() != ".toml";
-  const nlohmann::json facts =
-      is_image ? facts_of(read_environment_image(options.file)) : facts_of(load_show(options.file));
+  nlohmann::json facts;
+  if (is_image) {
+    facts = facts_of(read_environment_image(options.file));
+  } else {
+    const Show show = load_show(options.file);
+    facts = facts_of(show);
+    if (!options.picture.empty()) {
+      inspect_grid(show, options, facts);
+    }
+  }
   if (options.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
     print(facts);
+    if (facts.contains("grid")) {
+      print_grid(facts["grid"]);
+    }
   }
 }
 
@@ -111,6 +170,11 @@ void add_inspect_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show or a sky map");
   command->add_option("file", options->file, "show (.toml or the name of a built-in one) or equirectangular image")
       ->required();
+  command->add_option("--picture", options->picture, "draw the lens grid of the show's camera to this PNG");
+  command->add_option("--time", options->time_s, "with --picture: show time [s]")->capture_default_str();
+  command->add_option("--size", options->size_px, "with --picture: its width in pixels")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options] { run(*options); });
 }

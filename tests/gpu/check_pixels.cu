@@ -2,52 +2,12 @@
 #include <memory>
 
 #include "kernels/image/shade_pixels_kernel.h"
-#include "kernels/shadow/critical_curve.h"
 #include "kernels/trace/trace_pixels_kernel.h"
-#include "tests/gpu/harness.cuh"
+#include "tests/gpu/dome.cuh"
 
 namespace ergodome::gpu_check {
 
 namespace {
-
-constexpr int channel_count = 14;
-
-LensPixels lens_at(float* store, std::size_t pixels) {
-  LensPixels lens{};
-  float** const channels[channel_count] = {
-      &lens.sky[0],          &lens.sky[1],         &lens.sky[2],         &lens.sky_along_x[0], &lens.sky_along_x[1],
-      &lens.sky_along_x[2],  &lens.sky_along_y[0], &lens.sky_along_y[1], &lens.sky_along_y[2], &lens.coverage,
-      &lens.frequency_ratio, &lens.steps,          &lens.error_estimate, &lens.half_orbits};
-  for (int i = 0; i < channel_count; ++i) {
-    *channels[i] = store + static_cast<std::size_t>(i) * pixels;
-  }
-  return lens;
-}
-
-//! A dome at r = 5 M of a fast hole, as a show would ask for it.
-PixelBatch dome_batch(int size, const Twin<float>& edge_table, const ShadowChart& chart) {
-  PixelBatch batch{};
-  batch.camera = converted_station<float>(make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo));
-  batch.projection = converted_projection<float>(make_dome_projection(size, 3.14159265358979, 0.5));
-  const float at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
-  std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &batch.frame_from_view[0][0]);
-  const auto narrow = [](const Vector3<double>& v) {
-    return Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-  };
-  const auto [least, most] = std::minmax_element(edge_table.host.begin(), edge_table.host.end());
-  batch.edge = {narrow(chart.centre),
-                narrow(chart.first),
-                narrow(chart.second),
-                edge_table.host.data(),
-                static_cast<int>(edge_table.host.size()),
-                *least,
-                *most};
-  batch.edge_cosine_highest = std::cos(*least - 0.01F);
-  batch.edge_cosine_lowest = std::cos(*most + 0.01F);
-  batch.settings = {3e-5, 200};
-  batch.row_count = size;
-  return batch;
-}
 
 //! A cube map with a smooth pattern; its borders are as good as its inside for comparing two machines.
 CubeMap patterned_cube(Twin<float>& texels, int face_size) {
@@ -92,11 +52,7 @@ bool check_size(int size, bool compare_all) {
   const CameraStation station = make_camera_station(0.999, 5.0, 1.5707963, 0.0, ObserverMotion::zamo);
   const ShadowChart chart = make_shadow_chart(station);
   Twin<float> edge(1024);
-  for (std::size_t i = 0; i < edge.host.size(); ++i) {
-    edge.host[i] =
-        static_cast<float>(edge_polar_angle(station, chart, 6.283185307179586 * static_cast<double>(i) / 1024));
-  }
-  edge.upload();
+  solve_edge(station, chart, edge);
   const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   Twin<float> lens(channel_count * pixels);
   PixelBatch on_host = dome_batch(size, edge, chart);

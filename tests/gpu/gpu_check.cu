@@ -29,7 +29,8 @@ int main() {
     print_device(0);
     const bool rays = ergodome::gpu_check::check_rays();
     const bool pixels = ergodome::gpu_check::check_pixels();
-    return rays && pixels ? 0 : 1;
+    const bool grids = ergodome::gpu_check::check_grids();
+    return rays && pixels && grids ? 0 : 1;
   } catch (const std::exception& problem) {
     std::printf("GPU check: %s\n", problem.what());
     return 1;
