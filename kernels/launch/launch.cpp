@@ -59,10 +59,7 @@ void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
   run_on_cpu(active_table().trace_nodes_float, batch, batch.count, active_table().lanes_float, grid_grain);
 }
 
-void trace_nodes(Backend backend, const NodeBatch<double>& batch) {
-  if (backend == Backend::cuda) {
-    return trace_nodes_cuda(batch);
-  }
+void trace_nodes(const NodeBatch<double>& batch) {
   run_on_cpu(active_table().trace_nodes_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
@@ -73,10 +70,7 @@ void check_cells(Backend backend, const CheckBatch<float>& batch) {
   run_on_cpu(active_table().check_cells_float, batch, batch.count, active_table().lanes_float, grid_grain);
 }
 
-void check_cells(Backend backend, const CheckBatch<double>& batch) {
-  if (backend == Backend::cuda) {
-    return check_cells_cuda(batch);
-  }
+void check_cells(const CheckBatch<double>& batch) {
   run_on_cpu(active_table().check_cells_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 

@@ -19,13 +19,13 @@ void trace_rays(Backend backend, const RayBatch<double>& batch);
 //! Traces the pixels of an image; see PixelBatch.
 void trace_pixels(Backend backend, const PixelBatch& batch);
 
-//! Traces nodes of a lens grid; see NodeBatch.
+//! Traces nodes of a lens grid; see NodeBatch. In double on the CPU alone: fine grids are baked, not made in a frame's time.
 void trace_nodes(Backend backend, const NodeBatch<float>& batch);
-void trace_nodes(Backend backend, const NodeBatch<double>& batch);
+void trace_nodes(const NodeBatch<double>& batch);
 
-//! Compares cells of a lens grid with traced rays; see CheckBatch.
+//! Compares cells of a lens grid with traced rays; see CheckBatch. In double on the CPU alone.
 void check_cells(Backend backend, const CheckBatch<float>& batch);
-void check_cells(Backend backend, const CheckBatch<double>& batch);
+void check_cells(const CheckBatch<double>& batch);
 
 //! Reads the pixels of an image from a lens grid; see LookUpBatch.
 void look_up_pixels(Backend backend, const LookUpBatch& batch);

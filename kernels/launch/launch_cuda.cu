@@ -1,8 +1,6 @@
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
-#include "kernels/lens/grid_build_kernel.h"
-#include "kernels/lens/look_up_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -33,34 +31,6 @@ void trace_rays_cuda(const RayBatch<double>& batch) { trace(batch); }
 
 void trace_pixels_cuda(const PixelBatch& batch) {
   launch_cuda("trace_pixels", batch.row_count * batch.projection.width_px, TracePixels<float>{batch});
-}
-
-void trace_nodes_cuda(const NodeBatch<float>& batch) {
-  launch_cuda("trace_nodes", batch.count, TraceNodes<float>{batch});
-}
-
-void trace_nodes_cuda(const NodeBatch<double>& batch) {
-  launch_cuda("trace_nodes", batch.count, TraceNodes<double>{batch});
-}
-
-void check_cells_cuda(const CheckBatch<float>& batch) {
-  launch_cuda("check_cells", batch.count, CheckCells<float>{batch});
-}
-
-void check_cells_cuda(const CheckBatch<double>& batch) {
-  launch_cuda("check_cells", batch.count, CheckCells<double>{batch});
-}
-
-void look_up_pixels_cuda(const LookUpBatch& batch) {
-  launch_cuda("look_up_pixels", batch.pixels.row_count * batch.pixels.projection.width_px, LookUpPixels<float>{batch});
-}
-
-void look_up_rays_cuda(const LookUpRaysBatch<double>& batch) {
-  launch_cuda("look_up_rays", batch.rays.count, LookUpRays<double>{batch});
-}
-
-void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch) {
-  launch_cuda("read_quadtree_rays", batch.rays.count, ReadQuadtreeRays{batch});
 }
 
 void shade_pixels_cuda(const ShadeBatch& batch) {

@@ -19,11 +19,7 @@ void trace_pixels_cuda(const PixelBatch&) { refuse(); }
 
 void trace_nodes_cuda(const NodeBatch<float>&) { refuse(); }
 
-void trace_nodes_cuda(const NodeBatch<double>&) { refuse(); }
-
 void check_cells_cuda(const CheckBatch<float>&) { refuse(); }
-
-void check_cells_cuda(const CheckBatch<double>&) { refuse(); }
 
 void look_up_pixels_cuda(const LookUpBatch&) { refuse(); }
 

@@ -40,7 +40,7 @@ ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>
   const Vector3<D> v = {component(0), component(1), component(2)};
   // Next to the edge the two may point anywhere, even away from each other.
   const D inverse = D(T(S(1))) / sqrt(dot(v, v) + D(T(S(1e-12))));
-  return {{v.x * inverse, v.y * inverse, v.z * inverse}, first.flagged | second.flagged};
+  return {{v.x * inverse, v.y * inverse, v.z * inverse}, MaskOf<T>(first.flagged | second.flagged)};
 }
 
 }  // namespace ERGO_TARGET

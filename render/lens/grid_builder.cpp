@@ -42,6 +42,12 @@ double cut_off(const GridSettings& settings, const ShadowChart& chart, const std
   return std::max(0.5 * settings.budget_px * settings.pixel / largest_scale, 3e-7);
 }
 
+void run(const NodeBatch<float>& batch) { trace_nodes(Backend::cpu, batch); }
+void run(const NodeBatch<double>& batch) { trace_nodes(batch); }
+void run(const CheckBatch<float>& batch) { check_cells(Backend::cpu, batch); }
+void run(const CheckBatch<double>& batch) { check_cells(batch); }
+
+//! Builds a station level by level, so that the rays of a level are traced as one batch; S is the precision of the rays.
 template <class S>
 class GridBuilder {
  public:
@@ -114,8 +120,8 @@ class GridBuilder {
       }
     }
     station_.nodes.resize(station_.nodes.size() + floats_a_node * gamma.size());
-    trace_nodes(Backend::cpu, NodeBatch<S>{camera_, static_cast<int>(gamma.size()), gamma.data(), s.data(),
-                                           station_.nodes.data() + floats_a_node * static_cast<std::size_t>(first)});
+    run(NodeBatch<S>{camera_, static_cast<int>(gamma.size()), gamma.data(), s.data(),
+                     station_.nodes.data() + floats_a_node * static_cast<std::size_t>(first)});
     statistics_.traced_nodes += static_cast<long>(gamma.size());
   }
 
@@ -133,9 +139,8 @@ class GridBuilder {
     const std::size_t checks = checks_a_cell * cells.size();
     error_px_.resize(checks);
     area_px_.resize(checks);
-    check_cells(Backend::cpu,
-                CheckBatch<S>{camera_, observer_, static_cast<S>(settings_.pixel), static_cast<int>(checks),
-                              cells.data(), station_.nodes.data(), error_px_.data(), area_px_.data()});
+    run(CheckBatch<S>{camera_, observer_, static_cast<S>(settings_.pixel), static_cast<int>(checks), cells.data(),
+                      station_.nodes.data(), error_px_.data(), area_px_.data()});
     statistics_.traced_checks += static_cast<long>(checks);
   }
 
