@@ -138,7 +138,8 @@ struct CheckCells {
 
   //! Less what the tracing itself may be wrong: smaller cells would not mend that.
   ERGO_HD Vector3<T> without_noise(const Vector3<T>& miss) const {
-    constexpr S rounding = S(4) * std::numeric_limits<S>::epsilon();
+    // Nodes are stored in float, whatever they are traced in.
+    constexpr S rounding = S(sizeof(S) == 4 ? 4 : 2) * S(std::numeric_limits<float>::epsilon());
     const S noise = S(2) * static_cast<S>(batch.camera.settings.tolerance) + rounding;
     const T size = sqrt(dot(miss, miss) + T(S(1e-30)));
     const T kept = maximum(size - noise, T(S(0))) / size;
