@@ -50,6 +50,8 @@ void add_play_command(CLI::App& app) {
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
+  command->add_flag("--times", arguments->options.times_shown,
+                    "show the frame time and the lens in the picture (key I)");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
   command
       ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")

@@ -9,6 +9,7 @@
 #include "app/backend_choice.h"
 #include "app/interrupt.h"
 #include "app/player_keys.h"
+#include "render/output/caption.h"
 #include "render/output/image_writer.h"
 
 namespace ergodome {
@@ -38,6 +39,7 @@ Player::Player(ShowRenderer& renderer, const PlayOptions& options)
               std::min(window_height(renderer.show(), options.size_px), 1000), "Ergodome", options.full_screen),
       flight_(renderer.show()),
       flying_(options.free_flight),
+      times_shown_(options.times_shown),
       field_of_view_deg_(renderer.show().view.field_of_view_deg) {
   if (renderer.backend() == Backend::cpu) {
     source_ = std::make_unique<FrameSource>(renderer);
@@ -146,6 +148,9 @@ void Player::press(int key) {
     case KeyAction::full_screen:
       window_.toggle_full_screen();
       break;
+    case KeyAction::times:
+      times_shown_ = !times_shown_;
+      break;
     case KeyAction::next_view:
       mode_ = static_cast<ViewMode>((static_cast<int>(mode_) + 1) % 6);
       break;
@@ -215,6 +220,10 @@ void Player::receive() {
   moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)),
                                std::min(smallest_px, options_.size_px), options_.size_px);
   lens_ = answer->picture.lens;
+  if (times_shown_) {
+    draw_caption(answer->picture, fmt::format("{:.1f} ms at {} px, {} lens, {}", frame_time_ms_, answer->size_px, lens_,
+                                              describe(renderer_.backend())));
+  }
   presenter_.upload(answer->picture);
   update_title();
 }

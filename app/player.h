@@ -18,6 +18,7 @@ struct PlayOptions {
   bool free_flight = false;
   int size_px = 1024;        //!< width of one eye's image when the picture stands still
   double for_seconds = 0.0;  //!< ends by itself this long after the first picture; 0: when it is closed
+  bool times_shown = false;  //!< writes the frame time and the lens into the picture
   std::string screenshot;    //!< what the window showed last, as a PNG; empty: none
 };
 
@@ -62,6 +63,7 @@ class Player {
   bool paused_ = false;
   bool flying_ = false;
   bool changed_ = true;
+  bool times_shown_ = false;  //!< in the picture, where a full screen has no title
   ViewMode mode_ = ViewMode::sky;
   double field_of_view_deg_ = 0.0;
   int moving_size_px_ = 256;  //!< what keeps ten pictures a second

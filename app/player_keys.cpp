@@ -21,6 +21,7 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_TAB, KeyAction::fly, "Tab        free flight, back to the show"},
     {GLFW_KEY_F11, KeyAction::full_screen, "F11        full screen"},
     {GLFW_KEY_V, KeyAction::next_view, "V          next view: sky, steps, error, order, g, magnification"},
+    {GLFW_KEY_I, KeyAction::times, "I          show the frame time and the lens in the picture"},
     {GLFW_KEY_A, KeyAction::left, "A D        orbit against, with +phi"},
     {GLFW_KEY_D, KeyAction::right, ""},
     {GLFW_KEY_R, KeyAction::up, "R F        orbit north, south"},

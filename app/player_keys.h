@@ -15,6 +15,7 @@ enum class KeyAction {
   fly,
   full_screen,
   next_view,
+  times,
   left,
   right,
   up,

@@ -53,7 +53,9 @@ std::unique_ptr<LensSource> LensChooser::choose(LensChoice choice, const EyeCame
                                                 ViewMode mode, const LensAccuracy& accuracy) {
   const bool about_rays = mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
-  if (!about_rays && choice != LensChoice::direct && (choice == LensChoice::live || pixels >= least_pixels)) {
+  // On a GPU rays are cheap, and grids come from the CPU.
+  const bool worth_a_grid = backend_ == Backend::cpu && pixels >= least_pixels;
+  if (!about_rays && (choice == LensChoice::live || (choice == LensChoice::automatic && worth_a_grid))) {
     const Grid& grid = grid_for(eye, projection, accuracy.budget_px);
     if (choice == LensChoice::live || grid.traced_px < 0.25 * pixels) {
       return std::make_unique<GridLens>(backend_, StationBlend(backend_, grid.station), eye, projection,

@@ -22,7 +22,7 @@ class LensChooser {
   explicit LensChooser(Backend backend) : backend_(backend) {}
 
   //! The lens for an eye's image. Views that show what rays do (steps, error, order) trace them, whatever is asked. With
-  //! LensChoice::automatic small pictures, and places where most of a grid would be left to rays, are traced.
+  //! LensChoice::automatic small pictures, all pictures on a GPU, and places where most of a grid would be left to rays, are traced.
   std::unique_ptr<LensSource> choose(LensChoice choice, const EyeCamera& eye, const Projection& projection,
                                      ViewMode mode, const LensAccuracy& accuracy);
 

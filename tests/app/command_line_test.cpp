@@ -222,22 +222,40 @@ TEST_F(CommandLine, PlayWithoutADisplaySaysSo) {
   EXPECT_THAT(std::string(buffer, got), HasSubstr("display"));
 }
 
-TEST_F(CommandLine, PlayShowsAPictureInAWindow) {
-  if (std::system("command -v xvfb-run >/dev/null") != 0) {
-    GTEST_SKIP() << "no virtual display here (xvfb-run)";
+class PlayInAWindow : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    if (std::system("command -v xvfb-run >/dev/null") != 0) {
+      GTEST_SKIP() << "no virtual display here (xvfb-run)";
+    }
   }
-  // Drivers keep memory; whose it is cannot be told once they are unloaded.
-  const std::string command =
-      "cd '" + folder_.string() +
-      "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
-      "' play dome-still --stereo mono --backend cpu --size 256 --for 3 --screenshot shot.png 2>&1";
-  FILE* pipe = ::popen(command.c_str(), "r");
-  char buffer[2048] = {};
-  const std::size_t got = std::fread(buffer, 1, sizeof buffer - 1, pipe);
-  ASSERT_EQ(WEXITSTATUS(::pclose(pipe)), 0) << std::string(buffer, got);
+
+  //! Plays with the options given and leaves the last picture in shot.png.
+  void play(const std::string& options) const {
+    // Drivers keep memory; whose it is cannot be told once they are unloaded.
+    const std::string command =
+        "cd '" + folder_.string() +
+        "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM
+        "' play dome-still --stereo mono --backend cpu --screenshot shot.png " +
+        options + " 2>&1";
+    FILE* pipe = ::popen(command.c_str(), "r");
+    char buffer[2048] = {};
+    const std::size_t got = std::fread(buffer, 1, sizeof buffer - 1, pipe);
+    ASSERT_EQ(WEXITSTATUS(::pclose(pipe)), 0) << std::string(buffer, got);
+  }
+};
+
+TEST_F(PlayInAWindow, ShowsAPicture) {
+  play("--size 256 --for 3");
   EXPECT_TRUE(is_complete_image(folder_ / "shot.png", 256, 256));
   // A picture of the sky is no black square.
   EXPECT_GT(fs::file_size(folder_ / "shot.png"), 5000U);
+}
+
+TEST_F(PlayInAWindow, TakesPicturesSmallerThanItsOwnSmallest) {
+  play("--size 32 --for 0.5 --times");
+  EXPECT_TRUE(fs::exists(folder_ / "shot.png"));
 }
 
 }  // namespace
