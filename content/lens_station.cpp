@@ -9,13 +9,8 @@ LensGrid grid_view(const LensStation& station) {
   const EdgeCurve edge = {
       station.centre, station.first, station.second, station.edge.data(), static_cast<int>(station.edge.size()),
       *smallest,      *largest};
-  return {{edge, station.range},
-          station.mirrored ? 1 : 0,
-          station.columns,
-          station.rows,
-          station.tree.data(),
-          station.leaves.data(),
-          station.nodes.data()};
+  return {{edge, station.range}, station.mirrored ? 1 : 0, station.columns,     station.rows,
+          station.tree.data(),   station.leaves.data(),    station.nodes.data()};
 }
 
 std::vector<bool> flagged_leaves(const LensStation& station) {

@@ -61,6 +61,7 @@ std::vector<GridLevel> grid_levels(const LensStation& station) {
   const std::vector<bool> flagged = flagged_leaves(station);
   // Every entry below its root, with how deep it lies.
   std::vector<std::pair<int, int>> open;
+  open.reserve(static_cast<std::size_t>(station.columns) * static_cast<std::size_t>(station.rows));
   for (int root = 0; root < station.columns * station.rows; ++root) {
     open.emplace_back(root, 0);
   }
@@ -79,6 +80,7 @@ std::vector<GridLevel> grid_levels(const LensStation& station) {
     level.flagged += flagged[static_cast<std::size_t>((-1 - entry) >> 1)] ? 1 : 0;
   }
   std::vector<GridLevel> list;
+  list.reserve(levels.size());
   for (const auto& [depth, level] : levels) {
     list.push_back(level);
   }
