@@ -46,7 +46,7 @@ struct LookUpPixels {
   }
 
  private:
-  //! Lanes within two pixels of the edge, or of a shadow smaller than that.
+  //! Lanes within three pixels of the edge, or of a shadow smaller than that.
   ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPlace<D>& place) const {
     const T square = maximum(n.x.along_x * n.x.along_x + n.y.along_x * n.y.along_x + n.z.along_x * n.z.along_x,
                              n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);

@@ -64,7 +64,7 @@ class GridBuilder {
       check(open);
       open = decide(open);
     }
-    mend_hanging_nodes(station_, nodes_.index_by_place, boxes_);
+    mend_hanging_nodes(station_, node_by_place_, boxes_);
     statistics_.nodes = static_cast<int>(station_.node_count());
     statistics_.leaves = static_cast<int>(station_.leaf_count());
     return statistics_;
@@ -110,8 +110,7 @@ class GridBuilder {
     for (OpenCell& cell : open) {
       for (int corner = 0; corner < 4; ++corner) {
         const NodePlace place = corner_place(station_, cell.box, corner);
-        const auto [found, fresh] =
-            nodes_.index_by_place.try_emplace(place.key(), first + static_cast<int>(gamma.size()));
+        const auto [found, fresh] = node_by_place_.try_emplace(place.key(), first + static_cast<int>(gamma.size()));
         if (fresh) {
           gamma.push_back(gamma_turns(place.gamma));
           s.push_back(s_of(place.s));
@@ -192,7 +191,7 @@ class GridBuilder {
   const GridSettings& settings_;
   GridCamera<S> camera_;
   AberrationOf<S> observer_;
-  NodeIndex nodes_;
+  NodeByPlace node_by_place_;
   std::vector<CellBox> boxes_;
   std::vector<float> error_px_;
   std::vector<float> area_px_;

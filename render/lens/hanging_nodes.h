@@ -31,10 +31,6 @@ struct NodePlace {
 
 using NodeByPlace = std::unordered_map<std::uint64_t, int>;
 
-struct NodeIndex {
-  NodeByPlace index_by_place;
-};
-
 //! The place (γ, s) of a grid as a node: γ runs round unless the grid is mirrored.
 NodePlace node_place(const LensStation& station, int gamma, int s);
 

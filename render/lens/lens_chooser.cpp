@@ -12,7 +12,7 @@ namespace {
 
 //! Both eyes, and both of the moment before.
 constexpr std::size_t kept_grids = 4;
-//! Below this many pixels rays cost less than a grid (tests/bench, grid/build against frame/direct).
+//! Below this many pixels a grid is not worth its while; compare dome_frame/direct and dome_frame/live_grid in tests/bench.
 constexpr double least_pixels = 150'000.0;
 //! Float traces grids well down to this budget [rad].
 constexpr double finest_float_budget = 2e-5;
@@ -58,8 +58,7 @@ std::unique_ptr<LensSource> LensChooser::choose(LensChoice choice, const EyeCame
   if (!about_rays && (choice == LensChoice::live || (choice == LensChoice::automatic && worth_a_grid))) {
     const Grid& grid = grid_for(eye, projection, accuracy.budget_px);
     if (choice == LensChoice::live || grid.traced_px < 0.25 * pixels) {
-      return std::make_unique<GridLens>(backend_, StationBlend(backend_, grid.station), eye, projection,
-                                        accuracy.tolerance_px);
+      return std::make_unique<GridLens>(backend_, StationBlend(grid.station), eye, projection, accuracy.tolerance_px);
     }
   }
   return std::make_unique<DirectLens>(backend_, eye, projection, accuracy.tolerance_px);

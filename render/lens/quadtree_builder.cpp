@@ -56,12 +56,6 @@ class QuadtreeBuilder {
     return !lens_.mirrored_ || cell.row < (1 << settings_.finest_level) / 2;
   }
 
-  [[nodiscard]] SkyAngles vertex(int row, int column) const {
-    SkyAngles sky = shadow_angles();
-    detail::find_any_vertex(lens_.view(), row, column, sky);
-    return sky;
-  }
-
   [[nodiscard]] bool is_to_split(const QuadtreeCell& cell, int level) const {
     const detail::QuadtreeCorners c = detail::corners_of(lens_.view(), cell);
     const bool dark =

@@ -61,7 +61,7 @@ LensGrid StationBuffers::view() const {
   return grid;
 }
 
-StationBlend::StationBlend(Backend /*backend*/, std::shared_ptr<const StationBuffers> station)
+StationBlend::StationBlend(std::shared_ptr<const StationBuffers> station)
     : first_(std::move(station)), chart_(first_->view().chart) {}
 
 StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,

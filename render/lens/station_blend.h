@@ -34,7 +34,7 @@ class StationBuffers {
 //! out first: the sky turns with its θ, and about the axis with r, as a principal null ray does.
 class StationBlend {
  public:
-  StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station);
+  explicit StationBlend(std::shared_ptr<const StationBuffers> station);
 
   //! The place (r, θ) lies between the stations; `second_weight` in [0, 1] is how far it is from the first to the second.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,

@@ -127,7 +127,7 @@ TEST(StationBlend, ErrorFallsWithTheSquareOfTheDistanceOfTheStations) {
 TEST(StationBlend, AtAStationIsThatStation) {
   const auto a = station_at({6.0, 1.0});
   const auto b = station_at({7.0, 1.0});
-  const LensBlend alone = StationBlend(Backend::cpu, a).view();
+  const LensBlend alone = StationBlend(a).view();
   EXPECT_EQ(alone.second_weight, 0.0F);
   const StationBlend blend(Backend::cpu, a, b, 0.0, 6.0, 1.0);
   EXPECT_EQ(blend.view().second_weight, 0.0F);
