@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   });
   ergodome::add_play_command(app);
   ergodome::add_render_command(app);
+  ergodome::add_bake_command(app);
   ergodome::add_inspect_command(app);
   ergodome::add_trace_command(app);
   ergodome::add_edge_command(app);

@@ -24,6 +24,10 @@ struct LensStation {
   std::vector<int> leaves;
   std::vector<float> nodes;
   std::vector<float> leaf_error_px;  //!< greatest error at a leaf's check points [px]
+  //! How the nodes change with the camera's place at fixed (γ, s), with what moving turns of itself taken out (see place_turn): along r
+  //! [1/M] and θ [1/rad], shaped as `nodes`. Empty where nobody asked for them.
+  std::vector<float> nodes_along_r;
+  std::vector<float> nodes_along_theta;
 
   [[nodiscard]] std::size_t node_count() const { return nodes.size() / floats_a_node; }
   [[nodiscard]] std::size_t leaf_count() const { return leaves.size() / 4; }
@@ -31,6 +35,17 @@ struct LensStation {
 
 //! The station as kernels on the host read it; it points into the station.
 LensGrid grid_view(const LensStation& station);
+
+//! Where a leaf lies in the chart.
+struct LeafBox {
+  double gamma_turns = 0.0;
+  double s = 0.0;
+  double width_turns = 0.0;
+  double height = 0.0;
+};
+
+//! The boxes of all leaves, by number.
+std::vector<LeafBox> leaf_boxes(const LensStation& station);
 
 //! Whether a leaf's pixels are to be traced, leaf by leaf.
 std::vector<bool> flagged_leaves(const LensStation& station);

@@ -2,6 +2,7 @@
 
 #include "kernels/image/shade_pixels.h"
 #include "kernels/launch/instruction_set.h"
+#include "kernels/lens/blend_check.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/trace/trace_pixels.h"
@@ -20,6 +21,7 @@ struct KernelTable {
   void (*trace_nodes_double)(const NodeBatch<double>& batch, int begin, int end);
   void (*check_cells_float)(const CheckBatch<float>& batch, int begin, int end);
   void (*check_cells_double)(const CheckBatch<double>& batch, int begin, int end);
+  void (*check_blend)(const BlendCheckBatch& batch, int begin, int end);
   void (*look_up_pixels)(const LookUpBatch& batch, int begin, int end);
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
   void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index

@@ -74,6 +74,10 @@ void check_cells(const CheckBatch<double>& batch) {
   run_on_cpu(active_table().check_cells_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
+void check_blend(const BlendCheckBatch& batch) {
+  run_on_cpu(active_table().check_blend, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
 void look_up_pixels(Backend backend, const LookUpBatch& batch) {
   if (backend == Backend::cuda) {
     return look_up_pixels_cuda(batch);

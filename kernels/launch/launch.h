@@ -27,6 +27,9 @@ void trace_nodes(const NodeBatch<double>& batch);
 void check_cells(Backend backend, const CheckBatch<float>& batch);
 void check_cells(const CheckBatch<double>& batch);
 
+//! Compares a lens between stations with traced rays; see BlendCheckBatch. On the CPU alone.
+void check_blend(const BlendCheckBatch& batch);
+
 //! Reads the pixels of an image from a lens grid; see LookUpBatch.
 void look_up_pixels(Backend backend, const LookUpBatch& batch);
 

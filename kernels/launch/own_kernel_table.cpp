@@ -1,6 +1,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
+#include "kernels/lens/blend_check_kernel.h"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
@@ -49,6 +50,7 @@ const KernelTable& own_kernel_table() {
       &run<TraceNodes<WidePack<double>>, NodeBatch<double>>,
       &run<CheckCells<WidePack<float>>, CheckBatch<float>>,
       &run<CheckCells<WidePack<double>>, CheckBatch<double>>,
+      &run<CheckBlend<WidePack<double>>, BlendCheckBatch>,
       &run<LookUpPixels<WidePack<float>>, LookUpBatch>,
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,

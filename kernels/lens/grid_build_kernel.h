@@ -21,6 +21,29 @@ ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>>& camera, const Vector3
   Real steps(ScalarOf<T>(0));
   return trace_taylor<grid_order<T>>(rain.spin, start, bright, camera.settings, steps, reached).sky;
 }
+
+//! The least displacement δ of a camera direction with J δ = `miss`, by the normal equations; its length [rad]. J, from the derivatives
+//! of what is read along γ [turns] and s, has a column along α and one across it.
+template <class T>
+ERGO_HD T screen_displacement(const Vector3<T>& along_gamma, const Vector3<T>& along_s, const MixedDual<T>& alpha,
+                              const T& sine, const Vector3<T>& miss) {
+  using S = ScalarOf<T>;
+  const T per_alpha = S(1) / alpha.along_y;
+  const T per_across = S(0.159154943091895335769) / maximum(sine, T(S(1e-6)));
+  const Vector3<T> j1 = per_alpha * along_s;
+  const Vector3<T> j2 = per_across * (along_gamma - alpha.along_x * j1);
+  const T a = dot(j1, j1);
+  const T b = dot(j1, j2);
+  const T c = dot(j2, j2);
+  const T p = dot(j1, miss);
+  const T q = dot(j2, miss);
+  // |j1 x j2|² keeps the digits that a c - b² loses when J is long and thin.
+  const Vector3<T> normal = cross(j1, j2);
+  const T inverse = S(1) / (dot(normal, normal) + T(S(1e-30)));
+  const T x = (c * p - b * q) * inverse;
+  const T y = (a * q - b * p) * inverse;
+  return sqrt(x * x + y * y);
+}
 }  // namespace detail
 
 //! Traces the nodes of a batch with their derivatives; index i stands for the nodes i * lanes, i * lanes + 1, ...
@@ -93,7 +116,8 @@ struct CheckCells {
     MaskOf<T> reached;
     const Vector3<T> sky = detail::grid_sky(batch.camera, direction, reached);
     const T scale = observed_scale(batch.observer, direction) * (S(1) / batch.pixel);
-    const T error = displacement(patch, stretch.alpha, sine, without_noise(patch.sky - sky)) * scale;
+    const T error = scale * detail::screen_displacement(patch.along_gamma, patch.along_s, stretch.alpha, sine,
+                                                        without_noise(patch.sky - sky));
     const auto known = reached & (patch.good > T(S(0.999))) & (error < T(S(1e30)));
     const T shown = select(known, error, T(S(1e30)));
     const T area = absolute(sine) * absolute(stretch.alpha.along_y) * patch.extent * scale * scale;
@@ -144,25 +168,6 @@ struct CheckCells {
     const T size = sqrt(dot(miss, miss) + T(S(1e-30)));
     const T kept = maximum(size - noise, T(S(0))) / size;
     return {kept * miss.x, kept * miss.y, kept * miss.z};
-  }
-
-  //! The least δ with J δ = `miss`, by the normal equations; its length [rad]. J has a column along α and one across it.
-  ERGO_HD static T displacement(const Patch& patch, const MixedDual<T>& alpha, const T& sine, const Vector3<T>& miss) {
-    const T per_alpha = S(1) / alpha.along_y;
-    const T per_across = S(0.159154943091895335769) / maximum(sine, T(S(1e-6)));
-    const Vector3<T> j1 = per_alpha * patch.along_s;
-    const Vector3<T> j2 = per_across * (patch.along_gamma - alpha.along_x * j1);
-    const T a = dot(j1, j1);
-    const T b = dot(j1, j2);
-    const T c = dot(j2, j2);
-    const T p = dot(j1, miss);
-    const T q = dot(j2, miss);
-    // |j1 x j2|² keeps the digits that a c - b² loses when J is long and thin.
-    const Vector3<T> normal = cross(j1, j2);
-    const T inverse = S(1) / (dot(normal, normal) + T(S(1e-30)));
-    const T x = (c * p - b * q) * inverse;
-    const T y = (a * q - b * p) * inverse;
-    return sqrt(x * x + y * y);
   }
 };
 

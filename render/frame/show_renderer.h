@@ -58,7 +58,4 @@ class ShowRenderer {
 //! The projection of a show's view at a width.
 Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg);
 
-//! The head as an eye: the show's camera at a pose. Throws Error inside the horizon and where the observer would outrun light.
-EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset);
-
 }  // namespace ergodome

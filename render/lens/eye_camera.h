@@ -1,5 +1,6 @@
 #pragma once
 
+#include "content/camera_path.h"
 #include "kernels/metric/camera_station.h"
 
 namespace ergodome {
@@ -14,5 +15,8 @@ struct EyeCamera {
   Vector3<double> velocity{};    //!< in the ZAMO frame, for ObserverMotion::velocity
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
 };
+
+//! The head as an eye: the show's camera at a pose. Throws Error inside the horizon and where the observer would outrun light.
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset);
 
 }  // namespace ergodome

@@ -1,34 +1,19 @@
 #include "render/lens/station_blend.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/mat3x3.hpp>
 #include <utility>
 
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
+#include "render/lens/place_turn.h"
 
 namespace ergodome {
 
 namespace {
 
-//! How far an ingoing principal null ray turns about the axis on its way from infinity to r [rad]: the integral of a / Δ.
-double principal_turn(double spin, double r) {
-  const double half = std::sqrt(std::max(0.0, (1.0 - spin) * (1.0 + spin)));  // (r_+ - r_-) / 2
-  const double x = half / (r - 1.0);
-  return spin / (r - 1.0) * (x > 1e-4 ? std::atanh(x) / x : 1.0 + x * x / 3.0);
-}
-
-//! The rotation that takes a station's sky to that of a camera at (r, θ).
-void set_turn(const LensStation& station, double r, double theta, float (&turn)[3][3]) {
-  const double before = principal_turn(station.spin, station.r);
-  const double after = principal_turn(station.spin, r);
-  const auto about_axis = [](double angle) {
-    return glm::dmat3(std::cos(angle), std::sin(angle), 0.0, -std::sin(angle), std::cos(angle), 0.0, 0.0, 0.0, 1.0);
-  };
-  const double tilt = theta - station.theta;
-  const glm::dmat3 tilted(std::cos(tilt), 0.0, -std::sin(tilt), 0.0, 1.0, 0.0, std::sin(tilt), 0.0, std::cos(tilt));
-  const glm::dmat3 whole = about_axis(-after) * tilted * about_axis(before);
+//! place_turn from a station, as kernels have it.
+void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[3][3]) {
+  const glm::dmat3 whole = place_turn(station.spin, {station.r, station.theta}, place);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       turn[i][j] = static_cast<float>(whole[j][i]);
@@ -65,19 +50,20 @@ StationBlend::StationBlend(std::shared_ptr<const StationBuffers> station)
     : first_(std::move(station)), chart_(first_->view().chart) {}
 
 StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
-                           std::shared_ptr<const StationBuffers> second, double second_weight, double r, double theta)
-    : first_(std::move(first)), second_(std::move(second)), second_weight_(static_cast<float>(second_weight)) {
+                           std::shared_ptr<const StationBuffers> second, const LensPlace& place)
+    : first_(std::move(first)), second_(std::move(second)) {
   const LensStation& a = first_->station();
   const LensStation& b = second_->station();
-  const CameraStation rain = make_camera_station(a.spin, r, theta, 0.0, ObserverMotion::rain);
+  second_weight_ = static_cast<float>(place_weight({a.r, a.theta}, {b.r, b.theta}, place));
+  const CameraStation rain = make_camera_station(a.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
   const ShadowChart chart = make_shadow_chart(rain);
   const std::vector<float> edge = solve_edge(rain, chart, static_cast<int>(a.edge.size()));
   edge_ = Buffer<float>(backend, edge);
   chart_.edge = edge_view(chart, edge);
   chart_.edge.polar_angle = edge_.data();
   chart_.range = a.range + second_weight_ * (b.range - a.range);
-  set_turn(a, r, theta, turn_[0]);
-  set_turn(b, r, theta, turn_[1]);
+  set_turn(a, place, turn_[0]);
+  set_turn(b, place, turn_[1]);
 }
 
 LensBlend StationBlend::view() const {

@@ -5,6 +5,7 @@
 #include "content/lens_station.h"
 #include "kernels/lens/look_up.h"
 #include "render/backend/buffer.h"
+#include "render/lens/place_turn.h"
 
 namespace ergodome {
 
@@ -36,9 +37,9 @@ class StationBlend {
  public:
   explicit StationBlend(std::shared_ptr<const StationBuffers> station);
 
-  //! The place (r, θ) lies between the stations; `second_weight` in [0, 1] is how far it is from the first to the second.
+  //! For a place between the stations.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
-               std::shared_ptr<const StationBuffers> second, double second_weight, double r, double theta);
+               std::shared_ptr<const StationBuffers> second, const LensPlace& place);
 
   //! The lens as kernels read it; it points into this object.
   [[nodiscard]] LensBlend view() const;

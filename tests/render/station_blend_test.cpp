@@ -67,7 +67,7 @@ Comparison compare(const Place& first, const Place& second) {
   }
   rays.status = status.data();
   trace_rays(Backend::cpu, rays);
-  const StationBlend blend(Backend::cpu, station_at(first), station_at(second), 0.5, middle.r, middle.theta);
+  const StationBlend blend(Backend::cpu, station_at(first), station_at(second), {middle.r, middle.theta});
   batch.lens = blend.view();
   batch.aberration = aberration_to_rain(spin, middle.r, middle.theta, motion_at(middle), {});
   for (int k = 0; k < 3; ++k) {
@@ -129,7 +129,7 @@ TEST(StationBlend, AtAStationIsThatStation) {
   const auto b = station_at({7.0, 1.0});
   const LensBlend alone = StationBlend(a).view();
   EXPECT_EQ(alone.second_weight, 0.0F);
-  const StationBlend blend(Backend::cpu, a, b, 0.0, 6.0, 1.0);
+  const StationBlend blend(Backend::cpu, a, b, {6.0, 1.0});
   EXPECT_EQ(blend.view().second_weight, 0.0F);
   EXPECT_FLOAT_EQ(blend.view().chart.range, a->view().chart.range);
 }

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/show_loading.h"
+#include "content/trajectory/trajectory_journal.h"
+#include "content/trajectory/trajectory_reader.h"
+#include "kernels/core/error.h"
+#include "render/frame/show_renderer.h"
+#include "render/lens/trajectory_baker.h"
+
+namespace ergodome {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BakeOptions {
+  std::string show;
+  std::string out;
+  std::string part;
+  int size_px = 0;
+  double budget_px = 0.0;
+  std::string derivatives = "auto";
+};
+
+//! K and N of "K/N".
+void set_part(const std::string& text, BakeSettings& settings) {
+  int used = 0;
+  if (text.empty()) {
+    return;
+  }
+  if (std::sscanf(text.c_str(), "%d/%d%n", &settings.part, &settings.parts, &used) != 2 ||
+      used != static_cast<int>(text.size()) || settings.part < 1 || settings.part > settings.parts ||
+      settings.parts > 1000) {
+    throw Error("--part " + text, "is no part of a bake", "write K/N, as in 2/4");
+  }
+}
+
+BakeSettings settings_of(const BakeOptions& options, const Show& show) {
+  BakeSettings settings;
+  settings.pixel =
+      pixel_angle(make_projection(show.view, options.size_px > 0 ? options.size_px : show.view.size_px, 0.0));
+  settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
+  const bool stereo = show.stereo.layout != StereoLayout::mono && show.stereo.baseline > 0.0;
+  settings.derivatives = options.derivatives == "yes" || (options.derivatives == "auto" && stereo);
+  set_part(options.part, settings);
+  return settings;
+}
+
+fs::path journal_path(const BakeOptions& options, const BakeSettings& settings) {
+  return settings.parts == 1 ? fs::path(options.out + ".part")
+                             : fs::path(fmt::format("{}.part-{}-of-{}", options.out, settings.part, settings.parts));
+}
+
+//! Files beside the output whose names begin so.
+std::vector<fs::path> beside(const fs::path& out, const std::string& beginning, const std::string& end) {
+  std::vector<fs::path> found;
+  std::error_code problem;
+  const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(beginning) && name.ends_with(end)) {
+      found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool is_baked(const fs::path& out, const TrajectoryProvenance& provenance) {
+  std::error_code problem;
+  if (!fs::exists(out, problem)) {
+    return false;
+  }
+  try {
+    return TrajectoryReader(out).provenance() == provenance;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal) {
+  constexpr long steps = 10'000;
+  Progress progress("baking", steps);
+  return bake_trajectory(show, settings, journal, [&](double done_s) {
+    const double whole_s = std::max(show.duration_s, 1e-9);
+    const double begin_s = whole_s * (settings.part - 1) / settings.parts;
+    progress.advance_to(std::clamp(std::lround(steps * settings.parts * (done_s - begin_s) / whole_s), 0L, steps));
+    return !interrupted();
+  });
+}
+
+void say(const fs::path& file, const BakeResult& result, double seconds) {
+  const TrajectoryReader trajectory(file);
+  fmt::print("{}: {} stations ({} built now), {:.1f} MB, {:.1f} s; blending misses by {:.3f} px at most\n",
+             file.string(), trajectory.stations().size(), result.built,
+             1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, result.worst_px);
+  if (result.unmet > 0) {
+    fmt::print(stderr, "ergodome: {} gaps between stations stay over the budget of {} px\n", result.unmet,
+               trajectory.provenance().budget_px);
+  }
+}
+
+void run(const BakeOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const Show show = load_show(options.show);
+  const BakeSettings settings = settings_of(options, show);
+  const TrajectoryProvenance provenance = provenance_of(show, settings);
+  const fs::path out = options.out;
+  if (out.has_parent_path()) {
+    std::error_code ignored;
+    fs::create_directories(out.parent_path(), ignored);
+  }
+  const std::string name = out.filename().string();
+  const bool whole = settings.parts == 1;
+  std::vector<fs::path> journals = {journal_path(options, settings)};
+  const std::vector<fs::path> parts = whole ? beside(out, name + ".part-", "") : std::vector<fs::path>{};
+  if (parts.empty() && !fs::exists(journals.front()) && is_baked(out, provenance)) {
+    fmt::print("{}: is baked already\n", out.string());
+    return;
+  }
+  TrajectoryJournal journal(journals.front(), provenance);
+  for (const fs::path& part : parts) {
+    journal.absorb(TrajectoryJournal(part, provenance));
+    journals.push_back(part);
+  }
+  const BakeResult result = bake(show, settings, journal);
+  if (!whole) {
+    fmt::print("{}: part {} of {} is baked ({} stations); bake without --part joins the parts\n",
+               journals.front().string(), settings.part, settings.parts, journal.station_count());
+    return;
+  }
+  // What a bake that was killed while it sealed has left.
+  for (const fs::path& partial : beside(out, ".partial-", "-" + name)) {
+    fs::remove(partial);
+  }
+  journal.seal(out, result.times_s);
+  for (const fs::path& done : journals) {
+    fs::remove(done);
+  }
+  say(out, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app) {
+  auto options = std::make_shared<BakeOptions>();
+  CLI::App* command = app.add_subcommand(
+      "bake", "Compute the lenses along a show's camera path beforehand; goes on where an earlier run was stopped");
+  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
+  command->add_option("--out", options->out, "trajectory file to write")->required();
+  command->add_option("--part", options->part, "K/N: bake this stretch alone, beside other processes with the others");
+  command->add_option("--size", options->size_px, "width of the pictures in pixels, instead of the show's")
+      ->check(CLI::Range(1, 16384));
+  command->add_option("--budget", options->budget_px, "error on the screen in pixels, instead of the show's")
+      ->check(CLI::Range(1e-3, 100.0));
+  command
+      ->add_option("--derivatives", options->derivatives,
+                   "yes, no or auto (for stereo shows): also how the lens changes beside the path")
+      ->check(CLI::IsMember({"yes", "no", "auto"}))
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

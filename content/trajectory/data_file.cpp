@@ -1,0 +1,93 @@
+#include "content/trajectory/data_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace ergodome {
+
+DataFile DataFile::open(const std::filesystem::path& path) {
+  DataFile file(path, ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat facts {};
+  if (file.handle_ < 0 || ::fstat(file.handle_, &facts) != 0) {
+    file.fail("cannot be opened", "check the path and its permissions");
+  }
+  if (!S_ISREG(facts.st_mode)) {
+    throw Error(path.string(), "is no file", "choose a trajectory made by ergodome bake");
+  }
+  return file;
+}
+
+DataFile DataFile::open_locked(const std::filesystem::path& path) {
+  DataFile file(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (file.handle_ < 0) {
+    file.fail("cannot be written", "check the folder and its permissions");
+  }
+  if (::flock(file.handle_, LOCK_EX | LOCK_NB) != 0) {
+    throw Error(path.string(), "another process is baking it", "wait for it, or bake another part");
+  }
+  return file;
+}
+
+DataFile::DataFile(DataFile&& other) noexcept
+    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, -1)) {}
+
+DataFile::~DataFile() {
+  if (handle_ >= 0) {
+    ::close(handle_);
+  }
+}
+
+std::uint64_t DataFile::size() const {
+  struct stat facts {};
+  if (::fstat(handle_, &facts) != 0) {
+    fail("cannot be read", "check the disk");
+  }
+  return static_cast<std::uint64_t>(facts.st_size);
+}
+
+Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::string& place) const {
+  Bytes bytes(count);
+  std::uint64_t done = 0;
+  while (done < count) {
+    const ssize_t got = ::pread(handle_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno != EINTR) {
+      fail("cannot be read", "check the disk");
+    }
+    if (got == 0) {
+      throw Error(place, "the file ends too early", "bake it again");
+    }
+    done += got > 0 ? static_cast<std::uint64_t>(got) : 0;
+  }
+  return bytes;
+}
+
+void DataFile::append(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(handle_, bytes.data(), bytes.size());
+    if (put < 0 && errno != EINTR) {
+      fail("cannot be written", "free some space; what is there is kept, and baking goes on from it");
+    }
+    bytes = bytes.subspan(put > 0 ? static_cast<std::size_t>(put) : 0);
+  }
+  if (::fdatasync(handle_) != 0 && errno != EINVAL) {
+    fail("cannot be written", "check the disk");
+  }
+}
+
+void DataFile::cut(std::uint64_t size) {
+  if (::ftruncate(handle_, static_cast<off_t>(size)) != 0) {
+    fail("cannot be cut to what is complete", "check the disk");
+  }
+}
+
+void DataFile::fail(const char* what, const char* remedy) const {
+  throw Error(path_.string(), std::string(what) + ": " + std::strerror(errno), remedy);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "content/lens_station.h"
+#include "content/trajectory/bytes.h"
+
+namespace ergodome {
+
+//! A station as the payload of its frame: compressed, every bit of it kept.
+struct PackedStation {
+  Bytes bytes;
+  std::uint64_t unpacked_bytes;
+};
+PackedStation pack_station(const LensStation& station);
+
+//! The station of a payload. Throws Error, naming the place, for anything that kernels could not read safely: it need not come from
+//! pack_station.
+LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
+
+}  // namespace ergodome

@@ -1,0 +1,54 @@
+#include "content/trajectory/station_frame.h"
+
+#include "content/trajectory/frame.h"
+#include "content/trajectory/station_codec.h"
+
+namespace ergodome {
+
+namespace {
+
+StationSummary read_summary(ByteReader& from) {
+  StationSummary summary;
+  summary.time_s = from.number<double>();
+  summary.r = from.number<double>();
+  summary.theta = from.number<double>();
+  summary.nodes = from.number<std::uint32_t>();
+  summary.leaves = from.number<std::uint32_t>();
+  return summary;
+}
+
+}  // namespace
+
+Bytes make_station_frame(std::uint32_t number, double time_s, const LensStation& station) {
+  ByteWriter payload;
+  payload.number(time_s);
+  payload.number(station.r);
+  payload.number(station.theta);
+  payload.number(static_cast<std::uint32_t>(station.node_count()));
+  payload.number(static_cast<std::uint32_t>(station.leaf_count()));
+  const PackedStation packed = pack_station(station);
+  payload.append(packed.bytes);
+  return make_frame(FrameKind::station, number, payload.bytes(), packed.unpacked_bytes);
+}
+
+Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& place) {
+  const std::span<const std::byte> payload = checked_payload(frame, FrameKind::station, place);
+  return make_frame(FrameKind::station, number, payload, parse_frame_header(frame, place).unpacked_bytes);
+}
+
+StationSummary parse_summary(std::span<const std::byte> frame, const std::string& place) {
+  ByteReader from(checked_payload(frame, FrameKind::station, place), place);
+  return read_summary(from);
+}
+
+LensStation parse_station(std::span<const std::byte> frame, const std::string& place) {
+  ByteReader from(checked_payload(frame, FrameKind::station, place), place);
+  const StationSummary summary = read_summary(from);
+  LensStation station = unpack_station(from.take(from.left()), parse_frame_header(frame, place).unpacked_bytes, place);
+  if (station.r != summary.r || station.theta != summary.theta) {
+    throw Error(place, "is damaged (its place)", "bake it again");
+  }
+  return station;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,102 @@
+#include "content/trajectory/trajectory.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t entry_bytes = 64;
+constexpr std::uint32_t flag_derivatives = 1;
+
+}  // namespace
+
+std::string station_place(const std::filesystem::path& file, std::size_t station) {
+  return fmt::format("{}: station {}", file.string(), station + 1);
+}
+
+Bytes to_bytes(const TrajectoryProvenance& provenance) {
+  ByteWriter to;
+  to.number(provenance.spin);
+  to.number(provenance.pixel);
+  to.number(provenance.budget_px);
+  to.number(provenance.derivatives ? flag_derivatives : 0U);
+  to.text(provenance.code_version);
+  to.text(provenance.show_text);
+  return to.take();
+}
+
+TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const std::string& place) {
+  ByteReader from(payload, place);
+  TrajectoryProvenance provenance;
+  provenance.spin = from.number<double>();
+  provenance.pixel = from.number<double>();
+  provenance.budget_px = from.number<double>();
+  provenance.derivatives = (from.number<std::uint32_t>() & flag_derivatives) != 0;
+  provenance.code_version = from.text();
+  provenance.show_text = from.text();
+  if (!(std::abs(provenance.spin) <= 1.0 && provenance.pixel > 0.0 && provenance.budget_px > 0.0)) {
+    throw Error(place, "is damaged (provenance)", "bake it again");
+  }
+  return provenance;
+}
+
+Bytes to_bytes(const Gap& gap) {
+  ByteWriter to;
+  to.number(gap.begin_s);
+  to.number(gap.end_s);
+  to.number(gap.error_px);
+  to.number(std::uint32_t{0});
+  return to.take();
+}
+
+Gap parse_gap(std::span<const std::byte> payload, const std::string& place) {
+  ByteReader from(payload, place);
+  const auto begin_s = from.number<double>();
+  const auto end_s = from.number<double>();
+  return {begin_s, end_s, from.number<float>()};
+}
+
+Bytes to_bytes(const std::vector<StationEntry>& index) {
+  ByteWriter to;
+  for (const StationEntry& entry : index) {
+    to.number(entry.time_s);
+    to.number(entry.r);
+    to.number(entry.theta);
+    to.number(entry.offset);
+    to.number(entry.bytes);
+    to.number(entry.gap_error_px);
+    to.number(entry.nodes);
+    to.number(entry.leaves);
+    to.number(std::uint32_t{0});
+    to.number(std::uint64_t{0});
+  }
+  return to.take();
+}
+
+std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const std::string& place) {
+  ByteReader from(payload, place);
+  std::vector<StationEntry> index(payload.size() / entry_bytes);
+  double before_s = -INFINITY;
+  for (StationEntry& entry : index) {
+    entry.time_s = from.number<double>();
+    entry.r = from.number<double>();
+    entry.theta = from.number<double>();
+    entry.offset = from.number<std::uint64_t>();
+    entry.bytes = from.number<std::uint64_t>();
+    entry.gap_error_px = from.number<float>();
+    entry.nodes = from.number<std::uint32_t>();
+    entry.leaves = from.number<std::uint32_t>();
+    from.take(12);
+    if (!(entry.time_s > before_s && std::isfinite(entry.time_s) && entry.r > 0.0 && entry.r < 1e9 &&
+          std::isfinite(entry.theta))) {
+      throw Error(place, "is damaged (index)", "bake it again");
+    }
+    before_s = entry.time_s;
+  }
+  return index;
+}
+
+}  // namespace ergodome

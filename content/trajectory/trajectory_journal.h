@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "content/trajectory/data_file.h"
+#include "content/trajectory/trajectory.h"
+
+namespace ergodome {
+
+//! A bake on its way: stations and gaps in the order in which they were found, each down on the disk before the next is begun. A kill
+//! loses what was in flight alone; opening it again goes on from there.
+class TrajectoryJournal {
+ public:
+  //! Opens or begins a journal, and takes away a frame at its end that was cut off. Throws Error where another process has it, or where it
+  //! belongs to another bake.
+  TrajectoryJournal(const std::filesystem::path& path, const TrajectoryProvenance& provenance);
+
+  [[nodiscard]] bool has_station(double time_s) const { return stations_.contains(time_s); }
+  [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
+
+  //! A station that is there.
+  [[nodiscard]] LensStation read(double time_s) const;
+  void add(double time_s, const LensStation& station);
+
+  //! Error of a gap that was found good, or a null pointer.
+  [[nodiscard]] const float* find_gap(double begin_s, double end_s) const;
+  void add(const Gap& gap);
+
+  //! Takes over what another journal of the same bake has and this one has not.
+  void absorb(const TrajectoryJournal& other);
+
+  //! Writes the finished file: the stations of these times, in order, and the gaps between them. Whole or not at all.
+  void seal(const std::filesystem::path& path, const std::vector<double>& times_s) const;
+
+ private:
+  struct Place {
+    std::uint64_t offset;
+    std::uint64_t bytes;
+  };
+
+  void scan();
+  bool take_frame(std::uint64_t offset, std::uint64_t end, std::uint64_t& next);
+  [[nodiscard]] Bytes frame_at(double time_s) const;
+
+  DataFile file_;
+  TrajectoryProvenance provenance_;
+  std::map<double, Place> stations_;
+  std::map<std::pair<double, double>, float> gaps_;
+};
+
+}  // namespace ergodome

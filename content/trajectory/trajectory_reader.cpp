@@ -1,0 +1,64 @@
+#include "content/trajectory/trajectory_reader.h"
+
+#include <algorithm>
+
+#include "content/trajectory/frame.h"
+#include "content/trajectory/station_frame.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Reads a frame that starts at an offset, whole.
+Bytes read_frame(const DataFile& file, std::uint64_t offset, const std::string& place) {
+  const Bytes header = file.read(offset, frame_header_bytes, place);
+  return file.read(offset, frame_header_bytes + parse_frame_header(header, place).payload_bytes, place);
+}
+
+}  // namespace
+
+TrajectoryReader::TrajectoryReader(const std::filesystem::path& path) : file_(DataFile::open(path)) {
+  const std::string name = path.string();
+  file_bytes_ = file_.size();
+  const TrajectoryHeader header =
+      parse_trajectory_header(file_.read(0, std::min<std::uint64_t>(file_bytes_, trajectory_header_bytes), name), name);
+  if (!header.sealed) {
+    throw Error(name, "is a bake that is not finished", "go on with it: ergodome bake SHOW --out FILE, without .part");
+  }
+  if (header.file_bytes != file_bytes_) {
+    throw Error(name, "is cut off or has grown", "copy it again, or bake it again");
+  }
+  const std::string index_place = name + ": index";
+  if (header.index_bytes > largest_frame_bytes || header.index_bytes < frame_header_bytes ||
+      header.index_offset > file_bytes_ || header.index_bytes > file_bytes_ - header.index_offset) {
+    throw Error(name, "has a damaged header", "bake it again");
+  }
+  const std::string provenance_place = name + ": provenance";
+  const Bytes provenance = read_frame(file_, trajectory_header_bytes, provenance_place);
+  provenance_ =
+      parse_provenance(checked_payload(provenance, FrameKind::provenance, provenance_place), provenance_place);
+  const Bytes index = file_.read(header.index_offset, header.index_bytes, index_place);
+  stations_ = parse_index(checked_payload(index, FrameKind::index, index_place), index_place);
+  if (stations_.size() != header.station_count || stations_.empty()) {
+    throw Error(index_place, "is damaged (number of stations)", "bake it again");
+  }
+}
+
+LensStation TrajectoryReader::read(std::size_t station) const {
+  const StationEntry& entry = stations_.at(station);
+  const std::string place = station_place(path(), station);
+  const auto damaged = [&] { return Error(place, "is damaged (not where the index says)", "bake it again"); };
+  if (entry.offset > file_bytes_ || entry.bytes > file_bytes_ - entry.offset || entry.bytes < frame_header_bytes ||
+      entry.bytes > largest_frame_bytes) {
+    throw damaged();
+  }
+  const Bytes frame = file_.read(entry.offset, entry.bytes, place);
+  LensStation read = parse_station(frame, place);
+  if (parse_frame_header(frame, place).number != station || read.r != entry.r || read.theta != entry.theta ||
+      read.spin != provenance_.spin || read.nodes_along_r.empty() == provenance_.derivatives) {
+    throw damaged();
+  }
+  return read;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "content/trajectory/data_file.h"
+#include "content/trajectory/trajectory.h"
+
+namespace ergodome {
+
+//! A finished trajectory file: its index in memory, its stations on the disk, each to be read without the others.
+class TrajectoryReader {
+ public:
+  //! Opens and checks header, provenance and index. Throws Error with the remedy for files that are cut off, damaged, foreign, newer, or
+  //! a bake that is not finished.
+  explicit TrajectoryReader(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return file_.path(); }
+  [[nodiscard]] const TrajectoryProvenance& provenance() const { return provenance_; }
+  [[nodiscard]] const std::vector<StationEntry>& stations() const { return stations_; }
+  [[nodiscard]] std::uint64_t file_bytes() const { return file_bytes_; }
+
+  //! Reads one station; any number of threads may. Throws Error naming the station where it is damaged.
+  [[nodiscard]] LensStation read(std::size_t station) const;
+
+ private:
+  DataFile file_;
+  TrajectoryProvenance provenance_;
+  std::vector<StationEntry> stations_;
+  std::uint64_t file_bytes_ = 0;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,60 @@
+#include "render/lens/eye_camera.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "calibration/stereo_rig.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+//! All eyes of one head move together: at the velocity that the head's observer has at the head's place.
+void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
+  eye.motion = show.camera.motion;
+  eye.velocity = show.camera.velocity;
+  if (eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo) {
+    return;
+  }
+  eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, show.camera.velocity);
+  eye.motion = ObserverMotion::velocity;
+  if (!(dot(eye.velocity, eye.velocity) < 1.0)) {
+    throw Error(show.name, fmt::format("no such observer exists at r = {:.6g} M", pose.r),
+                "choose observer = \"zamo\" or a camera path further out");
+  }
+}
+
+}  // namespace
+
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset) {
+  const double horizon = horizon_radius(show.spin);
+  if (!(pose.r > horizon)) {
+    throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
+  }
+  const glm::dmat3 turn = glm::mat3_cast(pose.orientation);
+  double head[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      head[i][j] = turn[j][i];
+    }
+  }
+  // An eye that the baseline would put into the hole waits just outside.
+  const EyeEvent event =
+      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, eye_offset, horizon + 1e-3 * (pose.r - horizon));
+  EyeCamera eye{};
+  eye.spin = show.spin;
+  eye.r = event.r;
+  eye.theta = event.theta;
+  eye.phi = event.phi;
+  set_motion(eye, show, pose);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      eye.frame_from_view[i][j] = event.frame_from_view[i][j];
+    }
+  }
+  return eye;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,76 @@
+#include "render/lens/screen_error.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/launch/launch.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int step_limit = 400;
+
+//! The value below which a share of the weight lies.
+double quantile(const std::vector<double>& values, const std::vector<double>& weights,
+                const std::vector<std::size_t>& order, double share) {
+  const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
+  double below = 0.0;
+  for (const std::size_t i : order) {
+    below += weights[i];
+    if (below >= share * whole) {
+      return values[i];
+    }
+  }
+  return order.empty() ? 0.0 : values[order.back()];
+}
+
+}  // namespace
+
+ChartSamples leaf_samples(const LensStation& station) {
+  ChartSamples samples;
+  const auto add = [&](double gamma_turns, double s, double extent) {
+    samples.gamma_turns.push_back(gamma_turns);
+    samples.s.push_back(s);
+    samples.extent.push_back(extent);
+  };
+  for (const LeafBox& box : leaf_boxes(station)) {
+    const double quarter = 0.25 * box.width_turns * box.height;
+    for (const double u : {0.25, 0.75}) {
+      for (const double v : {0.25, 0.75}) {
+        const double gamma_turns = box.gamma_turns + u * box.width_turns;
+        const double s = box.s + v * box.height;
+        add(gamma_turns, s, quarter);
+        if (station.mirrored) {
+          add(1.0 - gamma_turns, s, quarter);
+        }
+      }
+    }
+  }
+  return samples;
+}
+
+ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples) {
+  const CameraStation rain = make_camera_station(view.spin, view.place.r, view.place.theta, 0.0, ObserverMotion::rain);
+  const std::size_t count = samples.s.size();
+  std::vector<double> error_px(count);
+  std::vector<double> area_px(count);
+  check_blend(BlendCheckBatch{{rain, lens.chart, {1e-9, step_limit, true}},
+                              lens,
+                              view.observer,
+                              view.pixel,
+                              static_cast<int>(count),
+                              samples.gamma_turns.data(),
+                              samples.s.data(),
+                              error_px.data(),
+                              area_px.data()});
+  for (std::size_t i = 0; i < count; ++i) {
+    area_px[i] *= samples.extent[i];
+  }
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return error_px[a] < error_px[b]; });
+  return {quantile(error_px, area_px, order, 0.99), quantile(error_px, area_px, order, 0.999)};
+}
+
+}  // namespace ergodome

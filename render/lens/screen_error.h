@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "content/lens_station.h"
+#include "kernels/lens/look_up.h"
+#include "render/lens/place_turn.h"
+
+namespace ergodome {
+
+//! Who looks at a lens, where, and how closely.
+struct LensView {
+  double spin;  //!< [M]
+  LensPlace place;
+  Aberration observer;  //!< from aberration_to_rain()
+  double pixel;         //!< angle of a pixel on the observer's screen [rad]
+};
+
+//! Places of the conforming chart, each standing for a part of it.
+struct ChartSamples {
+  std::vector<double> gamma_turns;
+  std::vector<double> s;
+  std::vector<double> extent;  //!< turns times s
+};
+
+//! Four places in each of a station's leaves: dense where its map needs them. A mirrored station's stand for both halves of the sky.
+ChartSamples leaf_samples(const LensStation& station);
+
+//! What a lens misses by on the screen: bounds for all but a part of the sky that the observer sees, by solid angle [px].
+struct ScreenError {
+  double p99_px;
+  double p999_px;
+};
+
+//! Compares a lens (its arrays on the host) with rays traced in double at the samples. What the lens leaves to rays counts as exact.
+ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples);
+
+}  // namespace ergodome

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+
+#include "content/show.h"
+#include "content/trajectory/trajectory.h"
+
+namespace ergodome {
+
+class TrajectoryJournal;
+
+//! What a trajectory is baked for.
+struct BakeSettings {
+  double pixel = 0.0;        //!< angle of a pixel on the screen [rad]
+  double budget_px = 0.25;   //!< greatest displacement on the screen, for all but a hundredth of the sky
+  bool derivatives = false;  //!< stations with their change along r and θ, for the eyes of a stereo pair
+  int part = 1;              //!< this one of `parts` stretches of the show, of equal length, counted from 1
+  int parts = 1;
+};
+
+//! What a bake found.
+struct BakeResult {
+  std::vector<double> times_s;  //!< of the stations, in order
+  int built = 0;                //!< stations that were not in the journal yet
+  int unmet = 0;                //!< gaps that stayed over the budget, however near their stations
+  double worst_px = 0.0;        //!< greatest error of a gap
+};
+
+//! Places stations along a show's camera path and builds those that the journal lacks.
+//!
+//! Between two camera keys r and θ run monotonously; a stretch whose ends, blended, miss traced rays by more than the budget in the
+//! middle is divided. With parts, every stretch that touches this part is looked at, so that the parts of a bake together hold what a
+//! whole bake needs. `proceed` is told the show time up to which all is done; false stops the bake with an Error.
+BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,
+                           const std::function<bool(double)>& proceed);
+
+//! The provenance of a bake.
+TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& settings);
+
+}  // namespace ergodome

@@ -1,0 +1,134 @@
+#include "render/lens/trajectory_baker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <memory>
+
+#include "content/camera_path.h"
+#include "content/trajectory/trajectory_journal.h"
+#include "content/trajectory/trajectory_reader.h"
+#include "kernels/core/error.h"
+#include "render/lens/eye_camera.h"
+#include "render/lens/station_blend.h"
+#include "tests/support/folder_test.h"
+#include "tests/support/lens_errors.h"
+
+namespace ergodome {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+//! From r = 12, θ = 70° to r = 5 on the equator in ten seconds, then to rest there.
+Show approach() {
+  Show show;
+  show.name = "approach";
+  show.title = "Approach";
+  show.duration_s = 12.0;
+  show.spin = 0.999;
+  show.camera.motion = ObserverMotion::geodesic;
+  CameraKey far;
+  far.r = 12.0;
+  far.theta = 70.0 / 180.0 * pi;
+  CameraKey near;
+  near.time_s = 10.0;
+  near.r = 5.0;
+  near.phi = 6.0;
+  show.camera.keys = {far, near};
+  return show;
+}
+
+BakeSettings settings() {
+  BakeSettings settings;
+  settings.pixel = pi / (test::sanitized ? 256.0 : 2048.0);
+  settings.budget_px = 0.25;
+  return settings;
+}
+
+class TrajectoryBaker : public test::FolderTest {
+ protected:
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+  static std::string text_of(const std::filesystem::path& path) {
+    std::ifstream from(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(from), {}};
+  }
+
+  //! Bakes to a finished file of that name.
+  BakeResult bake(const Show& show, const std::string& name) const {
+    TrajectoryJournal journal(file(name + ".part"), provenance_of(show, settings()));
+    BakeResult result = bake_trajectory(show, settings(), journal, [](double) { return true; });
+    journal.seal(file(name), result.times_s);
+    return result;
+  }
+};
+
+TEST_F(TrajectoryBaker, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
+  const Show show = approach();
+  const BakeResult baked = bake(show, "whole");
+  EXPECT_EQ(baked.unmet, 0);
+  EXPECT_LE(baked.worst_px, settings().budget_px);
+  const TrajectoryReader reader(file("whole"));
+  const auto buffers = [&](std::size_t i) { return std::make_shared<StationBuffers>(Backend::cpu, reader.read(i)); };
+  for (const double time_s : {0.3, 2.9, 4.4, 5.3, 7.1, 9.2, 9.9}) {
+    std::size_t next = 1;
+    while (reader.stations()[next].time_s < time_s) {
+      ++next;
+    }
+    const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
+    const StationBlend blend(Backend::cpu, buffers(next - 1), buffers(next), {eye.r, eye.theta});
+    const test::Errors errors = test::screen_errors(
+        blend.view(), make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
+        aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity), settings().pixel, 20'000);
+    EXPECT_LE(errors.at(0.99), settings().budget_px) << time_s;
+    EXPECT_LE(errors.at(0.999), 5.0 * settings().budget_px) << time_s;
+  }
+}
+
+TEST_F(TrajectoryBaker, ACameraThatStandsStillNeedsNoStationsButItsEnds) {
+  Show show = approach();
+  show.camera.keys[1].r = show.camera.keys[0].r;
+  show.camera.keys[1].theta = show.camera.keys[0].theta;
+  EXPECT_EQ(bake(show, "still").times_s, (std::vector<double>{0.0, 10.0, 12.0}));
+  show.duration_s = 0.0;
+  EXPECT_EQ(bake(show, "moment").times_s, std::vector<double>{0.0});
+}
+
+TEST_F(TrajectoryBaker, StoppedAndResumedAfterEveryGapTheBytesAreTheSame) {
+  const Show show = approach();
+  bake(show, "whole");
+  for (int stops = 0;; ++stops) {
+    ASSERT_LT(stops, 1000);
+    TrajectoryJournal journal(file("resumed.part"), provenance_of(show, settings()));
+    int gaps_left = stops;
+    try {
+      const BakeResult done = bake_trajectory(show, settings(), journal, [&](double) { return gaps_left-- > 0; });
+      journal.seal(file("resumed"), done.times_s);
+      break;
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_EQ(text_of(file("resumed")), text_of(file("whole")));
+}
+
+TEST_F(TrajectoryBaker, PartsBakedApartAndJoinedAreTheSameBytes) {
+  const Show show = approach();
+  bake(show, "whole");
+  TrajectoryJournal joined(file("joined.part"), provenance_of(show, settings()));
+  for (const int part : {3, 1, 2}) {
+    BakeSettings mine = settings();
+    mine.part = part;
+    mine.parts = 3;
+    TrajectoryJournal journal(file("part-" + std::to_string(part)), provenance_of(show, mine));
+    bake_trajectory(show, mine, journal, [](double) { return true; });
+    joined.absorb(journal);
+  }
+  const BakeResult rest = bake_trajectory(show, settings(), joined, [](double) { return true; });
+  EXPECT_EQ(rest.built, 0);
+  joined.seal(file("joined"), rest.times_s);
+  EXPECT_EQ(text_of(file("joined")), text_of(file("whole")));
+}
+
+}  // namespace
+}  // namespace ergodome
