@@ -29,7 +29,7 @@ struct BakeOptions {
   std::string part;
   int size_px = 0;
   double budget_px = 0.0;
-  std::string derivatives = "auto";
+  bool no_derivatives = false;
 };
 
 //! K and N of "K/N".
@@ -50,8 +50,7 @@ BakeSettings settings_of(const BakeOptions& options, const Show& show) {
   settings.pixel =
       pixel_angle(make_projection(show.view, options.size_px > 0 ? options.size_px : show.view.size_px, 0.0));
   settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
-  const bool stereo = show.stereo.layout != StereoLayout::mono && show.stereo.baseline > 0.0;
-  settings.derivatives = options.derivatives == "yes" || (options.derivatives == "auto" && stereo);
+  settings.derivatives = !options.no_derivatives;
   set_part(options.part, settings);
   return settings;
 }
@@ -163,11 +162,8 @@ void add_bake_command(CLI::App& app) {
       ->check(CLI::Range(1, 16384));
   command->add_option("--budget", options->budget_px, "error on the screen in pixels, instead of the show's")
       ->check(CLI::Range(1e-3, 100.0));
-  command
-      ->add_option("--derivatives", options->derivatives,
-                   "yes, no or auto (for stereo shows): also how the lens changes beside the path")
-      ->check(CLI::IsMember({"yes", "no", "auto"}))
-      ->capture_default_str();
+  command->add_flag("--no-derivatives", options->no_derivatives,
+                    "stations that tell their own place alone: many more are needed, and stereo eyes get live grids");
   command->callback([options] { run(*options); });
 }
 

@@ -140,8 +140,10 @@ struct CheckCells {
   ERGO_HD void read_cell(int check, int i, T& gamma_turns, T& s, Patch& patch) const {
     const GridCell& cell = batch.cells[check / checks_a_cell];
     const int which = check % checks_a_cell;
-    const float u = which == 3 ? 0.0F : (which == 4 ? 1.0F : 0.5F);
-    const float v = which == 1 ? 0.0F : (which == 2 ? 1.0F : 0.5F);
+    const float inner = which == 0 ? inner_check : 1.0F - inner_check;
+    const bool on_diagonal = which == 0 || which == 5;
+    const float u = on_diagonal ? inner : (which == 3 ? 0.0F : (which == 4 ? 1.0F : 0.5F));
+    const float v = on_diagonal ? inner : (which == 1 ? 0.0F : (which == 2 ? 1.0F : 0.5F));
     set_lane(gamma_turns, i, S(cell.gamma_turns + u * cell.width_turns));
     set_lane(s, i, S(cell.s + v * cell.height));
     const PatchValue value = patch_value(batch.nodes, cell.corners, u, v, cell.width_turns, cell.height);

@@ -9,6 +9,7 @@
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
 #include "render/lens/hanging_nodes.h"
+#include "render/lens/station_derivatives.h"
 
 namespace ergodome {
 
@@ -21,6 +22,8 @@ constexpr int deepest_a_side = 10;
 //! Errors are sampled; the worst between the samples is about a quarter larger.
 constexpr double safety = 0.8;
 constexpr int step_limit = 400;
+//! What a cubic misses by in its middle, over what it misses by at the inner checks: (u (1 - u))² at 1/2 and at `inner_check`.
+constexpr float inner_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
 
 //! A cell on its way: its place in units of the finest cells, and its slot in the tree.
 struct OpenCell {
@@ -30,16 +33,26 @@ struct OpenCell {
 };
 
 //! Distance from the shadow's edge below which every direction shows the same sky: half the budget, in the rain frame.
-double cut_off(const GridSettings& settings, const ShadowChart& chart, const std::vector<float>& edge) {
+double cut_off(const GridSettings& settings, const EdgeCurve& edge) {
   double largest_scale = 0.0;
-  for (std::size_t i = 0; i < edge.size(); i += edge.size() / 32) {
-    const double gamma = 2.0 * pi * static_cast<double>(i) / static_cast<double>(edge.size());
-    const double alpha = static_cast<double>(edge[i]);
-    const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+  for (int i = 0; i < edge.count; i += edge.count / 32) {
+    const double gamma = 2.0 * pi * i / edge.count;
+    const double alpha = static_cast<double>(edge.polar_angle[i]);
+    const auto along = [&](const Vector3<float>& axis, double part) {
+      return part *
+             Vector3<double>{static_cast<double>(axis.x), static_cast<double>(axis.y), static_cast<double>(axis.z)};
+    };
+    const Vector3<double> n = along(edge.centre, std::cos(alpha)) +
+                              along(edge.first, std::sin(alpha) * std::cos(gamma)) +
+                              along(edge.second, std::sin(alpha) * std::sin(gamma));
     largest_scale = std::max(largest_scale, observed_scale(settings.observer, n));
   }
   // Float holds directions to some 1e-7 rad.
   return std::max(0.5 * settings.budget_px * settings.pixel / largest_scale, 3e-7);
+}
+
+double range_for(const GridSettings& settings, const EdgeCurve& edge) {
+  return std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, edge));
 }
 
 void run(const NodeBatch<float>& batch) { trace_nodes(Backend::cpu, batch); }
@@ -64,6 +77,9 @@ class GridBuilder {
       check(open);
       open = decide(open);
     }
+    if (settings_.derivatives) {
+      trace_derivatives();
+    }
     mend_hanging_nodes(station_, node_by_place_, boxes_);
     statistics_.nodes = static_cast<int>(station_.node_count());
     statistics_.leaves = static_cast<int>(station_.leaf_count());
@@ -72,10 +88,15 @@ class GridBuilder {
 
  private:
   static GridCamera<S> make_camera(const LensStation& station, const GridSettings& settings) {
-    const CameraStation rain = make_camera_station(station.spin, station.r, station.theta, 0.0, ObserverMotion::rain);
+    return make_camera(station, {station.r, station.theta}, grid_view(station).chart, settings);
+  }
+
+  static GridCamera<S> make_camera(const LensStation& station, const LensPlace& place, const LensChart& chart,
+                                   const GridSettings& settings) {
+    const CameraStation rain = make_camera_station(station.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
     const double tolerance = 0.005 * settings.budget_px * settings.pixel;
     return {converted_station<S>(rain),
-            grid_view(station).chart,
+            chart,
             {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
   }
 
@@ -124,6 +145,22 @@ class GridBuilder {
     statistics_.traced_nodes += static_cast<long>(gamma.size());
   }
 
+  void trace_derivatives() {
+    std::vector<float> gamma(station_.node_count());
+    std::vector<float> s(station_.node_count());
+    for (const auto& [key, node] : node_by_place_) {
+      gamma[static_cast<std::size_t>(node)] = gamma_turns(static_cast<int>(key >> 32U));
+      s[static_cast<std::size_t>(node)] = s_of(static_cast<int>(key & 0xFFFFFFFFU));
+    }
+    add_derivatives(station_, [&](const LensPlace& place, const LensChart& chart) {
+      std::vector<float> nodes(station_.nodes.size());
+      run(NodeBatch<S>{make_camera(station_, place, chart, settings_), static_cast<int>(gamma.size()), gamma.data(),
+                       s.data(), nodes.data()});
+      statistics_.traced_nodes += static_cast<long>(gamma.size());
+      return nodes;
+    });
+  }
+
   void check(const std::vector<OpenCell>& open) {
     std::vector<GridCell> cells;
     cells.reserve(open.size());
@@ -152,8 +189,8 @@ class GridBuilder {
       const float* e = error_px_.data() + checks_a_cell * i;
       const float across_gamma = std::max(e[1], e[2]);
       const float across_s = std::max(e[3], e[4]);
-      const float worst = std::max({e[0], across_gamma, across_s});
-      const float area = area_px_[checks_a_cell * i];
+      const float worst = std::max({inner_share * e[0], inner_share * e[5], across_gamma, across_s});
+      const float area = 0.5F * (area_px_[checks_a_cell * i] + area_px_[checks_a_cell * i + 5]);
       const CellBox& box = open[i].box;
       const bool may_split_gamma = box.width > finest_a_root >> deepest_a_side;
       const bool may_split_s = box.height > finest_a_root >> deepest_a_side;
@@ -200,13 +237,18 @@ class GridBuilder {
 
 }  // namespace
 
+double chart_range(double spin, double r, double theta, const GridSettings& settings) {
+  const EdgeTable edge(Backend::cpu, make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain), edge_points);
+  return range_for(settings, edge.view());
+}
+
 LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
                                GridStatistics* statistics) {
   LensStation station;
   station.spin = spin;
   station.r = r;
   station.theta = theta;
-  station.mirrored = std::abs(theta - 0.5 * pi) < 1e-9;
+  station.mirrored = std::abs(theta - 0.5 * pi) < 1e-9 && !settings.derivatives;
   const CameraStation rain = make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain);
   const ShadowChart chart = make_shadow_chart(rain);
   station.edge = solve_edge(rain, chart, edge_points, station.mirrored);
@@ -214,8 +256,7 @@ LensStation build_lens_station(double spin, double r, double theta, const GridSe
   station.centre = edge.centre;
   station.first = edge.first;
   station.second = edge.second;
-  station.range =
-      static_cast<float>(std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, chart, station.edge)));
+  station.range = static_cast<float>(settings.range > 0.0 ? settings.range : range_for(settings, edge));
   const GridStatistics done =
       settings.fine ? GridBuilder<double>(station, settings).build() : GridBuilder<float>(station, settings).build();
   if (statistics != nullptr) {

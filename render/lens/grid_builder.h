@@ -13,6 +13,8 @@ struct GridSettings {
   bool fine = true;             //!< nodes traced in double; float is faster and good for budgets of 1e-5 rad and more
   double least_area_px = 32.0;  //!< a cell smaller than this is not split: tracing its pixels is cheaper than its nodes
   int most_nodes = 1 << 16;     //!< what is bad still when there are so many is left to direct rays
+  bool derivatives = false;     //!< also how the nodes change along r and θ; the grid is then never mirrored
+  double range = 0.0;           //!< of the chart; 0: what the budget asks for at the place, see chart_range()
 };
 
 //! What a build did.
@@ -33,5 +35,8 @@ struct GridStatistics {
 //! derivatives are continuous. A camera on the equator (θ = π/2) gets half a grid, mirrored on reading.
 LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
                                GridStatistics* statistics = nullptr);
+
+//! The range that the chart of a place needs: down to half the budget from the shadow's edge.
+double chart_range(double spin, double r, double theta, const GridSettings& settings);
 
 }  // namespace ergodome

@@ -71,10 +71,10 @@ class Finder {
   int axis_ = 0;
 };
 
-void mend(LensStation& station, const HangingNode& hanging) {
-  float* node = station.nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.node);
-  const float* begin = station.nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.ends[0]);
-  const float* end = station.nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.ends[1]);
+void mend(std::vector<float>& nodes, const HangingNode& hanging) {
+  float* node = nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.node);
+  const float* begin = nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.ends[0]);
+  const float* end = nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.ends[1]);
   float basis[4];
   float slope[4];
   hermite_basis(hanging.t, basis, slope);
@@ -115,8 +115,12 @@ void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const st
   }
   std::stable_sort(finder.found.begin(), finder.found.end(),
                    [](const HangingNode& a, const HangingNode& b) { return a.refinement < b.refinement; });
-  for (const HangingNode& hanging : finder.found) {
-    mend(station, hanging);
+  for (std::vector<float>* values : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {
+    for (const HangingNode& hanging : finder.found) {
+      if (!values->empty()) {
+        mend(*values, hanging);
+      }
+    }
   }
 }
 

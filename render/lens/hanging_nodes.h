@@ -38,7 +38,7 @@ NodePlace node_place(const LensStation& station, int gamma, int s);
 NodePlace corner_place(const LensStation& station, const CellBox& box, int corner);
 
 //! Gives nodes in the middle of a larger leaf's side the values that the side has there, so that neighbours of different size agree
-//! in value and in all first derivatives. `boxes`: the leaves' places.
+//! in value and in all first derivatives, and the nodes' changes along r and θ likewise. `boxes`: the leaves' places.
 void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const std::vector<CellBox>& boxes);
 
 }  // namespace ergodome

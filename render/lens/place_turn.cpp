@@ -27,11 +27,11 @@ glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
 }
 
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
-  const auto height = [](const LensPlace& p) { return std::log(p.r - 1.0); };
-  const double along_r = height(second) - height(first);
-  const double along_theta = second.theta - first.theta;
-  const double square = along_r * along_r + along_theta * along_theta;
-  const double done = along_r * (height(place) - height(first)) + along_theta * (place.theta - first.theta);
+  // A radian counts as much as the distance to r = 1.
+  const double scale = 1.0 / (0.5 * (first.r + second.r) - 1.0);
+  const LensPlace whole = {scale * (second.r - first.r), second.theta - first.theta};
+  const double square = whole.r * whole.r + whole.theta * whole.theta;
+  const double done = whole.r * scale * (place.r - first.r) + whole.theta * (place.theta - first.theta);
   return square > 0.0 ? std::clamp(done / square, 0.0, 1.0) : 0.0;
 }
 

@@ -14,7 +14,7 @@ struct LensPlace {
 //! turns with θ, and about the axis with r, as a principal null ray does.
 glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to);
 
-//! How far a place lies on the way from one to another, in [0, 1]: along r - 1 on a logarithmic scale and θ, whichever changes.
+//! How far a place lies along the line from one to another in r and θ, in [0, 1].
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place);
 
 }  // namespace ergodome

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
-#include "render/lens/place_turn.h"
+#include "render/lens/station_derivatives.h"
 
 namespace ergodome {
 
@@ -21,16 +20,23 @@ void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[
   }
 }
 
+LensPlace place_of(const LensStation& station) { return {station.r, station.theta}; }
+
 }  // namespace
 
 StationBuffers::StationBuffers(Backend backend, LensStation station)
-    : station_(std::move(station)),
+    : bytes_(sizeof(float) * (station.edge.size() + station.nodes.size()) +
+             sizeof(int) * (station.tree.size() + station.leaves.size())),
+      station_(std::move(station)),
       edge_(backend, station_.edge),
       tree_(backend, station_.tree),
       leaves_(backend, station_.leaves),
       nodes_(backend, station_.nodes) {
-  for (std::vector<float>* large : {&station_.nodes, &station_.leaf_error_px}) {
-    std::vector<float>().swap(*large);
+  std::vector<float>().swap(station_.leaf_error_px);
+  if (!has_derivatives()) {
+    std::vector<float>().swap(station_.nodes);
+  } else {
+    bytes_ += 3 * sizeof(float) * station_.nodes.size();
   }
   for (std::vector<int>* large : {&station_.tree, &station_.leaves}) {
     std::vector<int>().swap(*large);
@@ -49,26 +55,58 @@ LensGrid StationBuffers::view() const {
 StationBlend::StationBlend(std::shared_ptr<const StationBuffers> station)
     : first_(std::move(station)), chart_(first_->view().chart) {}
 
+StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPlace& place)
+    : first_(std::move(station)) {
+  const LensStation& a = first_->station();
+  const LensPlace from = place_of(a);
+  set_chart(backend, a.spin, place, a.range);
+  nodes_[0] = Buffer<float>(
+      backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spin, from, place)));
+}
+
 StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
                            std::shared_ptr<const StationBuffers> second, const LensPlace& place)
     : first_(std::move(first)), second_(std::move(second)) {
   const LensStation& a = first_->station();
   const LensStation& b = second_->station();
-  second_weight_ = static_cast<float>(place_weight({a.r, a.theta}, {b.r, b.theta}, place));
-  const CameraStation rain = make_camera_station(a.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
-  const ShadowChart chart = make_shadow_chart(rain);
-  const std::vector<float> edge = solve_edge(rain, chart, static_cast<int>(a.edge.size()));
-  edge_ = Buffer<float>(backend, edge);
-  chart_.edge = edge_view(chart, edge);
-  chart_.edge.polar_angle = edge_.data();
-  chart_.range = a.range + second_weight_ * (b.range - a.range);
+  const double w = place_weight(place_of(a), place_of(b), place);
+  const auto weight = static_cast<float>(w);
+  set_chart(backend, a.spin, place, a.range + weight * (b.range - a.range));
   set_turn(a, place, turn_[0]);
   set_turn(b, place, turn_[1]);
+  second_weight_ = weight;
+  if (first_->has_derivatives() && second_->has_derivatives()) {
+    take_derivatives(backend, w, place);
+  }
+}
+
+void StationBlend::set_chart(Backend backend, double spin, const LensPlace& place, float range) {
+  const CameraStation rain = make_camera_station(spin, place.r, place.theta, 0.0, ObserverMotion::rain);
+  edge_.emplace(backend, rain, edge_points);
+  chart_ = {edge_->view(), range};
+}
+
+void StationBlend::take_derivatives(Backend backend, double w, const LensPlace& place) {
+  // The cubic with the stations' values and derivatives, h00 A + h10 L A' + h01 B + h11 L B', is a mix by h01 of A + (h10 / h00) L A' and
+  // B + (h11 / h01) L B'. What the place lies beside the line between the stations goes to both.
+  second_weight_ = static_cast<float>(w * w * (3.0 - 2.0 * w));
+  const LensPlace a = place_of(first_->station());
+  const LensPlace b = place_of(second_->station());
+  const LensPlace whole = {b.r - a.r, b.theta - a.theta};
+  const LensPlace beside = {place.r - a.r - w * whole.r, place.theta - a.theta - w * whole.theta};
+  const double along[2] = {w / (1.0 + 2.0 * w), (w - 1.0) / (3.0 - 2.0 * w)};
+  for (int i = 0; i < 2; ++i) {
+    const LensPlace offset = {beside.r + along[i] * whole.r, beside.theta + along[i] * whole.theta};
+    nodes_[i] = Buffer<float>(backend, moved_nodes((i == 0 ? first_ : second_)->station(), offset, glm::dmat3(1.0)));
+  }
 }
 
 LensBlend StationBlend::view() const {
-  const LensGrid first = first_->view();
-  LensBlend lens{chart_, {first, second_ ? second_->view() : first}, {}, second_ ? second_weight_ : 0.0F};
+  LensGrid first = first_->view();
+  first.nodes = nodes_[0].size() > 0 ? nodes_[0].data() : first.nodes;
+  LensGrid second = second_ ? second_->view() : first;
+  second.nodes = nodes_[1].size() > 0 ? nodes_[1].data() : second.nodes;
+  LensBlend lens{chart_, {first, second}, {}, second_ ? second_weight_ : 0.0F};
   std::copy_n(&turn_[0][0][0], 18, &lens.turn[0][0][0]);
   return lens;
 }

@@ -24,7 +24,7 @@ namespace {
 constexpr double grid_share = 0.5;
 //! What is worse than the budget in a hundredth of the sky is worse than so many budgets in a thousandth at most.
 constexpr double far_off = 5.0;
-//! A stretch is divided into as many parts as the square law of blending says, at most.
+//! A stretch is divided into so many parts at once at most.
 constexpr int most_parts = 16;
 constexpr int deepest = 12;
 
@@ -39,6 +39,7 @@ class Baker {
   }
 
   BakeResult bake() {
+    range_ = settings_.derivatives ? common_range() : 0.0;
     const std::vector<double> ends = stretch_ends();
     Station first = touches(ends.front(), ends.front()) ? station(ends.front()) : nullptr;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -72,17 +73,34 @@ class Baker {
             settings_.pixel};
   }
 
+  GridSettings grid_settings(const LensView& view) const {
+    GridSettings grid;
+    grid.pixel = settings_.pixel;
+    grid.budget_px = grid_share * settings_.budget_px;
+    grid.observer = view.observer;
+    grid.derivatives = settings_.derivatives;
+    grid.range = range_;
+    return grid;
+  }
+
+  //! One range for all charts of the path: derivatives are taken at a fixed one.
+  [[nodiscard]] double common_range() const {
+    constexpr int samples = 64;
+    double range = 0.0;
+    for (int i = 0; i <= samples; ++i) {
+      const LensView view = view_at(show_.duration_s * i / samples);
+      range = std::max(range, chart_range(view.spin, view.place.r, view.place.theta, grid_settings(view)));
+    }
+    return range;
+  }
+
   Station station(double time_s) {
     if (Station kept = recent_[time_s].lock()) {
       return kept;
     }
     if (!journal_.has_station(time_s)) {
       const LensView view = view_at(time_s);
-      GridSettings grid;
-      grid.pixel = settings_.pixel;
-      grid.budget_px = grid_share * settings_.budget_px;
-      grid.observer = view.observer;
-      journal_.add(time_s, build_lens_station(view.spin, view.place.r, view.place.theta, grid));
+      journal_.add(time_s, build_lens_station(view.spin, view.place.r, view.place.theta, grid_settings(view)));
       ++result_.built;
     }
     auto read = std::make_shared<const LensStation>(journal_.read(time_s));
@@ -109,9 +127,11 @@ class Baker {
     }
     const Station first = station(begin_s);
     const Station last = station(end_s);
-    const double error_px = blending_error(*first, *last, 0.5 * (begin_s + end_s));
+    const double error_px = std::max(blending_error(*first, *last, begin_s + 0.5 * (end_s - begin_s)),
+                                     blending_error(*first, *last, begin_s + 0.25 * (end_s - begin_s)));
     if (error_px > settings_.budget_px && depth < deepest) {
-      const double wished = std::ceil(std::sqrt(error_px / settings_.budget_px));
+      // Errors go with the square of the distance, with derivatives with its fourth power.
+      const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
       const int parts = static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
       double from_s = begin_s;
       for (int i = 1; i <= parts; ++i) {
@@ -144,6 +164,7 @@ class Baker {
   const std::function<bool(double)>& proceed_;
   double begin_s_;
   double end_s_;
+  double range_ = 0.0;
   std::map<double, std::weak_ptr<const LensStation>> recent_;
   BakeResult result_;
 };

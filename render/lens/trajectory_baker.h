@@ -11,10 +11,11 @@ class TrajectoryJournal;
 
 //! What a trajectory is baked for.
 struct BakeSettings {
-  double pixel = 0.0;        //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.25;   //!< greatest displacement on the screen, for all but a hundredth of the sky
-  bool derivatives = false;  //!< stations with their change along r and θ, for the eyes of a stereo pair
-  int part = 1;              //!< this one of `parts` stretches of the show, of equal length, counted from 1
+  double pixel = 0.0;       //!< angle of a pixel on the screen [rad]
+  double budget_px = 0.25;  //!< greatest displacement on the screen, for all but a hundredth of the sky
+  bool derivatives =
+      true;      //!< stations with their change along r and θ: fewer do, and they serve both eyes of a stereo pair
+  int part = 1;  //!< this one of `parts` stretches of the show, of equal length, counted from 1
   int parts = 1;
 };
 

@@ -7,7 +7,7 @@
 
 #include "kernels/launch/launch.h"
 #include "render/lens/grid_builder.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/lens_errors.h"
 
 namespace ergodome {
 namespace {
@@ -124,14 +124,45 @@ TEST(StationBlend, ErrorFallsWithTheSquareOfTheDistanceOfTheStations) {
   EXPECT_NEAR(median(0.8) / median(0.4), 4.0, 0.6);
 }
 
-TEST(StationBlend, AtAStationIsThatStation) {
+//! Error at the 99th of hundred directions beside a station with derivatives, for an eye that is moved by (dr, dθ) [px of 4096²].
+double error_beside(double dr, double dtheta) {
+  const Place here = {6.0, 1.2};
+  GridSettings settings;
+  settings.derivatives = true;
+  settings.observer = aberration_to_rain(spin, here.r, here.theta, ObserverMotion::zamo, {});
+  const auto station =
+      std::make_shared<StationBuffers>(Backend::cpu, build_lens_station(spin, here.r, here.theta, settings));
+  const Place eye = {here.r + dr, here.theta + dtheta};
+  const StationBlend beside(Backend::cpu, station, {eye.r, eye.theta});
+  return test::screen_errors(beside.view(), make_camera_station(spin, eye.r, eye.theta, 0.0, ObserverMotion::zamo),
+                             aberration_to_rain(spin, eye.r, eye.theta, ObserverMotion::zamo, {}), settings.pixel,
+                             10'000)
+      .at(0.99);
+}
+
+TEST(StationBlend, DerivativesServeEyesOfASmallBaselineWithinTheBudgetOfTheGrid) {
+  EXPECT_LT(error_beside(0.0, 0.0), 0.1);
+  EXPECT_LT(error_beside(0.02, 0.0), 0.12);
+  EXPECT_LT(error_beside(-0.01, 0.004), 0.12);
+}
+
+TEST(StationBlend, ErrorBesideAStationGrowsWithTheSquareOfTheDistance) {
+  EXPECT_NEAR(error_beside(0.8, 0.0) / error_beside(0.4, 0.0), 4.0, 0.8);
+  EXPECT_NEAR(error_beside(0.0, 0.12) / error_beside(0.0, 0.06), 4.0, 0.8);
+}
+
+TEST(StationBlend, AtAStationItReadsAsThatStation) {
   const auto a = station_at({6.0, 1.0});
   const auto b = station_at({7.0, 1.0});
-  const LensBlend alone = StationBlend(a).view();
-  EXPECT_EQ(alone.second_weight, 0.0F);
-  const StationBlend blend(Backend::cpu, a, b, {6.0, 1.0});
-  EXPECT_EQ(blend.view().second_weight, 0.0F);
-  EXPECT_FLOAT_EQ(blend.view().chart.range, a->view().chart.range);
+  const CameraStation camera = make_camera_station(spin, 6.0, 1.0, 0.0, motion_at({6.0, 1.0}));
+  const Aberration observer = aberration_to_rain(spin, 6.0, 1.0, motion_at({6.0, 1.0}), {});
+  test::Rays alone = test::random_rays(500, 3);
+  test::Rays blended = alone;
+  test::read_through(StationBlend(a).view(), camera, observer, alone);
+  test::read_through(StationBlend(Backend::cpu, a, b, {6.0, 1.0}).view(), camera, observer, blended);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(alone.sky[k], blended.sky[k]);
+  }
 }
 
 }  // namespace

@@ -39,8 +39,9 @@ Show approach() {
   return show;
 }
 
-BakeSettings settings() {
+BakeSettings settings(bool derivatives = true) {
   BakeSettings settings;
+  settings.derivatives = derivatives;
   settings.pixel = pi / (test::sanitized ? 256.0 : 2048.0);
   settings.budget_px = 0.25;
   return settings;
@@ -56,17 +57,20 @@ class TrajectoryBaker : public test::FolderTest {
   }
 
   //! Bakes to a finished file of that name.
-  BakeResult bake(const Show& show, const std::string& name) const {
-    TrajectoryJournal journal(file(name + ".part"), provenance_of(show, settings()));
-    BakeResult result = bake_trajectory(show, settings(), journal, [](double) { return true; });
+  BakeResult bake(const Show& show, const std::string& name, bool derivatives = true) const {
+    const BakeSettings how = settings(derivatives);
+    TrajectoryJournal journal(file(name + ".part"), provenance_of(show, how));
+    BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
     journal.seal(file(name), result.times_s);
     return result;
   }
 };
 
-TEST_F(TrajectoryBaker, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
+class TrajectoryBakerWith : public TrajectoryBaker, public testing::WithParamInterface<bool> {};
+
+TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
   const Show show = approach();
-  const BakeResult baked = bake(show, "whole");
+  const BakeResult baked = bake(show, "whole", GetParam());
   EXPECT_EQ(baked.unmet, 0);
   EXPECT_LE(baked.worst_px, settings().budget_px);
   const TrajectoryReader reader(file("whole"));
@@ -84,6 +88,18 @@ TEST_F(TrajectoryBaker, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
     EXPECT_LE(errors.at(0.99), settings().budget_px) << time_s;
     EXPECT_LE(errors.at(0.999), 5.0 * settings().budget_px) << time_s;
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Derivatives, TrajectoryBakerWith, testing::Bool(),
+                         [](const testing::TestParamInfo<bool>& each) {
+                           return each.param ? "WithDerivatives" : "WithoutDerivatives";
+                         });
+
+TEST_F(TrajectoryBaker, DerivativesNeedAFewOfTheStationsAndFewerBytes) {
+  const Show show = approach();
+  const std::size_t without = bake(show, "without", false).times_s.size();
+  EXPECT_LT(2 * bake(show, "with", true).times_s.size(), without);
+  EXPECT_LT(std::filesystem::file_size(file("with")), std::filesystem::file_size(file("without")));
 }
 
 TEST_F(TrajectoryBaker, ACameraThatStandsStillNeedsNoStationsButItsEnds) {
