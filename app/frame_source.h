@@ -15,7 +15,8 @@ struct PictureRequest {
   CameraPose pose;
   ViewMode mode = ViewMode::sky;
   double field_of_view_deg = 0.0;
-  int size_px = 0;  //!< width of one eye's image
+  int size_px = 0;      //!< width of one eye's image
+  ShowMoment moment{};  //!< of a camera on the show's path
 };
 
 //! A finished picture and what it took.

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/inspect_trajectory.h"
 #include "app/show_loading.h"
 #include "content/camera_path.h"
 #include "content/environment_image.h"
@@ -88,10 +90,11 @@ void print(const nlohmann::json& facts) {
 }
 
 void print_grid(const nlohmann::json& grid) {
-  fmt::print("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {} nodes, {} cells{}, {} of them ({} px) left to rays\n",
+  fmt::print("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {} nodes, {} cells{}, {} of them{} left to rays\n",
              grid["r"].get<double>(), grid["theta_deg"].get<double>(), grid["nodes"].get<int>(),
              grid["cells"].get<int>(), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
-             grid["left_to_rays"].get<int>(), grid["left_to_rays_px"].get<double>());
+             grid["left_to_rays"].get<int>(),
+             grid.contains("left_to_rays_px") ? fmt::format(" ({} px)", grid["left_to_rays_px"].get<double>()) : "");
   fmt::print("{:>10} {:>8} {:>14}\n", "halvings", "cells", "left to rays");
   for (const auto& level : grid["levels"]) {
     fmt::print("{:>10} {:>8} {:>14}\n", level["halvings"].get<int>(), level["cells"].get<int>(),
@@ -121,26 +124,46 @@ LensStation grid_of(const Show& show, double time_s, GridSettings& settings, Gri
   return build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
 }
 
-//! Draws the grid of the show's camera at a time, and adds its numbers to the facts.
-void inspect_grid(const Show& show, const InspectOptions& options, nlohmann::json& facts) {
-  GridSettings settings;
-  GridStatistics statistics;
-  const LensStation station = grid_of(show, options.time_s, settings, statistics);
-  write_png(options.picture, draw_grid(station, options.size_px, settings.budget_px), options.size_px, options.size_px);
+//! Draws a station's grid, and adds its numbers to the facts.
+void inspect_grid(const LensStation& station, double budget_px, const InspectOptions& options, nlohmann::json& facts) {
+  write_png(options.picture, draw_grid(station, options.size_px, budget_px), options.size_px, options.size_px);
   nlohmann::json& grid = facts["grid"];
+  const std::vector<bool> flagged = flagged_leaves(station);
   grid = {{"r", station.r},
           {"theta_deg", station.theta * degrees},
           {"mirrored", station.mirrored},
-          {"nodes", statistics.nodes},
-          {"cells", statistics.leaves},
-          {"left_to_rays", statistics.flagged_leaves},
-          {"left_to_rays_px", std::round(statistics.flagged_px)}};
+          {"nodes", station.node_count()},
+          {"cells", station.leaf_count()},
+          {"left_to_rays", std::count(flagged.begin(), flagged.end(), true)}};
   for (const GridLevel& level : grid_levels(station)) {
     grid["levels"].push_back({{"halvings", level.halvings}, {"cells", level.leaves}, {"left_to_rays", level.flagged}});
   }
 }
 
+void run_for_trajectory(const InspectOptions& options) {
+  nlohmann::json facts = facts_of_trajectory(options.file);
+  if (!options.picture.empty()) {
+    inspect_grid(station_of_trajectory(options.file, options.time_s), facts["budget_px"].get<double>(), options, facts);
+  }
+  if (options.json) {
+    fmt::print("{}\n", facts.dump(2));
+  } else {
+    print_trajectory(facts);
+    if (facts.contains("grid")) {
+      print_grid(facts["grid"]);
+    }
+  }
+  if (!facts["damaged"].empty()) {
+    throw Error(options.file,
+                fmt::format("{} of {} stations are damaged", facts["damaged"].size(), facts["stations"].size()),
+                "bake the show again; until then they are blended across");
+  }
+}
+
 void run(const InspectOptions& options) {
+  if (is_trajectory(options.file)) {
+    return run_for_trajectory(options);
+  }
   const bool is_image =
       std::filesystem::path(options.file).has_extension() && std::filesystem::path(options.file).extension() != ".toml";
   nlohmann::json facts;
@@ -150,7 +173,11 @@ void run(const InspectOptions& options) {
     const Show show = load_show(options.file);
     facts = facts_of(show);
     if (!options.picture.empty()) {
-      inspect_grid(show, options, facts);
+      GridSettings settings;
+      GridStatistics statistics;
+      const LensStation station = grid_of(show, options.time_s, settings, statistics);
+      inspect_grid(station, settings.budget_px, options, facts);
+      facts["grid"]["left_to_rays_px"] = std::round(statistics.flagged_px);
     }
   }
   if (options.json) {
@@ -167,10 +194,13 @@ void run(const InspectOptions& options) {
 
 void add_inspect_command(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show or a sky map");
-  command->add_option("file", options->file, "show (.toml or the name of a built-in one) or equirectangular image")
+  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show, a trajectory or a sky map");
+  command
+      ->add_option("file", options->file,
+                   "show (.toml or the name of a built-in one), trajectory, or equirectangular image")
       ->required();
-  command->add_option("--picture", options->picture, "draw the lens grid of the show's camera to this PNG");
+  command->add_option("--picture", options->picture,
+                      "draw the lens grid of the show's camera, or of a trajectory's station, to this PNG");
   command->add_option("--time", options->time_s, "with --picture: show time [s]")->capture_default_str();
   command->add_option("--size", options->size_px, "with --picture: its width in pixels")
       ->check(CLI::Range(16, 8192))

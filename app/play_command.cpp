@@ -2,6 +2,7 @@
 
 #include "app/backend_choice.h"
 #include "app/commands.h"
+#include "app/lens_options.h"
 #include "app/player.h"
 #include "app/player_keys.h"
 #include "app/show_loading.h"
@@ -15,7 +16,7 @@ struct PlayArguments {
   std::string backend = "auto";
   std::string projection;
   std::string stereo;
-  std::string lens = "auto";
+  LensOptions lens;
   PlayOptions options;
 };
 
@@ -24,7 +25,8 @@ void run(PlayArguments arguments) {
   Show show = load_show(arguments.show.empty() ? "free-flight" : arguments.show);
   override_view(show, arguments.projection, arguments.stereo);
   require_features(show);
-  ShowRenderer renderer(show, choose_backend(arguments.backend), lens_choice(arguments.lens));
+  const Backend backend = choose_backend(arguments.backend);
+  ShowRenderer renderer(show, backend, lens_choice(arguments.lens), open_stream(show, arguments.lens, backend));
   Player(renderer, arguments.options).run();
 }
 
@@ -43,9 +45,7 @@ void add_play_command(CLI::App& app) {
       ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
   command->add_option("--stereo", arguments->stereo, "mono, side_by_side or top_bottom, instead of the show's")
       ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom"}));
-  command->add_option("--lens", arguments->lens, "live (a grid for each place), direct (a ray a pixel), or auto")
-      ->check(CLI::IsMember(lens_names()))
-      ->capture_default_str();
+  add_lens_options(*command, arguments->lens);
   command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();

@@ -8,6 +8,7 @@
 
 #include "app/backend_choice.h"
 #include "app/interrupt.h"
+#include "app/lens_options.h"
 #include "app/player_keys.h"
 #include "render/output/caption.h"
 #include "render/output/image_writer.h"
@@ -52,6 +53,12 @@ CameraPose Player::current_pose() const {
   return flying_ ? flight_.pose() : camera_pose(renderer_.show(), show_time_s_);
 }
 
+ShowMoment Player::moment() const {
+  // A seek shows something within this time, streamed or not.
+  constexpr double patience_s = 0.02;
+  return flying_ ? ShowMoment{} : ShowMoment{show_time_s_, patience_s};
+}
+
 bool Player::moving() const { return changed_ || !held_keys_.empty() || (!flying_ && !paused_); }
 
 void Player::run() {
@@ -77,6 +84,9 @@ void Player::run() {
   }
   if (options_.for_seconds > 0.0 && pictures_ > 0) {
     fmt::print("{} pictures after the first in {:.1f} s\n", pictures_ - 1, options_.for_seconds);
+  }
+  if (const auto streamed = renderer_.stream_statistics(); streamed && options_.for_seconds > 0.0) {
+    print_statistics(*streamed);
   }
   if (!options_.screenshot.empty()) {
     save_screenshot();
@@ -190,12 +200,12 @@ void Player::ask_for_picture() {
   }
   if (changed_) {
     refined_size_px_ = 0;
-    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px)});
+    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment()});
     changed_ = false;
   } else if (refined_size_px_ > 0 && refined_size_px_ < options_.size_px && !moving()) {
     const int finer = std::min(2 * refined_size_px_, options_.size_px);
     refined_size_px_ = 0;
-    source_->ask({current_pose(), mode_, field_of_view_deg_, finer});
+    source_->ask({current_pose(), mode_, field_of_view_deg_, finer, moment()});
   }
 }
 
@@ -236,10 +246,10 @@ void Player::show_on_device() {
   const auto start = Clock::now();
   const Projection projection = make_projection(renderer_.show().view, options_.size_px, field_of_view_deg_);
   if (renderer_.show().stereo.layout == StereoLayout::mono) {
-    const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_, &lens_);
+    const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_, moment(), &lens_);
     presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, mode_ != ViewMode::sky);
   } else {
-    const Picture picture = renderer_.render_both_eyes(current_pose(), projection, mode_);
+    const Picture picture = renderer_.render_both_eyes(current_pose(), projection, mode_, moment());
     lens_ = picture.lens;
     presenter_.upload(picture);
   }

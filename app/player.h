@@ -50,6 +50,7 @@ class Player {
   void update_title();
   void save_screenshot();
   [[nodiscard]] CameraPose current_pose() const;
+  [[nodiscard]] ShowMoment moment() const;
   [[nodiscard]] bool moving() const;
 
   ShowRenderer& renderer_;

@@ -6,6 +6,7 @@
 #include "app/backend_choice.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/lens_options.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "kernels/core/error.h"
@@ -28,7 +29,7 @@ struct RenderOptions {
   std::string backend = "auto";
   std::string format = "png";
   std::string view = "sky";
-  std::string lens = "auto";
+  LensOptions lens;
   bool resume = false;
 };
 
@@ -94,7 +95,8 @@ class FrameWriter {
       : options_(options),
         format_(options.format == "exr" ? ImageFormat::exr : ImageFormat::png),
         choice_{view_mode(options.view), options.size_px},
-        renderer_(show, choose_backend(options.backend), lens_choice(options.lens)) {}
+        backend_(choose_backend(options.backend)),
+        renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {}
 
   void write(int frame) {
     const Show& show = renderer_.show();
@@ -113,6 +115,7 @@ class FrameWriter {
   }
 
   [[nodiscard]] int written() const { return written_; }
+  [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
  private:
@@ -141,6 +144,7 @@ class FrameWriter {
   const RenderOptions& options_;
   ImageFormat format_;
   ViewChoice choice_;
+  Backend backend_;
   ShowRenderer renderer_;
   int written_ = 0;
   long unresolved_ = 0;
@@ -164,6 +168,9 @@ void run(const RenderOptions& options) {
     }
   }
   fmt::print("{} frames in {}\n", writer.written(), options.out);
+  if (const auto streamed = writer.stream_statistics()) {
+    print_statistics(*streamed);
+  }
   if (writer.unresolved() > 0) {
     fmt::print(stderr, "ergodome: {} pixels did not converge and show the mean of the sky\n", writer.unresolved());
   }
@@ -191,9 +198,7 @@ void add_render_command(CLI::App& app) {
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
-  command->add_option("--lens", options->lens, "live (a grid for each place), direct (a ray a pixel), or auto")
-      ->check(CLI::IsMember(lens_names()))
-      ->capture_default_str();
+  add_lens_options(*command, options->lens);
   command->add_flag("--resume", options->resume, "skip frames that are there and complete");
   command->callback([options] { run(*options); });
 }

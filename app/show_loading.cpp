@@ -73,10 +73,4 @@ ViewMode view_mode(const std::string& name) {
   return static_cast<ViewMode>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-std::vector<std::string> lens_names() { return {"auto", "live", "direct"}; }
-
-LensChoice lens_choice(const std::string& name) {
-  return name == "live" ? LensChoice::live : name == "direct" ? LensChoice::direct : LensChoice::automatic;
-}
-
 }  // namespace ergodome

@@ -5,7 +5,6 @@
 
 #include "content/show.h"
 #include "kernels/image/shade_pixels.h"
-#include "render/lens/lens_source.h"
 
 namespace ergodome {
 
@@ -21,9 +20,5 @@ void require_features(const Show& show);
 //! The words for ViewMode on the command line, and the mode of a word.
 std::vector<std::string> view_mode_names();
 ViewMode view_mode(const std::string& name);
-
-//! The words for LensChoice, and the choice of a word.
-std::vector<std::string> lens_names();
-LensChoice lens_choice(const std::string& name);
 
 }  // namespace ergodome

@@ -16,6 +16,7 @@ struct PictureSettings {
   float exposure = 1.0F;
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
+  ShowMoment moment{};
 };
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
@@ -38,7 +39,9 @@ struct Picture {
 //! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
 class EyeRenderer {
  public:
-  explicit EyeRenderer(Backend backend) : backend_(backend), lenses_(backend) {}
+  //! `stream`: baked stations of the show that the pictures are of, if there are any.
+  explicit EyeRenderer(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
+      : backend_(backend), lenses_(backend, std::move(stream)) {}
 
   [[nodiscard]] Backend backend() const { return backend_; }
 

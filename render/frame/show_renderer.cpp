@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "content/sky_map.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -46,36 +47,66 @@ Projection make_projection(const ViewSettings& view, int width_px, double field_
   }
 }
 
-ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens)
-    : show_(show), lens_(lens), sky_(backend, load_sky_map(show), sky_from_map(show.sky)), renderer_(backend) {}
+void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
+  const auto other = [&](const char* what) {
+    return Error(trajectory.path().string(), std::string("was baked for another ") + what, "bake the show again");
+  };
+  if (trajectory.provenance().spin != show.spin) {
+    throw other("spin");
+  }
+  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(a); };
+  for (const StationEntry& station : trajectory.stations()) {
+    const CameraPose pose = camera_pose(show, station.time_s);
+    if (!same(pose.r, station.r) || !same(pose.theta, station.theta)) {
+      throw other("camera path");
+    }
+  }
+  if (!same(trajectory.stations().back().time_s, show.duration_s)) {
+    throw other("duration");
+  }
+}
 
-PictureSettings ShowRenderer::picture_settings(ViewMode mode) const {
+ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, std::shared_ptr<StationStream> stream)
+    : show_(show),
+      lens_(lens),
+      stream_(std::move(stream)),
+      sky_(backend, load_sky_map(show), sky_from_map(show.sky)),
+      renderer_(backend, stream_) {}
+
+std::optional<StreamStatistics> ShowRenderer::stream_statistics() const {
+  return stream_ ? std::optional(stream_->statistics()) : std::nullopt;
+}
+
+PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& moment) const {
   PictureSettings settings;
   settings.mode = mode;
   settings.beaming = show_.effects.redshift;
   settings.exposure = static_cast<float>(show_.sky.exposure);
   settings.lens = lens_;
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
+  settings.moment = moment;
   return settings;
 }
 
-Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                 ViewMode mode) {
-  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode));
+Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
+                                 const ShowMoment& moment) {
+  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode, moment));
 }
 
 const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                               ViewMode mode, const char** lens) {
-  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode), lens);
+                                               ViewMode mode, const ShowMoment& moment, const char** lens) {
+  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_,
+                                   picture_settings(mode, moment), lens);
 }
 
-Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode) {
+Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                       const ShowMoment& moment) {
   if (show_.stereo.layout == StereoLayout::mono) {
-    return render_eye(pose, 0.0, projection, mode);
+    return render_eye(pose, 0.0, projection, mode, moment);
   }
   const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
-  const Picture left = render_eye(pose, -half, projection, mode);
-  const Picture right = render_eye(pose, half, projection, mode);
+  const Picture left = render_eye(pose, -half, projection, mode, moment);
+  const Picture right = render_eye(pose, half, projection, mode, moment);
   return joined(left, right, show_.stereo.layout == StereoLayout::top_bottom ? 1 : 2);
 }
 
@@ -83,14 +114,15 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   const CameraPose pose = camera_pose(show_, time_s);
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
   const Projection projection = make_projection(show_.view, size_px, 0.0);
+  const ShowMoment moment = {time_s};
   std::vector<FrameImage> images;
   if (show_.stereo.layout != StereoLayout::separate) {
-    images.push_back({FramePart::whole, render_both_eyes(pose, projection, choice.mode)});
+    images.push_back({FramePart::whole, render_both_eyes(pose, projection, choice.mode, moment)});
     return images;
   }
   const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
-  images.push_back({FramePart::left, render_eye(pose, -half, projection, choice.mode)});
-  images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode)});
+  images.push_back({FramePart::left, render_eye(pose, -half, projection, choice.mode, moment)});
+  images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode, moment)});
   return images;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,34 +30,47 @@ struct ViewChoice {
 class ShowRenderer {
  public:
   //! Loads the show's sky. Throws Error when the sky cannot be read or the show asks for what is not there yet.
-  ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic);
+  //!
+  //! `stream`: the show's own trajectory (see require_path_of), if there is one.
+  ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
+               std::shared_ptr<StationStream> stream = nullptr);
 
   //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`).
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
-  //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (`separate` side by side).
-  Picture render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode);
+  //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (`separate` side by side). `moment` says
+  //! when in the show that is, for a camera on its path.
+  Picture render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                           const ShowMoment& moment = {});
 
-  //! One eye's picture for a camera that is steered by hand. `eye_offset` in M to the right of the head.
-  Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode);
+  //! One eye's picture. `eye_offset` in M to the right of the head.
+  Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
+                     const ShowMoment& moment = {});
 
   //! The same, left in the backend's memory until the next picture.
   const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                   ViewMode mode, const char** lens = nullptr);
+                                   ViewMode mode, const ShowMoment& moment, const char** lens = nullptr);
+
+  //! What the stream of baked stations has done; nothing without one.
+  [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;
 
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
  private:
-  [[nodiscard]] PictureSettings picture_settings(ViewMode mode) const;
+  [[nodiscard]] PictureSettings picture_settings(ViewMode mode, const ShowMoment& moment) const;
 
   Show show_;
   LensChoice lens_;
+  std::shared_ptr<StationStream> stream_;
   SkyCube sky_;
   EyeRenderer renderer_;
 };
 
 //! The projection of a show's view at a width.
 Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg);
+
+//! Throws Error unless a trajectory was baked along the show's camera path, for its hole.
+void require_path_of(const Show& show, const TrajectoryReader& trajectory);
 
 }  // namespace ergodome

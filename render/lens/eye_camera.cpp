@@ -48,6 +48,8 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset
   eye.r = event.r;
   eye.theta = event.theta;
   eye.phi = event.phi;
+  eye.head_r = pose.r;
+  eye.head_theta = pose.theta;
   set_motion(eye, show, pose);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

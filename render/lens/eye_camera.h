@@ -14,6 +14,8 @@ struct EyeCamera {
   ObserverMotion motion;
   Vector3<double> velocity{};    //!< in the ZAMO frame, for ObserverMotion::velocity
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
+  double head_r;                 //!< the head's place: the eye's own for a single eye [M]
+  double head_theta;             //!< [rad]
 };
 
 //! The head as an eye: the show's camera at a pose. Throws Error inside the horizon and where the observer would outrun light.

@@ -6,9 +6,10 @@
 
 namespace ergodome {
 
-GridLens::GridLens(Backend backend, StationBlend stations, const EyeCamera& eye, const Projection& projection,
-                   double tolerance_px)
+GridLens::GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye,
+                   const Projection& projection, double tolerance_px)
     : backend_(backend),
+      name_(name),
       stations_(std::move(stations)),
       prototype_{
           pixel_batch(eye, projection, tolerance_px), stations_.view(),

@@ -10,14 +10,16 @@ namespace ergodome {
 //! A lens read from grids; the eye may move and turn as it likes at their place, at any azimuth.
 class GridLens : public LensSource {
  public:
-  GridLens(Backend backend, StationBlend stations, const EyeCamera& eye, const Projection& projection,
+  //! `name` says where the grids come from; it outlives the lens.
+  GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye, const Projection& projection,
            double tolerance_px);
 
   void fill(int first_row, int row_count, const LensPixels& out) const override;
-  [[nodiscard]] const char* name() const override { return "live"; }
+  [[nodiscard]] const char* name() const override { return name_; }
 
  private:
   Backend backend_;
+  const char* name_;
   StationBlend stations_;
   LookUpBatch prototype_;
 };

@@ -5,6 +5,7 @@
 
 #include "render/lens/direct_lens.h"
 #include "render/lens/grid_builder.h"
+#include "render/lens/screen_error.h"
 
 namespace ergodome {
 
@@ -14,6 +15,8 @@ namespace {
 constexpr std::size_t kept_grids = 4;
 //! Below this many pixels a grid is not worth its while; compare dome_frame/direct and dome_frame/live_grid in tests/bench.
 constexpr double least_pixels = 150'000.0;
+//! A bake uses up most of its budget; an eye beside the path may take a little more.
+constexpr double beside_slack = 1.25;
 //! Float traces grids well down to this budget [rad].
 constexpr double finest_float_budget = 2e-5;
 
@@ -49,19 +52,70 @@ const LensChooser::Grid& LensChooser::grid_for(const EyeCamera& eye, const Proje
   return grids_.front();
 }
 
-std::unique_ptr<LensSource> LensChooser::choose(LensChoice choice, const EyeCamera& eye, const Projection& projection,
-                                                ViewMode mode, const LensAccuracy& accuracy) {
-  const bool about_rays = mode == ViewMode::steps || mode == ViewMode::error_estimate || mode == ViewMode::image_order;
-  const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
+std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
+  const double pixels = static_cast<double>(request.projection.width_px) * request.projection.height_px;
   // On a GPU rays are cheap, and grids come from the CPU.
   const bool worth_a_grid = backend_ == Backend::cpu && pixels >= least_pixels;
-  if (!about_rays && (choice == LensChoice::live || (choice == LensChoice::automatic && worth_a_grid))) {
-    const Grid& grid = grid_for(eye, projection, accuracy.budget_px);
-    if (choice == LensChoice::live || grid.traced_px < 0.25 * pixels) {
-      return std::make_unique<GridLens>(backend_, StationBlend(grid.station), eye, projection, accuracy.tolerance_px);
+  const bool asked = request.choice == LensChoice::live || request.choice == LensChoice::streamed;
+  if (!asked && !worth_a_grid) {
+    return nullptr;
+  }
+  const Grid& grid = grid_for(request.eye, request.projection, request.accuracy.budget_px);
+  if (!asked && grid.traced_px >= 0.25 * pixels) {
+    return nullptr;
+  }
+  return std::make_unique<GridLens>(backend_, "live", StationBlend(grid.station), request.eye, request.projection,
+                                    request.accuracy.tolerance_px);
+}
+
+std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
+  if (!stream_ || !request.moment.time_s) {
+    return nullptr;
+  }
+  const EyeCamera& eye = request.eye;
+  const TrajectoryProvenance& baked = stream_->trajectory().provenance();
+  const double pixel = pixel_angle(request.projection);
+  const bool fine_enough = baked.budget_px * baked.pixel <= 1.01 * request.accuracy.budget_px * pixel;
+  const bool beside = eye.r != eye.head_r || eye.theta != eye.head_theta;
+  // The check of an eye beside the path runs on the host.
+  if ((request.choice == LensChoice::automatic && !fine_enough) ||
+      (beside && (!baked.derivatives || backend_ != Backend::cpu))) {
+    return nullptr;
+  }
+  const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
+  if (!pair) {
+    return nullptr;
+  }
+  const LensPlace place = {eye.r, eye.theta};
+  StationBlend blend = pair->second                     ? StationBlend(backend_, pair->first, pair->second, place)
+                       : pair->first->has_derivatives() ? StationBlend(backend_, pair->first, place)
+                                                        : StationBlend(pair->first);
+  if (beside) {
+    const LensView view = {eye.spin, place, aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
+                           pixel};
+    const double error_px = measure_screen_error(blend.view(), view, lattice_samples(32, 16)).p99_px;
+    if (error_px > beside_slack * std::max(request.accuracy.budget_px, baked.budget_px * baked.pixel / pixel)) {
+      return nullptr;
     }
   }
-  return std::make_unique<DirectLens>(backend_, eye, projection, accuracy.tolerance_px);
+  return std::make_unique<GridLens>(backend_, "streamed", std::move(blend), eye, request.projection,
+                                    request.accuracy.tolerance_px);
+}
+
+std::unique_ptr<LensSource> LensChooser::choose(const LensRequest& request) {
+  const bool about_rays = request.mode == ViewMode::steps || request.mode == ViewMode::error_estimate ||
+                          request.mode == ViewMode::image_order;
+  std::unique_ptr<LensSource> lens;
+  if (!about_rays && request.choice != LensChoice::direct) {
+    if (request.choice != LensChoice::live) {
+      lens = streamed(request);
+    }
+    if (!lens) {
+      lens = live(request);
+    }
+  }
+  return lens ? std::move(lens)
+              : std::make_unique<DirectLens>(backend_, request.eye, request.projection, request.accuracy.tolerance_px);
 }
 
 }  // namespace ergodome

@@ -2,10 +2,13 @@
 
 #include <list>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "kernels/image/shade_pixels.h"
 #include "render/lens/grid_lens.h"
 #include "render/lens/lens_source.h"
+#include "render/lens/station_stream.h"
 
 namespace ergodome {
 
@@ -15,16 +18,37 @@ struct LensAccuracy {
   double tolerance_px = 0.05;  //!< for a traced ray
 };
 
-//! Makes the lens of each picture, and keeps the last grids: a camera that turns, changes its motion or goes round the hole's axis
-//! needs no new one.
+//! When in a show a picture is taken, where a lens may be streamed.
+struct ShowMoment {
+  std::optional<double> time_s;  //!< nothing: the camera is not on the show's path
+  double patience_s = 1e6;       //!< how long to wait for stations that are not there yet
+};
+
+//! What a lens is asked for.
+struct LensRequest {
+  LensChoice choice = LensChoice::automatic;
+  EyeCamera eye{};
+  Projection projection{};
+  ViewMode mode = ViewMode::sky;
+  LensAccuracy accuracy{};
+  ShowMoment moment{};
+};
+
+//! Makes the lens of each picture, from a stream of baked stations where there is one, and keeps the last grids of its own: a camera
+//! that turns, changes its motion or goes round the hole's axis needs no new one.
 class LensChooser {
  public:
-  explicit LensChooser(Backend backend) : backend_(backend) {}
+  explicit LensChooser(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
+      : backend_(backend), stream_(std::move(stream)) {}
 
-  //! The lens for an eye's image. Views that show what rays do (steps, error, order) trace them, whatever is asked. With
-  //! LensChoice::automatic small pictures, all pictures on a GPU, and places where most of a grid would be left to rays, are traced.
-  std::unique_ptr<LensSource> choose(LensChoice choice, const EyeCamera& eye, const Projection& projection,
-                                     ViewMode mode, const LensAccuracy& accuracy);
+  //! The lens for an eye's image. Views that show what rays do (steps, error, order) trace them, whatever is asked.
+  //!
+  //! LensChoice::automatic streams where the camera is on a baked path and the bake is fine enough. Else small pictures, all pictures on a
+  //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
+  //! nothing: off the path, or while it reads.
+  //!
+  //! An eye beside the path is served by the stations' derivatives as long as traced rays confirm it; beyond, it gets a live grid.
+  std::unique_ptr<LensSource> choose(const LensRequest& request);
 
   //! Number of grids built so far.
   [[nodiscard]] int built() const { return built_; }
@@ -42,9 +66,12 @@ class LensChooser {
     std::shared_ptr<const StationBuffers> station;
   };
 
+  std::unique_ptr<LensSource> streamed(const LensRequest& request);
+  std::unique_ptr<LensSource> live(const LensRequest& request);
   const Grid& grid_for(const EyeCamera& eye, const Projection& projection, double budget_px);
 
   Backend backend_;
+  std::shared_ptr<StationStream> stream_;
   int built_ = 0;
   std::list<Grid> grids_;  //!< the latest first
 };

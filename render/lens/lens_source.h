@@ -5,7 +5,7 @@
 namespace ergodome {
 
 //! Where the lens of a picture may come from; `automatic` takes what is cheapest at the asked accuracy.
-enum class LensChoice { automatic, live, direct };
+enum class LensChoice { automatic, streamed, live, direct };
 
 //! What maps the pixels of one eye's image to the sky.
 class LensSource {
@@ -18,7 +18,7 @@ class LensSource {
   //! Fills the channels of rows [first_row, first_row + row_count): row_count * width elements each, in the backend's memory.
   virtual void fill(int first_row, int row_count, const LensPixels& out) const = 0;
 
-  //! A word for the display: "direct", "live".
+  //! A word for the display: "direct", "live", "streamed".
   [[nodiscard]] virtual const char* name() const = 0;
 };
 

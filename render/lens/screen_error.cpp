@@ -50,6 +50,18 @@ ChartSamples leaf_samples(const LensStation& station) {
   return samples;
 }
 
+ChartSamples lattice_samples(int columns, int rows) {
+  ChartSamples samples;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      samples.gamma_turns.push_back((column + 0.5) / columns);
+      samples.s.push_back((row + 0.5) / rows);
+      samples.extent.push_back(1.0 / (columns * rows));
+    }
+  }
+  return samples;
+}
+
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples) {
   const CameraStation rain = make_camera_station(view.spin, view.place.r, view.place.theta, 0.0, ObserverMotion::rain);
   const std::size_t count = samples.s.size();

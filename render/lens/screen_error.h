@@ -26,6 +26,9 @@ struct ChartSamples {
 //! Four places in each of a station's leaves: dense where its map needs them. A mirrored station's stand for both halves of the sky.
 ChartSamples leaf_samples(const LensStation& station);
 
+//! A lattice over the whole chart, for a quick look at any lens.
+ChartSamples lattice_samples(int columns, int rows);
+
 //! What a lens misses by on the screen: bounds for all but a part of the sky that the observer sees, by solid angle [px].
 struct ScreenError {
   double p99_px;

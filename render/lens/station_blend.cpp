@@ -20,13 +20,18 @@ void set_turn(const LensStation& station, const LensPlace& place, float (&turn)[
   }
 }
 
+std::size_t bytes_for(std::size_t edge, std::size_t tree, std::size_t leaves, std::size_t nodes, bool derivatives) {
+  const std::size_t copies = derivatives ? 4 : 1;
+  return sizeof(float) * (edge + copies * floats_a_node * nodes) + sizeof(int) * (tree + 4 * leaves);
+}
+
 LensPlace place_of(const LensStation& station) { return {station.r, station.theta}; }
 
 }  // namespace
 
 StationBuffers::StationBuffers(Backend backend, LensStation station)
-    : bytes_(sizeof(float) * (station.edge.size() + station.nodes.size()) +
-             sizeof(int) * (station.tree.size() + station.leaves.size())),
+    : bytes_(bytes_for(station.edge.size(), station.tree.size(), station.leaf_count(), station.node_count(),
+                       !station.nodes_along_r.empty())),
       station_(std::move(station)),
       edge_(backend, station_.edge),
       tree_(backend, station_.tree),
@@ -35,12 +40,15 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
   std::vector<float>().swap(station_.leaf_error_px);
   if (!has_derivatives()) {
     std::vector<float>().swap(station_.nodes);
-  } else {
-    bytes_ += 3 * sizeof(float) * station_.nodes.size();
   }
   for (std::vector<int>* large : {&station_.tree, &station_.leaves}) {
     std::vector<int>().swap(*large);
   }
+}
+
+std::size_t StationBuffers::expected_bytes(const StationEntry& entry, bool derivatives) {
+  // A tree of halvings has an entry less for the inner cells than for the leaves.
+  return bytes_for(edge_points, std::size_t{2} * entry.leaves, entry.leaves, entry.nodes, derivatives);
 }
 
 LensGrid StationBuffers::view() const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "content/lens_station.h"
+#include "content/trajectory/trajectory.h"
 #include "kernels/lens/look_up.h"
 #include "render/backend/buffer.h"
 #include "render/lens/edge_table.h"
@@ -23,6 +24,9 @@ class StationBuffers {
 
   //! Memory that it takes.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  //! What a station of a trajectory is going to take.
+  static std::size_t expected_bytes(const StationEntry& entry, bool derivatives);
 
   //! The grid; it points into this object.
   [[nodiscard]] LensGrid view() const;

@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 EyeCamera eye_at(double spin, double r, double theta = pi / 2) {
-  EyeCamera eye{spin, r, theta, 0.0, ObserverMotion::zamo, {}, {}};
+  EyeCamera eye{spin, r, theta, 0.0, ObserverMotion::zamo, {}, {}, r, theta};
   const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
   std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
   return eye;

@@ -6,7 +6,10 @@
 
 #include "content/show_reader.h"
 #include "content/sky_map.h"
+#include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
+#include "tests/support/baked_show.h"
+#include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
@@ -110,7 +113,7 @@ TEST(LensChooser, KeepsTheGridOfACameraThatTurnsAndGoesRoundTheAxis) {
   const Projection projection = make_projection(show.view, 256, 0.0);
   CameraPose pose = camera_pose(show, 0.0);
   const auto built = [&] {
-    lenses.choose(LensChoice::live, eye_camera(show, pose, 0.0), projection, ViewMode::sky, {});
+    lenses.choose({LensChoice::live, eye_camera(show, pose, 0.0), projection, ViewMode::sky, {}, {}});
     return lenses.built();
   };
   EXPECT_EQ(built(), 1);
@@ -120,6 +123,96 @@ TEST(LensChooser, KeepsTheGridOfACameraThatTurnsAndGoesRoundTheAxis) {
   EXPECT_EQ(built(), 2);
   pose.r -= 0.01;
   EXPECT_EQ(built(), 2);
+}
+
+//! A baked show, and lenses for its camera.
+class StreamedLens : public test::FolderTest {
+ protected:
+  StreamedLens() : show_(test::approaching_show()), projection_(make_projection(show_.view, show_.view.size_px, 0.0)) {}
+
+  std::shared_ptr<StationStream> stream(bool derivatives = true) {
+    test::bake_to(show_, folder_ / "t.trajectory", pixel_angle(projection_), derivatives);
+    return std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(folder_ / "t.trajectory"),
+                                           StationStream::default_memory_bytes, [](const std::string&) {});
+  }
+
+  //! The lens of an eye at a time of the show; `budget` in budgets of the show.
+  std::string lens_at(LensChooser& lenses, double time_s, double eye_offset, LensChoice choice = LensChoice::automatic,
+                      double budget = 1.0) {
+    const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), eye_offset);
+    const LensAccuracy accuracy = {budget * show_.quality.budget_px, 0.05};
+    return lenses.choose({choice, eye, projection_, ViewMode::sky, accuracy, {time_s}})->name();
+  }
+
+  Show show_;
+  Projection projection_;
+};
+
+TEST_F(StreamedLens, PictureIsThatOfDirectRaysOnThePathAndForBothEyes) {
+  EyeRenderer streamed(Backend::cpu, stream());
+  EyeRenderer direct(Backend::cpu);
+  for (const double offset : {0.0, -0.05, 0.05}) {
+    const double time_s = 3.7;
+    PictureSettings settings;
+    settings.moment = {time_s};
+    const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), offset);
+    const Picture a = streamed.render(eye, projection_, grid_sky(), settings);
+    settings.lens = LensChoice::direct;
+    const Picture b = direct.render(eye, projection_, grid_sky(), settings);
+    ASSERT_STREQ(a.lens, "streamed") << offset;
+    const std::vector<double> all = differences(a, b);
+    EXPECT_LT(all[all.size() * 99 / 100], 0.03) << offset;
+    EXPECT_LT(all[all.size() * 999 / 1000], 0.15) << offset;
+  }
+}
+
+TEST_F(StreamedLens, LeavingThePathMakesNoJump) {
+  // The same pose, once as a moment of the show and once flown by hand.
+  EyeRenderer renderer(Backend::cpu, stream());
+  PictureSettings settings;
+  settings.lens = LensChoice::streamed;
+  settings.moment = {5.1};
+  const EyeCamera eye = eye_camera(show_, camera_pose(show_, 5.1), 0.0);
+  const Picture on = renderer.render(eye, projection_, grid_sky(), settings);
+  settings.moment = {};
+  const Picture off = renderer.render(eye, projection_, grid_sky(), settings);
+  ASSERT_STREQ(on.lens, "streamed");
+  ASSERT_STREQ(off.lens, "live");
+  const std::vector<double> all = differences(on, off);
+  EXPECT_LT(all[all.size() * 99 / 100], 0.03);
+}
+
+TEST_F(StreamedLens, EyesTooFarBesideThePathGetGridsOfTheirOwn) {
+  LensChooser lenses(Backend::cpu, stream());
+  EXPECT_EQ(lens_at(lenses, 4.0, 0.02, LensChoice::streamed), "streamed");
+  EXPECT_EQ(lens_at(lenses, 4.0, 3.0, LensChoice::streamed), "live");
+}
+
+TEST_F(StreamedLens, WithoutDerivativesEyesBesideThePathGetGridsOfTheirOwn) {
+  LensChooser lenses(Backend::cpu, stream(false));
+  EXPECT_EQ(lens_at(lenses, 4.0, 0.0), "streamed");
+  EXPECT_EQ(lens_at(lenses, 4.0, 0.02, LensChoice::streamed), "live");
+}
+
+TEST_F(StreamedLens, ABakeThatIsTooCoarseIsUsedOnlyWhenAskedFor) {
+  LensChooser lenses(Backend::cpu, stream());
+  EXPECT_EQ(lens_at(lenses, 4.0, 0.0, LensChoice::automatic, 0.5), "direct");
+  EXPECT_EQ(lens_at(lenses, 4.0, 0.0, LensChoice::streamed, 0.5), "streamed");
+  EXPECT_EQ(lens_at(lenses, 4.0, 0.0, LensChoice::live), "live");
+}
+
+TEST_F(StreamedLens, TrajectoryOfAnotherPathIsRefused) {
+  const auto baked = stream();
+  EXPECT_NO_THROW(require_path_of(show_, baked->trajectory()));
+  Show other = show_;
+  other.camera.keys[1].r = 7.1;
+  EXPECT_THROW(require_path_of(other, baked->trajectory()), Error);
+  other = show_;
+  other.spin = 0.91;
+  EXPECT_THROW(require_path_of(other, baked->trajectory()), Error);
+  other = show_;
+  other.duration_s = 9.0;
+  EXPECT_THROW(require_path_of(other, baked->trajectory()), Error);
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+#include "app/inspect_trajectory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/progress.h"
+#include "content/trajectory/trajectory_reader.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+nlohmann::json facts_of(const StationEntry& station) {
+  return {{"t_s", station.time_s},
+          {"r", station.r},
+          {"theta_deg", station.theta * degrees},
+          {"bytes", station.bytes},
+          {"nodes", station.nodes},
+          {"cells", station.leaves},
+          {"gap_error_px", station.gap_error_px}};
+}
+
+}  // namespace
+
+bool is_trajectory(const std::filesystem::path& file) {
+  std::ifstream from(file, std::ios::binary);
+  char first[5] = {};
+  from.read(first, sizeof first);
+  return from && std::string_view(first, sizeof first) ==
+                     "\x89"
+                     "ERGO";
+}
+
+nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
+  const TrajectoryReader trajectory(file);
+  const TrajectoryProvenance& from = trajectory.provenance();
+  nlohmann::json facts = {{"file", file.string()},
+                          {"bytes", trajectory.file_bytes()},
+                          {"spin", from.spin},
+                          {"budget_px", from.budget_px},
+                          {"pixel_arcmin", from.pixel * degrees * 60.0},
+                          {"derivatives", from.derivatives},
+                          {"code_version", from.code_version},
+                          {"show", from.show_text},
+                          {"stations", nlohmann::json::array()},
+                          {"damaged", nlohmann::json::array()}};
+  Progress progress("reading", static_cast<long>(trajectory.stations().size()));
+  for (std::size_t i = 0; i < trajectory.stations().size(); ++i) {
+    facts["stations"].push_back(facts_of(trajectory.stations()[i]));
+    try {
+      (void)trajectory.read(i);
+    } catch (const Error& problem) {
+      facts["damaged"].push_back(problem.what());
+    }
+    progress.advance_to(static_cast<long>(i));
+  }
+  return facts;
+}
+
+void print_trajectory(const nlohmann::json& facts) {
+  constexpr std::size_t most_lines = 40;
+  for (const char* name : {"file", "bytes", "spin", "budget_px", "pixel_arcmin", "derivatives", "code_version"}) {
+    fmt::print("{:<16}{}\n", name, facts[name].is_string() ? facts[name].get<std::string>() : facts[name].dump());
+  }
+  const auto& stations = facts["stations"];
+  fmt::print("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}\n", "stations", stations.size(), "t [s]", "r [M]",
+             "theta [deg]", "nodes", "bytes", "blending [px]");
+  for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / most_lines)) {
+    const auto& s = stations[i];
+    const double gap = s["gap_error_px"].get<double>();
+    fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}\n", s["t_s"].get<double>(), s["r"].get<double>(),
+               s["theta_deg"].get<double>(), s["nodes"].get<int>(), s["bytes"].get<long>(),
+               gap >= 0.0 ? fmt::format("{:.3f}", gap) : "");
+  }
+  for (const auto& problem : facts["damaged"]) {
+    fmt::print("{}\n", problem.get<std::string>());
+  }
+}
+
+LensStation station_of_trajectory(const std::filesystem::path& file, double time_s) {
+  const TrajectoryReader trajectory(file);
+  const auto& all = trajectory.stations();
+  const auto later = std::upper_bound(all.begin(), all.end(), time_s,
+                                      [](double t, const StationEntry& station) { return t < station.time_s; });
+  return trajectory.read(static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - all.begin() - 1, 0)));
+}
+
+}  // namespace ergodome

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "content/trajectory/trajectory_reader.h"
+#include "render/lens/station_blend.h"
+
+namespace ergodome {
+
+//! The stations around a moment of a show; the second is missing where the camera stands still and at the ends.
+struct StationPair {
+  std::shared_ptr<const StationBuffers> first;
+  std::shared_ptr<const StationBuffers> second;
+};
+
+//! What a stream has done so far.
+struct StreamStatistics {
+  long asked = 0;   //!< moments that were asked for
+  long waits = 0;   //!< of them, those whose stations were not there at once
+  long missed = 0;  //!< of them, those that were given up
+  long read = 0;    //!< stations read
+  long bad = 0;     //!< stations that could not be read
+  std::size_t bytes_held = 0;
+  std::size_t most_bytes_held = 0;
+};
+
+//! Keeps the stations around a show's play head in memory, read ahead by a thread of its own, in the direction in which the head moves
+//! and some in the other; memory stays bounded however long the trajectory is.
+class StationStream {
+ public:
+  //! Takes a message for the person who watches; called from the stream's thread, once for each station that cannot be read.
+  using Report = std::function<void(const std::string&)>;
+
+  static constexpr std::size_t default_memory_bytes = std::size_t{256} << 20U;
+
+  //! Holds at least the stations that a moment and its neighbour need, whatever the bound.
+  StationStream(Backend backend, TrajectoryReader trajectory, std::size_t memory_bytes, Report report);
+  ~StationStream();
+  StationStream(const StationStream&) = delete;
+  StationStream& operator=(const StationStream&) = delete;
+
+  [[nodiscard]] const TrajectoryReader& trajectory() const { return trajectory_; }
+
+  //! The stations around a show time, which becomes the play head. Stations that cannot be read are left out, and their neighbours taken.
+  //! Nothing where they did not come within `patience_s`, or where none can be read.
+  std::optional<StationPair> at(double time_s, double patience_s);
+
+  [[nodiscard]] StreamStatistics statistics() const;
+
+ private:
+  using Held = std::shared_ptr<const StationBuffers>;
+
+  void work(const std::stop_token& stop);
+  void move_head(double time_s);
+  [[nodiscard]] std::vector<std::size_t> wanted() const;
+  std::optional<std::size_t> next_to_read();
+  void make_room(std::size_t bytes, const std::vector<std::size_t>& order);
+  [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> around(double time_s) const;
+  [[nodiscard]] std::size_t bytes_of(std::size_t station) const;
+  void read(std::size_t station, std::unique_lock<std::mutex>& lock);
+
+  Backend backend_;
+  TrajectoryReader trajectory_;
+  std::size_t memory_bytes_;
+  Report report_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::condition_variable_any arrived_;
+  std::map<std::size_t, Held> held_;
+  std::set<std::size_t> bad_;
+  std::size_t head_ = 0;
+  double head_s_ = 0.0;
+  double speed_ = 0.0;  //!< of the head, in show seconds a second
+  std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now();
+  StreamStatistics statistics_;
+  std::jthread thread_;
+};
+
+}  // namespace ergodome

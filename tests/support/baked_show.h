@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "content/show_reader.h"
+#include "content/trajectory/trajectory_journal.h"
+#include "render/lens/trajectory_baker.h"
+
+namespace ergodome::test {
+
+//! From r = 9 to 7 in ten seconds before the grid sky, for small pictures.
+inline Show approaching_show() {
+  return parse_show(
+      "duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nt_s = 0\nr = 9\ntheta_deg = 70\nyaw_deg = 30\n"
+      "[[camera.key]]\nt_s = 10\nr = 7\ntheta_deg = 80\nphi_deg = 40\nyaw_deg = 30\n"
+      "[sky]\nmap = \"grid\"\n[view]\nprojection = \"dome\"\nsize_px = 200\n",
+      "show.toml");
+}
+
+//! Bakes a show for pictures of a width to a finished file.
+inline void bake_to(const Show& show, const std::filesystem::path& file, double pixel, bool derivatives = true) {
+  BakeSettings settings;
+  settings.pixel = pixel;
+  settings.derivatives = derivatives;
+  const std::filesystem::path part = file.string() + ".part";
+  TrajectoryJournal journal(part, provenance_of(show, settings));
+  journal.seal(file, bake_trajectory(show, settings, journal, [](double) { return true; }).times_s);
+  std::filesystem::remove(part);
+}
+
+}  // namespace ergodome::test
