@@ -28,28 +28,22 @@ TrajectoryJournal::TrajectoryJournal(const std::filesystem::path& path, const Tr
 
 void TrajectoryJournal::scan() {
   const std::string name = file_.path().string();
+  Bytes expected = to_bytes(TrajectoryHeader{});
   const Bytes head = make_frame(FrameKind::provenance, to_bytes(provenance_));
-  const std::uint64_t begin = trajectory_header_bytes + head.size();
+  expected.insert(expected.end(), head.begin(), head.end());
   const std::uint64_t end = file_.size();
-  if (end >= trajectory_header_bytes) {
-    const TrajectoryHeader header = parse_trajectory_header(file_.read(0, trajectory_header_bytes, name), name);
-    if (header.sealed) {
-      throw Error(name, "is a finished trajectory, not the journal of one", "choose another file with --out");
-    }
-  }
-  if (end < begin) {
-    // Not even its beginning came to the disk.
-    file_.cut(0);
-    Bytes first = to_bytes(TrajectoryHeader{});
-    first.insert(first.end(), head.begin(), head.end());
-    file_.append(first);
-    return;
-  }
-  if (!std::ranges::equal(file_.read(trajectory_header_bytes, head.size(), name), head)) {
-    throw Error(name, "belongs to the bake of another show, budget or version",
+  const Bytes found = file_.read(0, std::min<std::uint64_t>(end, expected.size()), name);
+  if (!std::equal(found.begin(), found.end(), expected.begin())) {
+    throw Error(name, "is not the journal of this bake (another show, budget or version, or no journal)",
                 "remove it, or choose another file with --out");
   }
-  std::uint64_t next = begin;
+  if (found.size() < expected.size()) {
+    // Not even its beginning came to the disk.
+    file_.cut(0);
+    file_.append(expected);
+    return;
+  }
+  std::uint64_t next = expected.size();
   while (take_frame(next, end, next)) {
   }
   if (next < end) {

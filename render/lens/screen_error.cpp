@@ -1,6 +1,7 @@
 #include "render/lens/screen_error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "kernels/launch/launch.h"
@@ -10,6 +11,8 @@ namespace ergodome {
 namespace {
 
 constexpr int step_limit = 400;
+//! For a thousandth of the sky to be told from its neighbours.
+constexpr double wished_samples = 10'000.0;
 
 //! The value below which a share of the weight lies.
 double quantile(const std::vector<double>& values, const std::vector<double>& weights,
@@ -34,16 +37,16 @@ ChartSamples leaf_samples(const LensStation& station) {
     samples.s.push_back(s);
     samples.extent.push_back(extent);
   };
+  const double wished = std::sqrt(wished_samples / static_cast<double>(station.leaf_count()));
+  const int side = static_cast<int>(std::clamp(std::ceil(wished), 2.0, 8.0));
   for (const LeafBox& box : leaf_boxes(station)) {
-    const double quarter = 0.25 * box.width_turns * box.height;
-    for (const double u : {0.25, 0.75}) {
-      for (const double v : {0.25, 0.75}) {
-        const double gamma_turns = box.gamma_turns + u * box.width_turns;
-        const double s = box.s + v * box.height;
-        add(gamma_turns, s, quarter);
-        if (station.mirrored) {
-          add(1.0 - gamma_turns, s, quarter);
-        }
+    for (int i = 0; i < side * side; ++i) {
+      const double gamma_turns = box.gamma_turns + (i % side + 0.5) / side * box.width_turns;
+      const double s = box.s + (i / side + 0.5) / side * box.height;
+      const double extent = box.width_turns * box.height / (side * side);
+      add(gamma_turns, s, extent);
+      if (station.mirrored) {
+        add(1.0 - gamma_turns, s, extent);
       }
     }
   }

@@ -23,7 +23,8 @@ struct ChartSamples {
   std::vector<double> extent;  //!< turns times s
 };
 
-//! Four places in each of a station's leaves: dense where its map needs them. A mirrored station's stand for both halves of the sky.
+//! Places in each of a station's leaves, so dense where its map needs them; some ten thousand or more in all. A mirrored station's stand for
+//! both halves of the sky.
 ChartSamples leaf_samples(const LensStation& station);
 
 //! A lattice over the whole chart, for a quick look at any lens.

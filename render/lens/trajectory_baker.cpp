@@ -24,6 +24,8 @@ namespace {
 constexpr double grid_share = 0.5;
 //! What is worse than the budget in a hundredth of the sky is worse than so many budgets in a thousandth at most.
 constexpr double far_off = 5.0;
+//! A gap is good enough when it misses by so much more than its stations do by themselves.
+constexpr double floor_slack = 1.1;
 //! A stretch is divided into so many parts at once at most.
 constexpr int most_parts = 16;
 constexpr int deepest = 12;
@@ -129,7 +131,10 @@ class Baker {
     const Station last = station(end_s);
     const double error_px = std::max(blending_error(*first, *last, begin_s + 0.5 * (end_s - begin_s)),
                                      blending_error(*first, *last, begin_s + 0.25 * (end_s - begin_s)));
-    if (error_px > settings_.budget_px && depth < deepest) {
+    // Blends cannot be better than the grids that they are made of.
+    const double floor_px =
+        error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
+    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth < deepest) {
       // Errors go with the square of the distance, with derivatives with its fourth power.
       const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
       const int parts = static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
@@ -151,10 +156,22 @@ class Baker {
       return 0.0;
     }
     const LensView view = view_at(time_s);
-    const auto on_host = [](const LensStation& s) { return std::make_shared<StationBuffers>(Backend::cpu, s); };
     const StationBlend blend(Backend::cpu, on_host(first), on_host(last), view.place);
-    const ScreenError error =
-        measure_screen_error(blend.view(), view, leaf_samples(first.leaf_count() > last.leaf_count() ? first : last));
+    return error_of(blend, view, first.leaf_count() > last.leaf_count() ? first : last);
+  }
+
+  //! What a station misses by at its own place [px].
+  [[nodiscard]] double own_error(const LensStation& station, double time_s) const {
+    const StationBlend alone(on_host(station));
+    return error_of(alone, view_at(time_s), station);
+  }
+
+  static std::shared_ptr<const StationBuffers> on_host(const LensStation& station) {
+    return std::make_shared<StationBuffers>(Backend::cpu, station);
+  }
+
+  static double error_of(const StationBlend& lens, const LensView& view, const LensStation& sampled) {
+    const ScreenError error = measure_screen_error(lens.view(), view, leaf_samples(sampled));
     return std::max(error.p99_px, error.p999_px / far_off);
   }
 

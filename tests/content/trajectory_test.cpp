@@ -239,7 +239,7 @@ TEST_F(Trajectory, JournalGoesOnAfterItsLastWholeFrame) {
 
 TEST_F(Trajectory, JournalIsForOneProcessAndNoFinishedFile) {
   make_file();
-  EXPECT_THAT(error_of([&] { TrajectoryJournal other(file(), provenance()); }), HasSubstr("finished trajectory"));
+  EXPECT_THAT(error_of([&] { TrajectoryJournal other(file(), provenance()); }), HasSubstr("not the journal"));
   const TrajectoryJournal journal(journal_file(), provenance());
   EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), provenance()); }), HasSubstr("another process"));
 }
@@ -248,7 +248,7 @@ TEST_F(Trajectory, JournalOfAnotherBakeIsRefused) {
   { const TrajectoryJournal journal(journal_file(), provenance()); }
   TrajectoryProvenance changed = provenance();
   changed.budget_px = 0.5;
-  EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), changed); }), HasSubstr("another show, budget"));
+  EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), changed); }), HasSubstr("not the journal of this bake"));
 }
 
 TEST_F(Trajectory, JoinedPartsAreTheSameFile) {
