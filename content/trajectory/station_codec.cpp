@@ -73,36 +73,6 @@ Vector3<float> read_vector(ByteReader& from) {
   return {x, y, from.number<float>()};
 }
 
-Bytes layout(const LensStation& station) {
-  ByteWriter to;
-  to.number(station.spin);
-  to.number(station.r);
-  to.number(station.theta);
-  write_vector(to, station.centre);
-  write_vector(to, station.first);
-  write_vector(to, station.second);
-  to.number(station.range);
-  const bool derivatives = !station.nodes_along_r.empty();
-  to.number((station.mirrored ? flag_mirrored : 0U) | (derivatives ? flag_derivatives : 0U));
-  for (const std::size_t size :
-       {static_cast<std::size_t>(station.columns), static_cast<std::size_t>(station.rows), station.edge.size(),
-        station.tree.size(), station.leaf_count(), station.node_count()}) {
-    to.number(static_cast<std::uint32_t>(size));
-  }
-  write_planes(to, station.edge, 0, 1);
-  write_planes(to, station.tree, 0, 1);
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    write_planes(to, station.leaves, corner, 4);
-  }
-  write_planes(to, station.leaf_error_px, 0, 1);
-  write_nodes(to, station.nodes);
-  if (derivatives) {
-    write_nodes(to, station.nodes_along_r);
-    write_nodes(to, station.nodes_along_theta);
-  }
-  return to.take();
-}
-
 bool all_finite(const std::vector<float>& numbers) {
   return std::ranges::all_of(numbers, [](float x) { return std::isfinite(x); });
 }
@@ -162,8 +132,38 @@ Bytes unpacked(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, 
 
 }  // namespace
 
+Bytes station_layout(const LensStation& station) {
+  ByteWriter to;
+  to.number(station.spin);
+  to.number(station.r);
+  to.number(station.theta);
+  write_vector(to, station.centre);
+  write_vector(to, station.first);
+  write_vector(to, station.second);
+  to.number(station.range);
+  const bool derivatives = !station.nodes_along_r.empty();
+  to.number((station.mirrored ? flag_mirrored : 0U) | (derivatives ? flag_derivatives : 0U));
+  for (const std::size_t size :
+       {static_cast<std::size_t>(station.columns), static_cast<std::size_t>(station.rows), station.edge.size(),
+        station.tree.size(), station.leaf_count(), station.node_count()}) {
+    to.number(static_cast<std::uint32_t>(size));
+  }
+  write_planes(to, station.edge, 0, 1);
+  write_planes(to, station.tree, 0, 1);
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    write_planes(to, station.leaves, corner, 4);
+  }
+  write_planes(to, station.leaf_error_px, 0, 1);
+  write_nodes(to, station.nodes);
+  if (derivatives) {
+    write_nodes(to, station.nodes_along_r);
+    write_nodes(to, station.nodes_along_theta);
+  }
+  return to.take();
+}
+
 PackedStation pack_station(const LensStation& station) {
-  const Bytes raw = layout(station);
+  const Bytes raw = station_layout(station);
   Bytes packed(ZSTD_compressBound(raw.size()));
   const std::size_t size = ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), compression_level);
   if (ZSTD_isError(size) != 0) {
@@ -174,7 +174,10 @@ PackedStation pack_station(const LensStation& station) {
 }
 
 LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  const Bytes raw = unpacked(packed, unpacked_bytes, place);
+  return parse_station_layout(unpacked(packed, unpacked_bytes, place), place);
+}
+
+LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& place) {
   ByteReader from(raw, place);
   LensStation station;
   station.spin = from.number<double>();

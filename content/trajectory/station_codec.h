@@ -20,4 +20,10 @@ PackedStation pack_station(const LensStation& station);
 //! pack_station.
 LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place);
 
+//! The same from bytes that are not compressed.
+LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& place);
+
+//! What parse_station_layout reads.
+Bytes station_layout(const LensStation& station);
+
 }  // namespace ergodome
