@@ -157,9 +157,12 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
   look_up_rays(Backend::cpu, batch);
   append_rays(rows, begin, arrays, text);
-  fmt::print("a {:.9g} r {:.9g} theta {:.9g}: {} nodes{}, {} cells, {} of them ({:.0f} px) left to rays, {:.1f} ms\n",
-             row.spin, row.r, row.theta, statistics.nodes, station.mirrored ? " (half the sky, mirrored)" : "",
-             statistics.leaves, statistics.flagged_leaves, statistics.flagged_px, time.count());
+  fmt::print(
+      "a {:.9g} r {:.9g} theta {:.9g}: {} nodes{}, {} rays traced, {} cells, {} of them ({:.0f} px) left to rays, "
+      "{:.1f} ms\n",
+      row.spin, row.r, row.theta, statistics.nodes, station.mirrored ? " (half the sky, mirrored)" : "",
+      statistics.traced_nodes + statistics.traced_checks, statistics.leaves, statistics.flagged_leaves,
+      statistics.flagged_px, time.count());
 }
 
 //! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a line for each.
