@@ -32,6 +32,7 @@ struct RayOptions {
   int size_px = 4096;
   int level = 10;
   std::string interpolation = "spline";
+  double blend = 0.0;
 };
 
 const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
@@ -173,16 +174,34 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
   settings.coarsest_level = std::min(settings.coarsest_level, options.level);
   settings.finest_level = options.level;
   const bool mirrored = std::abs(row.theta - 0.5 * 3.14159265358979323846) < 1e-9 && row.velocity.y == 0.0;
+  // One grid here, or one half the distance nearer and one half the distance farther.
+  std::vector<CameraStation> cameras;
+  for (const double side : {-0.5, 0.5}) {
+    if (cameras.empty() || options.blend > 0.0) {
+      RayRow at = row;
+      at.r += options.blend > 0.0 ? side * options.blend : 0.0;
+      cameras.push_back(station_of(at));
+    }
+  }
   const auto start = std::chrono::steady_clock::now();
-  const QuadtreeLens lens(station_of(row), mirrored, settings);
+  std::vector<QuadtreeLens> lenses;
+  std::vector<QuadtreeShadowTable> shadows;
+  for (const CameraStation& camera : cameras) {
+    lenses.emplace_back(camera, mirrored, settings);
+    shadows.emplace_back(camera, lenses.back().view().level);
+  }
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  BatchArrays<double> arrays(end - begin);
   const bool linear = options.interpolation == "linear";
-  read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), lens.view(),
-                                    linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline});
+  const QuadtreeLookUp look_up = {{lenses.front().view(), lenses.back().view()},
+                                  {shadows.front().view(), shadows.back().view()},
+                                  cameras.size() > 1 ? 0.5F : 0.0F,
+                                  linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline};
+  BatchArrays<double> arrays(end - begin);
+  read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), look_up});
   append_rays(rows, begin, arrays, text);
   fmt::print("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
-             lens.vertex_count(), mirrored ? " (half the sky, mirrored)" : "", time.count());
+             lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
+             mirrored ? " (half the sky, mirrored)" : "", time.count());
 }
 
 //! Calls work(begin, end) for each run of rows with one camera; runs are bounded so that progress and Ctrl-C work.
@@ -280,6 +299,10 @@ void add_trace_command(CLI::App& app) {
   command->add_option("--interpolation", options->interpolation, "for quadtree: linear or spline")
       ->check(CLI::IsMember({"linear", "spline"}))
       ->capture_default_str();
+  command
+      ->add_option("--blend", options->blend,
+                   "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
+      ->check(CLI::Range(0.0, 1e3));
   command->callback([options] { run_trace(*options); });
 }
 

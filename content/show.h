@@ -81,6 +81,9 @@ struct QualitySettings {
   double budget_px = 0.25;  //!< error of a direction on the screen that is accepted [px]
 };
 
+//! How lens grids are laid out: the conforming chart, or the quadtree of Verbraeck & Eisemann (2021), for comparison.
+enum class GridScheme { conforming, quadtree };
+
 //! A show as its file tells it; angles in radians but where a name says degrees.
 struct Show {
   std::string name;    //!< file name without folder and ending
@@ -95,6 +98,7 @@ struct Show {
   ViewSettings view;
   StereoSettings stereo;
   QualitySettings quality;
+  GridScheme grid_scheme = GridScheme::conforming;
 };
 
 //! Number of frames of the whole show; at least one.

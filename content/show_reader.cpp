@@ -192,6 +192,11 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   part("effects", [&](const toml::table& table) { read_effects(table, file, show.effects); });
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
   part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
+  part("grid", [&](const toml::table& table) {
+    TomlTable grid(table, file, "grid");
+    show.grid_scheme = static_cast<GridScheme>(grid.choice("scheme", 0, {"conforming", "quadtree"}));
+    grid.refuse_unknown_keys();
+  });
   part("quality", [&](const toml::table& table) {
     TomlTable quality(table, file, "quality");
     show.quality.budget_px = quality.number("budget_px", show.quality.budget_px, 1e-6, 100.0);

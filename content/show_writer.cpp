@@ -60,6 +60,7 @@ std::string to_toml(const Show& show) {
   constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
                                      "anaglyph", "dubois",       "rows",       "quad_buffer"};
+  constexpr const char* schemes[] = {"conforming", "quadtree"};
   constexpr const char* models[] = {"physical", "flat", "omni"};
   const toml::table root{{"title", show.title},
                          {"duration_s", show.duration_s},
@@ -81,6 +82,7 @@ std::string to_toml(const Show& show) {
                                                 {"model", models[static_cast<int>(show.stereo.model)]},
                                                 {"baseline", show.stereo.baseline},
                                                 {"swap_eyes", show.stereo.swap_eyes}}},
+                         {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                          {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
   std::ostringstream text;
   text << root << '\n';

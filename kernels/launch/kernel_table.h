@@ -5,6 +5,7 @@
 #include "kernels/lens/blend_check.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
+#include "kernels/lens/quadtree_look_up.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -25,7 +26,8 @@ struct KernelTable {
   void (*look_up_pixels)(const LookUpBatch& batch, int begin, int end);
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
   void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index
-  void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);               //!< one element an index
+  void (*read_quadtree_pixels)(const QuadtreePixelBatch& batch, int begin, int end);
+  void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
 };
 
 //! The kernels compiled for an instruction set that `has_instruction_set` affirms.

@@ -100,6 +100,11 @@ void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch) {
   run_on_cpu(active_table().read_quadtree_rays, batch, batch.rays.count, 1, 16 * grain);
 }
 
+void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  run_on_cpu(active_table().read_quadtree_pixels, batch, pixels, 1, 16 * grain);
+}
+
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);

@@ -36,8 +36,11 @@ void look_up_pixels(Backend backend, const LookUpBatch& batch);
 //! Reads rays from a lens grid; see LookUpRaysBatch.
 void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch);
 
-//! Reads rays from a quadtree grid; see QuadtreeRaysBatch.
+//! Reads rays from quadtree grids; see QuadtreeRaysBatch.
 void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch);
+
+//! Reads the pixels of an image from quadtree grids; see QuadtreePixelBatch. On the CPU alone, as the baseline that it is.
+void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);

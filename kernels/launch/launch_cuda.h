@@ -5,6 +5,7 @@
 #include "kernels/image/shade_pixels.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
+#include "kernels/lens/quadtree_look_up.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 

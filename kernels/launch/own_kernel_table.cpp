@@ -4,6 +4,7 @@
 #include "kernels/lens/blend_check_kernel.h"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
+#include "kernels/lens/quadtree_look_up_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -54,6 +55,7 @@ const KernelTable& own_kernel_table() {
       &run<LookUpPixels<WidePack<float>>, LookUpBatch>,
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,
+      &run<ReadQuadtreePixels, QuadtreePixelBatch>,
       &shade_pixels,
   };
   return table;

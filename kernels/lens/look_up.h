@@ -1,7 +1,6 @@
 #pragma once
 
 #include "kernels/lens/lens_grid.h"
-#include "kernels/lens/quadtree_grid.h"
 #include "kernels/metric/frame_boost.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -60,13 +59,6 @@ struct LookUpRaysBatch {
   RayBatch<S> rays;
   LensBlend lens;
   AberrationOf<S> aberration;
-};
-
-//! Rays of one camera, read from a quadtree grid in the frame of its observer; `steps` and the like receive 0.
-struct QuadtreeRaysBatch {
-  RayBatch<double> rays;
-  QuadtreeGrid grid;
-  QuadtreeInterpolation interpolation;
 };
 
 }  // namespace ergodome

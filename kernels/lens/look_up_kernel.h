@@ -125,32 +125,4 @@ struct LookUpRays {
   }
 };
 
-//! Reads rays from a quadtree grid, one an index: each takes its own way down the tree.
-struct ReadQuadtreeRays {
-  QuadtreeRaysBatch batch;
-
-  ERGO_HD void operator()(int index) const {
-    const RayBatch<double>& rays = batch.rays;
-    const Vector3<double> n = {rays.direction[0][index], rays.direction[1][index], rays.direction[2][index]};
-    float row = 0.0F;
-    float column = 0.0F;
-    quadtree_place(batch.grid.level, n, row, column);
-    const SkyAngles angles = read_quadtree(batch.grid, batch.interpolation, row, column);
-    const bool bright = !in_shadow(angles);
-    const double theta = static_cast<double>(angles.theta);
-    const double phi = static_cast<double>(angles.phi);
-    const Vector3<double> sky = turned_to_camera(
-        rays.camera, Vector3<double>{::sin(theta) * ::cos(phi), ::sin(theta) * ::sin(phi), ::cos(theta)});
-    store_lanes(rays.sky[0], index, rays.count, bright ? sky.x : 0.0);
-    store_lanes(rays.sky[1], index, rays.count, bright ? sky.y : 0.0);
-    store_lanes(rays.sky[2], index, rays.count, bright ? sky.z : 0.0);
-    store_lanes(rays.frequency_ratio, index, rays.count, 1.0 / detail::evaluate(rays.camera.energy, n));
-    store_lanes(rays.status, index, rays.count,
-                static_cast<double>(static_cast<int>(bright ? RayStatus::escaped : RayStatus::captured)));
-    store_lanes(rays.steps, index, rays.count, 0.0);
-    store_lanes(rays.error_estimate, index, rays.count, 0.0);
-    store_lanes(rays.mino_time, index, rays.count, 0.0);
-  }
-};
-
 }  // namespace ergodome::inline ERGO_TARGET

@@ -101,8 +101,8 @@ const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
-  const auto source =
-      lenses_.choose({settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment});
+  const auto source = lenses_.choose(
+      {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   render_rows(*source, shade, projection.width_px, 0, projection.height_px);
   if (lens != nullptr) {
     *lens = source->name();
@@ -123,8 +123,8 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   const int block_rows = std::clamp(block_pixels / projection.width_px, 1, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
   ShadeBatch shade = prepare(projection, sky, settings, most);
-  const auto source =
-      lenses_.choose({settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment});
+  const auto source = lenses_.choose(
+      {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   picture.lens = source->name();
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {

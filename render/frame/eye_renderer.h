@@ -17,6 +17,7 @@ struct PictureSettings {
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
   ShowMoment moment{};
+  GridScheme scheme = GridScheme::conforming;
 };
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.

@@ -85,6 +85,7 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   settings.lens = lens_;
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
   settings.moment = moment;
+  settings.scheme = show_.grid_scheme;
   return settings;
 }
 

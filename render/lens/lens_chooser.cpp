@@ -1,10 +1,12 @@
 #include "render/lens/lens_chooser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "render/lens/direct_lens.h"
 #include "render/lens/grid_builder.h"
+#include "render/lens/quadtree_source.h"
 #include "render/lens/screen_error.h"
 
 namespace ergodome {
@@ -102,11 +104,29 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
                                     request.accuracy.tolerance_px);
 }
 
+std::unique_ptr<LensSource> LensChooser::published(const LensRequest& request) {
+  const EyeCamera& eye = request.eye;
+  const bool same = quadtree_eye_ && quadtree_eye_->spin == eye.spin && quadtree_eye_->r == eye.r &&
+                    quadtree_eye_->theta == eye.theta && quadtree_eye_->motion == eye.motion &&
+                    quadtree_eye_->velocity.x == eye.velocity.x && quadtree_eye_->velocity.y == eye.velocity.y &&
+                    quadtree_eye_->velocity.z == eye.velocity.z;
+  if (!same) {
+    const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+    const bool mirrored = std::abs(eye.theta - 0.5 * 3.14159265358979323846) < 1e-9 && eye.velocity.y == 0.0;
+    quadtree_ = std::make_shared<const QuadtreeLens>(camera, mirrored, QuadtreeSettings{});
+    quadtree_eye_ = eye;
+  }
+  return std::make_unique<QuadtreeSource>(quadtree_, eye, request.projection, request.accuracy.tolerance_px);
+}
+
 std::unique_ptr<LensSource> LensChooser::choose(const LensRequest& request) {
   const bool about_rays = request.mode == ViewMode::steps || request.mode == ViewMode::error_estimate ||
                           request.mode == ViewMode::image_order;
   std::unique_ptr<LensSource> lens;
-  if (!about_rays && request.choice != LensChoice::direct) {
+  if (!about_rays && request.choice != LensChoice::direct && request.scheme == GridScheme::quadtree &&
+      backend_ == Backend::cpu) {
+    lens = published(request);
+  } else if (!about_rays && request.choice != LensChoice::direct) {
     if (request.choice != LensChoice::live) {
       lens = streamed(request);
     }

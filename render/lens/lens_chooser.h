@@ -5,9 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "content/show.h"
 #include "kernels/image/shade_pixels.h"
 #include "render/lens/grid_lens.h"
 #include "render/lens/lens_source.h"
+#include "render/lens/quadtree_builder.h"
 #include "render/lens/station_stream.h"
 
 namespace ergodome {
@@ -32,6 +34,7 @@ struct LensRequest {
   ViewMode mode = ViewMode::sky;
   LensAccuracy accuracy{};
   ShowMoment moment{};
+  GridScheme scheme = GridScheme::conforming;
 };
 
 //! Makes the lens of each picture, from a stream of baked stations where there is one, and keeps the last grids of its own: a camera
@@ -46,6 +49,8 @@ class LensChooser {
   //! LensChoice::automatic streams where the camera is on a baked path and the bake is fine enough. Else small pictures, all pictures on a
   //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
   //! nothing: off the path, or while it reads.
+  //!
+  //! GridScheme::quadtree takes the published quadtree grid of the eye's own place and motion for all but direct rays.
   //!
   //! An eye beside the path is served by the stations' derivatives as long as traced rays confirm it; beyond, it gets a live grid.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
@@ -66,6 +71,7 @@ class LensChooser {
     std::shared_ptr<const StationBuffers> station;
   };
 
+  std::unique_ptr<LensSource> published(const LensRequest& request);
   std::unique_ptr<LensSource> streamed(const LensRequest& request);
   std::unique_ptr<LensSource> live(const LensRequest& request);
   const Grid& grid_for(const EyeCamera& eye, const Projection& projection, double budget_px);
@@ -74,6 +80,8 @@ class LensChooser {
   std::shared_ptr<StationStream> stream_;
   int built_ = 0;
   std::list<Grid> grids_;  //!< the latest first
+  std::optional<EyeCamera> quadtree_eye_;
+  std::shared_ptr<const QuadtreeLens> quadtree_;
 };
 
 }  // namespace ergodome

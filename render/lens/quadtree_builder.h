@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernels/lens/quadtree_grid.h"
+#include "kernels/lens/quadtree_look_up.h"
 #include "kernels/trace/trace_rays.h"
 
 namespace ergodome {
@@ -43,5 +43,22 @@ class QuadtreeLens {
   int level_;
   bool mirrored_;
 };
+
+//! Where the shadow lies in the grid of a camera, from the exact critical curve.
+class QuadtreeShadowTable {
+ public:
+  QuadtreeShadowTable(const CameraStation& camera, int level);
+
+  //! It points into this object.
+  [[nodiscard]] QuadtreeShadow view() const;
+
+ private:
+  float row_ = 0.0F;
+  float column_ = 0.0F;
+  std::vector<float> radius_;
+};
+
+//! A grid by itself, as look-ups want it.
+QuadtreeLookUp look_up_of(const QuadtreeGrid& grid, QuadtreeInterpolation how);
 
 }  // namespace ergodome

@@ -29,6 +29,7 @@ Picture picture_of(const Show& show, LensChoice lens, ViewMode mode = ViewMode::
   PictureSettings settings;
   settings.mode = mode;
   settings.lens = lens;
+  settings.scheme = show.grid_scheme;
   return EyeRenderer(Backend::cpu)
       .render(eye_camera(show, camera_pose(show, 0.0), 0.0), make_projection(show.view, show.view.size_px, 0.0),
               grid_sky(), settings);
@@ -66,6 +67,17 @@ TEST(GridLens, PinholePictureOfAMovingObserverIsThatOfDirectRays) {
 TEST(GridLens, WholeSkyOffTheEquatorIsThatOfDirectRays) {
   expect_alike(show_of("observer = \"rain\"\n[[camera.key]]\nr = 8\ntheta_deg = 30\n",
                        "projection = \"equirect\"\nsize_px = 400\n"));
+}
+
+TEST(QuadtreeSource, PictureOfAShowThatAsksForItIsNearThatOfDirectRays) {
+  Show show = show_of("observer = \"geodesic\"\n[[camera.key]]\nr = 6\ntheta_deg = 80\nphi_deg = 77\n",
+                      "projection = \"dome\"\nsize_px = 300\n[grid]\nscheme = \"quadtree\"\n");
+  const Picture quadtree = picture_of(show, LensChoice::automatic);
+  const Picture direct = picture_of(show, LensChoice::direct);
+  ASSERT_STREQ(quadtree.lens, "quadtree");
+  ASSERT_STREQ(direct.lens, "direct");
+  const std::vector<double> all = differences(quadtree, direct);
+  EXPECT_LT(all[all.size() * 95 / 100], 0.03);
 }
 
 TEST(GridLens, ShadowHasTheSameSoftEdge) {

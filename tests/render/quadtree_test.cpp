@@ -153,5 +153,56 @@ TEST(Quadtree, EveryDirectionHasALeafAndAFiniteSky) {
   }
 }
 
+//! Mean squared error in (θ, φ) of the blend of the grids at 5.0 and 5.2 for 5.1, over the camera's sky, in the measure of VE
+//! (section 5.2); `warped`: with the shadows brought together.
+double blending_error(bool warped) {
+  const auto camera = [](double r) { return make_camera_station(0.999, r, 0.5 * pi, 0.0, ObserverMotion::geodesic); };
+  const QuadtreeLens near(camera(5.0), true, {});
+  const QuadtreeLens far(camera(5.2), true, {});
+  const QuadtreeLens middle(camera(5.1), true, {});
+  const QuadtreeShadowTable near_shadow(camera(5.0), 10);
+  const QuadtreeShadowTable far_shadow(camera(warped ? 5.2 : 5.0), 10);
+  const QuadtreeLookUp blend = {
+      {near.view(), far.view()}, {near_shadow.view(), far_shadow.view()}, 0.5F, QuadtreeInterpolation::spline};
+  double sum = 0.0;
+  int count = 0;
+  for (int row = 2; row < 1024; row += 3) {
+    for (int column = 1; column < 2048; column += 3) {
+      const SkyAngles read = read_quadtree(blend, static_cast<float>(row), static_cast<float>(column));
+      const SkyAngles exact = read_quadtree(middle.view(), QuadtreeInterpolation::spline, static_cast<float>(row),
+                                            static_cast<float>(column));
+      if (!in_shadow(read) && !in_shadow(exact)) {
+        sum += std::pow(static_cast<double>(read.theta) - static_cast<double>(exact.theta), 2) +
+               std::pow(std::remainder(static_cast<double>(read.phi) - static_cast<double>(exact.phi), 2.0 * pi), 2);
+        ++count;
+      }
+    }
+  }
+  return sum / count;
+}
+
+TEST(QuadtreeBlend, HasThePublishedErrorBetweenTwoGrids) {
+  const double error = blending_error(true);
+  EXPECT_GT(error, 0.0045 / 2.5);
+  EXPECT_LT(error, 0.0045 * 2.5);
+}
+
+TEST(QuadtreeBlend, WarpOfTheShadowsIsWorthItsWhile) { EXPECT_LT(blending_error(true), 0.7 * blending_error(false)); }
+
+TEST(QuadtreeBlend, AGridBlendedWithItselfIsThatGrid) {
+  const QuadtreeShadowTable shadow(published_camera(), 10);
+  const QuadtreeGrid grid = published_grid().view();
+  const QuadtreeLookUp blend = {{grid, grid}, {shadow.view(), shadow.view()}, 0.5F, QuadtreeInterpolation::spline};
+  for (int i = 0; i < 2000; ++i) {
+    const float row = static_cast<float>(std::fmod(37.31 * i, 1023.0));
+    const float column = static_cast<float>(std::fmod(911.7 * i, 2047.0));
+    const SkyAngles alone = read_quadtree(grid, QuadtreeInterpolation::spline, row, column);
+    const SkyAngles both = read_quadtree(blend, row, column);
+    if (!in_shadow(alone) && !in_shadow(both)) {
+      EXPECT_NEAR(alone.theta, both.theta, 5e-3F) << row << ' ' << column;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ergodome
