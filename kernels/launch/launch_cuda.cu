@@ -51,8 +51,28 @@ void* allocate_cuda(std::size_t bytes) {
 
 void release_cuda(void* memory) noexcept { cudaFree(memory); }
 
+namespace {
+
+//! A stream of the calling thread's own: a reader's uploads and the pictures in flight do not wait for each other.
+class UploadStream {
+ public:
+  UploadStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "making a stream"); }
+  ~UploadStream() { cudaStreamDestroy(handle_); }
+  UploadStream(const UploadStream&) = delete;
+  UploadStream& operator=(const UploadStream&) = delete;
+
+  [[nodiscard]] cudaStream_t handle() const { return handle_; }
+
+ private:
+  cudaStream_t handle_ = nullptr;
+};
+
+}  // namespace
+
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
-  check_cuda(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copy to the device");
+  thread_local const UploadStream stream;
+  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream.handle()), "copy to the device");
+  check_cuda(cudaStreamSynchronize(stream.handle()), "copy to the device");
 }
 
 void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
