@@ -112,6 +112,9 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
 void run(const BakeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Show show = load_show(options.show);
+  if (show.grid_scheme != GridScheme::conforming) {
+    throw Error(show.name, "the quadtree grid is for comparison and is not baked", "leave grid.scheme out of the show");
+  }
   const BakeSettings settings = settings_of(options, show);
   const TrajectoryProvenance provenance = provenance_of(show, settings);
   const fs::path out = options.out;

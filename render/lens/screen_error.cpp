@@ -40,13 +40,15 @@ ChartSamples leaf_samples(const LensStation& station) {
   const double wished = std::sqrt(wished_samples / static_cast<double>(station.leaf_count()));
   const int side = static_cast<int>(std::clamp(std::ceil(wished), 2.0, 8.0));
   for (const LeafBox& box : leaf_boxes(station)) {
-    for (int i = 0; i < side * side; ++i) {
-      const double gamma_turns = box.gamma_turns + (i % side + 0.5) / side * box.width_turns;
-      const double s = box.s + (i / side + 0.5) / side * box.height;
-      const double extent = box.width_turns * box.height / (side * side);
-      add(gamma_turns, s, extent);
-      if (station.mirrored) {
-        add(1.0 - gamma_turns, s, extent);
+    const double extent = box.width_turns * box.height / (side * side);
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        const double gamma_turns = box.gamma_turns + (column + 0.5) / side * box.width_turns;
+        const double s = box.s + (row + 0.5) / side * box.height;
+        add(gamma_turns, s, extent);
+        if (station.mirrored) {
+          add(1.0 - gamma_turns, s, extent);
+        }
       }
     }
   }

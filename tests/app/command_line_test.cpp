@@ -409,6 +409,9 @@ TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
   EXPECT_NE(run("bake moving.toml --out m --part 3/2"), 0);
   EXPECT_THAT(output_, HasSubstr("no part of a bake"));
   EXPECT_NE(run("bake moving.toml --out m --budget 0"), 0);
+  write("quadtree.toml", std::string(moving_show) + "[grid]\nscheme = \"quadtree\"\n");
+  EXPECT_NE(run("bake quadtree.toml --out q"), 0);
+  EXPECT_THAT(output_, HasSubstr("is not baked"));
   write("half.part", "title");
   EXPECT_NE(run("bake moving.toml --out half"), 0);
 }
