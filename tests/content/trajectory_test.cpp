@@ -248,7 +248,8 @@ TEST_F(Trajectory, JournalOfAnotherBakeIsRefused) {
   { const TrajectoryJournal journal(journal_file(), provenance()); }
   TrajectoryProvenance changed = provenance();
   changed.budget_px = 0.5;
-  EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), changed); }), HasSubstr("not the journal of this bake"));
+  EXPECT_THAT(error_of([&] { TrajectoryJournal other(journal_file(), changed); }),
+              HasSubstr("not the journal of this bake"));
 }
 
 TEST_F(Trajectory, JoinedPartsAreTheSameFile) {
