@@ -54,9 +54,9 @@ CameraPose Player::current_pose() const {
 }
 
 ShowMoment Player::moment() const {
-  // A seek shows something within this time, streamed or not.
+  // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
   constexpr double patience_s = 0.02;
-  return flying_ ? ShowMoment{} : ShowMoment{show_time_s_, patience_s};
+  return {flying_ ? std::nullopt : std::optional(show_time_s_), patience_s};
 }
 
 bool Player::moving() const { return changed_ || !held_keys_.empty() || (!flying_ && !paused_); }
@@ -225,6 +225,8 @@ void Player::receive() {
   frame_time_ms_ = answer->time_ms;
   refined_size_px_ = answer->size_px;
   ++pictures_;
+  // Where the camera is by now is still to be shown.
+  changed_ = changed_ || answer->picture.behind;
   // Time goes with the number of pixels; a damped step towards the width that fits.
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
   moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)),

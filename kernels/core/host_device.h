@@ -2,13 +2,17 @@
 
 //! Marks functions that run on the host and on the device, and names the instruction set that this file is compiled for.
 //!
+//! ERGO_HD_CALLED functions stay functions: large ones that are read from several places and are not worth a copy for each.
+//!
 //! Inline code of `kernels/` lives in `ergodome::ERGO_TARGET`, an inline namespace: the same header compiled for AVX-512 and
 //! for plain x86-64 in one program gives two functions with two names, so the linker can never hand AVX-512 code to a
 //! processor without it. Plain data that crosses that border lives in `ergodome` itself.
 #if defined(__CUDACC__)
 #define ERGO_HD __host__ __device__ __forceinline__
+#define ERGO_HD_CALLED __host__ __device__ __noinline__
 #else
 #define ERGO_HD inline
+#define ERGO_HD_CALLED [[gnu::noinline]] inline
 #endif
 
 //! Asks the compiler to unroll the loop that follows: the order of a series and the stages of a method are constants.

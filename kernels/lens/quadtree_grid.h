@@ -250,7 +250,7 @@ ERGO_HD void quadtree_place(int level, const Vector3<double>& n, float& row, flo
   column = static_cast<float>((azimuth < 0.0 ? azimuth + 6.28318530717958647692 : azimuth) * per_radian);
 }
 
-ERGO_HD SkyAngles read_quadtree(const QuadtreeGrid& grid, QuadtreeInterpolation how, float row, float column) {
+ERGO_HD_CALLED SkyAngles read_quadtree(const QuadtreeGrid& grid, QuadtreeInterpolation how, float row, float column) {
   return how == QuadtreeInterpolation::linear ? read_quadtree_linear(grid, row, column)
                                               : read_quadtree_spline(grid, row, column);
 }

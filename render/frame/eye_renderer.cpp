@@ -126,6 +126,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   const auto source = lenses_.choose(
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   picture.lens = source->name();
+  picture.behind = source->behind();
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);

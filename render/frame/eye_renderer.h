@@ -33,6 +33,7 @@ struct Picture {
   int height = 0;
   std::vector<float> rgba;
   const char* lens = "";       //!< where the lens came from: LensSource::name()
+  bool behind = false;         //!< LensSource::behind()
   long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
   std::optional<HeatRange> heat_range;
 };

@@ -7,9 +7,10 @@
 namespace ergodome {
 
 GridLens::GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye,
-                   const Projection& projection, double tolerance_px)
+                   const Projection& projection, double tolerance_px, bool behind)
     : backend_(backend),
       name_(name),
+      behind_(behind),
       stations_(std::move(stations)),
       prototype_{
           pixel_batch(eye, projection, tolerance_px), stations_.view(),

@@ -10,16 +10,18 @@ namespace ergodome {
 //! A lens read from grids; the eye may move and turn as it likes at their place, at any azimuth.
 class GridLens : public LensSource {
  public:
-  //! `name` says where the grids come from; it outlives the lens.
+  //! `name` says where the grids come from; it outlives the lens. `behind`: see LensSource::behind().
   GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye, const Projection& projection,
-           double tolerance_px);
+           double tolerance_px, bool behind = false);
 
   void fill(int first_row, int row_count, const LensPixels& out) const override;
   [[nodiscard]] const char* name() const override { return name_; }
+  [[nodiscard]] bool behind() const override { return behind_; }
 
  private:
   Backend backend_;
   const char* name_;
+  bool behind_;
   StationBlend stations_;
   LookUpBatch prototype_;
 };

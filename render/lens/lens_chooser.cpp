@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "render/lens/direct_lens.h"
-#include "render/lens/grid_builder.h"
 #include "render/lens/quadtree_source.h"
 #include "render/lens/screen_error.h"
 
@@ -22,36 +21,89 @@ constexpr double beside_slack = 1.25;
 //! Float traces grids well down to this budget [rad].
 constexpr double finest_float_budget = 2e-5;
 
+double error_of(const GridOrder& order) { return order.settings.budget_px * order.settings.pixel; }
+
+GridOrder order_for(const LensRequest& request) {
+  const EyeCamera& eye = request.eye;
+  GridOrder order;
+  order.spin = eye.spin;
+  order.place = {eye.r, eye.theta};
+  order.settings.pixel = pixel_angle(request.projection);
+  order.settings.budget_px = request.accuracy.budget_px;
+  order.settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  order.settings.fine = error_of(order) < finest_float_budget;
+  return order;
+}
+
+//! A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
+bool moves_alike(ObserverMotion motion, const Vector3<double>& velocity, const EyeCamera& eye) {
+  const Vector3<double> turn = velocity - eye.velocity;
+  return motion == eye.motion && dot(turn, turn) < 1e-4;
+}
+
 }  // namespace
 
-const LensChooser::Grid& LensChooser::grid_for(const EyeCamera& eye, const Projection& projection, double budget_px) {
-  const double pixel = pixel_angle(projection);
-  const double error = budget_px * pixel;
-  const auto serves = [&](const Grid& grid) {
-    // A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
-    const Vector3<double> turn = grid.velocity - eye.velocity;
-    return grid.spin == eye.spin && grid.r == eye.r && grid.theta == eye.theta && grid.error <= 1.01 * error &&
-           grid.error >= 0.5 * error && grid.motion == eye.motion && dot(turn, turn) < 1e-4;
-  };
-  const auto found = std::find_if(grids_.begin(), grids_.end(), serves);
-  if (found != grids_.end()) {
-    grids_.splice(grids_.begin(), grids_, found);
-    return grids_.front();
+const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
+  const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
+    return grid.spin == order.spin && grid.r == order.place.r && grid.theta == order.place.theta &&
+           grid.error <= 1.01 * error_of(order) && grid.error >= 0.5 * error_of(order) &&
+           moves_alike(grid.motion, grid.velocity, eye);
+  });
+  if (found == grids_.end()) {
+    return nullptr;
   }
-  GridSettings settings;
-  settings.pixel = pixel;
-  settings.budget_px = budget_px;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
-  settings.fine = error < finest_float_budget;
-  GridStatistics statistics;
-  LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
-  grids_.push_front({eye.spin, eye.r, eye.theta, error, eye.motion, eye.velocity, statistics.flagged_px,
-                     std::make_shared<StationBuffers>(backend_, std::move(station))});
+  grids_.splice(grids_.begin(), grids_, found);
+  return &grids_.front();
+}
+
+const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const EyeCamera& eye) {
+  // A frame's way of a fast flight; from farther off the picture would jump.
+  const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
+    return grid.spin == order.spin && std::abs(grid.r - order.place.r) < 0.1 * (order.place.r - 1.0) &&
+           std::abs(grid.theta - order.place.theta) < 0.1 && grid.error <= 2.0 * error_of(order) &&
+           moves_alike(grid.motion, grid.velocity, eye);
+  });
+  return found != grids_.end() ? &*found : nullptr;
+}
+
+const LensChooser::Grid& LensChooser::keep(const GridOrder& order, const EyeCamera& eye, LensStation station,
+                                           const GridStatistics& statistics) {
+  grids_.push_front({order.spin, order.place.r, order.place.theta, error_of(order), eye.motion, eye.velocity,
+                     statistics.flagged_px, std::make_shared<StationBuffers>(backend_, std::move(station))});
   ++built_;
   if (grids_.size() > kept_grids) {
     grids_.pop_back();
   }
   return grids_.front();
+}
+
+const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
+  const EyeCamera& eye = request.eye;
+  const GridOrder order = order_for(request);
+  if (const Grid* kept = find(order, eye)) {
+    return *kept;
+  }
+  const bool one_eye = eye.r == eye.head_r && eye.theta == eye.head_theta;
+  if (one_eye && request.moment.patience_s < ShowMoment::forever_s) {
+    if (!worker_) {
+      worker_ = std::make_unique<GridWorker>();
+    }
+    const EyeCamera earlier = ordered_eye_.value_or(eye);
+    ordered_eye_ = eye;
+    if (auto made = worker_->build(order, request.moment.patience_s)) {
+      const bool own = made->order.place.r == eye.r && made->order.place.theta == eye.theta;
+      keep(made->order, own ? eye : earlier, std::move(made->station), made->statistics);
+    }
+    if (const Grid* kept = find(order, eye)) {
+      return *kept;
+    }
+    if (const Grid* near = find_near(order, eye)) {
+      return *near;
+    }
+  }
+  GridStatistics statistics;
+  LensStation station = build_lens_station(order.spin, order.place.r, order.place.theta, order.settings, &statistics);
+  return keep(order, eye, std::move(station), statistics);
 }
 
 std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
@@ -62,12 +114,16 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   if (!asked && !worth_a_grid) {
     return nullptr;
   }
-  const Grid& grid = grid_for(request.eye, request.projection, request.accuracy.budget_px);
+  const Grid& grid = grid_for(request);
   if (!asked && grid.traced_px >= 0.25 * pixels) {
     return nullptr;
   }
-  return std::make_unique<GridLens>(backend_, "live", StationBlend(grid.station), request.eye, request.projection,
-                                    request.accuracy.tolerance_px);
+  EyeCamera eye = request.eye;
+  const bool behind = grid.r != eye.r || grid.theta != eye.theta;
+  eye.r = grid.r;
+  eye.theta = grid.theta;
+  return std::make_unique<GridLens>(backend_, "live", StationBlend(grid.station), eye, request.projection,
+                                    request.accuracy.tolerance_px, behind);
 }
 
 std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {

@@ -8,6 +8,7 @@
 #include "content/show.h"
 #include "kernels/image/shade_pixels.h"
 #include "render/lens/grid_lens.h"
+#include "render/lens/grid_worker.h"
 #include "render/lens/lens_source.h"
 #include "render/lens/quadtree_builder.h"
 #include "render/lens/station_stream.h"
@@ -22,8 +23,10 @@ struct LensAccuracy {
 
 //! When in a show a picture is taken, where a lens may be streamed.
 struct ShowMoment {
-  std::optional<double> time_s;  //!< nothing: the camera is not on the show's path
-  double patience_s = 1e6;       //!< how long to wait for stations that are not there yet
+  std::optional<double> time_s;   //!< nothing: the camera is not on the show's path
+  double patience_s = forever_s;  //!< how long to wait for stations that are not there yet, and for live grids
+
+  static constexpr double forever_s = 1e6;
 };
 
 //! What a lens is asked for.
@@ -50,6 +53,9 @@ class LensChooser {
   //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
   //! nothing: off the path, or while it reads.
   //!
+  //! Live grids are built on a thread of their own; one that does not come within the moment's patience is for the next picture, and this
+  //! one is the view from where the last grid was built (LensSource::behind). Two eyes wait: they must see from one moment.
+  //!
   //! GridScheme::quadtree takes the published quadtree grid of the eye's own place and motion for all but direct rays.
   //!
   //! An eye beside the path is served by the stations' derivatives as long as traced rays confirm it; beyond, it gets a live grid.
@@ -74,12 +80,17 @@ class LensChooser {
   std::unique_ptr<LensSource> published(const LensRequest& request);
   std::unique_ptr<LensSource> streamed(const LensRequest& request);
   std::unique_ptr<LensSource> live(const LensRequest& request);
-  const Grid& grid_for(const EyeCamera& eye, const Projection& projection, double budget_px);
+  const Grid& grid_for(const LensRequest& request);
+  const Grid* find(const GridOrder& order, const EyeCamera& eye);
+  const Grid* find_near(const GridOrder& order, const EyeCamera& eye);
+  const Grid& keep(const GridOrder& order, const EyeCamera& eye, LensStation station, const GridStatistics& statistics);
 
   Backend backend_;
   std::shared_ptr<StationStream> stream_;
   int built_ = 0;
-  std::list<Grid> grids_;  //!< the latest first
+  std::unique_ptr<GridWorker> worker_;    //!< made when first needed
+  std::optional<EyeCamera> ordered_eye_;  //!< whose grid the worker has or had in hand
+  std::list<Grid> grids_;                 //!< the latest first
   std::optional<EyeCamera> quadtree_eye_;
   std::shared_ptr<const QuadtreeLens> quadtree_;
 };

@@ -20,6 +20,9 @@ class LensSource {
 
   //! A word for the display: "direct", "live", "streamed".
   [[nodiscard]] virtual const char* name() const = 0;
+
+  //! Whether the lens is that of a place where the camera was a moment ago, because its own was not ready in time.
+  [[nodiscard]] virtual bool behind() const { return false; }
 };
 
 }  // namespace ergodome

@@ -137,6 +137,26 @@ TEST(LensChooser, KeepsTheGridOfACameraThatTurnsAndGoesRoundTheAxis) {
   EXPECT_EQ(built(), 2);
 }
 
+TEST(LensChooser, WhoCannotWaitGetsTheViewFromTheLastGridAndThenTheRightOne) {
+  const Show show = show_of("[[camera.key]]\nr = 8\ntheta_deg = 70\n", "size_px = 2048\n");
+  LensChooser lenses(Backend::cpu);
+  const Projection projection = make_projection(show.view, 2048, 0.0);
+  CameraPose pose = camera_pose(show, 0.0);
+  const auto behind = [&](double patience_s) {
+    const ShowMoment moment = {std::nullopt, patience_s};
+    return lenses.choose({LensChoice::live, eye_camera(show, pose, 0.0), projection, ViewMode::sky, {}, moment, {}})
+        ->behind();
+  };
+  // There is none yet, so the first is waited for.
+  EXPECT_FALSE(behind(0.0));
+  pose.r += 0.01;
+  EXPECT_TRUE(behind(0.0));
+  EXPECT_FALSE(behind(60.0));
+  // A jump is not shown from where the camera was.
+  pose.r += 5.0;
+  EXPECT_FALSE(behind(0.0));
+}
+
 //! A baked show, and lenses for its camera.
 class StreamedLens : public test::FolderTest {
  protected:
