@@ -9,7 +9,7 @@
 //! processor without it. Plain data that crosses that border lives in `ergodome` itself.
 #if defined(__CUDACC__)
 #define ERGO_HD __host__ __device__ __forceinline__
-#define ERGO_HD_CALLED __host__ __device__ __noinline__
+#define ERGO_HD_CALLED inline __host__ __device__ __noinline__
 #else
 #define ERGO_HD inline
 #define ERGO_HD_CALLED [[gnu::noinline]] inline
