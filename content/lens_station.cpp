@@ -18,9 +18,10 @@ std::vector<LeafBox> leaf_boxes(const LensStation& station) {
   std::vector<LeafBox> cells(station.tree.size());
   const double width = (station.mirrored ? 0.5 : 1.0) / station.columns;
   const double height = 1.0 / station.rows;
+  auto root = cells.begin();
   for (int row = 0; row < station.rows; ++row) {
     for (int column = 0; column < station.columns; ++column) {
-      cells[static_cast<std::size_t>(row * station.columns + column)] = {width * column, height * row, width, height};
+      *root++ = {width * column, height * row, width, height};
     }
   }
   // Children come after their parents.
