@@ -147,6 +147,9 @@ TEST(StationBlend, DerivativesServeEyesOfASmallBaselineWithinTheBudgetOfTheGrid)
 }
 
 TEST(StationBlend, ErrorBesideAStationGrowsWithTheSquareOfTheDistance) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "a ratio of errors takes many rays";
+  }
   EXPECT_NEAR(error_beside(0.8, 0.0) / error_beside(0.4, 0.0), 4.0, 0.8);
   EXPECT_NEAR(error_beside(0.0, 0.12) / error_beside(0.0, 0.06), 4.0, 0.8);
 }
