@@ -332,11 +332,14 @@ TEST_F(BakeCommand, BakesOnceAndTellsWhatItMade) {
 }
 
 TEST_F(BakeCommand, KilledFiftyTimesTheFileIsTheSame) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for many minutes";
+  }
   ASSERT_EQ(run("bake moving.toml --out whole.trajectory --no-derivatives --budget 0.05"), 0) << output_;
   std::mt19937 random(11);
   int killed = 0;
   int finished = 0;
-  const int wanted = test::sanitized ? 5 : 50;
+  constexpr int wanted = 50;
   while (killed < wanted && finished < 20 * wanted) {
     const pid_t child = start(
         {"ergodome", "bake", "moving.toml", "--out", "killed.trajectory", "--no-derivatives", "--budget", "0.05"});
@@ -363,6 +366,9 @@ TEST_F(BakeCommand, KilledFiftyTimesTheFileIsTheSame) {
 }
 
 TEST_F(BakeCommand, PartsOfSeveralProcessesJoinToTheSameFile) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
   ASSERT_EQ(run("bake moving.toml --out whole.trajectory"), 0) << output_;
   std::vector<pid_t> children;
   for (const char* part : {"1/3", "2/3", "3/3"}) {
@@ -380,6 +386,9 @@ TEST_F(BakeCommand, PartsOfSeveralProcessesJoinToTheSameFile) {
 }
 
 TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
   ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
   ASSERT_EQ(run("render moving.toml --size 64 --frames 100:101 --backend cpu"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("streamed: 4 lenses"));
@@ -395,6 +404,9 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
 }
 
 TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
   write("other.toml", std::string(moving_show).replace(std::string(moving_show).find("r = 5"), 5, "r = 6"));
   ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
   EXPECT_NE(run("render other.toml --size 16 --frames 1 --trajectory moving.trajectory"), 0);

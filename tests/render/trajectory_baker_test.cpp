@@ -69,6 +69,9 @@ class TrajectoryBaker : public test::FolderTest {
 class TrajectoryBakerWith : public TrajectoryBaker, public testing::WithParamInterface<bool> {};
 
 TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
   const Show show = approach();
   const BakeResult baked = bake(show, "whole", GetParam());
   EXPECT_EQ(baked.unmet, 0);
@@ -132,6 +135,9 @@ TEST_F(TrajectoryBaker, StoppedAndResumedAfterEveryGapTheBytesAreTheSame) {
 }
 
 TEST_F(TrajectoryBaker, PartsBakedApartAndJoinedAreTheSameBytes) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
   const Show show = approach();
   bake(show, "whole");
   TrajectoryJournal joined(file("joined.part"), provenance_of(show, settings()));
