@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "render/output/image_writer.h"
+#include "tests/app/command_line.h"
+#include "tests/support/sanitized.h"
+
+// `ergodome bake`, and what the program does with its file.
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CommandLine;
+using testing::HasSubstr;
+
+constexpr const char* moving_show = R"(
+title = "Moving"
+duration_s = 10
+[hole]
+spin = 0.9
+[camera]
+[[camera.key]]
+t_s = 0
+r = 12
+theta_deg = 60
+[[camera.key]]
+t_s = 10
+r = 5
+theta_deg = 100
+[sky]
+map = "grid"
+[view]
+size_px = 512
+[stereo]
+layout = "side_by_side"
+baseline = 0.05
+)";
+
+class BakeCommand : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    write("moving.toml", moving_show);
+  }
+
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ifstream from(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(from), {}};
+  }
+
+  //! Starts the program without waiting for it.
+  [[nodiscard]] pid_t start(std::vector<std::string> words) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::vector<char*> arguments;
+      arguments.reserve(words.size() + 1);
+      for (std::string& word : words) {
+        arguments.push_back(word.data());
+      }
+      arguments.push_back(nullptr);
+      std::freopen("/dev/null", "w", stdout);
+      std::freopen("/dev/null", "w", stderr);
+      if (::chdir(folder_.c_str()) == 0) {
+        ::execv(ERGODOME_PROGRAM, arguments.data());
+      }
+      ::_exit(127);
+    }
+    return child;
+  }
+};
+
+TEST_F(BakeCommand, BakesOnceAndTellsWhatItMade) {
+  ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("stations"));
+  EXPECT_FALSE(fs::exists(folder_ / "moving.trajectory.part"));
+  ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0);
+  EXPECT_THAT(output_, HasSubstr("is baked already"));
+  ASSERT_EQ(run("inspect moving.trajectory --picture grid.png --size 64 --time 5"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("blending"));
+  EXPECT_TRUE(is_complete_image(folder_ / "grid.png", 64, 64));
+}
+
+TEST_F(BakeCommand, KilledFiftyTimesTheFileIsTheSame) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for many minutes";
+  }
+  ASSERT_EQ(run("bake moving.toml --out whole.trajectory --no-derivatives --budget 0.05"), 0) << output_;
+  std::mt19937 random(11);
+  int killed = 0;
+  int finished = 0;
+  constexpr int wanted = 50;
+  while (killed < wanted && finished < 20 * wanted) {
+    const pid_t child = start(
+        {"ergodome", "bake", "moving.toml", "--out", "killed.trajectory", "--no-derivatives", "--budget", "0.05"});
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 80'000));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (WIFSIGNALED(status)) {
+      ++killed;
+    } else {
+      ++finished;
+      ASSERT_EQ(WEXITSTATUS(status), 0);
+      EXPECT_TRUE(text_of("killed.trajectory") == text_of("whole.trajectory"));
+      fs::remove(folder_ / "killed.trajectory");
+    }
+  }
+  EXPECT_EQ(killed, wanted);
+  ASSERT_EQ(run("bake moving.toml --out killed.trajectory --no-derivatives --budget 0.05"), 0) << output_;
+  EXPECT_TRUE(text_of("killed.trajectory") == text_of("whole.trajectory"));
+  // Nothing else is left behind.
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    EXPECT_TRUE(entry.path().extension() == ".trajectory" || entry.path().extension() == ".toml") << entry.path();
+  }
+}
+
+TEST_F(BakeCommand, PartsOfSeveralProcessesJoinToTheSameFile) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
+  ASSERT_EQ(run("bake moving.toml --out whole.trajectory"), 0) << output_;
+  std::vector<pid_t> children;
+  for (const char* part : {"1/3", "2/3", "3/3"}) {
+    children.push_back(start({"ergodome", "bake", "moving.toml", "--out", "joined.trajectory", "--part", part}));
+  }
+  for (const pid_t child : children) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+  }
+  ASSERT_EQ(run("bake moving.toml --out joined.trajectory"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("(0 built now)"));
+  EXPECT_TRUE(text_of("joined.trajectory") == text_of("whole.trajectory"));
+  EXPECT_FALSE(fs::exists(folder_ / "joined.trajectory.part-1-of-3"));
+}
+
+TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
+  ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
+  ASSERT_EQ(run("render moving.toml --size 64 --frames 100:101 --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("streamed: 4 lenses"));
+  std::string bytes = text_of("moving.trajectory");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 16);
+  write("moving.trajectory", bytes);
+  EXPECT_NE(run("inspect moving.trajectory"), 0);
+  EXPECT_THAT(output_, HasSubstr(": station "));
+  ASSERT_EQ(run("render moving.toml --size 64 --frames 150:155 --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("(skipped)"));
+  EXPECT_EQ(output_.find("(skipped)"), output_.rfind("(skipped)"));
+  EXPECT_THAT(output_, HasSubstr("1 bad"));
+}
+
+TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
+  if (test::sanitized) {
+    GTEST_SKIP() << "bakes for minutes";
+  }
+  write("other.toml", std::string(moving_show).replace(std::string(moving_show).find("r = 5"), 5, "r = 6"));
+  ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
+  EXPECT_NE(run("render other.toml --size 16 --frames 1 --trajectory moving.trajectory"), 0);
+  EXPECT_THAT(output_, HasSubstr("another camera path"));
+  fs::rename(folder_ / "moving.trajectory", folder_ / "other.trajectory");
+  EXPECT_EQ(run("render other.toml --size 16 --frames 1"), 0);
+  EXPECT_THAT(output_, HasSubstr("left alone"));
+  EXPECT_NE(run("render moving.toml --size 16 --frames 1 --lens streamed"), 0);
+  EXPECT_THAT(output_, HasSubstr("no trajectory"));
+  EXPECT_NE(run("render moving.toml --size 16 --frames 1 --trajectory moving.toml"), 0);
+  EXPECT_THAT(output_, HasSubstr("is not a trajectory"));
+  EXPECT_NE(run("bake moving.toml --out /dev/null/x"), 0);
+  EXPECT_NE(run("bake moving.toml --out m --part 3/2"), 0);
+  EXPECT_THAT(output_, HasSubstr("no part of a bake"));
+  EXPECT_NE(run("bake moving.toml --out m --budget 0"), 0);
+  write("quadtree.toml", std::string(moving_show) + "[grid]\nscheme = \"quadtree\"\n");
+  EXPECT_NE(run("bake quadtree.toml --out q"), 0);
+  EXPECT_THAT(output_, HasSubstr("is not baked"));
+  write("half.part", "title");
+  EXPECT_NE(run("bake moving.toml --out half"), 0);
+}
+
+}  // namespace
+}  // namespace ergodome
