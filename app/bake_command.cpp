@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "app/commands.h"
 #include "app/interrupt.h"

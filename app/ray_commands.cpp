@@ -173,7 +173,7 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
   QuadtreeSettings settings;
   settings.coarsest_level = std::min(settings.coarsest_level, options.level);
   settings.finest_level = options.level;
-  const bool mirrored = std::abs(row.theta - 0.5 * 3.14159265358979323846) < 1e-9 && row.velocity.y == 0.0;
+  const bool mirrored = quadtree_is_mirrored(row.theta, row.velocity);
   // One grid here, or one half the distance nearer and one half the distance farther.
   std::vector<CameraStation> cameras;
   for (const double side : {-0.5, 0.5}) {

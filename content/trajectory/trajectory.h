@@ -31,8 +31,9 @@ struct StationEntry {
   double theta = 0.0;        //!< [rad]
   std::uint64_t offset = 0;  //!< of its frame in the file
   std::uint64_t bytes = 0;   //!< of its frame
-  //! What blending it with the next station misses by on the screen, midway, for all but a hundredth of the sky [px]; 0 where the camera
-  //! stands still, -1 after the last station.
+  //! What blending it with the next station misses by on the screen, the worse of a quarter of the way and half of it: for all but a
+  //! hundredth of the sky, or a fifth of that for all but a thousandth, whichever is more [px]. 0 where the camera stands still, -1 after
+  //! the last station.
   float gap_error_px = -1.0F;
   std::uint32_t nodes = 0;
   std::uint32_t leaves = 0;

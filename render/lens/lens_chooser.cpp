@@ -168,7 +168,7 @@ std::unique_ptr<LensSource> LensChooser::published(const LensRequest& request) {
                     quadtree_eye_->velocity.z == eye.velocity.z;
   if (!same) {
     const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
-    const bool mirrored = std::abs(eye.theta - 0.5 * 3.14159265358979323846) < 1e-9 && eye.velocity.y == 0.0;
+    const bool mirrored = quadtree_is_mirrored(eye.theta, eye.velocity);
     quadtree_ = std::make_shared<const QuadtreeLens>(camera, mirrored, QuadtreeSettings{});
     quadtree_eye_ = eye;
   }

@@ -196,6 +196,10 @@ class QuadtreeBuilder {
   std::vector<QuadtreeCell> wanted_;
 };
 
+bool quadtree_is_mirrored(double theta, const Vector3<double>& velocity) {
+  return std::abs(theta - 0.5 * 3.14159265358979323846) < 1e-9 && velocity.y == 0.0;
+}
+
 QuadtreeLens::QuadtreeLens(const CameraStation& camera, bool mirrored, const QuadtreeSettings& settings)
     : slots_(1U << 16U, QuadtreeVertex{-1, 0, {}}), level_(settings.finest_level), mirrored_(mirrored) {
   QuadtreeBuilder(*this, camera, settings).build();

@@ -19,6 +19,9 @@ struct QuadtreeSettings {
   bool repair = true;  //!< of T-vertices
 };
 
+//! Whether the upper half of a camera's grid is enough: it sits on the equator and moves along it.
+bool quadtree_is_mirrored(double theta, const Vector3<double>& velocity);
+
 //! A quadtree grid and its vertices.
 class QuadtreeLens {
  public:

@@ -29,9 +29,10 @@ struct BakeResult {
 
 //! Places stations along a show's camera path and builds those that the journal lacks.
 //!
-//! Between two camera keys r and θ run monotonously; a stretch whose ends, blended, miss traced rays by more than the budget in the
-//! middle is divided. With parts, every stretch that touches this part is looked at, so that the parts of a bake together hold what a
-//! whole bake needs. `proceed` is told the show time up to which all is done; false stops the bake with an Error.
+//! Between two camera keys r and θ run monotonously; a stretch whose ends, blended, miss traced rays by more than the budget at a
+//! quarter or half of it, and by more than they do at their own places, is divided. With parts, every stretch that touches this part is
+//! looked at, so that the parts of a bake together hold what a whole bake needs. `proceed` is told the show time up to which all is
+//! done; false stops the bake with an Error.
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,
                            const std::function<bool(double)>& proceed);
 
