@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "kernels/core/host_device.h"
 #if !defined(__CUDACC__)
@@ -14,13 +15,14 @@
 // (kernels/core/dual.h adds the last).
 namespace ergodome::inline ERGO_TARGET {
 
-//! What a real type is made of: `Scalar` is float or double, `Real` the type without derivatives, `lane_count` how many
-//! numbers one value holds.
+//! What a real type is made of: `Scalar` is float or double, `Real` the type without derivatives, `Integer` as many whole
+//! numbers of the same width, `lane_count` how many numbers one value holds.
 template <class T>
 struct RealTraits {
   using Scalar = T;
   using Real = T;
   using Mask = bool;
+  using Integer = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
   static constexpr int lane_count = 1;
 };
 
@@ -34,6 +36,8 @@ template <class T>
 using RealOf = typename RealTraits<T>::Real;
 template <class T>
 using MaskOf = typename RealTraits<T>::Mask;
+template <class T>
+using IntegerOf = typename RealTraits<T>::Integer;
 
 // clang-format off
 ERGO_HD float select(bool mask, float yes, float no) { return mask ? yes : no; }
@@ -50,6 +54,7 @@ ERGO_HD double lane(double a, int) { return a; }
 ERGO_HD void set_lane(float& a, int, float value) { a = value; }
 ERGO_HD void set_lane(double& a, int, double value) { a = value; }
 ERGO_HD bool mask_lane(bool mask, int) { return mask; }
+ERGO_HD std::int32_t truncated(float a) { return static_cast<std::int32_t>(a); }
 // clang-format on
 
 #if !defined(__CUDACC__)
@@ -58,6 +63,7 @@ struct RealTraits<Pack<T, N>> {
   using Scalar = T;
   using Real = Pack<T, N>;
   using Mask = PackMask<T, N>;
+  using Integer = typename PackMask<T, N>::Register;
   static constexpr int lane_count = N;
 };
 
@@ -66,8 +72,19 @@ template <class T, int N> inline Pack<T, N> value_of(const Pack<T, N>& a) { retu
 template <class T, int N> inline T lane(const Pack<T, N>& a, int i) { return a.lanes[i]; }
 template <class T, int N> inline void set_lane(Pack<T, N>& a, int i, T value) { a.lanes[i] = value; }
 template <class T, int N> inline bool mask_lane(const PackMask<T, N>& mask, int i) { return mask.bits[i] != 0; }
+template <int N> inline auto truncated(const Pack<float, N>& a) { return __builtin_convertvector(a.lanes, typename PackMask<float, N>::Register); }
 // clang-format on
 #endif
+
+//! Whole numbers as numbers.
+template <class T>
+ERGO_HD T real_of(const IntegerOf<T>& a) {
+  if constexpr (RealTraits<T>::lane_count == 1) {
+    return static_cast<T>(a);
+  } else {
+    return T(__builtin_convertvector(a, typename T::Register));
+  }
+}
 
 template <class T>
 ERGO_HD T minimum(const T& a, const T& b) {
@@ -113,7 +130,28 @@ ERGO_HD double rough_power(double a, double p) {
   return power;
 }
 
+//! log2 of a positive number to 0.01: what choosing between mip levels takes.
+ERGO_HD float rough_log2(float a) {
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &a, sizeof bits);
+  const std::int32_t exponent = bits >> 23;
+  const std::int32_t mantissa_bits = (bits & 0x007fffff) | 0x3f800000;
+  float m = 0.0F;
+  std::memcpy(&m, &mantissa_bits, sizeof m);
+  return static_cast<float>(exponent - 128) + (-0.33333333F * m + 2.0F) * m - 0.66666667F;
+}
+
 #if !defined(__CUDACC__)
+template <int N>
+inline Pack<float, N> rough_log2(const Pack<float, N>& a) {
+  using Integer = typename PackMask<float, N>::Register;
+  using Register = typename Pack<float, N>::Register;
+  const Integer bits = (Integer)a.lanes;
+  const Pack<float, N> exponent(__builtin_convertvector((bits >> 23) - 128, Register));
+  const Pack<float, N> m((Register)((bits & 0x007fffff) | 0x3f800000));
+  return exponent + (m * -0.33333333F + 2.0F) * m - 0.66666667F;
+}
+
 template <class T, int N>
 inline Pack<T, N> rough_power(const Pack<T, N>& a, T p) {
   // Casts between vector types of one size keep the bits.

@@ -20,29 +20,40 @@ ERGO_HD void store_rgba(const ShadeBatch& batch, int index, const Vector3<float>
 }
 }  // namespace detail
 
-//! Light of the sky behind each pixel. `Beaming` compiles the frequency ratio in: a scene without it pays nothing.
+//! Light of the sky behind the pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... `Beaming` compiles the frequency
+//! ratio in: a scene without it pays nothing.
 //!
 //! The map has no spectrum to shift, so the shift acts on its brightness alone: intensity over the cube of the frequency is the same
 //! everywhere along a ray, and over all frequencies intensity goes with g⁴.
-template <bool Beaming>
+template <class T, bool Beaming>
 struct ShadeSky {
   ShadeBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const float coverage = batch.lens.coverage[index];
-    Vector3<float> light = {0.0F, 0.0F, 0.0F};
-    if (coverage > 0.0F) {
-      light = filter_sky(batch.sky, detail::vector_at(batch.lens.sky, index),
-                         detail::vector_at(batch.lens.sky_along_x, index),
-                         detail::vector_at(batch.lens.sky_along_y, index));
-      float scale = coverage * batch.exposure;
-      if constexpr (Beaming) {
-        const float g2 = batch.lens.frequency_ratio[index] * batch.lens.frequency_ratio[index];
-        scale *= g2 * g2;
-      }
-      light = scale * light;
+    constexpr int lanes = RealTraits<T>::lane_count;
+    const int first = index * lanes;
+    const T coverage = load_lanes<T>(batch.lens.coverage, first, batch.count);
+    T scale = coverage * batch.exposure;
+    if constexpr (Beaming) {
+      const T g = load_lanes<T>(batch.lens.frequency_ratio, first, batch.count);
+      const T g2 = g * g;
+      // The ratio is not written where no light comes from.
+      scale = select(coverage > T(0.0F), scale * (g2 * g2), T(0.0F));
     }
-    detail::store_rgba(batch, index, light, coverage);
+    const SkyLight<T> light =
+        filter_sky(batch.sky, vectors(batch.lens.sky, first), vectors(batch.lens.sky_along_x, first),
+                   vectors(batch.lens.sky_along_y, first), scale);
+    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
+      float* to = batch.rgba + 4 * static_cast<long>(first + i);
+      store_quad(to, light.pixel[i]);
+      to[3] = lane(coverage, i);
+    }
+  }
+
+ private:
+  ERGO_HD Vector3<T> vectors(float* const (&from)[3], int first) const {
+    return {load_lanes<T>(from[0], first, batch.count), load_lanes<T>(from[1], first, batch.count),
+            load_lanes<T>(from[2], first, batch.count)};
   }
 };
 

@@ -27,7 +27,8 @@ struct KernelTable {
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
   void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index
   void (*read_quadtree_pixels)(const QuadtreePixelBatch& batch, int begin, int end);
-  void (*shade_pixels)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
+  void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
+  void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
 };
 
 //! The kernels compiled for an instruction set that `has_instruction_set` affirms.

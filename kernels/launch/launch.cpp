@@ -109,7 +109,10 @@ void shade_pixels(Backend backend, const ShadeBatch& batch) {
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);
   }
-  run_on_cpu(active_table().shade_pixels, batch, batch.count, 1, 16 * grain);
+  if (batch.mode == ViewMode::sky) {
+    return run_on_cpu(active_table().shade_sky, batch, batch.count, active_table().lanes_float);
+  }
+  run_on_cpu(active_table().shade_heat_map, batch, batch.count, 1, 16 * grain);
 }
 
 }  // namespace ergodome

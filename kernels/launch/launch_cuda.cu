@@ -37,9 +37,9 @@ void shade_pixels_cuda(const ShadeBatch& batch) {
   if (batch.mode != ViewMode::sky) {
     launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
   } else if (batch.beaming) {
-    launch_cuda("shade_pixels", batch.count, ShadeSky<true>{batch});
+    launch_cuda("shade_pixels", batch.count, ShadeSky<float, true>{batch});
   } else {
-    launch_cuda("shade_pixels", batch.count, ShadeSky<false>{batch});
+    launch_cuda("shade_pixels", batch.count, ShadeSky<float, false>{batch});
   }
 }
 

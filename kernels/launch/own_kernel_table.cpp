@@ -28,13 +28,11 @@ void trace_rays(const RayBatch<ScalarOf<T>>& batch, int begin, int end) {
   dispatch_method(batch.method, [&](auto tracer) { run<TraceRays<decltype(tracer), T>>(batch, begin, end); });
 }
 
-void shade_pixels(const ShadeBatch& batch, int begin, int end) {
-  if (batch.mode != ViewMode::sky) {
-    run<ShadeHeatMap>(batch, begin, end);
-  } else if (batch.beaming) {
-    run<ShadeSky<true>>(batch, begin, end);
+void shade_sky(const ShadeBatch& batch, int begin, int end) {
+  if (batch.beaming) {
+    run<ShadeSky<WidePack<float>, true>>(batch, begin, end);
   } else {
-    run<ShadeSky<false>>(batch, begin, end);
+    run<ShadeSky<WidePack<float>, false>>(batch, begin, end);
   }
 }
 
@@ -56,7 +54,8 @@ const KernelTable& own_kernel_table() {
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,
-      &shade_pixels,
+      &shade_sky,
+      &run<ShadeHeatMap, ShadeBatch>,
   };
   return table;
 }

@@ -25,9 +25,10 @@ inline namespace ERGO_TARGET {
 
 //! The warp of a face coordinate in [-1, 1]: close to 4/π atan(s), which makes texels equal in angle, without the arctangent.
 //! f(s) = s (1.27 - 0.27 s²) would miss the slope at the edge; the quintic below is within 0.4 % of the arctangent.
-ERGO_HD float warped(float s) {
-  const float s2 = s * s;
-  return s * (1.27105F + s2 * (-0.38095F + s2 * 0.1099F));
+template <class T>
+ERGO_HD T warped(const T& s) {
+  const T s2 = s * s;
+  return s * (s2 * (s2 * 0.1099F - 0.38095F) + 1.27105F);
 }
 
 //! The inverse of `warped`, by Newton's method.
@@ -42,24 +43,26 @@ ERGO_HD double unwarped(double w) {
   return s;
 }
 
-//! A place on the cube: face and warped coordinates in [-1, 1].
+//! A place on the cube: face (a whole number) and warped coordinates in [-1, 1].
+template <class T>
 struct CubePlace {
-  int face;
-  float x;
-  float y;
+  T face;
+  T x;
+  T y;
 };
 
-ERGO_HD CubePlace cube_place(const Vector3<float>& d) {
-  const float ax = ::fabsf(d.x);
-  const float ay = ::fabsf(d.y);
-  const float az = ::fabsf(d.z);
-  if (ax >= ay && ax >= az) {
-    return {d.x < 0.0F ? 1 : 0, warped(d.y / ax), warped(d.z / ax)};
-  }
-  if (ay >= az) {
-    return {d.y < 0.0F ? 3 : 2, warped(d.x / ay), warped(d.z / ay)};
-  }
-  return {d.z < 0.0F ? 5 : 4, warped(d.x / az), warped(d.y / az)};
+template <class T>
+ERGO_HD CubePlace<T> cube_place(const Vector3<T>& d) {
+  const T zero(0.0F);
+  const T ax = absolute(d.x);
+  const T ay = absolute(d.y);
+  const T az = absolute(d.z);
+  const auto on_x = (ax >= ay) & (ax >= az);
+  const auto on_y = ay >= az;  // where not on x
+  const T main = select(on_x, d.x, select(on_y, d.y, d.z));
+  const T per_main = T(1.0F) / absolute(main);
+  const T face = select(on_x, zero, select(on_y, T(2.0F), T(4.0F))) + select(main < zero, T(1.0F), zero);
+  return {face, warped(select(on_x, d.y, d.x) * per_main), warped(select(on_x | on_y, d.z, d.y) * per_main)};
 }
 
 //! The direction (not of unit length) of a place on a face; x and y may lie a little outside [-1, 1].
@@ -83,22 +86,26 @@ ERGO_HD long texel_index(const CubeMap& map, int level, int face, int x, int y) 
   return map.level_offset[level] + (static_cast<long>(face) * stride + (y + 1)) * stride + (x + 1);
 }
 
-//! Bilinear look-up at one level.
-ERGO_HD Quad cube_bilinear(const CubeMap& map, int level, const CubePlace& place) {
-  const float size = static_cast<float>(map.face_size >> level);
-  // Rounding can put a place on the rim a hair outside; the border has one texel to give.
-  const float x = minimum(maximum((place.x + 1.0F) * 0.5F * size - 0.5F, -0.5F), size - 0.5F);
-  const float y = minimum(maximum((place.y + 1.0F) * 0.5F * size - 0.5F, -0.5F), size - 0.5F);
-  const float x_floor = ::floorf(x);
-  const float y_floor = ::floorf(y);
-  const float fx = x - x_floor;
-  const float fy = y - y_floor;
-  const long stride = (map.face_size >> level) + 2;
-  const float* top =
-      map.texels + 4 * texel_index(map, level, place.face, static_cast<int>(x_floor), static_cast<int>(y_floor));
-  const float* bottom = top + 4 * stride;
-  return (1.0F - fy) * ((1.0F - fx) * load_quad(top) + fx * load_quad(top + 4)) +
-         fy * ((1.0F - fx) * load_quad(bottom) + fx * load_quad(bottom + 4));
+//! What a bilinear look-up reads of a level: a texel, its right, lower and lower right neighbours.
+template <class T>
+struct BilinearPlace {
+  IntegerOf<T> texel;  //!< number in its level of the upper left one
+  T right;             //!< weight of the right pair, in [0, 1]
+  T lower;
+};
+
+//! `size` is that of the level's faces in texels.
+template <class T>
+ERGO_HD BilinearPlace<T> bilinear_place(const CubePlace<T>& place, const T& size) {
+  // Counted from the border, so that numbers are positive. Rounding can put a place on the rim a hair outside; the border has one
+  // texel to give.
+  const T half(0.5F);
+  const T x = minimum(maximum((place.x + 1.0F) * 0.5F * size + half, half), size + half);
+  const T y = minimum(maximum((place.y + 1.0F) * 0.5F * size + half, half), size + half);
+  const IntegerOf<T> column = truncated(x);
+  const IntegerOf<T> row = truncated(y);
+  const IntegerOf<T> stride = truncated(size + 2.0F);
+  return {(truncated(place.face) * stride + row) * stride + column, x - real_of<T>(column), y - real_of<T>(row)};
 }
 
 //! The mean over the whole sky, from the coarsest level (one texel a face; by symmetry the faces are equal in solid angle).

@@ -1,139 +1,209 @@
 #pragma once
 
-#include <cstdint>
-#include <cstring>
-
+#include "kernels/core/lanes.h"
 #include "kernels/sky/cube_map.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-namespace detail {
+//! Probes along the major axis at the most; longer ellipses are widened instead.
+inline constexpr int probe_limit = 16;
 
-//! log2 of a positive number to 0.01: what choosing between mip levels takes.
-ERGO_HD float rough_log2(float a) {
-  std::int32_t bits = 0;
-  std::memcpy(&bits, &a, sizeof bits);
-  const std::int32_t exponent = bits >> 23;
-  const std::int32_t mantissa_bits = (bits & 0x007fffff) | 0x3f800000;
-  float m = 0.0F;
-  std::memcpy(&m, &mantissa_bits, sizeof m);
-  return static_cast<float>(exponent - 128) + (-0.33333333F * m + 2.0F) * m - 0.66666667F;
-}
-
-//! The two levels between which a round footprint lies, and how far towards the coarser one.
-struct CubeLevel {
-  int fine;
-  float part;
+//! Light of as many pixels as a real number has lanes; the fourth part of each is without meaning.
+template <class T>
+struct SkyLight {
+  Quad pixel[RealTraits<T>::lane_count];
 };
 
-ERGO_HD CubeLevel cube_level(const CubeMap& map, float radius) {
-  const float level = maximum(rough_log2(maximum(2.0F * radius / cube_texel_angle(map), 1.0F)), 0.0F);
-  const float last = static_cast<float>(map.level_count - 1);
-  const int fine = static_cast<int>(minimum(level, last));
-  return {fine, fine + 1 < map.level_count ? level - static_cast<float>(fine) : 0.0F};
-}
+namespace detail {
 
-//! Trilinear look-up of a round footprint.
-ERGO_HD Quad cube_trilinear(const CubeMap& map, const Vector3<float>& d, const CubeLevel& level) {
-  const CubePlace place = cube_place(d);
-  const Quad fine = cube_bilinear(map, level.fine, place);
-  if (!(level.part > 0.0F)) {
-    return fine;
-  }
-  return (1.0F - level.part) * fine + level.part * cube_bilinear(map, level.fine + 1, place);
-}
-
-//! exp(-2 (i / n)²): weights of the probes on one side, out to two standard deviations.
-ERGO_HD float probe_weight(int i, int n) {
-  const float part = static_cast<float>(i) / static_cast<float>(n);
-  // e^x for x from -2 to 0 as the eighth power of a quartic.
-  const float x = -0.25F * part * part;
-  const float e = 1.0F + x * (1.0F + x * (0.5F + x * (0.16666667F + x * 0.041666667F)));
-  const float e2 = e * e;
-  const float e4 = e2 * e2;
-  return e4 * e4;
-}
-
-ERGO_HD Vector3<float> rgb_of(const Quad& q) { return {quad_part(q, 0), quad_part(q, 1), quad_part(q, 2)}; }
-
-//! Half axes of the ellipse onto which a pixel of unit radius falls: major axis as a vector, minor axis as a length.
+//! Half axes of the ellipse onto which a circle falls: the direction of the major one, and both lengths.
+template <class T>
 struct Ellipse {
-  Vector3<float> major;
-  float major_length;
-  float minor_length;
+  Vector3<T> major;
+  T major_length;
+  T minor_length;
 };
 
 //! The ellipse of the map (cos t, sin t) -> cos t a + sin t b, from the eigenvalues of its 2 x 2 Gram matrix.
-ERGO_HD Ellipse ellipse_of(const Vector3<float>& a, const Vector3<float>& b) {
-  const float aa = dot(a, a);
-  const float bb = dot(b, b);
-  const float ab = dot(a, b);
-  const float half_sum = 0.5F * (aa + bb);
-  const float half_difference = 0.5F * (aa - bb);
-  const float root = ::sqrtf(half_difference * half_difference + ab * ab);
-  const float largest = half_sum + root;
+template <class T>
+ERGO_HD Ellipse<T> ellipse_of(const Vector3<T>& a, const Vector3<T>& b) {
+  const T zero(0.0F);
+  const T tiny(1e-37F);
+  const T aa = dot(a, a);
+  const T bb = dot(b, b);
+  const T ab = dot(a, b);
+  const T half_sum = (aa + bb) * 0.5F;
+  const T half_difference = (aa - bb) * 0.5F;
+  const T root = sqrt(half_difference * half_difference + ab * ab);
+  const T largest = half_sum + root;
   // The product of the eigenvalues is |a x b|²: no cancellation for thin ellipses.
-  const Vector3<float> area = cross(a, b);
-  const float smallest = largest > 0.0F ? dot(area, area) / largest : 0.0F;
-  const float c = half_difference + root;
-  const Vector3<float> axis = half_difference >= 0.0F ? c * a + ab * b : ab * a + (root - half_difference) * b;
-  const float length2 = dot(axis, axis);
-  const float major = ::sqrtf(largest);
-  const Vector3<float> direction = length2 > 0.0F ? (major / ::sqrtf(length2)) * axis : a;
-  return {direction, major, ::sqrtf(smallest)};
+  const Vector3<T> area = cross(a, b);
+  const T smallest = dot(area, area) / maximum(largest, tiny);
+  const auto along_a = half_difference >= zero;
+  const T of_a = select(along_a, half_difference + root, ab);
+  const T of_b = select(along_a, ab, root - half_difference);
+  const Vector3<T> axis = of_a * a + of_b * b;
+  const T length2 = dot(axis, axis);
+  // A circle has no major axis; any will do, as its probes coincide.
+  return {(T(1.0F) / sqrt(maximum(length2, tiny))) * axis, sqrt(largest), sqrt(smallest)};
+}
+
+//! A line of round probes that stands for an ellipse.
+template <class T>
+struct ProbeLine {
+  T count;
+  T spacing;  //!< [rad]
+  T level;    //!< of the mip pyramid
+};
+
+//! A mip level that is read bilinearly is a round Gaussian with a standard deviation of half a texel, near enough; the line adds the
+//! variance that the major axis has beyond it. With weights exp(-3.12 x²), x running to 1 half a spacing past the last probe, probes
+//! 5.2 standard deviations over their number apart have the variance asked for (two probes: 4).
+template <class T>
+ERGO_HD ProbeLine<T> probe_line(const CubeMap& map, const Ellipse<T>& ellipse) {
+  const T one(1.0F);
+  const T texel(cube_texel_angle(map));
+  const T radius = maximum(ellipse.minor_length, texel * 0.5F);
+  const T line = safe_sqrt(ellipse.major_length * ellipse.major_length - radius * radius);
+  const T part = line / radius;
+  // Probes are at most a texel of their level apart: bilinear look-ups of equal weight then add up evenly.
+  const T wanted = real_of<T>(truncated(minimum(part, T(1e3F)) * 2.6F)) + one;
+  const T several = minimum(wanted, T(static_cast<float>(probe_limit)));
+  const T count = select(part <= T(0.45F), one, select(part <= one, T(2.0F), several));
+  const T spacing = select(count > T(2.0F), T(5.2F), select(count > one, T(4.0F), T(0.0F))) * line / count;
+  const T width = maximum(radius, spacing * 0.5F);
+  const T level = rough_log2(maximum(width * 2.0F / texel, one));
+  return {count, spacing, minimum(maximum(level, T(0.0F)), T(static_cast<float>(map.level_count - 1)))};
+}
+
+//! exp(-3.12 x²) for x in [-1, 1]: the eighth power of a quartic.
+template <class T>
+ERGO_HD T probe_weight(const T& x) {
+  const T y = x * x * -0.39F;
+  const T e = y * (y * (y * (y * 0.041666667F + 0.16666667F) + 0.5F) + 1.0F) + 1.0F;
+  const T e2 = e * e;
+  const T e4 = e2 * e2;
+  return e4 * e4;
+}
+
+//! One level of the pyramid for each lane.
+template <class T>
+struct LevelLanes {
+  const float* texels[RealTraits<T>::lane_count];
+  int stride[RealTraits<T>::lane_count];  //!< floats from a texel to the one below
+  T size;
+};
+
+template <class T>
+ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level) {
+  constexpr int lanes = RealTraits<T>::lane_count;
+  int levels[lanes];
+  std::memcpy(levels, &level, sizeof levels);
+  float sizes[lanes];
+  LevelLanes<T> of;
+  for (int i = 0; i < lanes; ++i) {
+    const int at = levels[i] < map.level_count ? levels[i] : map.level_count - 1;
+    const int size = map.face_size >> at;
+    of.texels[i] = map.texels + 4 * map.level_offset[at];
+    of.stride[i] = 4 * (size + 2);
+    sizes[i] = static_cast<float>(size);
+  }
+  of.size = load_lanes<T>(sizes, 0, lanes);
+  return of;
+}
+
+//! Adds a bilinear look-up of each lane whose weight is positive.
+template <class T>
+ERGO_HD void add_probe(const LevelLanes<T>& level, const CubePlace<T>& place, const T& weight, SkyLight<T>& sum) {
+  constexpr int lanes = RealTraits<T>::lane_count;
+  const BilinearPlace<T> at = bilinear_place(place, level.size);
+  const T lower = weight * at.lower;
+  const T upper = weight - lower;
+  int texel[lanes];
+  std::memcpy(texel, &at.texel, sizeof texel);
+  float upper_weight[lanes];
+  float lower_weight[lanes];
+  float right[lanes];
+  store_lanes(upper_weight, 0, lanes, upper);
+  store_lanes(lower_weight, 0, lanes, lower);
+  store_lanes(right, 0, lanes, at.right);
+  for (int i = 0; i < lanes; ++i) {
+    if (upper_weight[i] + lower_weight[i] > 0.0F) {
+      const float* top = level.texels[i] + 4 * static_cast<long>(texel[i]);
+      const float* bottom = top + level.stride[i];
+      const Quad left_pair = upper_weight[i] * load_quad(top) + lower_weight[i] * load_quad(bottom);
+      const Quad right_pair = upper_weight[i] * load_quad(top + 4) + lower_weight[i] * load_quad(bottom + 4);
+      sum.pixel[i] = sum.pixel[i] + (1.0F - right[i]) * left_pair + right[i] * right_pair;
+    }
+  }
+}
+
+//! The sum of a line's probes, their weights adding up to `factor`; a lane without a factor takes no probe.
+template <class T>
+ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector3<T>& direction,
+                      const Vector3<T>& along, const T& factor, SkyLight<T>& sum) {
+  const T zero(0.0F);
+  const T one(1.0F);
+  const IntegerOf<T> fine_level = truncated(line.level);
+  const T coarse_part = line.level - real_of<T>(fine_level);
+  const bool blended = any((factor > zero) & (coarse_part > zero));
+  const LevelLanes<T> fine = level_lanes<T>(map, fine_level);
+  const LevelLanes<T> coarse = blended ? level_lanes<T>(map, fine_level + 1) : fine;
+  const T count = select(factor > zero, line.count, zero);
+  const T per_count = one / line.count;
+  const T half_length = line.count * line.spacing * 0.5F;
+  T weights = zero;
+  for (T k = zero; any(k < count); k = k + one) {
+    const T x = (k * 2.0F + one) * per_count - one;
+    T sine;
+    T cosine;
+    sine_cosine_octant(x * half_length, sine, cosine);
+    const CubePlace<T> place = cube_place(cosine * direction + sine * along);
+    const T weight = select(k < count, probe_weight(x), zero);
+    weights = weights + weight;
+    add_probe(fine, place, weight * (one - coarse_part), sum);
+    if (blended) {
+      add_probe(coarse, place, weight * coarse_part, sum);
+    }
+  }
+  const T scale = factor / maximum(weights, T(1e-37F));
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    sum.pixel[i] = lane(scale, i) * sum.pixel[i];
+  }
 }
 
 }  // namespace detail
 
-//! Probes along the major axis at the most; longer ellipses are widened instead.
-inline constexpr int probe_limit = 12;
-
-//! Light of the sky over the footprint of one pixel: an elliptic Gaussian, as round probes along its major axis.
+//! Light of the sky over the footprint of each pixel, times a factor: an elliptic Gaussian, as round probes along its major axis.
 //!
-//! `direction` is a unit vector, `along_x` and `along_y` its derivatives per pixel. The probes are as wide as the minor axis and lie on
-//! a great circle, so they cross faces and poles like any other place (after Feline: McCormack, Perry, Farkas & Jouppi, SIGGRAPH
-//! 1999; EWA: Heckbert 1989). A footprint as wide as the sky, or one that is not a number, sees the mean of the sky. Weights add up
-//! to 1: a constant sky stays constant.
-ERGO_HD Vector3<float> filter_sky(const CubeMap& map, const Vector3<float>& direction, const Vector3<float>& along_x,
-                                  const Vector3<float>& along_y) {
-  // A pixel as a Gaussian of standard deviation 0.5 px: its probes reach half a pixel to either side.
-  detail::Ellipse ellipse = detail::ellipse_of(0.5F * along_x, 0.5F * along_y);
-  if (!(ellipse.major_length < 1.0F)) {
-    return cube_mean(map);
+//! `direction` is a unit vector, `along_x` and `along_y` its derivatives per pixel; where `factor` is 0 they are not looked at, and
+//! the light is 0. The probes are as wide as the minor axis and lie on a great circle, so they cross faces and poles like any other
+//! place (after Feline: McCormack, Perry, Farkas & Jouppi, SIGGRAPH 1999; EWA: Heckbert 1989). A footprint as wide as the sky, or one
+//! that is not a number, sees the mean of the sky. Weights add up to 1: a constant sky stays constant.
+template <class T>
+ERGO_HD SkyLight<T> filter_sky(const CubeMap& map, const Vector3<T>& direction, const Vector3<T>& along_x,
+                               const Vector3<T>& along_y, const T& factor) {
+  const T zero(0.0F);
+  // A pixel as a Gaussian of standard deviation 0.5 px.
+  const detail::Ellipse<T> ellipse = detail::ellipse_of(0.5F * along_x, 0.5F * along_y);
+  const auto resolved = ellipse.major_length < T(1.0F);
+  SkyLight<T> light;
+  for (Quad& pixel : light.pixel) {
+    pixel = quad_of(0.0F);
   }
-  const float texel = cube_texel_angle(map);
-  const float minor = maximum(ellipse.minor_length, 0.5F * texel);
-  const float ratio = ellipse.major_length / minor;
-  if (ratio <= 1.3F) {
-    return detail::rgb_of(detail::cube_trilinear(map, direction, detail::cube_level(map, minor)));
+  const T seen = select(resolved, factor, zero);
+  if (any(seen > zero)) {
+    detail::add_line(map, detail::probe_line(map, ellipse), direction, ellipse.major, seen, light);
   }
-  // Probes out to two standard deviations of the footprint. A texel of their level is two minor axes wide, and bilinear look-ups a
-  // texel apart add up evenly: less than that is close enough.
-  constexpr int most = probe_limit / 2;
-  const float wanted = 1.25F * ratio;
-  const int half_count = wanted < static_cast<float>(most) ? static_cast<int>(wanted) + 1 : most;
-  const float spacing = 2.0F * ellipse.major_length / static_cast<float>(half_count);
-  const detail::CubeLevel level = detail::cube_level(map, maximum(minor, 0.5F * spacing));
-  const Vector3<float> unit = (1.0F / ellipse.major_length) * ellipse.major;
-  // One turn by the spacing, again and again.
-  float sine_step = 0.0F;
-  float cosine_step = 1.0F;
-  sine_cosine(spacing, sine_step, cosine_step);
-  float sine = 0.0F;
-  float cosine = 1.0F;
-  Quad sum = detail::cube_trilinear(map, direction, level);
-  float weights = 1.0F;
-  for (int i = 1; i <= half_count; ++i) {
-    const float weight = detail::probe_weight(i, half_count);
-    const float next_sine = sine * cosine_step + cosine * sine_step;
-    cosine = cosine * cosine_step - sine * sine_step;
-    sine = next_sine;
-    const Vector3<float> ahead = cosine * direction + sine * unit;
-    const Vector3<float> behind = cosine * direction - sine * unit;
-    sum = sum + weight * (detail::cube_trilinear(map, ahead, level) + detail::cube_trilinear(map, behind, level));
-    weights += 2.0F * weight;
+  const T unresolved = select(resolved, zero, factor);
+  if (any(unresolved > zero)) {
+    const Vector3<float> mean = cube_mean(map);
+    alignas(16) const float quad[4] = {mean.x, mean.y, mean.z, 0.0F};
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      light.pixel[i] = light.pixel[i] + lane(unresolved, i) * load_quad(quad);
+    }
   }
-  return (1.0F / weights) * detail::rgb_of(sum);
+  return light;
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

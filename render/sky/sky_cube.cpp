@@ -122,14 +122,16 @@ class Pyramid {
   //! Bilinear, inside one face only: usable before the borders are there.
   glm::vec3 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
-    const CubePlace place = cube_place({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    const CubePlace<float> place =
+        cube_place<float>({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    const int its_face = static_cast<int>(place.face);
     const float last = static_cast<float>(n - 1);
     const float x = std::clamp((place.x + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
     const float y = std::clamp((place.y + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
     const int x0 = static_cast<int>(x);
     const int y0 = static_cast<int>(y);
     const auto at = [&](int dx, int dy) {
-      const float* from = texel(level, place.face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
+      const float* from = texel(level, its_face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
       return glm::vec3(from[0], from[1], from[2]);
     };
     const float fx = x - static_cast<float>(x0);
