@@ -24,7 +24,8 @@ struct CheckBlend {
     const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
     MaskOf<T> reached;
     const Vector3<T> sky = detail::grid_sky(batch.camera, direction, reached);
-    const GridSky<T> read = read_blended(batch.lens, ChartPlace<D>{{gamma_turns, one, zero}, {s, zero, one}, D(zero)});
+    const GridSky<T> read =
+        read_blended(batch.lens, ChartPlace<D>{{gamma_turns, one, zero}, {s, zero, one}, D(zero)}, one > zero);
     const Vector3<D>& v = read.sky;
     T sine;
     T cosine;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/lanes.h"
 #include "kernels/core/quad.h"
 #include "kernels/lens/lens_chart.h"
 
@@ -27,48 +28,65 @@ struct LensGrid {
   const float* nodes;
 };
 
-//! A leaf and the place in it.
-struct LeafPlace {
-  int leaf;
+//! A leaf, and where it lies in the chart.
+struct Leaf {
+  int number;
   bool flagged;       //!< trace the ray instead
-  float u;            //!< in [0, 1], along γ
-  float v;            //!< in [0, 1], along s
-  float width_turns;  //!< the leaf's extent along γ
-  float height;       //!< the leaf's extent along s
+  float gamma_turns;  //!< its lower end along γ
+  float s;            //!< its lower end along s
+  float width_turns;
+  float height;  //!< along s
 };
 
 inline namespace ERGO_TARGET {
 
 //! Finds the leaf at (γ, s); both are clamped to the grid. γ of a mirrored grid is at most half a turn.
-ERGO_HD LeafPlace find_leaf(const LensGrid& grid, float gamma_turns, float s) {
-  const float root_width = (grid.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);
-  const float root_height = 1.0F / static_cast<float>(grid.rows);
-  const auto place = [](float value, int count, int& cell) {
-    const float clamped = minimum(maximum(value, 0.0F), static_cast<float>(count));
-    const int whole = static_cast<int>(clamped);
-    cell = whole < count ? whole : count - 1;
-    return clamped - static_cast<float>(cell);
+ERGO_HD Leaf find_leaf(const LensGrid& grid, float gamma_turns, float s) {
+  Leaf at{};
+  at.width_turns = (grid.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);
+  at.height = 1.0F / static_cast<float>(grid.rows);
+  const auto root = [](float value, float extent, int count) {
+    const int whole = static_cast<int>(minimum(maximum(value / extent, 0.0F), static_cast<float>(count)));
+    return whole < count ? whole : count - 1;
   };
-  int column = 0;
-  int row = 0;
-  LeafPlace at{};
-  at.u = place(gamma_turns / root_width, grid.columns, column);
-  at.v = place(s / root_height, grid.rows, row);
-  at.width_turns = root_width;
-  at.height = root_height;
+  const int column = root(gamma_turns, at.width_turns, grid.columns);
+  const int row = root(s, at.height, grid.rows);
+  at.gamma_turns = static_cast<float>(column) * at.width_turns;
+  at.s = static_cast<float>(row) * at.height;
   int entry = grid.tree[row * grid.columns + column];
   for (int depth = 0; depth < deepest_cell && entry >= 0; ++depth) {
-    float& along = (entry & 1) == 0 ? at.u : at.v;
-    ((entry & 1) == 0 ? at.width_turns : at.height) *= 0.5F;
-    along *= 2.0F;
-    const int second = along >= 1.0F ? 1 : 0;
-    along -= static_cast<float>(second);
+    const bool along_gamma = (entry & 1) == 0;
+    float& extent = along_gamma ? at.width_turns : at.height;
+    float& begin = along_gamma ? at.gamma_turns : at.s;
+    extent *= 0.5F;
+    const int second = (along_gamma ? gamma_turns : s) >= begin + extent ? 1 : 0;
+    begin += static_cast<float>(second) * extent;
     entry = grid.tree[(entry >> 1) + second];
   }
   const int code = -1 - entry;
-  at.leaf = code >> 1;
+  at.number = code >> 1;
   at.flagged = (code & 1) != 0;
   return at;
+}
+
+//! A place within a leaf: in [0, 1] along γ and s.
+struct LeafPlace {
+  float u;
+  float v;
+};
+
+ERGO_HD LeafPlace place_in(const Leaf& leaf, float gamma_turns, float s) {
+  const auto part = [](float value, float begin, float extent) {
+    return minimum(maximum((value - begin) / extent, 0.0F), 1.0F);
+  };
+  return {part(gamma_turns, leaf.gamma_turns, leaf.width_turns), part(s, leaf.s, leaf.height)};
+}
+
+//! Whether a place is strictly inside a leaf, where no other can be meant.
+ERGO_HD bool holds(const Leaf& leaf, float gamma_turns, float s) {
+  const float across = gamma_turns - leaf.gamma_turns;
+  const float up = s - leaf.s;
+  return across > 0.0F && across < leaf.width_turns && up > 0.0F && up < leaf.height;
 }
 
 //! Cubic Hermite basis at t: value at 0, slope at 0, value at 1, slope at 1; and its derivative.
@@ -135,45 +153,89 @@ struct GridSky {
   MaskOf<T> flagged;     //!< the leaf could not be made good
 };
 
-//! Reads the grid at a place of its chart (camera at φ = 0).
+namespace detail {
+
+//! Patch sums of all lanes, a component after the other: x, y, z of the sky, of its rates along γ, and along s; then the flags.
 template <class T>
-ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place) {
+struct PatchLanes {
+  ScalarOf<T> of[10][RealTraits<T>::lane_count];
+
+  ERGO_HD void set(int lane, const PatchValue& value, bool flagged) {
+    ERGO_UNROLL
+    for (int i = 0; i < 3; ++i) {
+      of[i][lane] = ScalarOf<T>(quad_part(value.sky, i));
+      of[3 + i][lane] = ScalarOf<T>(quad_part(value.along_gamma, i));
+      of[6 + i][lane] = ScalarOf<T>(quad_part(value.along_s, i));
+    }
+    of[9][lane] = ScalarOf<T>(flagged ? 1 : 0);
+  }
+
+  //! Points the lane up, so that what is made of it stays a number.
+  ERGO_HD void clear(int lane) {
+    ERGO_UNROLL
+    for (int i = 0; i < 10; ++i) {
+      of[i][lane] = ScalarOf<T>(i == 2 ? 1 : 0);
+    }
+  }
+
+  ERGO_HD T component(int i) const { return load_lanes<T>(of[i], 0, RealTraits<T>::lane_count); }
+};
+
+//! Reads the patches of the lanes that are wanted. Neighbours mostly share a leaf: the last one found is tried first.
+template <class T>
+ERGO_HD void read_patches(const LensGrid& grid, const T& gamma_turns, const T& s, const MaskOf<T>& wanted,
+                          PatchLanes<T>& into) {
+  constexpr int lanes = RealTraits<T>::lane_count;
+  ScalarOf<T> across[lanes];
+  ScalarOf<T> up[lanes];
+  store_lanes(across, 0, lanes, gamma_turns);
+  store_lanes(up, 0, lanes, s);
+  Leaf leaf{};
+  for (int i = 0; i < lanes; ++i) {
+    if (!mask_lane(wanted, i)) {
+      into.clear(i);
+      continue;
+    }
+    const auto x = static_cast<float>(across[i]);
+    const auto y = static_cast<float>(up[i]);
+    if (!holds(leaf, x, y)) {
+      leaf = find_leaf(grid, x, y);
+    }
+    const LeafPlace at = place_in(leaf, x, y);
+    into.set(i, patch_value(grid.nodes, grid.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns, leaf.height),
+             leaf.flagged);
+  }
+}
+
+}  // namespace detail
+
+//! Reads the grid at a place of its chart (camera at φ = 0), for the lanes that are wanted; the others point anywhere.
+template <class T>
+ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place, const MaskOf<T>& wanted) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  Vector3<T> sum;
-  Vector3<T> along_gamma;
-  Vector3<T> along_s;
-  T flag(S(0));
   // A mirrored grid is read at -γ, backwards in γ, and its sky turned over.
   const T one(S(1));
   const T whole = place.gamma_turns.value;
   const auto over = (whole > T(S(0.5))) & (T(S(grid.mirrored)) > T(S(0)));
   const T mirror = select(over, -one, one);
-  const T gamma_turns = select(over, one - whole, whole);
-  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    const LeafPlace at =
-        find_leaf(grid, static_cast<float>(lane(gamma_turns, i)), static_cast<float>(lane(place.s.value, i)));
-    const PatchValue value = patch_value(grid.nodes, grid.leaves + 4 * at.leaf, at.u, at.v, at.width_turns, at.height);
-    set_lane(sum.x, i, S(quad_part(value.sky, 0)));
-    set_lane(sum.y, i, S(quad_part(value.sky, 1)));
-    set_lane(sum.z, i, S(quad_part(value.sky, 2)));
-    set_lane(along_gamma.x, i, S(quad_part(value.along_gamma, 0)));
-    set_lane(along_gamma.y, i, S(quad_part(value.along_gamma, 1)));
-    set_lane(along_gamma.z, i, S(quad_part(value.along_gamma, 2)));
-    set_lane(along_s.x, i, S(quad_part(value.along_s, 0)));
-    set_lane(along_s.y, i, S(quad_part(value.along_s, 1)));
-    set_lane(along_s.z, i, S(quad_part(value.along_s, 2)));
-    set_lane(flag, i, S(at.flagged ? 1 : 0));
-  }
-  const auto chained = [&](const T& value, const T& by_gamma, const T& by_s) {
-    const T turned = by_gamma * mirror;
-    return D(value, turned * place.gamma_turns.along_x + by_s * place.s.along_x,
-             turned * place.gamma_turns.along_y + by_s * place.s.along_y);
+  detail::PatchLanes<T> patches;
+  detail::read_patches(grid, select(over, one - whole, whole), place.s.value, wanted, patches);
+  const auto chained = [&](int i, const T& side) {
+    const T turned = patches.component(3 + i) * mirror * side;
+    const T upward = patches.component(6 + i) * side;
+    return D(patches.component(i) * side, turned * place.gamma_turns.along_x + upward * place.s.along_x,
+             turned * place.gamma_turns.along_y + upward * place.s.along_y);
   };
-  const Vector3<D> v = {chained(sum.x, along_gamma.x, along_s.x), chained(sum.y, along_gamma.y, along_s.y),
-                        chained(sum.z * mirror, along_gamma.z * mirror, along_s.z * mirror)};
+  const Vector3<D> v = {chained(0, one), chained(1, one), chained(2, mirror)};
   const D inverse = D(T(S(1))) / sqrt(dot(v, v));
-  return {{v.x * inverse, v.y * inverse, v.z * inverse}, flag > T(S(0.5))};
+  return {{v.x * inverse, v.y * inverse, v.z * inverse}, patches.component(9) > T(S(0.5))};
+}
+
+//! The same for all lanes.
+template <class T>
+ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& place) {
+  return read_grid(grid, place, T(ScalarOf<T>(0)) < T(ScalarOf<T>(1)));
 }
 
 }  // namespace ERGO_TARGET

@@ -17,17 +17,17 @@ struct LensBlend {
 
 inline namespace ERGO_TARGET {
 
-//! Reads the lens at a place of its chart: both grids at the same (γ, s), turned, and mixed by the weight of the second. Flagged
-//! where either is.
+//! Reads the lens at a place of its chart, for the lanes that are wanted: both grids at the same (γ, s), turned, and mixed by the
+//! weight of the second. Flagged where either is.
 template <class T>
-ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>& place) {
+ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPlace<Dual<T>>& place, const MaskOf<T>& wanted) {
   using S = ScalarOf<T>;
   using D = Dual<T>;
-  const GridSky<T> first = read_grid(lens.grids[0], place);
+  const GridSky<T> first = read_grid(lens.grids[0], place, wanted);
   if (!(lens.second_weight > 0.0F)) {
     return first;
   }
-  const GridSky<T> second = read_grid(lens.grids[1], place);
+  const GridSky<T> second = read_grid(lens.grids[1], place, wanted);
   const S w = S(lens.second_weight);
   const auto component = [&](int i) {
     const float(&p)[3] = lens.turn[0][i];

@@ -35,7 +35,7 @@ struct LookUpPixels {
     }
     const T lit = sky_lit * inside;
     const auto wanted = lit > zero;
-    GridSky<T> read = read_blended(batch.lens, place);
+    GridSky<T> read = read_blended(batch.lens, place, wanted);
     T steps = zero;
     T estimate = zero;
     const auto traced = wanted & read.flagged;
@@ -99,9 +99,9 @@ struct LookUpRays {
                           load_lanes<T>(rays.direction[2], first, count)};
     const Vector3<T> in_rain = rain_direction(batch.aberration, n);
     const ChartPlace<D> place = chart_place(batch.lens.chart, Vector3<D>{D(in_rain.x), D(in_rain.y), D(in_rain.z)});
-    const GridSky<T> read = read_blended(batch.lens, place);
     const RayStart<T> start = start_ray(rays.camera, n);
     const auto bright = comes_from_sky(rays.camera.spin, rays.camera.horizon_r, start);
+    const GridSky<T> read = read_blended(batch.lens, place, bright);
     const auto traced = bright & read.flagged;
     T steps = zero;
     MaskOf<T> reached = traced;

@@ -45,12 +45,14 @@ Vector3<float> colour_at(const LensStation& station, const LensGrid& grid, const
     return {0.0F, 0.0F, 0.0F};
   }
   const float turns = place.gamma_turns.value;
-  const LeafPlace leaf = find_leaf(grid, grid.mirrored != 0 && turns > 0.5F ? 1.0F - turns : turns, place.s.value);
-  const float error = station.leaf_error_px[static_cast<std::size_t>(leaf.leaf)] / static_cast<float>(budget_px);
+  const float half_turns = grid.mirrored != 0 && turns > 0.5F ? 1.0F - turns : turns;
+  const Leaf leaf = find_leaf(grid, half_turns, place.s.value);
+  const LeafPlace at = place_in(leaf, half_turns, place.s.value);
+  const float error = station.leaf_error_px[static_cast<std::size_t>(leaf.number)] / static_cast<float>(budget_px);
   Vector3<float> colour = leaf.flagged ? Vector3<float>{0.75F, 0.10F, 0.12F} : heat_color(error);
   const float across = std::hypot(place.gamma_turns.along_x, place.gamma_turns.along_y) / leaf.width_turns;
   const float along = std::hypot(place.s.along_x, place.s.along_y) / leaf.height;
-  const float drawn = 0.7F * std::max(line(leaf.u, across), line(leaf.v, along));
+  const float drawn = 0.7F * std::max(line(at.u, across), line(at.v, along));
   return (1.0F - drawn) * colour + drawn * Vector3<float>{1.0F, 1.0F, 1.0F};
 }
 

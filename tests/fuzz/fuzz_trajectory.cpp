@@ -24,8 +24,9 @@ void read_all_over(const ergodome::LensStation& station) {
   for (int i = 0; i < 64; ++i) {
     const float gamma_turns = widest * static_cast<float>(i % 8) / 7.0F;
     const float s = static_cast<float>(i / 8) / 7.0F;
-    const ergodome::LeafPlace at = ergodome::find_leaf(grid, gamma_turns, s);
-    ergodome::patch_value(grid.nodes, grid.leaves + 4 * at.leaf, at.u, at.v, at.width_turns, at.height);
+    const ergodome::Leaf leaf = ergodome::find_leaf(grid, gamma_turns, s);
+    const ergodome::LeafPlace at = ergodome::place_in(leaf, gamma_turns, s);
+    ergodome::patch_value(grid.nodes, grid.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns, leaf.height);
     float alpha = 0.0F;
     float slope = 0.0F;
     ergodome::edge_at(grid.chart.edge, 6.2831853F * gamma_turns, alpha, slope);

@@ -157,9 +157,9 @@ TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
     const double line = std::floor(uniform(random) * 1024.0) * static_cast<double>(unit);
     const double s = 0.3 + 0.7 * uniform(random);
     const double step = 1e-7;
-    const LeafPlace before = find_leaf(grid_view(c.station), static_cast<float>(line) - 1e-6F, static_cast<float>(s));
-    const LeafPlace after = find_leaf(grid_view(c.station), static_cast<float>(line) + 1e-6F, static_cast<float>(s));
-    if (before.leaf == after.leaf || before.flagged || after.flagged || line <= 0.0) {
+    const Leaf before = find_leaf(grid_view(c.station), static_cast<float>(line) - 1e-6F, static_cast<float>(s));
+    const Leaf after = find_leaf(grid_view(c.station), static_cast<float>(line) + 1e-6F, static_cast<float>(s));
+    if (before.number == after.number || before.flagged || after.flagged || line <= 0.0) {
       continue;
     }
     across_levels += before.height != after.height ? 1 : 0;
