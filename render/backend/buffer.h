@@ -32,18 +32,30 @@ class Buffer {
       : data_(static_cast<T*>(allocate(backend, count * sizeof(T))), Release{backend}), count_(count) {}
 
   Buffer(Backend backend, const std::vector<T>& values) : Buffer(backend, values.size()) {
-    if (backend == Backend::cuda) {
-      copy_to_cuda(data(), values.data(), count_ * sizeof(T));
-    } else {
-      std::copy(values.begin(), values.end(), data());
-    }
+    write(values.data(), values.size());
   }
 
   [[nodiscard]] T* data() const { return data_.get(); }
   [[nodiscard]] std::size_t size() const { return count_; }
 
+  //! Fills the first `count` elements from host memory.
+  void write(const T* from, std::size_t count) {
+    if (count == 0) {
+      return;
+    }
+    if (data_.get_deleter().backend == Backend::cuda) {
+      copy_to_cuda(data(), from, count * sizeof(T));
+    } else {
+      std::copy(from, from + count, data());
+    }
+  }
+
   //! Copies the first `count` elements to host memory.
-  void read(T* to, std::size_t count) const { copy_to_host(data_.get_deleter().backend, to, data(), count); }
+  void read(T* to, std::size_t count) const {
+    if (count > 0) {
+      copy_to_host(data_.get_deleter().backend, to, data(), count);
+    }
+  }
 
  private:
   struct Release {

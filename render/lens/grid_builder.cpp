@@ -5,7 +5,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "kernels/launch/launch.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
 #include "render/lens/hanging_nodes.h"
@@ -55,28 +54,23 @@ double range_for(const GridSettings& settings, const EdgeCurve& edge) {
   return std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, edge));
 }
 
-void run(const NodeBatch<float>& batch) { trace_nodes(Backend::cpu, batch); }
-void run(const NodeBatch<double>& batch) { trace_nodes(batch); }
-void run(const CheckBatch<float>& batch) { check_cells(Backend::cpu, batch); }
-void run(const CheckBatch<double>& batch) { check_cells(batch); }
-
 //! Builds a station level by level, so that the rays of a level are traced as one batch; S is the precision of the rays.
 template <class S>
 class GridBuilder {
  public:
-  GridBuilder(LensStation& station, const GridSettings& settings)
-      : station_(station),
-        settings_(settings),
-        camera_(make_camera(station, settings)),
-        observer_(converted_aberration<S>(settings.observer)) {}
+  GridBuilder(LensStation& station, const GridSettings& settings, GridTracer<S>& tracer)
+      : station_(station), settings_(settings), tracer_(tracer) {}
 
   GridStatistics build() {
+    tracer_.begin(make_camera({station_.r, station_.theta}, grid_view(station_).chart),
+                  converted_aberration<S>(settings_.observer), settings_.pixel);
     std::vector<OpenCell> open = root_cells();
     while (!open.empty()) {
       place_corners(open);
       check(open);
       open = decide(open);
     }
+    station_.nodes = tracer_.nodes();
     if (settings_.derivatives) {
       trace_derivatives();
     }
@@ -87,14 +81,9 @@ class GridBuilder {
   }
 
  private:
-  static GridCamera<S> make_camera(const LensStation& station, const GridSettings& settings) {
-    return make_camera(station, {station.r, station.theta}, grid_view(station).chart, settings);
-  }
-
-  static GridCamera<S> make_camera(const LensStation& station, const LensPlace& place, const LensChart& chart,
-                                   const GridSettings& settings) {
-    const CameraStation rain = make_camera_station(station.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
-    const double tolerance = 0.005 * settings.budget_px * settings.pixel;
+  [[nodiscard]] GridCamera<S> make_camera(const LensPlace& place, const LensChart& chart) const {
+    const CameraStation rain = make_camera_station(station_.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
+    const double tolerance = 0.005 * settings_.budget_px * settings_.pixel;
     return {converted_station<S>(rain),
             chart,
             {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
@@ -125,7 +114,7 @@ class GridBuilder {
 
   //! Finds or makes the nodes of new cells, and traces the new ones.
   void place_corners(std::vector<OpenCell>& open) {
-    const auto first = static_cast<int>(station_.node_count());
+    const int first = tracer_.node_count();
     std::vector<float> gamma;
     std::vector<float> s;
     for (OpenCell& cell : open) {
@@ -139,9 +128,7 @@ class GridBuilder {
         cell.corners[static_cast<std::size_t>(corner)] = found->second;
       }
     }
-    station_.nodes.resize(station_.nodes.size() + floats_a_node * gamma.size());
-    run(NodeBatch<S>{camera_, static_cast<int>(gamma.size()), gamma.data(), s.data(),
-                     station_.nodes.data() + floats_a_node * static_cast<std::size_t>(first)});
+    tracer_.add_nodes(gamma, s);
     statistics_.traced_nodes += static_cast<long>(gamma.size());
   }
 
@@ -153,11 +140,8 @@ class GridBuilder {
       s[static_cast<std::size_t>(node)] = s_of(static_cast<int>(key & 0xFFFFFFFFU));
     }
     add_derivatives(station_, [&](const LensPlace& place, const LensChart& chart) {
-      std::vector<float> nodes(station_.nodes.size());
-      run(NodeBatch<S>{make_camera(station_, place, chart, settings_), static_cast<int>(gamma.size()), gamma.data(),
-                       s.data(), nodes.data()});
       statistics_.traced_nodes += static_cast<long>(gamma.size());
-      return nodes;
+      return tracer_.nodes_of(make_camera(place, chart), gamma, s);
     });
   }
 
@@ -172,18 +156,14 @@ class GridBuilder {
                        gamma_turns(cell.box.width),
                        s_of(cell.box.height)});
     }
-    const std::size_t checks = checks_a_cell * cells.size();
-    error_px_.resize(checks);
-    area_px_.resize(checks);
-    run(CheckBatch<S>{camera_, observer_, static_cast<S>(settings_.pixel), static_cast<int>(checks), cells.data(),
-                      station_.nodes.data(), error_px_.data(), area_px_.data()});
-    statistics_.traced_checks += static_cast<long>(checks);
+    tracer_.check(cells, error_px_, area_px_);
+    statistics_.traced_checks += static_cast<long>(error_px_.size());
   }
 
   //! Makes leaves of what is good or cannot be made good, and splits the rest.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(safety * settings_.budget_px);
-    const bool full = static_cast<int>(station_.node_count()) >= settings_.most_nodes;
+    const bool full = tracer_.node_count() >= settings_.most_nodes;
     std::vector<OpenCell> next;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const float* e = error_px_.data() + checks_a_cell * i;
@@ -226,8 +206,7 @@ class GridBuilder {
 
   LensStation& station_;
   const GridSettings& settings_;
-  GridCamera<S> camera_;
-  AberrationOf<S> observer_;
+  GridTracer<S>& tracer_;
   NodeByPlace node_by_place_;
   std::vector<CellBox> boxes_;
   std::vector<float> error_px_;
@@ -243,7 +222,7 @@ double chart_range(double spin, double r, double theta, const GridSettings& sett
 }
 
 LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
-                               GridStatistics* statistics) {
+                               GridStatistics* statistics, GridTracer<float>* tracer) {
   LensStation station;
   station.spin = spin;
   station.r = r;
@@ -257,8 +236,10 @@ LensStation build_lens_station(double spin, double r, double theta, const GridSe
   station.first = edge.first;
   station.second = edge.second;
   station.range = static_cast<float>(settings.range > 0.0 ? settings.range : range_for(settings, edge));
-  const GridStatistics done =
-      settings.fine ? GridBuilder<double>(station, settings).build() : GridBuilder<float>(station, settings).build();
+  const auto build = [&](auto& with) { return GridBuilder(station, settings, with).build(); };
+  GridTracer<float> own;
+  GridTracer<double> fine;
+  const GridStatistics done = settings.fine ? build(fine) : build(tracer != nullptr ? *tracer : own);
   if (statistics != nullptr) {
     *statistics = done;
   }

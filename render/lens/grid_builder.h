@@ -2,6 +2,7 @@
 
 #include "content/lens_station.h"
 #include "kernels/metric/frame_boost.h"
+#include "render/lens/grid_tracer.h"
 
 namespace ergodome {
 
@@ -33,8 +34,10 @@ struct GridStatistics {
 //! than 0.8 of the budget, along the axis that misses more. What stays bad at the depth limit or at `least_area_px` is flagged: its
 //! pixels are to be traced. Nodes in the middle of a larger cell's side then take that side's values, so that the map and its
 //! derivatives are continuous. A camera on the equator (θ = π/2) gets half a grid, mirrored on reading.
+//!
+//! `tracer` says where rays in float are traced, and keeps its memory for the next grid; without one it is the processor.
 LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
-                               GridStatistics* statistics = nullptr);
+                               GridStatistics* statistics = nullptr, GridTracer<float>* tracer = nullptr);
 
 //! The range that the chart of a place needs: down to half the budget from the shadow's edge.
 double chart_range(double spin, double r, double theta, const GridSettings& settings);

@@ -40,6 +40,7 @@ std::optional<GridDelivery> GridWorker::build(const GridOrder& order, double pat
 }
 
 void GridWorker::work(const std::stop_token& stop) {
+  GridTracer<float> tracer;
   std::unique_lock lock(mutex_);
   while (wake_.wait(lock, stop, [this] { return order_.has_value(); })) {
     GridDelivery made{*std::exchange(order_, std::nullopt), {}, {}};
@@ -49,7 +50,7 @@ void GridWorker::work(const std::stop_token& stop) {
     std::exception_ptr problem;
     try {
       made.station = build_lens_station(made.order.spin, made.order.place.r, made.order.place.theta,
-                                        made.order.settings, &made.statistics);
+                                        made.order.settings, &made.statistics, &tracer);
     } catch (...) {
       problem = std::current_exception();
     }

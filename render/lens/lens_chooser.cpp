@@ -84,7 +84,7 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
     return *kept;
   }
   const bool one_eye = eye.r == eye.head_r && eye.theta == eye.head_theta;
-  if (one_eye && request.moment.patience_s < ShowMoment::forever_s) {
+  if (backend_ == Backend::cpu && one_eye && request.moment.patience_s < ShowMoment::forever_s) {
     if (!worker_) {
       worker_ = std::make_unique<GridWorker>();
     }
@@ -102,13 +102,14 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
     }
   }
   GridStatistics statistics;
-  LensStation station = build_lens_station(order.spin, order.place.r, order.place.theta, order.settings, &statistics);
+  LensStation station =
+      build_lens_station(order.spin, order.place.r, order.place.theta, order.settings, &statistics, &tracer_);
   return keep(order, eye, std::move(station), statistics);
 }
 
 std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   const double pixels = static_cast<double>(request.projection.width_px) * request.projection.height_px;
-  // On a GPU rays are cheap, and grids come from the CPU.
+  // On a GPU a ray a pixel is cheap.
   const bool worth_a_grid = backend_ == Backend::cpu && pixels >= least_pixels;
   const bool asked = request.choice == LensChoice::live || request.choice == LensChoice::streamed;
   if (!asked && !worth_a_grid) {

@@ -45,7 +45,7 @@ struct LensRequest {
 class LensChooser {
  public:
   explicit LensChooser(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
-      : backend_(backend), stream_(std::move(stream)) {}
+      : backend_(backend), stream_(std::move(stream)), tracer_(backend) {}
 
   //! The lens for an eye's image. Views that show what rays do (steps, error, order) trace them, whatever is asked.
   //!
@@ -53,8 +53,9 @@ class LensChooser {
   //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
   //! nothing: off the path, or while it reads.
   //!
-  //! Live grids are built on a thread of their own; one that does not come within the moment's patience is for the next picture, and this
-  //! one is the view from where the last grid was built (LensSource::behind). Two eyes wait: they must see from one moment.
+  //! On a GPU live grids are traced there, within the picture. On the processor they are built on a thread of their own; one that does
+  //! not come within the moment's patience is for the next picture, and this one is the view from where the last grid was built
+  //! (LensSource::behind). Two eyes wait: they must see from one moment.
   //!
   //! GridScheme::quadtree takes the published quadtree grid of the eye's own place and motion for all but direct rays.
   //!
@@ -88,6 +89,7 @@ class LensChooser {
   Backend backend_;
   std::shared_ptr<StationStream> stream_;
   int built_ = 0;
+  GridTracer<float> tracer_;
   std::unique_ptr<GridWorker> worker_;    //!< made when first needed
   std::optional<EyeCamera> ordered_eye_;  //!< whose grid the worker has or had in hand
   std::list<Grid> grids_;                 //!< the latest first
