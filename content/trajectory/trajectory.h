@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "content/bytes.h"
 #include "content/lens_station.h"
-#include "content/trajectory/bytes.h"
 #include "kernels/metric/observer.h"
 
 namespace ergodome {

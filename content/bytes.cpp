@@ -1,4 +1,4 @@
-#include "content/trajectory/bytes.h"
+#include "content/bytes.h"
 
 namespace ergodome {
 

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands.h"
+#include "content/stars/star_catalogue.h"
+#include "content/stars/star_file.h"
+
+namespace ergodome {
+
+namespace {
+
+struct CatalogueOptions {
+  std::string stars;
+  std::string out;
+  float faintest = 60.0F;
+};
+
+void print_summary(const StarCatalogue& catalogue) {
+  const auto& stars = catalogue.stars;
+  const auto colourless = std::ranges::count_if(stars, [](const CatalogueStar& star) { return std::isnan(star.b_v); });
+  fmt::print("{}: {} stars, {} without a colour, {} rows left out\n", catalogue.name, stars.size(), colourless,
+             catalogue.left_out);
+  if (!stars.empty()) {
+    fmt::print("V {:.2f} to {:.2f}; the brightest:\n  number   RA [deg]  Dec [deg]       V     B-V\n",
+               stars.front().v_mag, stars.back().v_mag);
+  }
+  for (const CatalogueStar& star : std::span(stars).first(std::min<std::size_t>(stars.size(), 5))) {
+    fmt::print("{:8} {:10.4f} {:10.4f} {:7.2f} {:7.3f}\n", star.number, star.ra_deg, star.dec_deg, star.v_mag,
+               star.b_v);
+  }
+}
+
+void run(const CatalogueOptions& options) {
+  Show show;
+  show.sky.stars = options.stars;
+  StarCatalogue catalogue = load_stars(show);
+  std::erase_if(catalogue.stars, [&](const CatalogueStar& star) { return star.v_mag > options.faintest; });
+  print_summary(catalogue);
+  if (!options.out.empty()) {
+    write_star_file(catalogue, options.out);
+    fmt::print("written to {}: {} bytes\n", options.out, std::filesystem::file_size(options.out));
+  }
+}
+
+}  // namespace
+
+void add_catalogue_command(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("catalogue", "Say what a star catalogue holds, and write it in the project's own form");
+  auto options = std::make_shared<CatalogueOptions>();
+  command
+      ->add_option("stars", options->stars,
+                   "bright_stars, all_stars, or a file: a table (.csv) or the project's own form")
+      ->required();
+  command->add_option("--out", options->out, "file to write, in the project's own form");
+  command->add_option("--faintest", options->faintest, "leave out what is fainter than this V magnitude");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,60 @@
+#include "content/stars/star_catalogue.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/sky_map.h"
+#include "content/stars/star_file.h"
+#include "content/stars/star_table.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What the eye sees without help, under a dark sky.
+constexpr float faintest_bright_star = 6.5F;
+
+}  // namespace
+
+void sort_by_brightness(std::vector<CatalogueStar>& stars) {
+  std::stable_sort(stars.begin(), stars.end(),
+                   [](const CatalogueStar& a, const CatalogueStar& b) { return a.v_mag < b.v_mag; });
+}
+
+Vector3<double> equatorial_direction(double ra_deg, double dec_deg) {
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  const double across = std::cos(dec_deg * degree);
+  return {across * std::cos(ra_deg * degree), across * std::sin(ra_deg * degree), std::sin(dec_deg * degree)};
+}
+
+StarCatalogue load_stars(const Show& show) {
+  const std::string& name = show.sky.stars;
+  if (name.empty()) {
+    return {};
+  }
+  const bool bright = name == "bright_stars";
+  if (bright || name == "all_stars") {
+    StarCatalogue built_in = read_star_file(built_in_content_folder() / "stars" / "hipparcos.stars");
+    if (bright) {
+      std::erase_if(built_in.stars, [](const CatalogueStar& star) { return star.v_mag > faintest_bright_star; });
+    }
+    built_in.name = name;
+    return built_in;
+  }
+  const std::filesystem::path path = std::filesystem::path(show.folder) / name;
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(path, problem)) {
+    throw Error(path.string(), "is not a file that can be read (sky.stars)",
+                "give a built-in catalogue (bright_stars, all_stars) or the path of one");
+  }
+  return read_stars(path);
+}
+
+StarCatalogue read_stars(const std::filesystem::path& path) {
+  StarCatalogue catalogue = is_star_file(path) ? read_star_file(path) : read_star_table(path);
+  catalogue.name = path.stem().string();
+  return catalogue;
+}
+
+}  // namespace ergodome

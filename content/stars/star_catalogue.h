@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "content/show.h"
+#include "kernels/core/vector3.h"
+
+namespace ergodome {
+
+//! A star as catalogues have it. A missing colour is NaN.
+struct CatalogueStar {
+  std::uint32_t number = 0;  //!< Hipparcos number, or whatever the catalogue counts by
+  double ra_deg = 0.0;       //!< J2000, in [0, 360)
+  double dec_deg = 0.0;
+  float v_mag = 0.0F;
+  float b_v = 0.0F;  //!< B-V [mag]
+};
+
+//! Stars, brightest first.
+struct StarCatalogue {
+  std::string name;
+  std::vector<CatalogueStar> stars;
+  std::size_t left_out = 0;  //!< rows without a place or a magnitude
+};
+
+//! Puts the brightest first; stars of equal magnitude stay in their order.
+void sort_by_brightness(std::vector<CatalogueStar>& stars);
+
+//! Unit vector of a place on the sky, equatorial J2000: x to the vernal equinox, z to the north celestial pole.
+Vector3<double> equatorial_direction(double ra_deg, double dec_deg);
+
+//! Loads the stars of a show: a built-in name ("bright_stars": V <= 6.5, "all_stars"), or the path of a file, relative to the show's
+//! folder. Empty when the show has none.
+StarCatalogue load_stars(const Show& show);
+
+//! Reads a catalogue from a file of either kind: this project's own (star_file.h), or a table of text (star_table.h).
+StarCatalogue read_stars(const std::filesystem::path& path);
+
+}  // namespace ergodome

@@ -1,0 +1,232 @@
+#include "content/stars/star_table.h"
+
+#include <csv.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t most_stars = 100'000'000;
+constexpr std::size_t longest_cell = 65'536;
+constexpr std::size_t chunk_bytes = 1U << 18U;
+
+enum Column { ra_deg, ra_hours, dec_deg, magnitude, colour, number, distance, column_count };
+
+//! Names under which catalogues have a column; HYG: ra in hours, dec, mag, ci.
+std::optional<Column> column_named(std::string_view name) {
+  constexpr std::pair<std::string_view, Column> names[] = {
+      {"ra_deg", ra_deg}, {"RAdeg", ra_deg}, {"ra", ra_hours},     {"dec_deg", dec_deg},
+      {"DEdeg", dec_deg}, {"dec", dec_deg},  {"v_mag", magnitude}, {"Vmag", magnitude},
+      {"mag", magnitude}, {"b_v", colour},   {"B-V", colour},      {"ci", colour},
+      {"hip", number},    {"HIP", number},   {"id", number},       {"dist", distance}};
+  for (const auto& [known, column] : names) {
+    if (known == name) {
+      return column;
+    }
+  }
+  return std::nullopt;
+}
+
+//! Takes cells and rows from the parser. It must not throw through the parser's frames: the first problem is kept.
+class TableBuilder {
+ public:
+  explicit TableBuilder(std::string file) : file_(std::move(file)) {}
+
+  void take_cell(std::string_view cell) {
+    if (problem_) {
+      return;
+    }
+    if (in_header_) {
+      name_column(cell);
+    } else if (cell_ < columns_.size() && columns_[cell_]) {
+      take_number(*columns_[cell_], cell);
+    }
+    ++cell_;
+  }
+
+  //! `end` is the character that ended it; a carriage return has a line feed behind it.
+  void end_row(int end) {
+    if (!problem_ && cell_ > 0) {
+      in_header_ ? end_header() : end_star();
+    }
+    line_ += end != '\r' ? 1 : 0;
+    cell_ = 0;
+    values_.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  //! Throws the first problem.
+  void check() const {
+    if (problem_) {
+      throw Error(*problem_);
+    }
+  }
+
+  StarCatalogue take() {
+    check();
+    if (in_header_) {
+      throw Error(file_, "is empty", "name the columns in its first line: ra_deg,dec_deg,v_mag,b_v");
+    }
+    sort_by_brightness(catalogue_.stars);
+    return std::move(catalogue_);
+  }
+
+  void fail(const std::string& problem, const std::string& remedy) {
+    if (!problem_) {
+      problem_ = Error(fmt::format("{}:{}", file_, line_), problem, remedy);
+    }
+  }
+
+ private:
+  void name_column(std::string_view cell) {
+    if (cell_ == 0 && cell.starts_with("\xEF\xBB\xBF")) {
+      cell.remove_prefix(3);
+    }
+    auto column = column_named(cell);
+    // The first of several names wins: HYG has hip after id, but a star is known by its first number.
+    if (column && *column == number && has_[number]) {
+      column.reset();
+    }
+    if (column) {
+      has_[*column] = true;
+    }
+    if (columns_.size() < 4096) {
+      columns_.push_back(column);
+    }
+  }
+
+  void end_header() {
+    in_header_ = false;
+    values_.fill(std::numeric_limits<double>::quiet_NaN());
+    if (!(has_[ra_deg] || has_[ra_hours]) || !has_[dec_deg] || !has_[magnitude]) {
+      fail("does not name the columns of a star catalogue",
+           "name them in the first line: ra_deg (or ra, in hours), dec_deg (or dec), v_mag (or mag), b_v (or ci)");
+    }
+  }
+
+  void take_number(Column column, std::string_view cell) {
+    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '+')) {
+      cell.remove_prefix(1);
+    }
+    while (!cell.empty() && cell.back() == ' ') {
+      cell.remove_suffix(1);
+    }
+    if (cell.empty()) {
+      return;
+    }
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size()) {
+      fail(fmt::format("has \"{}\" where a number should be", cell.substr(0, 40)), "write a number, or nothing");
+      return;
+    }
+    values_[column] = value;
+  }
+
+  void end_star() {
+    const double ra = has_[ra_deg] ? values_[ra_deg] : 15.0 * values_[ra_hours];
+    const double dec = values_[dec_deg];
+    const double v_mag = values_[magnitude];
+    const bool sun = has_[distance] && values_[distance] == 0.0;
+    if (!std::isfinite(ra) || !std::isfinite(dec) || !std::isfinite(v_mag) || sun) {
+      ++catalogue_.left_out;
+      return;
+    }
+    if (std::abs(dec) > 90.0 || std::abs(ra) > 360.0) {
+      return fail(fmt::format("has a star at right ascension {} deg, declination {} deg", ra, dec),
+                  "places are within 360 and 90 degrees; a column ra is in hours, ra_deg in degrees");
+    }
+    if (v_mag < -30.0 || v_mag > 60.0) {
+      return fail(fmt::format("has a star of magnitude {}", v_mag), "magnitudes are between -30 and 60");
+    }
+    if (catalogue_.stars.size() >= most_stars) {
+      return fail("has more than 100 million stars", "leave the faint ones out");
+    }
+    const double own = values_[number];
+    const bool counted = own >= 0.0 && own <= 4e9;
+    const double b_v = std::isfinite(values_[colour]) ? values_[colour] : std::numeric_limits<double>::quiet_NaN();
+    catalogue_.stars.push_back({counted ? static_cast<std::uint32_t>(own) : 0U, std::fmod(ra + 360.0, 360.0), dec,
+                                static_cast<float>(v_mag), static_cast<float>(b_v)});
+  }
+
+  std::string file_;
+  std::size_t line_ = 1;
+  std::size_t cell_ = 0;
+  bool in_header_ = true;
+  std::vector<std::optional<Column>> columns_;
+  std::array<bool, column_count> has_{};
+  std::array<double, column_count> values_{};
+  StarCatalogue catalogue_;
+  std::optional<Error> problem_;
+};
+
+//! The library's parser, freed at the end.
+class CsvParser {
+ public:
+  CsvParser() {
+    if (csv_init(&parser_, CSV_REPALL_NL) != 0) {
+      throw std::bad_alloc();
+    }
+  }
+  ~CsvParser() { csv_free(&parser_); }
+  CsvParser(const CsvParser&) = delete;
+  CsvParser& operator=(const CsvParser&) = delete;
+
+  void parse(std::string_view text, TableBuilder& table) {
+    if (csv_parse(&parser_, text.data(), text.size(), &take_cell, &end_row, &table) != text.size()) {
+      table.fail(csv_strerror(csv_error(&parser_)), "write comma-separated values");
+    }
+    // A quote that is never closed swallows the rest of the file.
+    if (csv_get_buffer_size(&parser_) > longest_cell) {
+      table.fail("has a cell of more than 64 KiB", "close the quotes");
+    }
+  }
+
+  void finish(TableBuilder& table) { csv_fini(&parser_, &take_cell, &end_row, &table); }
+
+ private:
+  static void take_cell(void* cell, std::size_t length, void* table) {
+    static_cast<TableBuilder*>(table)->take_cell({static_cast<const char*>(cell), cell != nullptr ? length : 0});
+  }
+  static void end_row(int end, void* table) { static_cast<TableBuilder*>(table)->end_row(end); }
+
+  csv_parser parser_{};
+};
+
+}  // namespace
+
+StarCatalogue parse_star_table(std::istream& stream, const std::string& file) {
+  TableBuilder table(file);
+  CsvParser parser;
+  std::string chunk(chunk_bytes, '\0');
+  while (stream) {
+    stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    parser.parse({chunk.data(), static_cast<std::size_t>(stream.gcount())}, table);
+    table.check();
+  }
+  if (stream.bad()) {
+    throw Error(file, "cannot be read", "check its disk");
+  }
+  parser.finish(table);
+  return table.take();
+}
+
+StarCatalogue read_star_table(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw Error(path.string(), "cannot be opened", "check the path and its permissions");
+  }
+  return parse_star_table(stream, path.string());
+}
+
+}  // namespace ergodome

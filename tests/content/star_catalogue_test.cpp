@@ -1,0 +1,175 @@
+#include "content/stars/star_catalogue.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "content/bytes.h"
+#include "content/stars/star_file.h"
+#include "content/stars/star_table.h"
+#include "tests/content/errors.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+StarCatalogue parse(const std::string& text) {
+  std::istringstream stream(text);
+  return parse_star_table(stream, "stars.csv");
+}
+
+std::string problem_of(const std::string& text) {
+  return test::error_of([&] { parse(text); });
+}
+
+StarCatalogue built_in(const std::string& name) {
+  Show show;
+  show.sky.stars = name;
+  return load_stars(show);
+}
+
+const CatalogueStar& star(const StarCatalogue& catalogue, std::uint32_t number) {
+  return *std::ranges::find(catalogue.stars, number, &CatalogueStar::number);
+}
+
+TEST(StarCatalogue, BuiltInStarsAreTheHipparcosStars) {
+  const StarCatalogue all = built_in("all_stars");
+  ASSERT_EQ(all.stars.size(), 118'216U);
+  EXPECT_EQ(std::ranges::count_if(all.stars, [](const CatalogueStar& s) { return std::isnan(s.b_v); }), 1279);
+  // Published values of four stars of different places and colours.
+  const CatalogueStar& sirius = star(all, 32349);
+  EXPECT_NEAR(sirius.v_mag, -1.44F, 1e-6F);
+  EXPECT_NEAR(sirius.b_v, 0.009F, 1e-6F);
+  EXPECT_NEAR(sirius.ra_deg, 101.2872, 1e-6);
+  EXPECT_NEAR(sirius.dec_deg, -16.7161, 1e-6);
+  EXPECT_NEAR(star(all, 91262).ra_deg, 360.0 - 80.7653, 1e-6);
+  EXPECT_NEAR(star(all, 27989).b_v, 1.500F, 1e-6F);
+  EXPECT_NEAR(star(all, 11767).dec_deg, 89.2641, 1e-6);
+}
+
+TEST(StarCatalogue, BrightStarsAreThoseThatTheEyeSees) {
+  const StarCatalogue bright = built_in("bright_stars");
+  EXPECT_GT(bright.stars.size(), 8'500U);
+  EXPECT_LT(bright.stars.size(), 9'200U);
+  EXPECT_LE(bright.stars.back().v_mag, 6.5F);
+  EXPECT_TRUE(std::ranges::is_sorted(bright.stars, {}, &CatalogueStar::v_mag));
+}
+
+TEST(StarCatalogue, NoNameIsNoStars) { EXPECT_TRUE(built_in("").stars.empty()); }
+
+TEST(StarCatalogue, PlacesAreEquatorialDirections) {
+  const Vector3<double> pole = equatorial_direction(123.0, 90.0);
+  EXPECT_NEAR(pole.z, 1.0, 1e-15);
+  const Vector3<double> six_hours = equatorial_direction(90.0, 0.0);
+  EXPECT_NEAR(six_hours.y, 1.0, 1e-15);
+}
+
+TEST(StarTable, ReadsItsOwnColumnsInAnyOrder) {
+  const StarCatalogue read = parse("v_mag,b_v,dec_deg,hip,ra_deg\n2.5,0.6,-10,7,350.25\n-1.4,,20,8,-10\n");
+  ASSERT_EQ(read.stars.size(), 2U);
+  EXPECT_EQ(read.stars[0].number, 8U);
+  EXPECT_TRUE(std::isnan(read.stars[0].b_v));
+  EXPECT_DOUBLE_EQ(read.stars[0].ra_deg, 350.0);
+  EXPECT_EQ(read.stars[1].number, 7U);
+  EXPECT_DOUBLE_EQ(read.stars[1].dec_deg, -10.0);
+}
+
+TEST(StarTable, ReadsHygWithHoursQuotesAndTheSunLeftOut) {
+  const StarCatalogue read = parse(
+      "\"id\",\"hip\",\"proper\",\"ra\",\"dec\",\"dist\",\"mag\",\"ci\"\r\n"
+      "0,,\"Sol\",0.0,0.0,0.0,-26.7,0.656\r\n"
+      "32263,32349,\"Sirius, the \"\"dog\"\"\",6.752481,-16.716116,2.6371,-1.44,0.009\r\n");
+  ASSERT_EQ(read.stars.size(), 1U);
+  EXPECT_EQ(read.left_out, 1U);
+  EXPECT_NEAR(read.stars[0].ra_deg, 101.2872, 1e-4);
+  EXPECT_EQ(read.stars[0].number, 32263U);
+}
+
+TEST(StarTable, RowsWithoutPlaceOrMagnitudeAreCounted) {
+  const StarCatalogue read = parse("ra_deg,dec_deg,v_mag\n1,2,nan\n,2,3\n1,inf,3\n1,2\n1,2,3\n");
+  EXPECT_EQ(read.stars.size(), 1U);
+  EXPECT_EQ(read.left_out, 4U);
+}
+
+TEST(StarTable, HeaderAloneIsACatalogueWithoutStars) { EXPECT_TRUE(parse("ra_deg,dec_deg,v_mag\n").stars.empty()); }
+
+TEST(StarTable, ByteOrderMarkAndMissingLastNewlineDoNoHarm) {
+  EXPECT_EQ(parse("\xEF\xBB\xBFra_deg,dec_deg,v_mag\n1,2,3").stars.size(), 1U);
+}
+
+TEST(StarTable, EmptyFileIsAnError) { EXPECT_THAT(problem_of(""), HasSubstr("stars.csv: is empty")); }
+
+TEST(StarTable, MissingColumnIsNamed) {
+  EXPECT_THAT(problem_of("ra_deg,mag\n1,2\n"), AllOf(HasSubstr("stars.csv:1"), HasSubstr("dec_deg")));
+}
+
+TEST(StarTable, TextForANumberIsAnErrorWithItsLine) {
+  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,2,3\n1,two,3\n"), AllOf(HasSubstr("stars.csv:3"), HasSubstr("two")));
+}
+
+TEST(StarTable, PlaceOffTheSphereIsAnError) {
+  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,91,3\n"), HasSubstr("declination 91"));
+}
+
+TEST(StarTable, MagnitudeOfNoStarIsAnError) {
+  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,1,-300\n"), HasSubstr("magnitude -300"));
+}
+
+TEST(StarTable, UnclosedQuoteDoesNotSwallowTheFile) {
+  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,2,\"" + std::string(400'000, 'x')), HasSubstr("64 KiB"));
+}
+
+class StarFile : public test::FolderTest {
+ protected:
+  std::filesystem::path written() {
+    const auto path = folder_ / "some.stars";
+    write_star_file(
+        parse("hip,ra_deg,dec_deg,v_mag,b_v\n1,0,90,1.001,0.5\n2,359.9999999,-90,-1.4,\n3,10.1234567,5,8,-0.4\n"),
+        path);
+    return path;
+  }
+
+  static Bytes bytes_of(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto raw = std::as_bytes(std::span(text));
+    return {raw.begin(), raw.end()};
+  }
+};
+
+TEST_F(StarFile, GivesBackWhatWasWritten) {
+  const StarCatalogue read = read_stars(written());
+  ASSERT_EQ(read.stars.size(), 3U);
+  EXPECT_EQ(read.name, "some");
+  EXPECT_EQ(read.stars[0].number, 2U);
+  EXPECT_NEAR(read.stars[0].ra_deg, 359.9999999, 1e-9);
+  EXPECT_TRUE(std::isnan(read.stars[0].b_v));
+  EXPECT_NEAR(read.stars[1].v_mag, 1.001F, 1e-6F);
+  EXPECT_NEAR(read.stars[2].ra_deg, 10.1234567, 1e-9);
+}
+
+TEST_F(StarFile, EveryFlippedByteIsNoticed) {
+  const Bytes good = bytes_of(written());
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    Bytes bad = good;
+    bad[i] ^= std::byte{0x10};
+    EXPECT_THROW(parse_star_file(bad, "bad"), Error) << i;
+  }
+}
+
+TEST_F(StarFile, EveryCutIsNoticed) {
+  const Bytes good = bytes_of(written());
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    EXPECT_THROW(parse_star_file(std::span(good).first(size), "cut"), Error) << size;
+  }
+}
+
+}  // namespace
+}  // namespace ergodome
