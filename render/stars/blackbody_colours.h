@@ -1,0 +1,25 @@
+#pragma once
+
+#include "kernels/sky/blackbody.h"
+#include "render/backend/buffer.h"
+
+namespace ergodome {
+
+//! The colours of blackbodies from 300 K to 10 million K, where the kernels of a backend can read them. Planck's law is integrated with
+//! the matching functions; reading between entries is good to 1e-4 of the luminance.
+class BlackbodyColours {
+ public:
+  explicit BlackbodyColours(Backend backend);
+
+  //! The table; it points into this object.
+  [[nodiscard]] BlackbodyTable view() const { return {entries_.data(), count, first_, step_}; }
+
+ private:
+  static constexpr int count = 4096;
+
+  float first_;
+  float step_;
+  Buffer<float> entries_;
+};
+
+}  // namespace ergodome
