@@ -44,8 +44,8 @@ bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, bool be
   if (mode != ViewMode::sky) {
     return run(ShadeHeatMap{on_host}, ShadeHeatMap{on_device});
   }
-  return beaming ? run(ShadeSky<true>{on_host}, ShadeSky<true>{on_device})
-                 : run(ShadeSky<false>{on_host}, ShadeSky<false>{on_device});
+  return beaming ? run(ShadeSky<float, true>{on_host}, ShadeSky<float, true>{on_device})
+                 : run(ShadeSky<float, false>{on_host}, ShadeSky<float, false>{on_device});
 }
 
 bool check_size(int size, bool compare_all) {
