@@ -14,11 +14,8 @@ double frame_time_s(const Show& show, int frame) { return frame / show.frame_rat
 
 std::vector<std::string> missing_features(const Show& show) {
   std::vector<std::string> missing;
-  if (!show.sky.stars.empty()) {
-    missing.emplace_back("stars as points are not drawn yet (sky.stars); the map is");
-  }
-  if (show.effects.magnification || show.effects.psf || show.effects.trails) {
-    missing.emplace_back("magnification, psf and trails act on stars, which are not drawn yet (effects)");
+  if (show.effects.trails) {
+    missing.emplace_back("trails of stars are not drawn yet (effects.trails)");
   }
   if (show.view.projection == ViewProjection::cube || show.view.projection == ViewProjection::cylinder) {
     missing.emplace_back("the projections cube and cylinder are not there yet (view.projection)");

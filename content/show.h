@@ -36,6 +36,7 @@ struct CameraSettings {
 struct SkySettings {
   std::string map = "milky_way";    //!< a built-in name, or a path relative to the show
   std::string stars;                //!< a built-in name, a path, or empty: no stars
+  double faintest_mag = 10.0;       //!< images of stars fainter than this, as they are seen, are left out
   double spin_axis_ra_deg = 270.0;  //!< where the hole's spin axis points, J2000
   double spin_axis_dec_deg = 66.6;
   double exposure = 1.0;  //!< factor on the map's light

@@ -126,6 +126,7 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
   TomlTable reader(table, file, "sky");
   sky.map = reader.text("map", sky.map);
   sky.stars = reader.text("stars", sky.stars);
+  sky.faintest_mag = reader.number("faintest_mag", sky.faintest_mag, -30.0, 60.0);
   sky.exposure = reader.number("exposure", sky.exposure, 0.0, 1e12);
   if (const toml::table* axis = reader.table("spin_axis")) {
     TomlTable direction(*axis, file, "sky.spin_axis");

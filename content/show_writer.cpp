@@ -69,6 +69,7 @@ std::string to_toml(const Show& show) {
                          {"camera", camera_of(show.camera)},
                          {"sky", toml::table{{"map", show.sky.map},
                                              {"stars", show.sky.stars},
+                                             {"faintest_mag", show.sky.faintest_mag},
                                              {"exposure", show.sky.exposure},
                                              {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
                                                                        {"dec_deg", show.sky.spin_axis_dec_deg}}}}},

@@ -105,6 +105,14 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
   run_on_cpu(active_table().read_quadtree_pixels, batch, pixels, 1, 16 * grain);
 }
 
+void find_star_images(const StarImageBatch<float>& batch) {
+  run_on_cpu(active_table().find_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
+}
+
+void find_star_images(const StarImageBatch<double>& batch) {
+  run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);

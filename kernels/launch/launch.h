@@ -42,6 +42,10 @@ void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch);
 //! Reads the pixels of an image from quadtree grids; see QuadtreePixelBatch. On the CPU alone, as the baseline that it is.
 void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 
+//! Finds images of stars on the processor, in host memory; see StarImageBatch.
+void find_star_images(const StarImageBatch<float>& batch);
+void find_star_images(const StarImageBatch<double>& batch);
+
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 

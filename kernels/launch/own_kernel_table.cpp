@@ -5,6 +5,7 @@
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
+#include "kernels/stars/star_images_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -54,6 +55,8 @@ const KernelTable& own_kernel_table() {
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,
+      &run<FindStarImages<WidePack<float>>, StarImageBatch<float>>,
+      &run<FindStarImages<WidePack<double>>, StarImageBatch<double>>,
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
   };

@@ -70,6 +70,28 @@ ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& project
   return direction_from_pinhole(projection.pinhole, x, y);
 }
 
+//! Pixel position of a view direction: the inverse. False where the projection has none: beside and behind a flat screen.
+ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<double>& view, double& x_px,
+                                  double& y_px) {
+  double x = 0.0;
+  double y = 0.0;
+  switch (projection.kind) {
+    case ProjectionKind::dome_fisheye:
+      fisheye_from_direction(projection.dome, view, x, y);
+      break;
+    case ProjectionKind::equirectangular:
+      equirectangular_from_direction(view, x, y);
+      break;
+    case ProjectionKind::pinhole:
+      if (!pinhole_from_direction(projection.pinhole, view, x, y)) {
+        return false;
+      }
+  }
+  x_px = 0.5 * (x + 1.0) * projection.width_px;
+  y_px = 0.5 * (1.0 - y) * projection.height_px;
+  return true;
+}
+
 //! Fraction of a pixel that the image covers: 1, but for a fisheye falling to 0 across the rim of its circle.
 template <class T>
 ERGO_HD T image_coverage(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {

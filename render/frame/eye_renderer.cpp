@@ -96,6 +96,12 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
   return shade;
 }
 
+std::vector<StarImage> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
+                                               const PictureSettings& settings) {
+  const bool wanted = settings.stars != nullptr && settings.mode == ViewMode::sky;
+  return wanted ? settings.stars->find(eye, projection) : std::vector<StarImage>();
+}
+
 const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                           const PictureSettings& settings, const char** lens) {
   const std::size_t pixels =
@@ -104,10 +110,26 @@ const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection
   const auto source = lenses_.choose(
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   render_rows(*source, shade, projection.width_px, 0, projection.height_px);
+  const std::vector<StarImage> stars = find_stars(eye, projection, settings);
+  if (!stars.empty()) {
+    draw_stars_in_place(stars, eye, projection, *settings.stars);
+  }
   if (lens != nullptr) {
     *lens = source->name();
   }
   return rgba_.data();
+}
+
+void EyeRenderer::draw_stars_in_place(const std::vector<StarImage>& stars, const EyeCamera& eye,
+                                      const Projection& projection, const StarPass& pass) {
+  if (backend_ == Backend::cpu) {
+    return pass.draw(stars, eye, projection, 0, projection.height_px, rgba_.data());
+  }
+  std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
+                             static_cast<std::size_t>(projection.height_px));
+  rgba_.read(picture.data(), picture.size());
+  pass.draw(stars, eye, projection, 0, projection.height_px, picture.data());
+  rgba_.write(picture.data(), picture.size());
 }
 
 Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
@@ -127,12 +149,18 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   picture.lens = source->name();
   picture.behind = source->behind();
+  const std::vector<StarImage> stars = find_stars(eye, projection, settings);
+  picture.star_images = static_cast<long>(stars.size());
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
     const std::size_t pixels = width * static_cast<std::size_t>(rows);
     render_rows(*source, shade, projection.width_px, row, rows);
     rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
+    if (!stars.empty()) {
+      settings.stars->draw(stars, eye, projection, row, rows,
+                           picture.rgba.data() + 4 * width * static_cast<std::size_t>(row));
+    }
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
                                                [](float e) { return e < 0.0F; });

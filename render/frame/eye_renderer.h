@@ -6,6 +6,7 @@
 #include "render/backend/buffer.h"
 #include "render/lens/lens_chooser.h"
 #include "render/sky/sky_cube.h"
+#include "render/stars/star_pass.h"
 
 namespace ergodome {
 
@@ -18,6 +19,7 @@ struct PictureSettings {
   LensAccuracy accuracy{};
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
+  StarPass* stars = nullptr;  //!< drawn where they are given, on the sky's own view
 };
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
@@ -34,6 +36,7 @@ struct Picture {
   std::vector<float> rgba;
   const char* lens = "";       //!< where the lens came from: LensSource::name()
   bool behind = false;         //!< LensSource::behind()
+  long star_images = 0;        //!< images of stars that were found, on the screen or not
   long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
   std::optional<HeatRange> heat_range;
 };
@@ -63,6 +66,14 @@ class EyeRenderer {
 
   //! Renders rows [row, row + rows) of `width_px` pixels into rgba_.
   void render_rows(const LensSource& source, ShadeBatch& shade, int width_px, int row, int rows);
+
+  //! The images of stars that a picture shows.
+  static std::vector<StarImage> find_stars(const EyeCamera& eye, const Projection& projection,
+                                           const PictureSettings& settings);
+
+  //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
+  void draw_stars_in_place(const std::vector<StarImage>& stars, const EyeCamera& eye, const Projection& projection,
+                           const StarPass& pass);
 
   //! Makes room for the channels that the picture calls for, and no others.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings);

@@ -18,6 +18,7 @@ Picture joined(const Picture& first, const Picture& second, int columns) {
   whole.width = first.width * columns;
   whole.height = first.height * (3 - columns);
   whole.unresolved_pixels = first.unresolved_pixels + second.unresolved_pixels;
+  whole.star_images = first.star_images + second.star_images;
   whole.heat_range = first.heat_range;
   whole.lens = first.lens;
   whole.rgba.resize(first.rgba.size() + second.rgba.size());
@@ -71,6 +72,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       lens_(lens),
       stream_(std::move(stream)),
       sky_(backend, load_sky_map(show), sky_from_map(show.sky)),
+      stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show)),
       renderer_(backend, stream_) {}
 
 std::optional<StreamStatistics> ShowRenderer::stream_statistics() const {
@@ -86,6 +88,7 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
+  settings.stars = stars_.get();
   return settings;
 }
 

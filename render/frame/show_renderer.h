@@ -64,6 +64,7 @@ class ShowRenderer {
   LensChoice lens_;
   std::shared_ptr<StationStream> stream_;
   SkyCube sky_;
+  std::unique_ptr<StarPass> stars_;  //!< where the show has any
   EyeRenderer renderer_;
 };
 

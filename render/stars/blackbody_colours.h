@@ -15,7 +15,7 @@ class BlackbodyColours {
   [[nodiscard]] BlackbodyTable view() const { return {entries_.data(), count, first_, step_}; }
 
  private:
-  static constexpr int count = 4096;
+  static constexpr int count = 2048;
 
   float first_;
   float step_;

@@ -129,7 +129,7 @@ TEST(StarTable, UnclosedQuoteDoesNotSwallowTheFile) {
 class StarFile : public test::FolderTest {
  protected:
   std::filesystem::path written() {
-    const auto path = folder_ / "some.stars";
+    auto path = folder_ / "some.stars";
     write_star_file(
         parse("hip,ra_deg,dec_deg,v_mag,b_v\n1,0,90,1.001,0.5\n2,359.9999999,-90,-1.4,\n3,10.1234567,5,8,-0.4\n"),
         path);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "kernels/geodesic/integration_settings.h"
+#include "kernels/metric/camera_station.h"
+
+namespace ergodome {
+
+//! Images of stars that are known roughly, to be found exactly. Arrays hold `count` elements.
+template <class S>
+struct StarImageBatch {
+  CameraStationOf<S> camera;  //!< directions are in its observer's frame, stars as from φ = 0
+  IntegrationSettings settings;
+  S tolerance;  //!< how far the last step may still have moved an image [rad]
+  int count;
+  const S* star[3];  //!< unit vectors to the stars on the sky
+  S* direction[3];   //!< unit vectors; near the image before, the image after
+  S* solid_angle;  //!< signed by parity: the sky's solid angle over the camera's, so that 1 / |..| is the magnification
+  S* stretch;      //!< sum of the squares of both singular values of the map from the camera's sky to the stars'
+  S* frequency_ratio;  //!< g = ν_observed / ν_emitted
+  S* miss;  //!< angle on the camera's sky by which the star was missed in the end [rad]; huge where no light came
+};
+
+}  // namespace ergodome

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "kernels/geodesic/taylor.h"
+#include "kernels/stars/star_images.h"
+#include "kernels/trace/trace_pixels_kernel.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Finds images of stars by Newton's method on traced rays; index i stands for the images i * lanes, i * lanes + 1, ...
+//!
+//! A ray with its derivatives along two directions across it tells where the image is to first order; a few of them tell it to the
+//! precision of the rays, and the last one's Jacobian is that of the image.
+template <class T>
+struct FindStarImages {
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+
+  StarImageBatch<S> batch;
+
+  ERGO_HD void operator()(int index) const {
+    constexpr int most_rounds = 6;
+    const int first = index * RealTraits<T>::lane_count;
+    const Vector3<T> star = load(batch.star, first);
+    State at = {load(batch.direction, first), T(S(0)), T(S(0)), T(S(1)), T(S(1e30))};
+    MaskOf<T> open = T(S(0)) < T(S(1));
+    for (int round = 0; round < most_rounds && any(open); ++round) {
+      const State next = step(at, star);
+      at = {{select(open, next.n.x, at.n.x), select(open, next.n.y, at.n.y), select(open, next.n.z, at.n.z)},
+            select(open, next.solid_angle, at.solid_angle),
+            select(open, next.stretch, at.stretch),
+            select(open, next.frequency_ratio, at.frequency_ratio),
+            select(open, next.miss, at.miss)};
+      // A ray that did not come from the sky will not the next time either.
+      open = open & (at.miss > T(S(batch.tolerance))) & (at.miss < T(S(1e29)));
+    }
+    const auto store = [&](S* to, const T& value) { store_lanes(to, first, batch.count, value); };
+    store(batch.direction[0], at.n.x);
+    store(batch.direction[1], at.n.y);
+    store(batch.direction[2], at.n.z);
+    store(batch.solid_angle, at.solid_angle);
+    store(batch.stretch, at.stretch);
+    store(batch.frequency_ratio, at.frequency_ratio);
+    store(batch.miss, at.miss);
+  }
+
+ private:
+  struct State {
+    Vector3<T> n;
+    T solid_angle;
+    T stretch;
+    T frequency_ratio;
+    T miss;
+  };
+
+  template <class Part>
+  ERGO_HD Vector3<T> load(Part* const (&from)[3], int first) const {
+    return {load_lanes<T>(from[0], first, batch.count), load_lanes<T>(from[1], first, batch.count),
+            load_lanes<T>(from[2], first, batch.count)};
+  }
+
+  ERGO_HD State step(const State& at, const Vector3<T>& star) const {
+    const T zero(S(0));
+    const T one(S(1));
+    const Vector3<T>& n = at.n;
+    // Two directions across n.
+    const auto steep = absolute(n.z) < T(S(0.9));
+    const Vector3<T> axis = {select(steep, zero, one), zero, select(steep, one, zero)};
+    const Vector3<T> across = cross(axis, n);
+    const Vector3<T> e1 = (one / sqrt(dot(across, across))) * across;
+    const Vector3<T> e2 = cross(n, e1);
+    const RayStart<D> start =
+        start_ray(batch.camera, Vector3<D>{{n.x, e1.x, e2.x}, {n.y, e1.y, e2.y}, {n.z, e1.z, e2.z}});
+    const MaskOf<T> bright = comes_from_sky(batch.camera.spin, batch.camera.horizon_r, plain_start(start));
+    MaskOf<T> reached = bright;
+    T steps = zero;
+    const Vector3<D> sky =
+        trace_taylor<picture_order>(batch.camera.spin, start, bright, batch.settings, steps, reached).sky;
+    const Vector3<T> j1 = {sky.x.along_x, sky.y.along_x, sky.z.along_x};
+    const Vector3<T> j2 = {sky.x.along_y, sky.y.along_y, sky.z.along_y};
+    const Vector3<T> seen = {sky.x.value, sky.y.value, sky.z.value};
+    const Vector3<T> missing = star - seen;
+    const Vector3<T> normal = cross(j1, j2);
+    const T square = dot(normal, normal);
+    const T p = dot(j1, missing);
+    const T q = dot(j2, missing);
+    const T inverse = one / maximum(square, T(S(1e-30)));
+    T x = (dot(j2, j2) * p - dot(j1, j2) * q) * inverse;
+    T y = (dot(j1, j1) * q - dot(j1, j2) * p) * inverse;
+    const T length = sqrt(x * x + y * y);
+    // Farther than this the first order means nothing.
+    const T part = minimum(T(S(0.1)) / maximum(length, T(S(1e-30))), one);
+    x = select(reached, x * part, zero);
+    y = select(reached, y * part, zero);
+    const Vector3<T> moved = n + x * e1 + y * e2;
+    const T side = dot(normal, seen);
+    const T area = sqrt(square);
+    return {(one / sqrt(dot(moved, moved))) * moved, select(side < zero, -area, area), dot(j1, j1) + dot(j2, j2),
+            one / start.energy.value, select(reached & (length < T(S(1e20))), length, T(S(1e30)))};
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

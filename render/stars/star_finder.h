@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "kernels/sky/blackbody.h"
+#include "render/lens/eye_camera.h"
+#include "render/stars/star_patches.h"
+
+namespace ergodome {
+
+//! An image of a star on a camera's sky.
+struct StarImage {
+  int star;                    //!< in the field
+  Vector3<float> direction;    //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
+  float magnification;         //!< of the solid angle; negative where the image is turned over
+  float frequency_ratio;       //!< g = ν_observed / ν_emitted
+  Vector3<float> illuminance;  //!< linear sRGB whose luminance part is in lx
+};
+
+//! Which images to find, and how well.
+struct StarSettings {
+  double pixel = 3e-3;        //!< angle of a pixel on the screen [rad]
+  float faintest = 1e-11F;    //!< illuminance of an image, below which it is left out [lx]
+  bool redshift = true;       //!< light is shifted and beamed
+  bool magnification = true;  //!< images are as bright as the lens makes them; else as bright as the star
+};
+
+//! Turns a lens grid round for an eye at its place: `station` and what it is for are those of find_star_images.
+StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
+                         const LensStation& station, const StarSettings& settings);
+
+//! Finds all images of all stars that shine with the asked illuminance.
+//!
+//! The grid that `patches` were made of, by `station` (for the eye's own place), says roughly where images are; traced rays say exactly.
+//! An image is found once, and images that merge at a caustic are capped by the size of the star's disk.
+std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
+                                        const LensStation& station, const StarPatches& patches,
+                                        const StarSettings& settings);
+
+}  // namespace ergodome

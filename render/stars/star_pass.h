@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+
+#include "content/show.h"
+#include "render/lens/grid_tracer.h"
+#include "render/stars/blackbody_colours.h"
+#include "render/stars/star_finder.h"
+#include "render/stars/star_splat.h"
+
+namespace ergodome {
+
+//! Luminance that a picture value of 1 stands for, before exposure [cd/m²]: the built-in Milky Way, whose mean over the sky is then the
+//! light of all faint stars together (some 85 stars of magnitude 10 a square degree), its brightest clouds 20 mag a square arcsecond.
+inline constexpr double luminance_of_white = 0.0114;
+
+//! Draws the stars of a show. Keeps the last lens grids turned round: a camera that turns, moves otherwise or goes round the axis needs
+//! no new one.
+class StarPass {
+ public:
+  //! Loads the catalogue. Throws Error when it cannot be read.
+  explicit StarPass(const Show& show);
+
+  //! Finds the images for an eye; they are exact whatever the map's lens is.
+  std::vector<StarImage> find(const EyeCamera& eye, const Projection& projection);
+
+  //! Adds them to rows of a picture in host memory.
+  void draw(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection, int first_row,
+            int row_count, float* rgba) const;
+
+  [[nodiscard]] const StarField& field() const { return field_; }
+
+ private:
+  //! A grid that was turned round.
+  struct Turned {
+    double spin;
+    double r;
+    double theta;
+    double pixel;
+    ObserverMotion motion;
+    Vector3<double> velocity;
+    LensStation station;
+    StarPatches patches;
+  };
+
+  const Turned& patches_for(const EyeCamera& eye, const StarSettings& settings);
+
+  BlackbodyColours colours_;
+  StarField field_;
+  StarSettings settings_;
+  SplatSettings splat_;
+  GridTracer<float> tracer_;
+  std::vector<Turned> turned_;  //!< of the last eyes
+};
+
+}  // namespace ergodome
