@@ -70,8 +70,10 @@ SkyCell empty_cell(int level, int index) {
   for (int at = 0; at < level; ++at) {
     const int child = face % 4;
     face /= 4;
-    x = 0.5 * (x + (child % 2));
-    y = 0.5 * (y + (child / 2));
+    const int right = child % 2;
+    const int up = child / 2;
+    x = 0.5 * (x + right);
+    y = 0.5 * (y + up);
     size *= 0.5;
   }
   const auto direction = [&](double across, double up) {

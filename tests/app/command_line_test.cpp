@@ -165,8 +165,8 @@ TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   write("bad.toml", std::string(small_show) + "[stars]\n");
   EXPECT_EQ(run("render bad.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("bad.toml:13"));
-  write("stars.toml", std::string(small_show) + "[effects]\npsf = { sigma_px = 0.5 }\n");
-  EXPECT_EQ(run("render stars.toml"), 1);
+  write("trails.toml", std::string(small_show) + "[effects]\ntrails = { shutter_s = 0.5 }\n");
+  EXPECT_EQ(run("render trails.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("not drawn yet"));
   write("map.toml", "[camera]\n[[camera.key]]\nr=9\n[sky]\nmap = \"absent.exr\"\n");
   EXPECT_EQ(run("render map.toml"), 1);
