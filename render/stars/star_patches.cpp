@@ -10,10 +10,6 @@ namespace {
 
 //! Halvings of a leaf at the most, for regular patches; next to a critical curve no patch is regular.
 constexpr int deepest_patch = 6;
-//! Halvings of a patch that is not regular, in search of its images.
-constexpr int deepest_search = 8;
-//! Roots of a patch that are nearer to each other are one.
-constexpr float same_root = 2e-3F;
 //! cos of the widest cone of a patch: wide ones would hold stars that they do not see.
 constexpr double widest_cosine = 0.94;
 //! How far J may be from a patch's middle J, as a part of it, for Newton's method to be safe.
@@ -23,8 +19,6 @@ constexpr float most_change = 0.6F;
 constexpr float neglected_sky = 1e-9F;
 //! What an image may be brighter than the grid makes it out to be.
 constexpr float most_grid_error = 2.0F;
-//! Images are sought so far beyond a patch, in parts of it: on borders, neither side may lose one.
-constexpr float beyond = 2e-3F;
 
 Vector3<double> point(const BezierPatch& patch, int i) {
   return {static_cast<double>(patch.x[i]), static_cast<double>(patch.y[i]), static_cast<double>(patch.z[i])};
@@ -152,81 +146,6 @@ int longer_axis(const BezierPatch& patch) {
   return distance(0, 3) + distance(12, 15) >= distance(0, 12) + distance(3, 15) ? 0 : 1;
 }
 
-//! Where a patch has p = q = 0.
-struct Root {
-  float u;
-  float v;
-};
-
-bool within(const Root& root, float u, float v, float size_u, float size_v, float margin) {
-  return root.u > u - margin * size_u && root.u < u + (1.0F + margin) * size_u && root.v > v - margin * size_v &&
-         root.v < v + (1.0F + margin) * size_v;
-}
-
-//! Halves a patch in search of all its roots.
-class RootSearch {
- public:
-  RootSearch(const PlanePatch& patch, bool one_to_one) : patch_(patch), one_to_one_(one_to_one) {}
-
-  const std::vector<Root>& run() {
-    follow(patch_, 0.0F, 0.0F, 1.0F, 1.0F, 0);
-    return roots_;
-  }
-
- private:
-  void follow(const PlanePatch& part, float u, float v, float size_u, float size_v, int depth) {
-    if ((one_to_one_ && !roots_.empty()) || !may_hold_origin(part)) {
-      return;
-    }
-    if (depth >= deepest_search) {
-      Root root = {u + 0.5F * size_u, v + 0.5F * size_v};
-      if (find_origin(patch_, root.u, root.v) && within(root, u, v, size_u, size_v, 1.0F)) {
-        add(root);
-      }
-      return;
-    }
-    const int axis = size_u >= size_v ? 0 : 1;
-    PlanePatch halves[2];
-    split(part, axis, halves[0], halves[1]);
-    (axis == 0 ? size_u : size_v) *= 0.5F;
-    follow(halves[0], u, v, size_u, size_v, depth + 1);
-    (axis == 0 ? u : v) += axis == 0 ? size_u : size_v;
-    follow(halves[1], u, v, size_u, size_v, depth + 1);
-  }
-
-  void add(const Root& root) {
-    const bool known = std::ranges::any_of(roots_, [&](const Root& other) {
-      return std::abs(other.u - root.u) < same_root && std::abs(other.v - root.v) < same_root;
-    });
-    if (!known && within(root, 0.0F, 0.0F, 1.0F, 1.0F, beyond)) {
-      roots_.push_back(root);
-    }
-  }
-
-  const PlanePatch& patch_;
-  bool one_to_one_;
-  std::vector<Root> roots_;
-};
-
-//! Calls found(u, v) for the roots of a patch.
-template <class Found>
-void find_roots(const PlanePatch& plane, PatchShape shape, const Found& found) {
-  if (!may_hold_origin(plane)) {
-    return;
-  }
-  Root root = {0.5F, 0.5F};
-  if (shape != PatchShape::folded && find_origin(plane, root.u, root.v) &&
-      within(root, 0.0F, 0.0F, 1.0F, 1.0F, beyond)) {
-    return found(root.u, root.v);
-  }
-  if (shape != PatchShape::regular) {
-    RootSearch search(plane, shape == PatchShape::bent);
-    for (const Root& each : search.run()) {
-      found(each.u, each.v);
-    }
-  }
-}
-
 }  // namespace
 
 StarPatches::StarPatches(const LensStation& station, const ImageLight& light, float least_gain)
@@ -286,6 +205,7 @@ void StarPatches::search(const StarPatch& patch, const StarField& field, const I
   const Vector3<double> axis = {cosine_phi * patch.axis.x - sine_phi * patch.axis.y,
                                 sine_phi * patch.axis.x + cosine_phi * patch.axis.y, side * patch.axis.z};
   const float least = faintest / light.greatest_gain(patch, patch.magnification);
+  std::vector<Root> roots;
   field.search(axis, patch.sine, patch.cosine, least, [&](int number) {
     const FieldStar& star = field.stars()[static_cast<std::size_t>(number)];
     if (!(star.illuminance >= least)) {
@@ -300,14 +220,16 @@ void StarPatches::search(const StarPatch& patch, const StarField& field, const I
     Vector3<double> second;
     across(own, first, second);
     const PlanePatch plane = in_plane(patch.sky, first, second);
-    find_roots(plane, patch.shape, [&](float u, float v) {
-      const float magnification = magnification_at(chart_, patch, plane, u, v);
+    roots.clear();
+    find_roots(plane, patch.shape, roots);
+    for (const Root& root : roots) {
+      const float magnification = magnification_at(chart_, patch, plane, root.u, root.v);
       if (star.illuminance * light.gain(patch, most_grid_error * magnification, star) >= faintest) {
-        const float gamma = patch.gamma_turns + u * patch.width_turns;
+        const float gamma = patch.gamma_turns + root.u * patch.width_turns;
         const float seen = mirrored ? 1.0F - gamma : gamma;
-        found.push_back({number, seen - std::floor(seen), patch.s + v * patch.height});
+        found.push_back({number, seen - std::floor(seen), patch.s + root.v * patch.height});
       }
-    });
+    }
     return true;
   });
 }

@@ -3,17 +3,10 @@
 #include <vector>
 
 #include "content/lens_station.h"
-#include "render/stars/bezier_patch.h"
+#include "render/stars/patch_roots.h"
 #include "render/stars/star_field.h"
 
 namespace ergodome {
-
-//! How a patch maps the chart to the sky.
-enum class PatchShape {
-  regular,  //!< nearly affine: Newton's method finds the only image of a star from anywhere
-  bent,     //!< one to one, but its middle does not speak for all of it
-  folded    //!< a critical curve runs through it: there may be several images, however bright
-};
 
 //! A part of a lens grid over which the lens is simple enough to be inverted.
 struct StarPatch {
