@@ -150,7 +150,6 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   picture.lens = source->name();
   picture.behind = source->behind();
   const std::vector<StarImage> stars = find_stars(eye, projection, settings);
-  picture.star_images = static_cast<long>(stars.size());
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);

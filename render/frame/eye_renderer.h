@@ -36,7 +36,6 @@ struct Picture {
   std::vector<float> rgba;
   const char* lens = "";       //!< where the lens came from: LensSource::name()
   bool behind = false;         //!< LensSource::behind()
-  long star_images = 0;        //!< images of stars that were found, on the screen or not
   long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
   std::optional<HeatRange> heat_range;
 };

@@ -18,7 +18,6 @@ Picture joined(const Picture& first, const Picture& second, int columns) {
   whole.width = first.width * columns;
   whole.height = first.height * (3 - columns);
   whole.unresolved_pixels = first.unresolved_pixels + second.unresolved_pixels;
-  whole.star_images = first.star_images + second.star_images;
   whole.heat_range = first.heat_range;
   whole.lens = first.lens;
   whole.rgba.resize(first.rgba.size() + second.rgba.size());

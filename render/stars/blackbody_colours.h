@@ -6,7 +6,8 @@
 namespace ergodome {
 
 //! The colours of blackbodies from 300 K to 10 million K, where the kernels of a backend can read them. Planck's law is integrated with
-//! the matching functions; reading between entries is good to 1e-4 of the luminance.
+//! the matching functions; reading between entries misses the luminance by 3e-4
+//! at the most, at the cold end.
 class BlackbodyColours {
  public:
   explicit BlackbodyColours(Backend backend);

@@ -20,8 +20,10 @@ constexpr float reddest = 5.0F;
 
 int depth_for(std::size_t stars) {
   int depth = 0;
-  while (depth<deepest_level&& static_cast<double>(stars)> stars_a_cell * 6.0 * std::pow(4.0, depth)) {
+  double room = 6.0 * stars_a_cell;
+  while (depth < deepest_level && room < static_cast<double>(stars)) {
     ++depth;
+    room *= 4.0;
   }
   return depth;
 }

@@ -233,11 +233,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
         observer.rain_direction(static_cast<double>(image.gamma_turns), static_cast<double>(image.s));
     candidates.push_back({image.star,
                           {cosine_phi * d.x + sine_phi * d.y, cosine_phi * d.y - sine_phi * d.x, d.z},
-                          observer.observed(near),
-                          0.0,
-                          0.0,
-                          1.0,
-                          0.0});
+                          observer.observed(near)});
   }
   refine<float>(candidates, eye, settings.pixel);
   refine_steep(candidates, eye, settings.pixel);

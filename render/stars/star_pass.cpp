@@ -12,7 +12,7 @@ namespace {
 
 //! Rays mend what the grid misses: it has to lead them to the right image, no more.
 constexpr double grid_budget_px = 1.0;
-//! Patches down to this size are made good: below, images are left to chance, and so is nothing that shines.
+//! Cells smaller than this are not refined: rays start from what they have.
 constexpr double least_area_px = 4.0;
 //! Both eyes.
 constexpr std::size_t kept = 2;

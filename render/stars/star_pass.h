@@ -28,8 +28,6 @@ class StarPass {
   void draw(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection, int first_row,
             int row_count, float* rgba) const;
 
-  [[nodiscard]] const StarField& field() const { return field_; }
-
  private:
   //! A grid that was turned round.
   struct Turned {

@@ -96,20 +96,28 @@ bool is_regular(const PlanePatch& plane) {
   return along_u + along_v < most_change;
 }
 
-//! The camera's solid angle over the sky's at a place in a patch.
-float magnification_at(const LensChart& chart, const StarPatch& patch, const PlanePatch& plane, float u, float v) {
-  const float sky = std::abs(determinant(evaluate(plane, u, v))) / (patch.width_turns * patch.height);
+//! The camera's solid angle per area of the chart at a place in a patch.
+float camera_rate(const LensChart& chart, const StarPatch& patch, float u, float v) {
   const ChartStretch<float> stretch =
       chart_stretch(chart, patch.gamma_turns + u * patch.width_turns, patch.s + v * patch.height);
-  return 6.2831853F * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y) / std::max(sky, 1e-30F);
+  return 6.2831853F * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y);
+}
+
+//! The sky's, with its sign.
+float sky_rate(const StarPatch& patch, const PlanePatch& plane, float u, float v) {
+  return determinant(evaluate(plane, u, v)) / (patch.width_turns * patch.height);
+}
+
+//! The camera's solid angle over the sky's.
+float magnification_at(const LensChart& chart, const StarPatch& patch, const PlanePatch& plane, float u, float v) {
+  return camera_rate(chart, patch, u, v) / std::max(std::abs(sky_rate(patch, plane, u, v)), 1e-30F);
 }
 
 //! What a patch does to solid angles.
 struct Stretching {
-  bool folded;  //!< turned over in parts
-  float
-      magnification;  //!< greatest ratio of the camera's to the sky's, with a margin for what lies between the samples
-  float solid_angle;  //!< of the patch on the camera's sky [sr]
+  bool folded;          //!< turned over in parts
+  float magnification;  //!< greatest ratio of the camera's to the sky's, with a margin for the gaps between samples
+  float solid_angle;    //!< of the patch on the camera's sky [sr]
 };
 
 Stretching stretching_of(const LensChart& chart, const StarPatch& patch, const PlanePatch& plane) {
@@ -122,12 +130,10 @@ Stretching stretching_of(const LensChart& chart, const StarPatch& patch, const P
     for (int j = 0; j <= steps; ++j) {
       const float u = static_cast<float>(i) / steps;
       const float v = static_cast<float>(j) / steps;
-      const float sky = determinant(evaluate(plane, u, v)) / (patch.width_turns * patch.height);
+      const float sky = sky_rate(patch, plane, u, v);
       lowest = std::min(lowest, sky);
       highest = std::max(highest, sky);
-      const ChartStretch<float> stretch =
-          chart_stretch(chart, patch.gamma_turns + u * patch.width_turns, patch.s + v * patch.height);
-      const float camera = 6.2831853F * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y);
+      const float camera = camera_rate(chart, patch, u, v);
       camera_sum += camera;
       greatest = std::max(greatest, camera / std::max(std::abs(sky), 1e-30F));
     }

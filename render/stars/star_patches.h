@@ -19,8 +19,7 @@ struct StarPatch {
   float width_turns;
   float height;
   PatchShape shape;
-  float
-      magnification;  //!< most that an image here is magnified in the rain frame; where folded, but for 1e-9 sr of the sky
+  float magnification;    //!< most of an image here, in the rain frame; where folded, but for 1e-9 sr of the sky
   float brightening;      //!< the observer's solid angles over the rain frame's, in the middle of the patch
   float frequency_ratio;  //!< g there, to the observer
 };
