@@ -113,6 +113,10 @@ void find_star_images(const StarImageBatch<double>& batch) {
   run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
+void search_patch(const PatchSearchBatch& batch) {
+  active_table().search_patch(batch, 0, index_count(batch.count, active_table().lanes_float));
+}
+
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);

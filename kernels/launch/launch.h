@@ -46,6 +46,9 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 void find_star_images(const StarImageBatch<float>& batch);
 void find_star_images(const StarImageBatch<double>& batch);
 
+//! Finds stars in a patch of a lens, on the thread that calls; see PatchSearchBatch.
+void search_patch(const PatchSearchBatch& batch);
+
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 

@@ -5,6 +5,7 @@
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
+#include "kernels/stars/patch_search_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
@@ -57,6 +58,7 @@ const KernelTable& own_kernel_table() {
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,
       &run<FindStarImages<WidePack<float>>, StarImageBatch<float>>,
       &run<FindStarImages<WidePack<double>>, StarImageBatch<double>>,
+      &run<SearchPatch<WidePack<float>>, PatchSearchBatch>,
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
   };

@@ -10,14 +10,17 @@ template <class S>
 struct StarImageBatch {
   CameraStationOf<S> camera;  //!< directions are in its observer's frame, stars as from φ = 0
   IntegrationSettings settings;
-  S tolerance;  //!< how far the last step may still have moved an image [rad]
+  S tolerance;  //!< how far images may be from where they should be [rad]
   int count;
   const S* star[3];  //!< unit vectors to the stars on the sky
-  S* direction[3];   //!< unit vectors; near the image before, the image after
+  const S*
+      edge_distance;  //!< angle from the shadow's edge to the image, about: the scale on which the map to the sky changes [rad]
+  const S* radius;  //!< of the stars' disks [rad]: next to a caustic any place within is as good as the middle
+  S* direction[3];  //!< unit vectors; near the image before, the image after
   S* solid_angle;  //!< signed by parity: the sky's solid angle over the camera's, so that 1 / |..| is the magnification
   S* stretch;      //!< sum of the squares of both singular values of the map from the camera's sky to the stars'
   S* frequency_ratio;  //!< g = ν_observed / ν_emitted
-  S* miss;  //!< angle on the camera's sky by which the star was missed in the end [rad]; huge where no light came
+  S* miss;             //!< how far the image may still be from where it should be [rad]; huge where no light came
 };
 
 }  // namespace ergodome

@@ -9,7 +9,9 @@ namespace ergodome::inline ERGO_TARGET {
 //! Finds images of stars by Newton's method on traced rays; index i stands for the images i * lanes, i * lanes + 1, ...
 //!
 //! A ray with its derivatives along two directions across it tells where the image is to first order; a few of them tell it to the
-//! precision of the rays, and the last one's Jacobian is that of the image.
+//! precision of the rays, and the last one's Jacobian is that of the image. Mostly one is enough: what a step leaves is told from how
+//! the map changes on the way, which is on the scale of the distance to the shadow's edge, times the ratio of the map's singular
+//! values.
 template <class T>
 struct FindStarImages {
   using D = Dual<T>;
@@ -18,20 +20,32 @@ struct FindStarImages {
   StarImageBatch<S> batch;
 
   ERGO_HD void operator()(int index) const {
-    constexpr int most_rounds = 6;
+    // In double for images next to caustics, which lie far from where they are sought.
+    constexpr int most_rounds = sizeof(S) == 4 ? 6 : 24;
+    constexpr int patient_rounds = 6;
+    // Of the map over the last step, as a part of it: what the magnification may be off by.
+    constexpr double most_change = 0.002;
     const int first = index * RealTraits<T>::lane_count;
     const Vector3<T> star = load(batch.star, first);
-    State at = {load(batch.direction, first), T(S(0)), T(S(0)), T(S(1)), T(S(1e30))};
+    const T radius = load_lanes<T>(batch.radius, first, batch.count);
+    const T hit_square = T(S(0.25)) * radius * radius;
+    const T scale = load_lanes<T>(batch.edge_distance, first, batch.count);
+    State at = {load(batch.direction, first), T(S(0)), T(S(0)), T(S(1)), T(S(1e30)), T(S(1))};
     MaskOf<T> open = T(S(0)) < T(S(1));
     for (int round = 0; round < most_rounds && any(open); ++round) {
-      const State next = step(at, star);
+      const State next = step(at, star, scale, hit_square);
       at = {{select(open, next.n.x, at.n.x), select(open, next.n.y, at.n.y), select(open, next.n.z, at.n.z)},
             select(open, next.solid_angle, at.solid_angle),
             select(open, next.stretch, at.stretch),
             select(open, next.frequency_ratio, at.frequency_ratio),
-            select(open, next.miss, at.miss)};
+            select(open, next.miss, at.miss),
+            select(open, next.change, at.change)};
       // A ray that did not come from the sky will not the next time either.
-      open = open & (at.miss > T(S(batch.tolerance))) & (at.miss < T(S(1e29)));
+      open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(most_change)))) & (at.miss < T(S(1e29)));
+      if (round >= patient_rounds) {
+        // What still goes far will not come to an end.
+        open = open & (at.miss < scale * S(0.02));
+      }
     }
     const auto store = [&](S* to, const T& value) { store_lanes(to, first, batch.count, value); };
     store(batch.direction[0], at.n.x);
@@ -50,6 +64,7 @@ struct FindStarImages {
     T stretch;
     T frequency_ratio;
     T miss;
+    T change;  //!< of the map over the last step, as a part of it
   };
 
   template <class Part>
@@ -58,7 +73,7 @@ struct FindStarImages {
             load_lanes<T>(from[2], first, batch.count)};
   }
 
-  ERGO_HD State step(const State& at, const Vector3<T>& star) const {
+  ERGO_HD State step(const State& at, const Vector3<T>& star, const T& scale, const T& hit_square) const {
     const T zero(S(0));
     const T one(S(1));
     const Vector3<T>& n = at.n;
@@ -83,9 +98,18 @@ struct FindStarImages {
     const T square = dot(normal, normal);
     const T p = dot(j1, missing);
     const T q = dot(j2, missing);
-    const T inverse = one / maximum(square, T(S(1e-30)));
-    T x = (dot(j2, j2) * p - dot(j1, j2) * q) * inverse;
-    T y = (dot(j1, j1) * q - dot(j1, j2) * p) * inverse;
+    // Levenberg and Marquardt's step: Newton's, but not where rounding would lead, along what hardly changes the sky.
+    const T damping(S(batch.settings.tolerance * batch.settings.tolerance));
+    const T a = dot(j1, j1) + damping;
+    const T b = dot(j1, j2);
+    const T c = dot(j2, j2) + damping;
+    const T inverse = one / maximum(square + damping * (a + c), T(S(1e-30)));
+    T x = (c * p - b * q) * inverse;
+    T y = (a * q - b * p) * inverse;
+    // Well within the star's disk: next to a caustic its middle may be far away.
+    const auto hit = dot(missing, missing) < hit_square;
+    x = select(hit, zero, x);
+    y = select(hit, zero, y);
     const T length = sqrt(x * x + y * y);
     // Farther than this the first order means nothing.
     const T part = minimum(T(S(0.1)) / maximum(length, T(S(1e-30))), one);
@@ -94,8 +118,16 @@ struct FindStarImages {
     const Vector3<T> moved = n + x * e1 + y * e2;
     const T side = dot(normal, seen);
     const T area = sqrt(square);
-    return {(one / sqrt(dot(moved, moved))) * moved, select(side < zero, -area, area), dot(j1, j1) + dot(j2, j2),
-            one / start.energy.value, select(reached & (length < T(S(1e20))), length, T(S(1e30)))};
+    const T stretch = dot(j1, j1) + dot(j2, j2);
+    const T change = minimum(length * stretch / maximum(area * scale, T(S(1e-30))), one);
+    // Below the tolerance itself there is nothing to gain.
+    const auto close = length <= T(S(batch.tolerance));
+    return {(one / sqrt(dot(moved, moved))) * moved,
+            select(side < zero, -area, area),
+            stretch,
+            one / start.energy.value,
+            select(reached & (length < T(S(1e20))), length * change, T(S(1e30))),
+            select(close, zero, change)};
   }
 };
 

@@ -82,15 +82,14 @@ SkyCell empty_cell(int level, int index) {
     const Vector3<double> d = cube_direction(face, 2.0 * (x + across * size) - 1.0, 2.0 * (y + up * size) - 1.0);
     return (1.0 / std::sqrt(dot(d, d))) * d;
   };
-  SkyCell cell{direction(0.5, 0.5), 0.0, 1.0, 0, 0, 0.0F};
+  SkyCell cell{direction(0.5, 0.5), 0.0, 0, 0, 0.0F};
+  double cosine = 1.0;
   for (const double across : {0.0, 0.5, 1.0}) {
     for (const double up : {0.0, 0.5, 1.0}) {
-      cell.cosine = std::min(cell.cosine, dot(cell.axis, direction(across, up)));
+      cosine = std::min(cosine, dot(cell.axis, direction(across, up)));
     }
   }
-  const double half_angle = 1.02 * std::acos(cell.cosine) + 1e-6;
-  cell.sine = std::sin(half_angle);
-  cell.cosine = std::cos(half_angle);
+  cell.sine = std::sin(1.02 * std::acos(cosine) + 1e-6);
   return cell;
 }
 
@@ -109,13 +108,16 @@ StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_
   });
   make_cells(depth);
   stars_.reserve(placed.size());
+  illuminances_.reserve(placed.size());
   for (const auto& [cell, star] : placed) {
     SkyCell& into = levels_.back()[static_cast<std::size_t>(cell)];
     into.first = into.last == 0 ? static_cast<int>(stars_.size()) : into.first;
     into.last = static_cast<int>(stars_.size()) + 1;
     into.brightest = std::max(into.brightest, star.illuminance);
     stars_.push_back(star);
+    illuminances_.push_back(star.illuminance);
   }
+  std::ranges::sort(illuminances_, std::ranges::greater());
   for (int level = depth - 1; level >= 0; --level) {
     auto& cells = levels_[static_cast<std::size_t>(level)];
     const auto& finer = levels_[static_cast<std::size_t>(level) + 1];
@@ -127,12 +129,9 @@ StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_
   }
 }
 
-float StarField::brightest() const {
-  float most = 0.0F;
-  for (const SkyCell& face : levels_.front()) {
-    most = std::max(most, face.brightest);
-  }
-  return most;
+std::size_t StarField::count_from(float illuminance) const {
+  return static_cast<std::size_t>(std::ranges::upper_bound(illuminances_, illuminance, std::ranges::greater()) -
+                                  illuminances_.begin());
 }
 
 void StarField::make_cells(int depth) {

@@ -6,6 +6,7 @@
 
 #include "content/stars/star_catalogue.h"
 #include "kernels/sky/blackbody.h"
+#include "render/stars/sky_frustum.h"
 
 namespace ergodome {
 
@@ -21,9 +22,8 @@ struct FieldStar {
 //! A patch of the sky for searching: a quadrangle of a cube's face, at some depth of halving.
 struct SkyCell {
   Vector3<double> axis;  //!< a cone about this holds the cell
-  double sine;           //!< of the cone's half angle, and its cosine
-  double cosine;
-  int first;  //!< range of the stars inside, the brightest first
+  double sine;           //!< of the cone's half angle
+  int first;             //!< range of the stars inside, the brightest first
   int last;
   float brightest;  //!< greatest illuminance inside [lx]; 0 without stars
 };
@@ -37,40 +37,44 @@ class StarField {
 
   [[nodiscard]] const std::vector<FieldStar>& stars() const { return stars_; }
 
-  //! The greatest illuminance of a star [lx]; 0 without stars.
-  [[nodiscard]] float brightest() const;
+  //! How many stars have at least `illuminance` lx.
+  [[nodiscard]] std::size_t count_from(float illuminance) const;
 
-  //! Calls visit(star number) for the stars of all finest cells that a cone touches, and that may hold one of at least `faintest` lx;
-  //! in each cell the brightest first, until `visit` returns false. `sine`, `cosine`: of the cone's half angle, below a quarter turn.
+  //! Calls visit(star number) for the stars of at least `faintest` lx in a part of the sky.
   template <class Visit>
-  void search(const Vector3<double>& axis, double sine, double cosine, float faintest, const Visit& visit) const {
+  void search(const SkyFrustum& part, float faintest, const Visit& visit) const {
     for (int face = 0; face < 6; ++face) {
-      search_cell(0, face, axis, sine, cosine, faintest, visit);
+      search_cell(0, face, part, faintest, visit);
     }
   }
 
  private:
   template <class Visit>
-  void search_cell(int level, int index, const Vector3<double>& axis, double sine, double cosine, float faintest,
-                   const Visit& visit) const {
+  void search_cell(int level, int index, const SkyFrustum& part, float faintest, const Visit& visit) const {
     const SkyCell& cell = levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(index)];
-    // Cones touch when the angle between their axes is at most the sum of their half angles.
-    if (!(cell.brightest >= faintest) || cell.brightest <= 0.0F ||
-        dot(cell.axis, axis) < cell.cosine * cosine - cell.sine * sine) {
+    if (!(cell.brightest >= faintest) || cell.brightest <= 0.0F || !may_touch(part, cell.axis, cell.sine)) {
       return;
     }
     if (level + 1 < static_cast<int>(levels_.size())) {
       for (int child = 0; child < 4; ++child) {
-        search_cell(level + 1, 4 * index + child, axis, sine, cosine, faintest, visit);
+        search_cell(level + 1, 4 * index + child, part, faintest, visit);
       }
       return;
     }
-    for (int star = cell.first; star < cell.last && visit(star); ++star) {
+    for (int number = cell.first; number < cell.last; ++number) {
+      const FieldStar& star = stars_[static_cast<std::size_t>(number)];
+      if (!(star.illuminance >= faintest)) {
+        return;
+      }
+      if (holds(part, star.direction)) {
+        visit(number);
+      }
     }
   }
 
   void make_cells(int depth);
 
+  std::vector<float> illuminances_;           //!< the greatest first
   std::vector<FieldStar> stars_;              //!< by finest cell, in each the brightest first
   std::vector<std::vector<SkyCell>> levels_;  //!< 6 · 4^level cells a level
 };

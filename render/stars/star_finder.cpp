@@ -2,25 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <numeric>
 
-#include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
+#include "render/lens/grid_builder.h"
+#include "render/stars/star_refinement.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Errors of traced rays on the sky, in float and in double; images move by that over the smaller singular value of the map.
-constexpr double float_tolerance = 5e-7;
-constexpr double double_tolerance = 1e-9;
-//! Newton's last step, after which the image is where it is to a small part of that.
-constexpr double step_tolerance_px = 0.02;
+//! Rays mend what the grid misses: it has to lead them to the right images, no more.
+constexpr double grid_budget_px = 0.3;
+//! Cells smaller than this are not refined: rays start from what they have.
+constexpr double least_area_px = 4.0;
 //! Images of one star nearer to each other than this, and not turned over, are one.
 constexpr double same_image_px = 0.1;
-//! Smaller singular value of the map to the sky below which float's rounding is seen in an image's place.
-constexpr double steepest = 0.1;
-constexpr int step_limit = 400;
 //! The coldest and the hottest star that colours tell of: they gain most by a shift to the blue and to the red.
 constexpr float log_coldest = 7.38F;
 constexpr float log_hottest = 10.4F;
@@ -50,6 +47,11 @@ class Observer final : public ImageLight {
     return {n.x.value, n.y.value, n.z.value};
   }
 
+  //! Angle between the shadow's edge and a place in the chart, about [rad].
+  [[nodiscard]] double edge_distance(float s) const {
+    return 3.0 * std::exp((static_cast<double>(s) - 1.0) * static_cast<double>(chart_.range));
+  }
+
   //! Seen by the observer.
   [[nodiscard]] Vector3<double> observed(const Vector3<double>& rain) const {
     double energy = 0.0;
@@ -57,13 +59,24 @@ class Observer final : public ImageLight {
   }
 
   void see(StarPatch& patch) const override {
-    const Vector3<double> n =
-        rain_direction(static_cast<double>(patch.gamma_turns) + 0.5 * static_cast<double>(patch.width_turns),
-                       static_cast<double>(patch.s) + 0.5 * static_cast<double>(patch.height));
-    const double scale = observed_scale(aberration_, n);
-    const double energy = detail::evaluate(rain_.energy, n) * scale;
-    patch.brightening = static_cast<float>(scale * scale);
-    patch.frequency_ratio = static_cast<float>(1.0 / std::max(energy, 1e-6));
+    patch.brightening = 0.0F;
+    patch.frequency_ratio = 0.0F;
+    const Vector3<double> middle = observed(rain_at(patch, 0.5, 0.5));
+    double farthest = 0.0;
+    for (const double u : {0.0, 0.5, 1.0}) {
+      for (const double v : {0.0, 0.5, 1.0}) {
+        const Vector3<double> n = rain_at(patch, u, v);
+        const Vector3<double> apart = observed(n) - middle;
+        farthest = std::max(farthest, dot(apart, apart));
+        const double scale = observed_scale(aberration_, n);
+        const double energy = detail::evaluate(rain_.energy, n) * scale;
+        patch.brightening = std::max(patch.brightening, static_cast<float>(scale * scale));
+        patch.frequency_ratio = std::max(patch.frequency_ratio, static_cast<float>(1.0 / std::max(energy, 1e-6)));
+      }
+    }
+    patch.seen = {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)};
+    // Chords are shorter than angles, and sides may bulge between the places that were asked.
+    patch.seen_radius = static_cast<float>(1.6 * std::sqrt(farthest));
   }
 
   [[nodiscard]] float greatest_gain(const StarPatch& patch, float magnification) const override {
@@ -76,7 +89,12 @@ class Observer final : public ImageLight {
   }
 
  private:
-  //! A patch is small, its middle stands for it but for a margin.
+  [[nodiscard]] Vector3<double> rain_at(const StarPatch& patch, double u, double v) const {
+    return rain_direction(static_cast<double>(patch.gamma_turns) + u * static_cast<double>(patch.width_turns),
+                          static_cast<double>(patch.s) + v * static_cast<double>(patch.height));
+  }
+
+  //! With a margin for what lies between the places that were asked.
   [[nodiscard]] float gain_at(const StarPatch& patch, float magnification, float log_temperature) const {
     return 1.2F * magnification * patch.brightening *
            (redshift_ ? shift_gain(colours_, log_temperature, 1.05F * patch.frequency_ratio) : 1.0F);
@@ -91,178 +109,194 @@ class Observer final : public ImageLight {
   FrameBoost inverse_rain_;
 };
 
+//! Whether a part of the view may lie in a patch, or on its `mirrored` side.
+bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
+  const float side = mirrored ? -1.0F : 1.0F;
+  const Vector3<double> way = {static_cast<double>(patch.seen.x), static_cast<double>(side * patch.seen.y),
+                               static_cast<double>(patch.seen.z)};
+  return may_touch(view, way, static_cast<double>(patch.seen_radius));
+}
+
 std::vector<RoughImage> find_rough(const StarField& field, const Observer& observer, double phi,
-                                   const StarPatches& patches, float faintest) {
-  std::vector<RoughImage> all;
-  std::mutex mutex;
+                                   const StarPatches& patches, const ViewCone& view) {
+  constexpr int chunk = 32;
   const auto& list = patches.patches();
-  parallel_for(static_cast<int>(list.size()), 32, [&](int begin, int end) {
-    std::vector<RoughImage> found;
-    for (int i = begin; i < end; ++i) {
-      const StarPatch& patch = list[static_cast<std::size_t>(i)];
-      patches.search(patch, field, observer, phi, false, faintest, found);
-      if (patches.mirrored()) {
-        patches.search(patch, field, observer, phi, true, faintest, found);
+  const int count = static_cast<int>(list.size());
+  // In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes.
+  std::vector<std::vector<RoughImage>> found(static_cast<std::size_t>((count + chunk - 1) / chunk));
+  parallel_for(static_cast<int>(found.size()), 1, [&](int begin, int end) {
+    SearchRoom room;
+    for (int part = begin; part < end; ++part) {
+      for (int i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
+        const StarPatch& patch = list[static_cast<std::size_t>(i)];
+        std::vector<RoughImage>& into = found[static_cast<std::size_t>(part)];
+        for (const bool mirrored : {false, true}) {
+          if ((!mirrored || patches.mirrored()) && may_be_seen(patch, mirrored, view)) {
+            patches.search(patch, field, observer, phi, mirrored, room, into);
+          }
+        }
       }
     }
-    const std::lock_guard lock(mutex);
-    all.insert(all.end(), found.begin(), found.end());
   });
-  // Chunks end in any order; pictures do not depend on it.
-  std::ranges::sort(all, [](const RoughImage& a, const RoughImage& b) {
-    return std::tie(a.star, a.s, a.gamma_turns) < std::tie(b.star, b.s, b.gamma_turns);
-  });
+  std::vector<RoughImage> all;
+  for (const std::vector<RoughImage>& part : found) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  // Guesses take many rounds: they shall not hold the others up.
+  std::stable_partition(all.begin(), all.end(), [](const RoughImage& image) { return !image.guessed; });
   return all;
 }
 
-//! Images on their way from roughly to exactly.
-struct Candidate {
-  int star;
-  Vector3<double> on_sky;     //!< the star, for a camera at φ = 0
-  Vector3<double> direction;  //!< of the image, in the observer's frame
-  double solid_angle = 0.0;   //!< and the rest as in StarImageBatch
-  double stretch = 0.0;
-  double frequency_ratio = 1.0;
-  double miss = 0.0;
-};
+//! The longest arc that an image is taken for [rad].
+constexpr double longest_arc = 1.5;
 
-//! Finds images exactly, as far as rays in S are exact.
-template <class S>
-void refine(std::vector<Candidate>& candidates, const EyeCamera& eye, double pixel) {
-  constexpr std::size_t channels = 10;
-  const std::size_t count = candidates.size();
-  std::vector<S> values(channels * count);
-  const auto channel = [&](std::size_t i) { return values.data() + i * count; };
-  for (std::size_t i = 0; i < count; ++i) {
-    const Candidate& c = candidates[i];
-    const double parts[6] = {c.on_sky.x, c.on_sky.y, c.on_sky.z, c.direction.x, c.direction.y, c.direction.z};
-    for (std::size_t part = 0; part < 6; ++part) {
-      channel(part)[i] = static_cast<S>(parts[part]);
-    }
-  }
-  const StarImageBatch<S> batch = {
-      converted_station<S>(make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity)),
-      {sizeof(S) == 4 ? float_tolerance : double_tolerance, step_limit, true},
-      static_cast<S>(step_tolerance_px * pixel),
-      static_cast<int>(count),
-      {channel(0), channel(1), channel(2)},
-      {channel(3), channel(4), channel(5)},
-      channel(6),
-      channel(7),
-      channel(8),
-      channel(9)};
-  find_star_images(batch);
-  for (std::size_t i = 0; i < count; ++i) {
-    Candidate& c = candidates[i];
-    const auto at = [&](std::size_t part) { return static_cast<double>(channel(part)[i]); };
-    c.direction = {at(3), at(4), at(5)};
-    c.solid_angle = at(6);
-    c.stretch = at(7);
-    c.frequency_ratio = at(8);
-    c.miss = at(9);
-  }
-}
-
-//! Squares of the singular values of the map from the camera's sky to the stars'.
-struct SingularValues {
-  double larger_square;
-  double smaller_square;
-};
-
-SingularValues singular_values(const Candidate& c) {
-  const double root = std::sqrt(std::max(c.stretch * c.stretch - 4.0 * c.solid_angle * c.solid_angle, 0.0));
-  const double larger = 0.5 * (c.stretch + root);
-  return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
-}
-
-//! Images that float does not place: where the sky hardly moves when the camera turns, its rounding is many pixels' worth.
-void refine_steep(std::vector<Candidate>& candidates, const EyeCamera& eye, double pixel) {
-  std::vector<std::size_t> places;
-  std::vector<Candidate> steep;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].miss < 1e29 && singular_values(candidates[i]).smaller_square < steepest * steepest) {
-      places.push_back(i);
-      steep.push_back(candidates[i]);
-    }
-  }
-  refine<double>(steep, eye, pixel);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    candidates[places[i]] = steep[i];
-  }
+//! How far an image stretches because its star is a disk: next to a caustic it is an arc, whose middle needs no better place than that.
+double arc_of(const StarCandidate& c) {
+  return std::min(c.radius / std::sqrt(std::max(singular_values(c).smaller_square, 1e-30)), longest_arc);
 }
 
 //! Solid angle on the sky over that on the camera, no smaller than the star's disk allows: where the map is degenerate in one direction,
 //! the image is an arc whose length the disk sets.
-double capped_solid_angle(const Candidate& c, float radius) {
-  return std::max(std::abs(c.solid_angle),
-                  0.5 * static_cast<double>(radius) * std::sqrt(singular_values(c).larger_square));
-}
-
-//! Whether an image was there already: `images` of the same star stand at the end, from `first` on.
-bool is_twin(const std::vector<StarImage>& images, std::size_t first, const StarImage& image, double pixel) {
-  const auto limit = static_cast<float>(same_image_px * pixel);
-  for (std::size_t i = first; i < images.size(); ++i) {
-    const Vector3<float> apart = images[i].direction - image.direction;
-    if (dot(apart, apart) < limit * limit && (images[i].magnification < 0.0F) == (image.magnification < 0.0F)) {
-      return true;
-    }
-  }
-  return false;
+double capped_solid_angle(const StarCandidate& c) {
+  return std::max(std::abs(c.solid_angle), 0.5 * c.radius * std::sqrt(singular_values(c).larger_square));
 }
 
 }  // namespace
 
+LensStation build_star_station(const EyeCamera& eye, double pixel, GridTracer<float>* tracer) {
+  GridSettings settings;
+  settings.pixel = pixel;
+  settings.budget_px = grid_budget_px;
+  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  settings.fine = false;
+  settings.least_area_px = least_area_px;
+  return build_lens_station(eye.spin, eye.r, eye.theta, settings, nullptr, tracer);
+}
+
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
                          const LensStation& station, const StarSettings& settings) {
-  return {station, Observer(eye, station, colours, settings.redshift),
-          settings.faintest / std::max(field.brightest(), 1e-30F)};
+  return {station, field, Observer(eye, station, colours, settings.redshift), settings.faintest,
+          static_cast<float>(settings.grid_px * settings.pixel)};
 }
+
+namespace {
+
+std::vector<StarCandidate> candidates_of(const std::vector<RoughImage>& rough, const StarField& field,
+                                         const Observer& observer, double phi) {
+  std::vector<StarCandidate> candidates(rough.size());
+  const double sine = std::sin(phi);
+  const double cosine = std::cos(phi);
+  parallel_for(static_cast<int>(rough.size()), 1024, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const RoughImage& image = rough[i];
+      const FieldStar& star = field.stars()[static_cast<std::size_t>(image.star)];
+      const Vector3<double>& d = star.direction;
+      const Vector3<double> near =
+          observer.rain_direction(static_cast<double>(image.gamma_turns), static_cast<double>(image.s));
+      candidates[i] = {image.star,
+                       {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z},
+                       observer.observed(near),
+                       static_cast<double>(star.radius),
+                       observer.edge_distance(image.s)};
+    }
+  });
+  return candidates;
+}
+
+//! The image that a candidate has become; star -1 where it is none, or too faint.
+StarImage image_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours,
+                   const StarSettings& settings) {
+  StarImage image{};
+  image.star = -1;
+  if (!(c.miss <= image_tolerance_px * settings.pixel)) {
+    return image;
+  }
+  const auto solid_angle = static_cast<float>(capped_solid_angle(c));
+  const auto g = static_cast<float>(c.frequency_ratio);
+  const Vector3<float> light =
+      star_light(colours, star.log_temperature, star.illuminance, settings.redshift ? g : 1.0F, 1.0F / solid_angle);
+  if (!(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z >= settings.faintest)) {
+    return image;
+  }
+  return {c.star,
+          {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y), static_cast<float>(c.direction.z)},
+          (c.solid_angle < 0.0 ? -1.0F : 1.0F) / solid_angle,
+          g,
+          settings.magnification ? light : solid_angle * light};
+}
+
+//! Candidates by star, for each in their order.
+std::vector<std::size_t> by_star(const std::vector<StarImage>& found, std::size_t stars) {
+  // Sorting by counting: where each star's images begin, those that are none before all.
+  std::vector<std::size_t> place(stars + 2, 0);
+  for (const StarImage& image : found) {
+    place[static_cast<std::size_t>(image.star) + 2U] += 1;
+  }
+  place[1] = 0;
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<std::size_t> order(place.back());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].star >= 0) {
+      order[place[static_cast<std::size_t>(found[i].star) + 1U]++] = i;
+    }
+  }
+  return order;
+}
+
+//! An image with what tells it from another.
+struct SortedImage {
+  const StarImage* image;
+  double arc;   //!< [rad]
+  bool capped;  //!< by its star's disk: which side it turns to means nothing
+};
+
+//! Whether two images of a star are one that was found twice.
+bool are_one(const SortedImage& a, const SortedImage& b, double pixel) {
+  const Vector3<float> apart = a.image->direction - b.image->direction;
+  const double limit = std::max(same_image_px * pixel, std::max(a.arc, b.arc));
+  const float ratio = a.image->magnification / b.image->magnification;
+  // Rings of different order lie side by side, arcs of one ring are as bright as each other.
+  const bool alike = a.capped && b.capped ? std::abs(std::log(std::abs(ratio))) < 0.7F : ratio > 0.0F;
+  return static_cast<double>(dot(apart, apart)) < limit * limit && alike;
+}
+
+//! The images there are, star by star, each once.
+std::vector<StarImage> without_twins(const std::vector<StarImage>& found, const std::vector<StarCandidate>& candidates,
+                                     const StarField& field, double pixel) {
+  std::vector<StarImage> images;
+  images.reserve(found.size());
+  std::vector<SortedImage> of_star;
+  for (const std::size_t i : by_star(found, field.stars().size())) {
+    if (!of_star.empty() && of_star.front().image->star != found[i].star) {
+      of_star.clear();
+    }
+    const StarCandidate& c = candidates[i];
+    const SortedImage sorted = {&found[i], arc_of(c), capped_solid_angle(c) > std::abs(c.solid_angle)};
+    if (std::ranges::none_of(of_star, [&](const SortedImage& other) { return are_one(sorted, other, pixel); })) {
+      of_star.push_back(sorted);
+      images.push_back(found[i]);
+    }
+  }
+  return images;
+}
+
+}  // namespace
 
 std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings) {
   const Observer observer(eye, station, colours, settings.redshift);
-  const std::vector<RoughImage> rough = find_rough(field, observer, eye.phi, patches, settings.faintest);
-  std::vector<Candidate> candidates;
-  candidates.reserve(rough.size());
-  const double sine_phi = std::sin(eye.phi);
-  const double cosine_phi = std::cos(eye.phi);
-  for (const RoughImage& image : rough) {
-    const Vector3<double>& d = field.stars()[static_cast<std::size_t>(image.star)].direction;
-    const Vector3<double> near =
-        observer.rain_direction(static_cast<double>(image.gamma_turns), static_cast<double>(image.s));
-    candidates.push_back({image.star,
-                          {cosine_phi * d.x + sine_phi * d.y, cosine_phi * d.y - sine_phi * d.x, d.z},
-                          observer.observed(near)});
-  }
-  refine<float>(candidates, eye, settings.pixel);
-  refine_steep(candidates, eye, settings.pixel);
-  std::vector<StarImage> images;
-  std::size_t first = 0;
-  for (const Candidate& c : candidates) {
-    if (!(c.miss <= step_tolerance_px * settings.pixel)) {
-      continue;
+  std::vector<StarCandidate> candidates =
+      candidates_of(find_rough(field, observer, eye.phi, patches, settings.view), field, observer, eye.phi);
+  refine_images(candidates, eye, settings.pixel);
+  std::vector<StarImage> found(candidates.size());
+  parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const StarCandidate& c = candidates[i];
+      found[i] = image_of(c, field.stars()[static_cast<std::size_t>(c.star)], colours, settings);
     }
-    const FieldStar& star = field.stars()[static_cast<std::size_t>(c.star)];
-    const auto solid_angle = static_cast<float>(capped_solid_angle(c, star.radius));
-    const auto g = static_cast<float>(c.frequency_ratio);
-    const Vector3<float> light =
-        star_light(colours, star.log_temperature, star.illuminance, settings.redshift ? g : 1.0F, 1.0F / solid_angle);
-    if (!(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z >= settings.faintest)) {
-      continue;
-    }
-    first = !images.empty() && images.back().star == c.star ? first : images.size();
-    const StarImage image = {
-        c.star,
-        {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y), static_cast<float>(c.direction.z)},
-        (c.solid_angle < 0.0 ? -1.0F : 1.0F) / solid_angle,
-        g,
-        settings.magnification ? light : solid_angle * light};
-    if (!is_twin(images, first, image, settings.pixel)) {
-      images.push_back(image);
-    }
-  }
-  return images;
+  });
+  return without_twins(found, candidates, field, settings.pixel);
 }
 
 }  // namespace ergodome

@@ -4,7 +4,9 @@
 
 #include "kernels/sky/blackbody.h"
 #include "render/lens/eye_camera.h"
+#include "render/lens/grid_tracer.h"
 #include "render/stars/star_patches.h"
+#include "render/stars/view_cone.h"
 
 namespace ergodome {
 
@@ -20,10 +22,15 @@ struct StarImage {
 //! Which images to find, and how well.
 struct StarSettings {
   double pixel = 3e-3;        //!< angle of a pixel on the screen [rad]
+  double grid_px = 0.03;      //!< how far the grid may be wrong next to critical curves [px]
   float faintest = 1e-11F;    //!< illuminance of an image, below which it is left out [lx]
+  ViewCone view{};            //!< images outside of it may be left out
   bool redshift = true;       //!< light is shifted and beamed
   bool magnification = true;  //!< images are as bright as the lens makes them; else as bright as the star
 };
+
+//! Builds a lens grid that leads to the images of stars; `pixel` [rad]. Its nodes are traced by `tracer` if there is one.
+LensStation build_star_station(const EyeCamera& eye, double pixel, GridTracer<float>* tracer = nullptr);
 
 //! Turns a lens grid round for an eye at its place: `station` and what it is for are those of find_star_images.
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,

@@ -3,25 +3,29 @@
 #include <vector>
 
 #include "content/lens_station.h"
-#include "render/stars/patch_roots.h"
+#include "kernels/stars/patch_search.h"
+#include "render/stars/bezier_patch.h"
 #include "render/stars/star_field.h"
 
 namespace ergodome {
 
 //! A part of a lens grid over which the lens is simple enough to be inverted.
 struct StarPatch {
-  BezierPatch sky;
-  Vector3<double> axis;  //!< a cone about this holds all of it on the sky
-  double sine;           //!< of the cone's half angle, and its cosine
-  double cosine;
-  float gamma_turns;  //!< its place in the chart
+  BezierPatch sky;  //!< in its frame
+  PatchFrame frame;
+  SkyFrustum frustum;  //!< holds all of it on the sky
+  float gamma_turns;   //!< its place in the chart
   float s;
   float width_turns;
   float height;
   PatchShape shape;
-  float magnification;    //!< most of an image here, in the rain frame; where folded, but for 1e-9 sr of the sky
+  float error;            //!< how far it may be from the sky where that matters, next to critical curves [rad]
+  int halvings;           //!< that its search for images takes, where it is not regular
   float brightening;      //!< the observer's solid angles over the rain frame's, in the middle of the patch
   float frequency_ratio;  //!< g there, to the observer
+  Vector3<float> seen;    //!< the way to it in the observer's frame
+  float seen_radius;      //!< of a cone about that way that holds it [rad]
+  float gain;  //!< most that an image here may be brighter than its star; where folded, but for 1e-8 sr of the sky
 };
 
 //! An image of a star, roughly: where the grid has it.
@@ -29,6 +33,15 @@ struct RoughImage {
   int star;           //!< in the field
   float gamma_turns;  //!< in [0, 1)
   float s;
+  bool guessed;  //!< the star is so near to a caustic that the grid cannot tell whether there is one
+};
+
+//! What a search needs room for, from patch to patch.
+struct SearchRoom {
+  std::vector<int> stars;
+  std::vector<float> depths;  //!< cosine of the angle to the patch's axis
+  std::vector<float> places;  //!< a of all stars, then b
+  std::vector<float> roots;   //!< counts, then u, v and area of all roots
 };
 
 //! What the search for images asks about an observer and his stars.
@@ -52,27 +65,39 @@ class ImageLight {
 //! A lens grid turned round: from places on the sky to places in the chart.
 class StarPatches {
  public:
-  //! Parts that gain less than `least_gain` are left out.
-  StarPatches(const LensStation& station, const ImageLight& light, float least_gain);
+  //! For images of at least `faintest` lx: the more stars may have some, the finer. `error`: of the grid on the camera's sky [rad].
+  StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest, float error);
   StarPatches(StarPatches&&) = default;
   StarPatches& operator=(StarPatches&&) = default;
 
   [[nodiscard]] const std::vector<StarPatch>& patches() const { return patches_; }
 
-  //! Finds the images that a patch holds, of stars that may shine with at least `faintest` lx there. The camera is at `phi` [rad];
-  //! `mirrored`: the other half of a mirrored grid. An image on a border may be found from both sides.
+  //! Finds the images that a patch holds and that may be bright enough. The camera is at `phi` [rad]; `mirrored`: the other half of a
+  //! mirrored grid. An image on a border may be found from both sides.
   void search(const StarPatch& patch, const StarField& field, const ImageLight& light, double phi, bool mirrored,
-              float faintest, std::vector<RoughImage>& found) const;
+              SearchRoom& room, std::vector<RoughImage>& found) const;
 
   //! Whether the grid is half of a sky that is its own mirror image.
   [[nodiscard]] bool mirrored() const { return mirrored_; }
 
  private:
-  void add_patch(const ImageLight& light, float least_gain, StarPatch patch, int depth);
+  //! What making patches asks for.
+  struct Wanted {
+    const StarField& field;
+    const ImageLight& light;
+  };
+
+  void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
+  [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch) const;
+
+  void keep(const StarPatch& patch, const StarField& field, const ImageLight& light, bool mirrored,
+            const PatchSearchBatch& batch, const SearchRoom& room, std::vector<RoughImage>& found) const;
 
   std::vector<float> edge_;  //!< of the chart
   LensChart chart_;
   bool mirrored_;
+  float faintest_;
+  float error_;
   std::vector<StarPatch> patches_;
 };
 

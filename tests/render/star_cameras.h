@@ -56,13 +56,7 @@ inline StarSettings settings_for(double faintest_mag) {
 }
 
 inline std::vector<StarImage> images_of(const StarField& field, const EyeCamera& eye, const StarSettings& settings) {
-  GridSettings grid;
-  grid.pixel = settings.pixel;
-  grid.budget_px = 1.0;
-  grid.least_area_px = 4.0;
-  grid.fine = false;
-  grid.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
-  const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, grid);
+  const LensStation station = build_star_station(eye, settings.pixel);
   return find_star_images(field, colours().view(), eye, station,
                           star_patches(field, colours().view(), eye, station, settings), settings);
 }
@@ -72,5 +66,22 @@ inline Vector3<double> widened(const Vector3<float>& v) {
 }
 
 inline Vector3<double> unit_of(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
+
+//! Illuminance of a picture's pixels [lx].
+inline double light_of(const std::vector<float>& rgba, const Projection& projection) {
+  using D = Dual<double>;
+  double sum = 0.0;
+  for (int y = 0; y < projection.height_px; ++y) {
+    for (int x = 0; x < projection.width_px; ++x) {
+      const Vector3<D> n = direction_from_pixel(projection, D(x + 0.5, 1.0, 0.0), D(y + 0.5, 0.0, 1.0));
+      const Vector3<double> area = cross(Vector3<double>{n.x.along_x, n.y.along_x, n.z.along_x},
+                                         Vector3<double>{n.x.along_y, n.y.along_y, n.z.along_y});
+      const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(projection.width_px) +
+                                 static_cast<std::size_t>(x));
+      sum += static_cast<double>(rgba[i + 1]) * std::sqrt(dot(area, area));
+    }
+  }
+  return sum;
+}
 
 }  // namespace ergodome::test

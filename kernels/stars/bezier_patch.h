@@ -1,0 +1,165 @@
+#pragma once
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/vector3.h"
+
+namespace ergodome {
+
+//! A bicubic patch by its control points, row after row along v: what it is within [0, 1]² lies in their convex hull, cones included.
+struct BezierPatch {
+  float x[16];
+  float y[16];
+  float z[16];
+};
+
+//! How a patch of a lens maps the chart to the sky.
+enum class PatchShape {
+  regular,  //!< nearly affine: Newton's method finds the only image of a star from anywhere
+  bent,     //!< one to one, but its middle does not speak for all of it
+  folded    //!< a critical curve may run through it: there may be several images, however bright
+};
+
+//! How far the Jacobian of a regular patch may be from its middle's, as a part of it.
+inline constexpr float most_regular_change = 0.6F;
+
+inline namespace ERGO_TARGET {
+
+ERGO_HD Vector3<double> control_point(const BezierPatch& patch, int i) {
+  return {static_cast<double>(patch.x[i]), static_cast<double>(patch.y[i]), static_cast<double>(patch.z[i])};
+}
+
+namespace detail {
+//! Halves each of the four rows (axis 0) or columns (axis 1) of control points by de Casteljau's construction.
+ERGO_HD void split_points(const float (&from)[16], int axis, float (&first)[16], float (&second)[16]) {
+  const int along = axis == 0 ? 1 : 4;
+  const int across = axis == 0 ? 4 : 1;
+  for (int line = 0; line < 4; ++line) {
+    const int at = line * across;
+    const float a = from[at];
+    const float b = from[at + along];
+    const float c = from[at + 2 * along];
+    const float d = from[at + 3 * along];
+    const float ab = 0.5F * (a + b);
+    const float bc = 0.5F * (b + c);
+    const float cd = 0.5F * (c + d);
+    const float abc = 0.5F * (ab + bc);
+    const float bcd = 0.5F * (bc + cd);
+    const float middle = 0.5F * (abc + bcd);
+    first[at] = a;
+    first[at + along] = ab;
+    first[at + 2 * along] = abc;
+    first[at + 3 * along] = middle;
+    second[at] = middle;
+    second[at + along] = bcd;
+    second[at + 2 * along] = cd;
+    second[at + 3 * along] = d;
+  }
+}
+
+//! Bernstein's cubics at t, and their derivatives.
+template <class T>
+ERGO_HD void bernstein(const T& t, T (&basis)[4], T (&slope)[4]) {
+  const T r = T(1.0F) - t;
+  const T r2 = r * r;
+  const T t2 = t * t;
+  const T rt = r * t;
+  basis[0] = r2 * r;
+  basis[1] = 3.0F * r2 * t;
+  basis[2] = 3.0F * r * t2;
+  basis[3] = t2 * t;
+  slope[0] = -3.0F * r2;
+  slope[1] = 3.0F * r2 - 6.0F * rt;
+  slope[2] = 6.0F * rt - 3.0F * t2;
+  slope[3] = 3.0F * t2;
+}
+
+template <class T>
+struct FormValue {
+  T value, by_u, by_v;
+};
+
+//! A coordinate of a patch; rows first, whose sums go through four columns at a time.
+template <class T>
+ERGO_HD FormValue<T> form_at(const float (&points)[16], const T (&along_u)[4], const T (&slope_u)[4],
+                             const T (&along_v)[4], const T (&slope_v)[4]) {
+  T sum[4];
+  T slope[4];
+  ERGO_UNROLL
+  for (int column = 0; column < 4; ++column) {
+    sum[column] = along_v[0] * points[column];
+    slope[column] = slope_v[0] * points[column];
+  }
+  ERGO_UNROLL
+  for (int row = 1; row < 4; ++row) {
+    ERGO_UNROLL
+    for (int column = 0; column < 4; ++column) {
+      sum[column] = sum[column] + along_v[row] * points[4 * row + column];
+      slope[column] = slope[column] + slope_v[row] * points[4 * row + column];
+    }
+  }
+  const auto total = [](const T(&a)[4], const T(&b)[4]) {
+    return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+  };
+  return {total(sum, along_u), total(sum, slope_u), total(slope, along_u)};
+}
+}  // namespace detail
+
+//! The parts of a patch below and above the middle of u (axis 0) or v (axis 1).
+ERGO_HD void split(const BezierPatch& patch, int axis, BezierPatch& first, BezierPatch& second) {
+  detail::split_points(patch.x, axis, first.x, second.x);
+  detail::split_points(patch.y, axis, first.y, second.y);
+  detail::split_points(patch.z, axis, first.z, second.z);
+}
+
+//! Where a patch has a star: p = q = 0 there. With derivatives along u and v.
+template <class T>
+struct PlaneValue {
+  T p, q;
+  T p_u, q_u;
+  T p_v, q_v;
+};
+
+template <class T>
+ERGO_HD T determinant(const PlaneValue<T>& f) {
+  return f.p_u * f.q_v - f.p_v * f.q_u;
+}
+
+//! A patch at (u, v), which may lie outside [0, 1]², as seen from a star at (a, b) in the plane z = 1: p = x - a z, q = y - b z.
+template <class T>
+ERGO_HD PlaneValue<T> seen_from(const BezierPatch& patch, const T& a, const T& b, const T& u, const T& v) {
+  T along_u[4];
+  T slope_u[4];
+  T along_v[4];
+  T slope_v[4];
+  detail::bernstein(u, along_u, slope_u);
+  detail::bernstein(v, along_v, slope_v);
+  const detail::FormValue<T> x = detail::form_at(patch.x, along_u, slope_u, along_v, slope_v);
+  const detail::FormValue<T> y = detail::form_at(patch.y, along_u, slope_u, along_v, slope_v);
+  const detail::FormValue<T> z = detail::form_at(patch.z, along_u, slope_u, along_v, slope_v);
+  return {x.value - a * z.value, y.value - b * z.value, x.by_u - a * z.by_u,
+          y.by_u - b * z.by_u,   x.by_v - a * z.by_v,   y.by_v - b * z.by_v};
+}
+
+//! Whether the Jacobian of a patch, seen from its axis, is nearly the same all over: then it is one to one, and Newton's method from the
+//! middle ends at a star's place.
+ERGO_HD bool is_regular(const BezierPatch& patch) {
+  const PlaneValue<float> middle = seen_from(patch, 0.0F, 0.0F, 0.5F, 0.5F);
+  const float inverse = 1.0F / determinant(middle);
+  // J⁻¹ times the control points of a derivative, less the unit vector that it should be.
+  const auto change = [&](int from, int to, float unit_u, float unit_v) {
+    const float dp = 3.0F * (patch.x[to] - patch.x[from]);
+    const float dq = 3.0F * (patch.y[to] - patch.y[from]);
+    return maximum(absolute((middle.q_v * dp - middle.p_v * dq) * inverse - unit_u),
+                   absolute((middle.p_u * dq - middle.q_u * dp) * inverse - unit_v));
+  };
+  float along_u = 0.0F;
+  float along_v = 0.0F;
+  for (int i = 0; i < 16; ++i) {
+    along_u = i % 4 < 3 ? maximum(along_u, change(i, i + 1, 1.0F, 0.0F)) : along_u;
+    along_v = i < 12 ? maximum(along_v, change(i, i + 4, 0.0F, 1.0F)) : along_v;
+  }
+  return along_u + along_v < most_regular_change;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

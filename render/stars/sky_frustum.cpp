@@ -1,0 +1,91 @@
+#include "render/stars/sky_frustum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ergodome {
+
+namespace {
+
+//! A frustum is so much wider than its patch, in parts of it: images are found a little beyond patches' borders.
+constexpr double slack = 0.01;
+//! And at least this [rad].
+constexpr double least_slack = 1e-6;
+
+Vector3<double> normalized(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
+
+//! The way across `axis` in which a patch is long: along its first side, or its second.
+Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) {
+  const auto from_to = [&](int a, int b, int c, int d) {
+    const Vector3<double> way = 0.5 * (control_point(patch, b) - control_point(patch, a)) +
+                                0.5 * (control_point(patch, d) - control_point(patch, c));
+    return way - dot(way, axis) * axis;
+  };
+  const Vector3<double> along_u = from_to(0, 3, 12, 15);
+  const Vector3<double> along_v = from_to(0, 12, 3, 15);
+  return dot(along_u, along_u) > dot(along_v, along_v) ? along_u : along_v;
+}
+
+}  // namespace
+
+PatchFrame frame_of(const BezierPatch& patch, const Vector3<double>& axis) {
+  Vector3<double> first = long_way(patch, axis);
+  if (!(dot(first, first) > 1e-20)) {
+    first = cross(std::abs(axis.z) < 0.9 ? Vector3<double>{0.0, 0.0, 1.0} : Vector3<double>{1.0, 0.0, 0.0}, axis);
+  }
+  first = normalized(first);
+  return {first, cross(axis, first), axis};
+}
+
+BezierPatch in_frame(const BezierPatch& patch, const PatchFrame& frame) {
+  BezierPatch own{};
+  for (int i = 0; i < 16; ++i) {
+    const Vector3<double> p = control_point(patch, i);
+    own.x[i] = static_cast<float>(dot(p, frame.first));
+    own.y[i] = static_cast<float>(dot(p, frame.second));
+    own.z[i] = static_cast<float>(dot(p, frame.axis));
+  }
+  return own;
+}
+
+SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double error) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low[2] = {infinity, infinity};
+  double high[2] = {-infinity, -infinity};
+  for (int i = 0; i < 16; ++i) {
+    const Vector3<double> p = control_point(patch, i);
+    const double place[2] = {p.x / p.z, p.y / p.z};
+    for (int side = 0; side < 2; ++side) {
+      low[side] = std::min(low[side], place[side]);
+      high[side] = std::max(high[side], place[side]);
+    }
+  }
+  const auto inward = [&](const Vector3<double>& way, double sign, double place) {
+    return normalized(sign * (way - place * frame.axis));
+  };
+  const double wider[2] = {slack * (high[0] - low[0]) + least_slack + error,
+                           slack * (high[1] - low[1]) + least_slack + error};
+  return {{inward(frame.first, 1.0, low[0] - wider[0]), inward(frame.first, -1.0, high[0] + wider[0]),
+           inward(frame.second, 1.0, low[1] - wider[1]), inward(frame.second, -1.0, high[1] + wider[1]), frame.axis}};
+}
+
+double solid_angle(const SkyFrustum& frustum) {
+  // Opposite sides of a wedge that opens by an angle have normals that are a half turn less it apart.
+  const auto opening = [&](int side) {
+    const double cosine = dot(frustum.inward[side], frustum.inward[side + 1]);
+    return 3.14159265358979323846 - std::acos(std::clamp(cosine, -1.0, 1.0));
+  };
+  return opening(0) * opening(2);
+}
+
+SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi, double side) {
+  SkyFrustum other{};
+  for (int i = 0; i < 5; ++i) {
+    const Vector3<double>& n = frustum.inward[i];
+    other.inward[i] = {cosine_phi * n.x - sine_phi * n.y, sine_phi * n.x + cosine_phi * n.y, side * n.z};
+  }
+  return other;
+}
+
+}  // namespace ergodome

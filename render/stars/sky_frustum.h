@@ -1,0 +1,52 @@
+#pragma once
+
+#include "render/stars/bezier_patch.h"
+
+namespace ergodome {
+
+//! A part of the sky between planes through its middle: directions d with dot(inward[i], d) >= 0 for all i.
+struct SkyFrustum {
+  Vector3<double> inward[5];  //!< unit vectors: four sides, and the way that the frustum looks
+};
+
+//! Axes of the sky by which a patch is narrow: unit vectors across each other.
+struct PatchFrame {
+  Vector3<double> first;   //!< the way the patch is long
+  Vector3<double> second;  //!< the way it is narrow
+  Vector3<double> axis;    //!< to its middle
+};
+
+//! The frame of a patch whose middle lies along the unit vector `axis`.
+PatchFrame frame_of(const BezierPatch& patch, const Vector3<double>& axis);
+
+//! A patch in coordinates along the axes of a frame.
+BezierPatch in_frame(const BezierPatch& patch, const PatchFrame& frame);
+
+//! The frustum that holds a patch, and `error` [rad] more. The patch is given in its own frame, and within a quarter turn of its axis.
+SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double error = 0.0);
+
+//! What of the sky a frustum holds, at the most, about [sr].
+double solid_angle(const SkyFrustum& frustum);
+
+//! The same after the sky's mirror image across the equator, if `side` is -1, and a turn by φ about z.
+SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi, double side);
+
+inline bool holds(const SkyFrustum& frustum, const Vector3<double>& d) {
+  // All tests at once: branches would not be foretold.
+  bool inside = true;
+  for (const Vector3<double>& inward : frustum.inward) {
+    inside = inside & (dot(inward, d) >= 0.0);
+  }
+  return inside;
+}
+
+//! Whether a cone about `axis`, of a half angle below a quarter turn with the given sine, may share directions with a frustum.
+inline bool may_touch(const SkyFrustum& frustum, const Vector3<double>& axis, double sine) {
+  bool apart = false;
+  for (const Vector3<double>& inward : frustum.inward) {
+    apart = apart | (dot(inward, axis) < -sine);
+  }
+  return !apart;
+}
+
+}  // namespace ergodome

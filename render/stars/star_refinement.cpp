@@ -1,0 +1,103 @@
+#include "render/stars/star_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/launch/launch.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Errors of traced rays on the sky, in float and in double; images move by that over the smaller singular value of the map.
+constexpr double float_tolerance = 5e-7;
+constexpr double double_tolerance = 1e-11;
+//! And next to a caustic, where a hair beside a ring the magnification is another [rad].
+constexpr double ring_tolerance = 1e-10;
+//! Smaller singular value of the map to the sky below which float's rounding is seen in an image's place.
+constexpr double steepest = 0.1;
+constexpr int step_limit = 400;
+
+//! Finds images exactly, as far as rays in S are exact.
+template <class S>
+void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel) {
+  constexpr std::size_t channels = 12;
+  const std::size_t count = candidates.size();
+  std::vector<S> values(channels * count);
+  const auto channel = [&](std::size_t i) { return values.data() + i * count; };
+  const auto each = [&](const auto& work) {
+    parallel_for(static_cast<int>(count), 4096, [&](int begin, int end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        work(i);
+      }
+    });
+  };
+  each([&](std::size_t i) {
+    const StarCandidate& c = candidates[i];
+    const double parts[8] = {c.on_sky.x,    c.on_sky.y,    c.on_sky.z,      c.direction.x,
+                             c.direction.y, c.direction.z, c.edge_distance, c.radius};
+    for (std::size_t part = 0; part < 8; ++part) {
+      channel(part)[i] = static_cast<S>(parts[part]);
+    }
+  });
+  const StarImageBatch<S> batch = {
+      converted_station<S>(make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity)),
+      {sizeof(S) == 4 ? float_tolerance : double_tolerance, step_limit, true},
+      static_cast<S>(sizeof(S) == 4 ? image_tolerance_px * pixel
+                                    : std::min(image_tolerance_px * pixel, ring_tolerance)),
+      static_cast<int>(count),
+      {channel(0), channel(1), channel(2)},
+      channel(6),
+      channel(7),
+      {channel(3), channel(4), channel(5)},
+      channel(8),
+      channel(9),
+      channel(10),
+      channel(11)};
+  find_star_images(batch);
+  each([&](std::size_t i) {
+    StarCandidate& c = candidates[i];
+    const auto at = [&](std::size_t part) { return static_cast<double>(channel(part)[i]); };
+    c.direction = {at(3), at(4), at(5)};
+    c.solid_angle = at(8);
+    c.stretch = at(9);
+    c.frequency_ratio = at(10);
+    c.miss = at(11);
+  });
+}
+
+//! Images that float does not place: where the sky hardly moves when the camera turns, its rounding is many pixels' worth. They are
+//! sought again from where the grid has them.
+void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const EyeCamera& eye,
+                  double pixel) {
+  std::vector<std::size_t> places;
+  std::vector<StarCandidate> steep;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const StarCandidate& c = candidates[i];
+    if (!(c.miss <= image_tolerance_px * pixel) || singular_values(c).smaller_square < steepest * steepest) {
+      places.push_back(i);
+      steep.push_back(rough[i]);
+    }
+  }
+  refine<double>(steep, eye, pixel);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    candidates[places[i]] = steep[i];
+  }
+}
+
+}  // namespace
+
+SingularValues singular_values(const StarCandidate& c) {
+  const double root = std::sqrt(std::max(c.stretch * c.stretch - 4.0 * c.solid_angle * c.solid_angle, 0.0));
+  const double larger = 0.5 * (c.stretch + root);
+  return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
+}
+
+void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel) {
+  const std::vector<StarCandidate> rough = candidates;
+  refine<float>(candidates, eye, pixel);
+  refine_steep(candidates, rough, eye, pixel);
+}
+
+}  // namespace ergodome

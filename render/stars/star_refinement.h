@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "kernels/core/vector3.h"
+#include "render/lens/eye_camera.h"
+
+namespace ergodome {
+
+//! Images on their way from roughly to exactly.
+struct StarCandidate {
+  int star = -1;
+  Vector3<double> on_sky;     //!< the star, for a camera at φ = 0
+  Vector3<double> direction;  //!< of the image, in the observer's frame
+  double radius = 0.0;
+  double edge_distance = 1.0;  //!< and the rest as in StarImageBatch
+  double solid_angle = 0.0;
+  double stretch = 0.0;
+  double frequency_ratio = 1.0;
+  double miss = 0.0;
+};
+
+//! Squares of the singular values of the map from the camera's sky to the stars'.
+struct SingularValues {
+  double larger_square;
+  double smaller_square;
+};
+
+SingularValues singular_values(const StarCandidate& c);
+
+//! How far images may be from where they should be [px].
+inline constexpr double image_tolerance_px = 0.005;
+
+//! Follows images to where rays have them: in float, and in double next to caustics. `pixel`: angle of a pixel [rad]. An image is found
+//! when its `miss` is at most image_tolerance_px pixels.
+void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel);
+
+}  // namespace ergodome

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "kernels/projection/projection.h"
+#include "render/lens/eye_camera.h"
+
+namespace ergodome {
+
+//! What of a camera's sky is asked for: a cone in the observer's frame, with a unit vector for its axis.
+struct ViewCone {
+  Vector3<double> axis = {1.0, 0.0, 0.0};
+  double half_angle = 3.14159265358979323846;  //!< [rad]
+};
+
+//! The cone that holds a picture, and `margin` [rad] more.
+ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double margin);
+
+//! Whether a cone about `axis` (unit vector) of half angle `radius` [rad] may share directions with the view.
+bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius);
+
+}  // namespace ergodome

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernels/geodesic/closed_form.h"
+#include "tests/render/star_cameras.h"
+
+namespace ergodome::test {
+
+//! The sky that the closed form sees in a direction.
+inline Vector3<double> exact_sky(const CameraStation& camera, const Vector3<double>& n) {
+  return turned_to_camera(camera, trace_closed_form(camera.spin, start_ray(camera, unit_of(n))).sky);
+}
+
+//! How far an image lies from where the closed form has it, and its exact magnification.
+struct ImageError {
+  double miss;  //!< [rad]
+  double magnification;
+};
+
+inline ImageError error_of(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& star) {
+  const Vector3<double> e1 =
+      unit_of(cross(std::abs(n.z) < 0.9 ? Vector3<double>{0, 0, 1} : Vector3<double>{1, 0, 0}, n));
+  const Vector3<double> e2 = cross(n, e1);
+  const double h = 1e-6;
+  const auto derivative = [&](const Vector3<double>& e) {
+    return (0.5 / h) * (exact_sky(camera, n + h * e) - exact_sky(camera, n - h * e));
+  };
+  const Vector3<double> j1 = derivative(e1);
+  const Vector3<double> j2 = derivative(e2);
+  const Vector3<double> missing = star - exact_sky(camera, n);
+  const double a = dot(j1, j1);
+  const double b = dot(j1, j2);
+  const double c = dot(j2, j2);
+  const double determinant = a * c - b * b;
+  const double x = (c * dot(j1, missing) - b * dot(j2, missing)) / determinant;
+  const double y = (a * dot(j2, missing) - b * dot(j1, missing)) / determinant;
+  return {std::hypot(x, y), 1.0 / std::sqrt(determinant)};
+}
+
+}  // namespace ergodome::test

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/render/ray_mesh.h"
+#include "tests/render/star_cameras.h"
+
+namespace ergodome::test {
+
+//! A place on the screen.
+struct PlaceOnScreen {
+  double x_px;
+  double y_px;
+};
+
+//! A direction of the view in the observer's frame.
+inline Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
+  const auto along = [&](int axis) {
+    const auto& row = eye.frame_from_view[axis];
+    return row[0] * view.x + row[1] * view.y + row[2] * view.z;
+  };
+  return {along(0), along(1), along(2)};
+}
+
+inline PlaceOnScreen on_screen(const EyeCamera& eye, const Projection& projection, const Vector3<float>& direction) {
+  const Vector3<double> n = unit_of(widened(direction));
+  const auto along = [&](int axis) {
+    return n.x * eye.frame_from_view[0][axis] + n.y * eye.frame_from_view[1][axis] + n.z * eye.frame_from_view[2][axis];
+  };
+  PlaceOnScreen place{};
+  pixel_from_direction(projection, {along(0), along(1), along(2)}, place.x_px, place.y_px);
+  return place;
+}
+
+//! The exact lens about places of the screen.
+class LensAbout {
+ public:
+  //! What lies nearer to the shadow's edge than `least_edge_px` counts as changing without end.
+  LensAbout(const EyeCamera& eye, const Projection& projection, double least_edge_px)
+      : eye_(eye), projection_(projection), shadow_(camera_of(eye)), least_edge_px_(least_edge_px) {}
+
+  //! How much the map's magnification changes across a pixel about each place, as a part of its least; infinite where it turns over,
+  //! and near the shadow's edge.
+  [[nodiscard]] std::vector<double> changes(const std::vector<PlaceOnScreen>& asked) const {
+    constexpr double step = 0.05;
+    // Corners of the pixel about the place; at each a ray, and one to its right and below it.
+    constexpr std::size_t rays = 12;
+    const std::size_t count = rays * asked.size();
+    std::vector<double> values(6 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t corner = (i % rays) / 3;
+      const std::size_t ray = i % 3;
+      const double x = asked[i / rays].x_px + (corner % 2 == 0 ? -0.5 : 0.5) + (ray == 1 ? step : 0.0);
+      const double y = asked[i / rays].y_px + (corner / 2 == 0 ? -0.5 : 0.5) + (ray == 2 ? step : 0.0);
+      const Vector3<double> n = in_frame(eye_, direction_from_pixel(projection_, x, y));
+      const double parts[3] = {n.x, n.y, n.z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        values[axis * count + i] = parts[axis];
+      }
+    }
+    RayBatch<double> batch{};
+    batch.camera = camera_of(eye_);
+    batch.settings = {1e-11, 400, true};
+    batch.method = TraceMethod::taylor;
+    batch.count = static_cast<int>(count);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      batch.direction[axis] = values.data() + axis * count;
+      batch.sky[axis] = values.data() + (3 + axis) * count;
+    }
+    trace_rays(Backend::cpu, batch);
+    std::vector<double> changes;
+    for (std::size_t place = 0; place < asked.size(); ++place) {
+      changes.push_back(change(values, count, rays * place));
+    }
+    return changes;
+  }
+
+ private:
+  [[nodiscard]] double change(const std::vector<double>& values, std::size_t count, std::size_t first) const {
+    const auto at = [&](std::size_t channel, std::size_t ray) {
+      return Vector3<double>{values[channel * count + ray], values[(channel + 1) * count + ray],
+                             values[(channel + 2) * count + ray]};
+    };
+    double least = 1e300;
+    double most = -1e300;
+    for (std::size_t ray = first; ray < first + 12; ray += 3) {
+      const Vector3<double> sky = at(3, ray);
+      const Vector3<double> n = at(0, ray);
+      if (dot(sky, sky) < 0.5 || shadow_.of(n) < least_edge_px_ * pixel_angle(projection_)) {
+        return INFINITY;
+      }
+      // Areas on the sky and on the screen, both with their sign.
+      const double rate = dot(sky, cross(at(3, ray + 1) - sky, at(3, ray + 2) - sky)) /
+                          dot(n, cross(at(0, ray + 1) - n, at(0, ray + 2) - n));
+      least = std::min(least, rate);
+      most = std::max(most, rate);
+    }
+    return least * most > 0.0 ? (most - least) / std::min(std::abs(least), std::abs(most)) : INFINITY;
+  }
+
+  EyeCamera eye_;
+  Projection projection_;
+  ShadowDistance shadow_;
+  double least_edge_px_;
+};
+
+}  // namespace ergodome::test
