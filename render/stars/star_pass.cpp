@@ -2,24 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 
 #include "content/sky_map.h"
-#include "render/lens/grid_builder.h"
+#include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Rays mend what the grid misses: it has to lead them to the right image, no more.
-constexpr double grid_budget_px = 1.0;
-//! Cells smaller than this are not refined: rays start from what they have.
-constexpr double least_area_px = 4.0;
+//! Beyond the view images are sought, which may move on their way from the grid's place to theirs [rad].
+constexpr double view_margin = 0.05;
 //! Both eyes.
 constexpr std::size_t kept = 2;
 
+//! Illuminance of a magnitude [lx].
+float illuminance_of(double magnitude) {
+  return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
+}
+
+DiffractionPattern spike_pattern(const Show& show) {
+  const DiffractionSettings& spikes = *show.effects.diffraction;
+  if (!spikes.pattern.empty()) {
+    return load_diffraction_pattern(std::filesystem::path(show.folder) / spikes.pattern);
+  }
+  return diffraction_pattern({spikes.blades, spikes.vanes, spikes.obstruction, spikes.size_px, spikes.scale});
+}
+
 StarSettings star_settings(const Show& show) {
   StarSettings settings;
-  settings.faintest = static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * show.sky.faintest_mag));
+  settings.faintest = illuminance_of(show.sky.faintest_mag);
   settings.redshift = show.effects.redshift;
   settings.magnification = show.effects.magnification;
   return settings;
@@ -32,7 +45,18 @@ StarPass::StarPass(const Show& show)
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
       settings_(star_settings(show)),
       splat_{show.effects.psf ? show.effects.psf->sigma_px : 0.0,
-             static_cast<float>(show.sky.exposure / luminance_of_white)} {}
+             static_cast<float>(show.sky.exposure / luminance_of_white), std::numeric_limits<float>::infinity(), 0.0F,
+             0.0} {
+  if (show.sky.star_method == StarMethod::gather) {
+    tree_.emplace(field_);
+  }
+  if (show.effects.diffraction) {
+    splat_.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
+    spikes_ = spike_pattern(show);
+    splat_.spike_strength = static_cast<float>(show.effects.diffraction->strength);
+    splat_.spike_reach_px = 0.5 * spikes_->size_px + 1.0;
+  }
+}
 
 const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
@@ -44,13 +68,7 @@ const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSe
     std::rotate(turned_.begin(), found, found + 1);
     return turned_.front();
   }
-  GridSettings settings;
-  settings.pixel = pixel;
-  settings.budget_px = grid_budget_px;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
-  settings.fine = false;
-  settings.least_area_px = least_area_px;
-  LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, settings, nullptr, &tracer_);
+  LensStation station = build_star_station(eye, pixel, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
   turned_.insert(turned_.begin(), Turned{eye.spin, eye.r, eye.theta, pixel, eye.motion, eye.velocity,
                                          std::move(station), std::move(patches)});
@@ -60,19 +78,60 @@ const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSe
   return turned_.front();
 }
 
-std::vector<StarImage> StarPass::find(const EyeCamera& eye, const Projection& projection) {
+std::vector<StarImage> StarPass::images(const EyeCamera& eye, const Projection& projection,
+                                        const StarSettings& settings) {
+  if (tree_) {
+    return star_images(gather_stars(field_, *tree_, colours_.view(), eye, projection, settings).stars, eye, projection);
+  }
+  const Turned& turned = patches_for(eye, settings);
+  return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
+}
+
+std::vector<StarPoint> StarPass::find(const EyeCamera& eye, const Projection& projection,
+                                      const std::optional<Shutter>& shutter) {
   if (field_.stars().empty()) {
     return {};
   }
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
-  const Turned& turned = patches_for(eye, settings);
-  return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
+  // Trails may come in from anywhere.
+  if (!shutter) {
+    const double reach_px = std::max(splat_.reach_px(), splat_.spike_reach_px);
+    settings.view = view_cone(eye, projection, view_margin + reach_px * settings.pixel);
+  }
+  const std::vector<StarImage> found = images(eye, projection, settings);
+  if (!shutter) {
+    return star_points(found, eye, projection, splat_);
+  }
+  return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat_);
 }
 
-void StarPass::draw(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection,
-                    int first_row, int row_count, float* rgba) const {
-  splat_stars(images, eye, projection, splat_, first_row, row_count, rgba);
+void StarPass::draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
+                    float* rgba) const {
+  splat_points(points, projection, splat_, first_row, row_count, rgba);
+  if (spikes_) {
+    draw_spikes(points, projection, first_row, row_count, rgba);
+  }
+}
+
+void StarPass::draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row,
+                           int row_count, float* rgba) const {
+  const int width = projection.width_px;
+  const bool wraps = projection.kind == ProjectionKind::equirectangular;
+  constexpr int band = 64;
+  parallel_for((row_count + band - 1) / band, 1, [&](int begin, int end) {
+    const int top = begin * band;
+    const int rows = std::min(end * band, row_count) - top;
+    float* const to = rgba + 4 * static_cast<std::size_t>(top) * static_cast<std::size_t>(width);
+    for (const StarPoint& point : points) {
+      if (point.spikes.x + point.spikes.y + point.spikes.z > 0.0F) {
+        const double y = point.y_px - (first_row + top);
+        for (int turn = wraps ? -1 : 0; turn <= (wraps ? 1 : 0); ++turn) {
+          add_diffraction(*spikes_, point.x_px + turn * width, y, point.spikes, width, rows, to);
+        }
+      }
+    }
+  });
 }
 
 }  // namespace ergodome

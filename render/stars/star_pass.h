@@ -3,9 +3,11 @@
 #include <optional>
 
 #include "content/show.h"
+#include "render/effects/diffraction.h"
 #include "render/lens/grid_tracer.h"
 #include "render/stars/blackbody_colours.h"
 #include "render/stars/star_finder.h"
+#include "render/stars/star_gather.h"
 #include "render/stars/star_splat.h"
 
 namespace ergodome {
@@ -21,14 +23,19 @@ class StarPass {
   //! Loads the catalogue. Throws Error when it cannot be read.
   explicit StarPass(const Show& show);
 
-  //! Finds the images for an eye; they are exact whatever the map's lens is.
-  std::vector<StarImage> find(const EyeCamera& eye, const Projection& projection);
+  //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
+  std::vector<StarPoint> find(const EyeCamera& eye, const Projection& projection,
+                              const std::optional<Shutter>& shutter);
 
   //! Adds them to rows of a picture in host memory.
-  void draw(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection, int first_row,
-            int row_count, float* rgba) const;
+  void draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
+            float* rgba) const;
 
  private:
+  std::vector<StarImage> images(const EyeCamera& eye, const Projection& projection, const StarSettings& settings);
+  void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
+                   float* rgba) const;
+
   //! A grid that was turned round.
   struct Turned {
     double spin;
@@ -45,8 +52,10 @@ class StarPass {
 
   BlackbodyColours colours_;
   StarField field_;
+  std::optional<StarTree> tree_;  //!< where pixels gather stars
   StarSettings settings_;
   SplatSettings splat_;
+  std::optional<DiffractionPattern> spikes_;
   GridTracer<float> tracer_;
   std::vector<Turned> turned_;  //!< of the last eyes
 };

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "kernels/projection/projection.h"
 #include "render/lens/eye_camera.h"
-#include "render/stars/star_finder.h"
+#include "render/stars/star_trails.h"
 
 namespace ergodome {
 
@@ -12,13 +13,35 @@ namespace ergodome {
 struct SplatSettings {
   double sigma_px = 0.0;  //!< of a Gaussian, cut off at three of them; 0: each image in the pixel that it falls on
   float scale = 1.0F;     //!< picture value of a luminance of 1 cd/m²
+  float spikes_from = std::numeric_limits<float>::infinity();  //!< illuminance of the images that have spikes [lx]
+  float spike_strength = 0.0F;                                 //!< part of their light that is in these
+  double spike_reach_px = 0.0;
+
+  //! How far from its middle a point may reach.
+  [[nodiscard]] double reach_px() const;
 };
 
-//! Adds images of stars to rows [first_row, first_row + row_count) of a picture in host memory: four floats a pixel, linear light.
+//! Light on the screen, at a point.
+struct StarPoint {
+  double x_px;
+  double y_px;
+  Vector3<float> light;   //!< picture value times pixels
+  Vector3<float> spikes;  //!< light of the spikes, of the same measure
+};
+
+//! The images that lie in a picture or beside it, from the top down.
 //!
-//! A pixel receives the illuminance that falls on it over its solid angle, which is a luminance like that of the map. The weights of an
-//! image's pixels add up to 1, wherever between pixels it lies: its light does not depend on the spread, nor on the resolution.
-void splat_stars(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection,
-                 const SplatSettings& settings, int first_row, int row_count, float* rgba);
+//! A pixel receives the illuminance that falls on it over its solid angle, which is a luminance like that of the map.
+std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
+                                   const Projection& projection, const SplatSettings& settings);
+
+//! The same for images on their way while a shutter is open, each a row of points that share its light.
+std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
+                                    const SplatSettings& settings);
+
+//! Adds points to rows [first_row, first_row + row_count) of a picture in host memory: four floats a pixel, linear light. The weights of
+//! a point's pixels add up to 1, wherever between pixels it lies: its light does not depend on the spread, nor on the resolution.
+void splat_points(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& settings,
+                  int first_row, int row_count, float* rgba);
 
 }  // namespace ergodome

@@ -11,21 +11,10 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Illuminance of a picture's pixels [lx].
-double light_of(const std::vector<float>& rgba, const Projection& projection) {
-  using D = Dual<double>;
-  double sum = 0.0;
-  for (int y = 0; y < projection.height_px; ++y) {
-    for (int x = 0; x < projection.width_px; ++x) {
-      const Vector3<D> n = direction_from_pixel(projection, D(x + 0.5, 1.0, 0.0), D(y + 0.5, 0.0, 1.0));
-      const Vector3<double> area = cross(Vector3<double>{n.x.along_x, n.y.along_x, n.z.along_x},
-                                         Vector3<double>{n.x.along_y, n.y.along_y, n.z.along_y});
-      const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(projection.width_px) +
-                                 static_cast<std::size_t>(x));
-      sum += static_cast<double>(rgba[i + 1]) * std::sqrt(dot(area, area));
-    }
-  }
-  return sum;
+//! Finds the places of images on the screen and adds them to rows of a picture.
+void splat_stars(const std::vector<StarImage>& images, const EyeCamera& eye, const Projection& projection,
+                 const SplatSettings& settings, int first_row, int row_count, float* rgba) {
+  splat_points(star_points(images, eye, projection, settings), projection, settings, first_row, row_count, rgba);
 }
 
 TEST(StarSplat, LightDoesNotDependOnSpreadNorResolution) {

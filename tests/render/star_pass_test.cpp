@@ -1,0 +1,129 @@
+#include "render/stars/star_pass.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "content/show_reader.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/image_writer.h"
+
+namespace ergodome {
+namespace {
+
+//! A map without light, which takes no time to load.
+class BlackMap {
+ public:
+  BlackMap() { write_png(path_, std::vector<std::uint8_t>(3UL * 8 * 4), 8, 4); }
+  ~BlackMap() {
+    std::error_code problem;
+    std::filesystem::remove(path_, problem);
+  }
+  BlackMap(const BlackMap&) = delete;
+  BlackMap& operator=(const BlackMap&) = delete;
+
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / ("ergodome-black-" + std::to_string(getpid()) + ".png");
+};
+
+//! A show of stars on their own.
+Show star_show(const std::string& more) {
+  Show show = parse_show(R"(
+duration_s = 10
+[hole]
+spin = 0.9
+[camera]
+[[camera.key]]
+r = 12
+theta_deg = 70
+[[camera.key]]
+t_s = 10
+r = 12
+theta_deg = 70
+phi_deg = 60
+[sky]
+stars = "bright_stars"
+faintest_mag = 6
+[view]
+size_px = 256
+)" + more,
+                         "stars.toml");
+  static const BlackMap map;
+  show.sky.map = map.path();
+  return show;
+}
+
+Picture rendered(const std::string& more) {
+  ShowRenderer renderer(star_show(more), Backend::cpu);
+  return renderer.render(5.0, {}).front().picture;
+}
+
+double light_of(const Picture& picture) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    sum += static_cast<double>(picture.rgba[i + 1]);
+  }
+  return sum;
+}
+
+constexpr const char* plain = "[effects]\nmagnification = true\n";
+
+TEST(StarsOfAShow, AddLightToItsSky) { EXPECT_GT(light_of(rendered(plain)), 1.0); }
+
+TEST(StarsOfAShow, GatheredByPixelsShineAsMuch) {
+  const double gathered = light_of(rendered(std::string(plain) + "[stars]\nmethod = \"gather\"\n"));
+  EXPECT_NEAR(gathered / light_of(rendered(plain)), 1.0, 0.03);
+}
+
+TEST(StarsOfAShow, KeepTheirLightWithSpikes) {
+  const double with =
+      light_of(rendered(std::string(plain) + "diffraction = { brighter_than_mag = 3, size_px = 65 }\n"));
+  EXPECT_NEAR(with / light_of(rendered(plain)), 1.0, 0.03);
+}
+
+TEST(StarsOfAShow, WithSpikesReachFarther) {
+  const Picture without = rendered(plain);
+  const Picture with = rendered(std::string(plain) + "diffraction = { brighter_than_mag = 3, size_px = 65 }\n");
+  std::size_t brighter = 0;
+  for (std::size_t i = 1; i < with.rgba.size(); i += 4) {
+    brighter += with.rgba[i] > without.rgba[i] + 1e-4F ? 1U : 0U;
+  }
+  EXPECT_GT(brighter, 200U);
+}
+
+TEST(StarsOfAShow, LeaveTrailsAsBrightAsTheyAre) {
+  const double with = light_of(rendered(std::string(plain) + "trails = { shutter_s = 0.2 }\n"));
+  EXPECT_NEAR(with / light_of(rendered(plain)), 1.0, 0.03);
+}
+
+TEST(BloomOfAShow, KeepsTheLightAndTheRim) {
+  const Picture without = rendered(plain);
+  const Picture with = rendered(std::string(plain) + "bloom = { strength = 0.3, radius_px = 5 }\n");
+  // What is scattered over the rim is lost.
+  EXPECT_NEAR(light_of(with) / light_of(without), 1.0, 0.05);
+  EXPECT_EQ(with.rgba[0], 0.0F);
+  EXPECT_NE(with.rgba, without.rgba);
+}
+
+TEST(ExposureOfAShow, BringsItsMiddleLightToTheTarget) {
+  const Picture picture = rendered("[tone]\nauto = { target = 0.2, least_stops = -20.0, most_stops = 20.0 }\n");
+  LightMeter meter;
+  meter.add(picture);
+  EXPECT_NEAR(static_cast<double>(picture.tone.gain) * meter.middle_light(), 0.2, 1e-3);
+}
+
+TEST(ExposureOfAShow, IsTheSameForBothEyes) {
+  ShowRenderer renderer(star_show("[stereo]\nlayout = \"separate\"\nbaseline = 2.0\n[tone]\nauto = {}\n"),
+                        Backend::cpu);
+  const auto images = renderer.render(5.0, {});
+  ASSERT_EQ(images.size(), 2U);
+  EXPECT_EQ(images[0].picture.tone.gain, images[1].picture.tone.gain);
+}
+
+}  // namespace
+}  // namespace ergodome
