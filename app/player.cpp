@@ -19,7 +19,7 @@ namespace {
 
 //! A picture may take this long while something moves: ten a second, with room for the rest of the machine.
 constexpr double moving_budget_ms = 70.0;
-constexpr int smallest_px = 96;
+constexpr int smallest_px = 192;
 
 int window_width(const Show& show, int size_px) {
   return show.stereo.layout == StereoLayout::side_by_side || show.stereo.layout == StereoLayout::separate ? 2 * size_px
@@ -247,11 +247,12 @@ void Player::show_on_device() {
   changed_ = false;
   const auto start = Clock::now();
   const Projection projection = make_projection(renderer_.show().view, options_.size_px, field_of_view_deg_);
-  if (renderer_.show().stereo.layout == StereoLayout::mono) {
+  if (renderer_.show().stereo.layout == StereoLayout::mono && !renderer_.finishes_pictures()) {
     const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_, moment(), &lens_);
-    presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, mode_ != ViewMode::sky);
+    presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, mode_ != ViewMode::sky,
+                                  tone_of(renderer_.show().tone));
   } else {
-    const Picture picture = renderer_.render_both_eyes(current_pose(), projection, mode_, moment());
+    const Picture picture = renderer_.render_window(current_pose(), projection, mode_, moment());
     lens_ = picture.lens;
     presenter_.upload(picture);
   }

@@ -14,9 +14,6 @@ double frame_time_s(const Show& show, int frame) { return frame / show.frame_rat
 
 std::vector<std::string> missing_features(const Show& show) {
   std::vector<std::string> missing;
-  if (show.effects.trails) {
-    missing.emplace_back("trails of stars are not drawn yet (effects.trails)");
-  }
   if (show.view.projection == ViewProjection::cube || show.view.projection == ViewProjection::cylinder) {
     missing.emplace_back("the projections cube and cylinder are not there yet (view.projection)");
   }

@@ -33,9 +33,13 @@ struct CameraSettings {
   std::vector<CameraKey> keys;                 //!< in order of time, at least one
 };
 
+//! How stars are found: every image by inverting the lens, or by what each pixel covers (Verbraeck & Eisemann 2021), for comparison.
+enum class StarMethod { inverse, gather };
+
 struct SkySettings {
-  std::string map = "milky_way";    //!< a built-in name, or a path relative to the show
-  std::string stars;                //!< a built-in name, a path, or empty: no stars
+  std::string map = "milky_way";  //!< a built-in name, or a path relative to the show
+  std::string stars;              //!< a built-in name, a path, or empty: no stars
+  StarMethod star_method = StarMethod::inverse;
   double faintest_mag = 10.0;       //!< images of stars fainter than this, as they are seen, are left out
   double spin_axis_ra_deg = 270.0;  //!< where the hole's spin axis points, J2000
   double spin_axis_dec_deg = 66.6;
@@ -50,12 +54,35 @@ struct TrailSettings {
   double shutter_s = 0.02;
 };
 
+//! Spikes on bright stars, as an aperture makes them.
+struct DiffractionSettings {
+  double brighter_than_mag = 2.0;  //!< images as bright as this have spikes
+  double strength = 0.3;           //!< part of a star's light that is in them
+  std::string pattern;             //!< an image, as a path relative to the show; empty: that of the aperture
+  int blades = 6;                  //!< as in ApertureSettings (render/effects/far_field.h), like the rest
+  int vanes = 0;
+  double obstruction = 0.0;
+  int size_px = 129;
+  double scale = 1.0;
+};
+
+//! The halo of bright light that a lens or an eye scatters.
+struct BloomSettings {
+  //! Part of the light that is scattered; taken as 0 below it and as 1 above.
+  double strength = 0.04;
+  //! Root mean square distance of the scattered light from its source along an axis [px]: most falls nearer, a faint tail reaches three
+  //! times as far. 0 scatters nothing. More than the picture is large is taken as that.
+  double radius_px = 40.0;
+};
+
 //! What is simulated; absent is not simulated.
 struct EffectSettings {
   bool redshift = false;
   bool magnification = false;
   std::optional<PointSpreadSettings> psf;
   std::optional<TrailSettings> trails;
+  std::optional<DiffractionSettings> diffraction;
+  std::optional<BloomSettings> bloom;
 };
 
 enum class ViewProjection { dome, equirect, cube, cylinder, pinhole };
@@ -78,6 +105,25 @@ struct StereoSettings {
   bool swap_eyes = false;
 };
 
+//! How light becomes what a display shows; formulas in render/output/tone.h.
+enum class ToneCurve { shoulder, reinhard, filmic, gamma };
+
+//! Exposure that follows the light, as an eye does.
+struct AutoExposureSettings {
+  double target = 0.1;        //!< the display light that the picture's middle light is brought to
+  double least_stops = -4.0;  //!< limits of what that may change
+  double most_stops = 4.0;
+  double adapt_s = 1.0;  //!< time in which all but 1/e of a change is followed
+};
+
+struct ToneSettings {
+  ToneCurve curve = ToneCurve::shoulder;
+  double exposure_stops = 0.0;
+  double white = 4.0;  //!< light that `reinhard` shows as white
+  double gamma = 2.2;  //!< exponent that `gamma` lifts dark light by
+  std::optional<AutoExposureSettings> automatic;
+};
+
 struct QualitySettings {
   double budget_px = 0.25;  //!< error of a direction on the screen that is accepted [px]
 };
@@ -98,6 +144,7 @@ struct Show {
   EffectSettings effects;
   ViewSettings view;
   StereoSettings stereo;
+  ToneSettings tone;
   QualitySettings quality;
   GridScheme grid_scheme = GridScheme::conforming;
 };

@@ -51,6 +51,35 @@ toml::table effects_of(const EffectSettings& effects) {
   if (effects.trails) {
     table.insert("trails", toml::table{{"shutter_s", effects.trails->shutter_s}});
   }
+  if (effects.diffraction) {
+    const DiffractionSettings& spikes = *effects.diffraction;
+    table.insert("diffraction", toml::table{{"brighter_than_mag", spikes.brighter_than_mag},
+                                            {"strength", spikes.strength},
+                                            {"pattern", spikes.pattern},
+                                            {"blades", spikes.blades},
+                                            {"vanes", spikes.vanes},
+                                            {"obstruction", spikes.obstruction},
+                                            {"size_px", spikes.size_px},
+                                            {"scale", spikes.scale}});
+  }
+  if (effects.bloom) {
+    table.insert("bloom", toml::table{{"strength", effects.bloom->strength}, {"radius_px", effects.bloom->radius_px}});
+  }
+  return table;
+}
+
+toml::table tone_of(const ToneSettings& tone) {
+  constexpr const char* curves[] = {"shoulder", "reinhard", "filmic", "gamma"};
+  toml::table table{{"curve", curves[static_cast<int>(tone.curve)]},
+                    {"exposure_stops", tone.exposure_stops},
+                    {"white", tone.white},
+                    {"gamma", tone.gamma}};
+  if (tone.automatic) {
+    table.insert("auto", toml::table{{"target", tone.automatic->target},
+                                     {"least_stops", tone.automatic->least_stops},
+                                     {"most_stops", tone.automatic->most_stops},
+                                     {"adapt_s", tone.automatic->adapt_s}});
+  }
   return table;
 }
 
@@ -61,6 +90,7 @@ std::string to_toml(const Show& show) {
   constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
                                      "anaglyph", "dubois",       "rows",       "quad_buffer"};
   constexpr const char* schemes[] = {"conforming", "quadtree"};
+  constexpr const char* methods[] = {"inverse", "gather"};
   constexpr const char* models[] = {"physical", "flat", "omni"};
   const toml::table root{{"title", show.title},
                          {"duration_s", show.duration_s},
@@ -69,10 +99,12 @@ std::string to_toml(const Show& show) {
                          {"camera", camera_of(show.camera)},
                          {"sky", toml::table{{"map", show.sky.map},
                                              {"stars", show.sky.stars},
+
                                              {"faintest_mag", show.sky.faintest_mag},
                                              {"exposure", show.sky.exposure},
                                              {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
                                                                        {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
+                         {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
                          {"effects", effects_of(show.effects)},
                          {"view", toml::table{{"projection", projections[static_cast<int>(show.view.projection)]},
                                               {"fov_deg", show.view.field_of_view_deg},
@@ -83,6 +115,7 @@ std::string to_toml(const Show& show) {
                                                 {"model", models[static_cast<int>(show.stereo.model)]},
                                                 {"baseline", show.stereo.baseline},
                                                 {"swap_eyes", show.stereo.swap_eyes}}},
+                         {"tone", tone_of(show.tone)},
                          {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                          {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
   std::ostringstream text;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/launch/parallel_for.h"
+#include "render/effects/bloom.h"
+
 namespace ergodome {
 
 namespace {
@@ -27,6 +30,20 @@ void set_kernel_range(ShadeBatch& batch, const HeatRange& range, double pixel_so
   };
   batch.range_low = static_cast<float>(measure(range.low));
   batch.range_high = static_cast<float>(measure(range.high));
+}
+
+//! Halos and spikes do not know where the image ends.
+void clear_outside(const Projection& projection, Picture& picture) {
+  parallel_for(picture.height, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        if (!(image_coverage(projection, x + 0.5, y + 0.5) > 0.0)) {
+          const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width);
+          std::fill_n(picture.rgba.begin() + static_cast<long>(4 * (at + static_cast<std::size_t>(x))), 3, 0.0F);
+        }
+      }
+    }
+  });
 }
 
 }  // namespace
@@ -96,10 +113,10 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
   return shade;
 }
 
-std::vector<StarImage> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
+std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
                                                const PictureSettings& settings) {
   const bool wanted = settings.stars != nullptr && settings.mode == ViewMode::sky;
-  return wanted ? settings.stars->find(eye, projection) : std::vector<StarImage>();
+  return wanted ? settings.stars->find(eye, projection, settings.shutter) : std::vector<StarPoint>();
 }
 
 const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
@@ -110,9 +127,9 @@ const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection
   const auto source = lenses_.choose(
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   render_rows(*source, shade, projection.width_px, 0, projection.height_px);
-  const std::vector<StarImage> stars = find_stars(eye, projection, settings);
+  const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
   if (!stars.empty()) {
-    draw_stars_in_place(stars, eye, projection, *settings.stars);
+    draw_stars_in_place(stars, projection, *settings.stars);
   }
   if (lens != nullptr) {
     *lens = source->name();
@@ -120,15 +137,15 @@ const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection
   return rgba_.data();
 }
 
-void EyeRenderer::draw_stars_in_place(const std::vector<StarImage>& stars, const EyeCamera& eye,
-                                      const Projection& projection, const StarPass& pass) {
+void EyeRenderer::draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection,
+                                      const StarPass& pass) {
   if (backend_ == Backend::cpu) {
-    return pass.draw(stars, eye, projection, 0, projection.height_px, rgba_.data());
+    return pass.draw(stars, projection, 0, projection.height_px, rgba_.data());
   }
   std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
                              static_cast<std::size_t>(projection.height_px));
   rgba_.read(picture.data(), picture.size());
-  pass.draw(stars, eye, projection, 0, projection.height_px, picture.data());
+  pass.draw(stars, projection, 0, projection.height_px, picture.data());
   rgba_.write(picture.data(), picture.size());
 }
 
@@ -149,7 +166,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
   picture.lens = source->name();
   picture.behind = source->behind();
-  const std::vector<StarImage> stars = find_stars(eye, projection, settings);
+  const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
   std::vector<float> estimates(most);
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
@@ -157,12 +174,18 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     render_rows(*source, shade, projection.width_px, row, rows);
     rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
     if (!stars.empty()) {
-      settings.stars->draw(stars, eye, projection, row, rows,
+      settings.stars->draw(stars, projection, row, rows,
                            picture.rgba.data() + 4 * width * static_cast<std::size_t>(row));
     }
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
                                                [](float e) { return e < 0.0F; });
+  }
+  if (settings.mode == ViewMode::sky && settings.bloom) {
+    add_bloom(picture, *settings.bloom);
+  }
+  if (settings.mode == ViewMode::sky && (settings.bloom || settings.spikes)) {
+    clear_outside(projection, picture);
   }
   return picture;
 }

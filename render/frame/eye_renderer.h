@@ -5,6 +5,7 @@
 
 #include "render/backend/buffer.h"
 #include "render/lens/lens_chooser.h"
+#include "render/output/tone.h"
 #include "render/sky/sky_cube.h"
 #include "render/stars/star_pass.h"
 
@@ -19,7 +20,10 @@ struct PictureSettings {
   LensAccuracy accuracy{};
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
-  StarPass* stars = nullptr;  //!< drawn where they are given, on the sky's own view
+  StarPass* stars = nullptr;           //!< drawn where they are given, on the sky's own view
+  std::optional<Shutter> shutter;      //!< stars leave trails
+  bool spikes = false;                 //!< stars have some
+  std::optional<BloomSettings> bloom;  //!< of whole pictures alone: render_in_place leaves it out
 };
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
@@ -38,6 +42,7 @@ struct Picture {
   bool behind = false;         //!< LensSource::behind()
   long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky
   std::optional<HeatRange> heat_range;
+  Tone tone;  //!< how it is to be shown
 };
 
 //! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
@@ -67,12 +72,11 @@ class EyeRenderer {
   void render_rows(const LensSource& source, ShadeBatch& shade, int width_px, int row, int rows);
 
   //! The images of stars that a picture shows.
-  static std::vector<StarImage> find_stars(const EyeCamera& eye, const Projection& projection,
+  static std::vector<StarPoint> find_stars(const EyeCamera& eye, const Projection& projection,
                                            const PictureSettings& settings);
 
   //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
-  void draw_stars_in_place(const std::vector<StarImage>& stars, const EyeCamera& eye, const Projection& projection,
-                           const StarPass& pass);
+  void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
 
   //! Makes room for the channels that the picture calls for, and no others.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings);

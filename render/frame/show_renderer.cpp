@@ -1,6 +1,7 @@
 #include "render/frame/show_renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "content/sky_map.h"
@@ -10,6 +11,9 @@ namespace ergodome {
 
 namespace {
 
+//! Of the camera's way past the hole, in which images of stars are followed [rad].
+constexpr double longest_trail_step = 0.02;
+constexpr int most_trail_steps = 32;
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
 //! Both pictures in one: `columns` 2 side by side, 1 on top of each other.
@@ -72,13 +76,48 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       stream_(std::move(stream)),
       sky_(backend, load_sky_map(show), sky_from_map(show.sky)),
       stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show)),
-      renderer_(backend, stream_) {}
+      renderer_(backend, stream_) {
+  if (show.tone.automatic) {
+    exposure_.emplace(*show.tone.automatic);
+  }
+}
+
+void ShowRenderer::expose(std::span<FrameImage> images, double clock_s) {
+  Tone tone = tone_of(show_.tone);
+  if (exposure_ && !images.front().picture.heat_range) {
+    LightMeter meter;
+    for (const FrameImage& image : images) {
+      meter.add(image.picture);
+    }
+    tone.gain *= static_cast<float>(std::exp2(exposure_->follow(meter.middle_light(), clock_s - last_clock_s_)));
+    last_clock_s_ = clock_s;
+  }
+  for (FrameImage& image : images) {
+    image.picture.tone = tone;
+  }
+}
 
 std::optional<StreamStatistics> ShowRenderer::stream_statistics() const {
   return stream_ ? std::optional(stream_->statistics()) : std::nullopt;
 }
 
-PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& moment) const {
+Shutter ShowRenderer::shutter_at(double time_s, double eye_offset) const {
+  const double half = 0.5 * show_.effects.trails->shutter_s;
+  const CameraPose open = camera_pose(show_, time_s - half);
+  const CameraPose close = camera_pose(show_, time_s + half);
+  // Images are followed in steps that are small beside the hole, and beside the view.
+  const double turn = 2.0 * std::acos(std::min(std::abs(glm::dot(open.orientation, close.orientation)), 1.0));
+  const double way = std::abs(close.phi - open.phi) + std::abs(close.theta - open.theta) +
+                     std::abs(std::log(close.r / open.r)) + 0.1 * turn;
+  const int steps = std::clamp(static_cast<int>(std::ceil(way / longest_trail_step)), 1, most_trail_steps);
+  Shutter shutter;
+  for (int i = -steps; i <= steps; ++i) {
+    shutter.eyes.push_back(eye_camera(show_, camera_pose(show_, time_s + half * i / steps), eye_offset));
+  }
+  return shutter;
+}
+
+PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& moment, double eye_offset) const {
   PictureSettings settings;
   settings.mode = mode;
   settings.beaming = show_.effects.redshift;
@@ -88,18 +127,25 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
   settings.stars = stars_.get();
+  settings.spikes = stars_ && show_.effects.diffraction;
+  settings.bloom = show_.effects.bloom;
+  // In free flight nobody knows where the camera will be when the shutter closes.
+  if (stars_ && show_.effects.trails && moment.time_s) {
+    settings.shutter = shutter_at(*moment.time_s, eye_offset);
+  }
   return settings;
 }
 
 Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
                                  const ShowMoment& moment) {
-  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_, picture_settings(mode, moment));
+  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_,
+                          picture_settings(mode, moment, eye_offset));
 }
 
 const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
                                                ViewMode mode, const ShowMoment& moment, const char** lens) {
   return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_,
-                                   picture_settings(mode, moment), lens);
+                                   picture_settings(mode, moment, eye_offset), lens);
 }
 
 Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
@@ -113,6 +159,15 @@ Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection&
   return joined(left, right, show_.stereo.layout == StereoLayout::top_bottom ? 1 : 2);
 }
 
+Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                    const ShowMoment& moment) {
+  FrameImage image = {FramePart::whole, render_both_eyes(pose, projection, mode, moment)};
+  // A visitor's eye follows by the clock on the wall, show or no show.
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  expose({&image, 1}, std::chrono::duration<double>(now).count());
+  return std::move(image.picture);
+}
+
 std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
   const CameraPose pose = camera_pose(show_, time_s);
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
@@ -121,11 +176,12 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   std::vector<FrameImage> images;
   if (show_.stereo.layout != StereoLayout::separate) {
     images.push_back({FramePart::whole, render_both_eyes(pose, projection, choice.mode, moment)});
-    return images;
+  } else {
+    const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
+    images.push_back({FramePart::left, render_eye(pose, -half, projection, choice.mode, moment)});
+    images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode, moment)});
   }
-  const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
-  images.push_back({FramePart::left, render_eye(pose, -half, projection, choice.mode, moment)});
-  images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode, moment)});
+  expose(images, time_s);
   return images;
 }
 

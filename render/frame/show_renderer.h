@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "content/camera_path.h"
 #include "content/show.h"
 #include "render/frame/eye_renderer.h"
+#include "render/output/auto_exposure.h"
 
 namespace ergodome {
 
@@ -39,7 +41,11 @@ class ShowRenderer {
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
   //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (`separate` side by side). `moment` says
-  //! when in the show that is, for a camera on its path.
+  //! when in the show that is, for a camera on its path. Exposure follows by the clock.
+  Picture render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                        const ShowMoment& moment = {});
+
+  //! The same as it is, for a plain exposure.
   Picture render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                            const ShowMoment& moment = {});
 
@@ -54,11 +60,21 @@ class ShowRenderer {
   //! What the stream of baked stations has done; nothing without one.
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;
 
+  //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom, spikes.
+  [[nodiscard]] bool finishes_pictures() const {
+    return show_.tone.automatic || show_.effects.bloom || show_.effects.diffraction;
+  }
+
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
  private:
-  [[nodiscard]] PictureSettings picture_settings(ViewMode mode, const ShowMoment& moment) const;
+  //! Sets the tone of pictures that are shown together, at a time of some clock.
+  void expose(std::span<FrameImage> images, double clock_s);
+
+  //! The eyes while the shutter is open about a time of the show.
+  [[nodiscard]] Shutter shutter_at(double time_s, double eye_offset) const;
+  [[nodiscard]] PictureSettings picture_settings(ViewMode mode, const ShowMoment& moment, double eye_offset) const;
 
   Show show_;
   LensChoice lens_;
@@ -66,6 +82,8 @@ class ShowRenderer {
   SkyCube sky_;
   std::unique_ptr<StarPass> stars_;  //!< where the show has any
   EyeRenderer renderer_;
+  std::optional<AutoExposure> exposure_;
+  double last_clock_s_ = 0.0;
 };
 
 //! The projection of a show's view at a width.

@@ -27,11 +27,6 @@ const std::array<std::uint8_t, table_size>& encoding_table() {
   return table;
 }
 
-float shoulder(float light) {
-  constexpr float knee = 0.8F;
-  return light <= knee ? light : 1.0F - (1.0F - knee) * std::exp(-(light - knee) / (1.0F - knee));
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
@@ -44,7 +39,7 @@ std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
          i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
         const float light = picture.rgba[4 * i + c];
-        const float shown = heat_map ? light : shoulder(light);
+        const float shown = heat_map ? light : toned(picture.tone, light);
         // The comparison is false for NaN, which becomes black.
         const float clamped = shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
         bytes[3 * i + c] = table[static_cast<std::size_t>(std::lrint(clamped * (table_size - 1)))];

@@ -18,6 +18,7 @@ struct Presenter::State {
   int width = 0;
   int height = 0;
   bool heat_map = false;
+  Tone tone;
   std::unique_ptr<CudaTextureLink> link;
 };
 
@@ -37,9 +38,22 @@ in vec2 place;
 out vec4 colour;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
-vec3 shoulder(vec3 light) {
+layout(location = 1) uniform int curve;
+layout(location = 2) uniform vec3 tone;  // gain, white, gamma
+vec3 toned(vec3 light) {
+  vec3 x = tone.x * light;
+  if (curve == 1) {
+    return x * (1.0 + x / (tone.y * tone.y)) / (1.0 + x);
+  }
+  if (curve == 2) {
+    x = min(x, 1e4);
+    return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+  }
+  if (curve == 3) {
+    return pow(x, vec3(1.0 / tone.z));
+  }
   const float knee = 0.8;
-  return mix(light, 1.0 - (1.0 - knee) * exp(-(light - knee) / (1.0 - knee)), greaterThan(light, vec3(knee)));
+  return mix(x, 1.0 - (1.0 - knee) * exp(-(x - knee) / (1.0 - knee)), greaterThan(x, vec3(knee)));
 }
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
@@ -47,7 +61,7 @@ vec3 encoded(vec3 light) {
 void main() {
   // The picture's first row is its top.
   vec3 light = max(texture(picture, vec2(place.x, 1.0 - place.y)).rgb, vec3(0.0));
-  colour = vec4(encoded(clamp(heat_map ? light : shoulder(light), 0.0, 1.0)), 1.0);
+  colour = vec4(encoded(clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
 }
 )";
 
@@ -118,12 +132,14 @@ void Presenter::resize(int width, int height) {
 void Presenter::upload(const Picture& picture) {
   resize(picture.width, picture.height);
   state_->heat_map = picture.heat_range.has_value();
+  state_->tone = picture.tone;
   glTextureSubImage2D(state_->texture, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.rgba.data());
 }
 
-void Presenter::upload_from_device(const float* rgba, int width, int height, bool heat_map) {
+void Presenter::upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone) {
   resize(width, height);
   state_->heat_map = heat_map;
+  state_->tone = tone;
   if (!state_->link) {
     state_->link = std::make_unique<CudaTextureLink>(state_->texture, width, height);
   }
@@ -144,6 +160,8 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height) {
   glViewport((framebuffer_width - width) / 2, (framebuffer_height - height) / 2, width, height);
   glUseProgram(state_->program);
   glUniform1i(0, state_->heat_map ? 1 : 0);
+  glUniform1i(1, static_cast<int>(state_->tone.curve));
+  glUniform3f(2, state_->tone.gain, state_->tone.white, state_->tone.gamma);
   glBindTextureUnit(0, state_->texture);
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -22,7 +22,7 @@ class Presenter {
   void upload(const Picture& picture);
 
   //! Hands over a picture from CUDA device memory (four floats a pixel), without a way through the host.
-  void upload_from_device(const float* rgba, int width, int height, bool heat_map);
+  void upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone);
 
   //! Draws the picture into the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height);

@@ -162,12 +162,12 @@ TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   EXPECT_EQ(run("render absent"), 1);
   EXPECT_THAT(output_, HasSubstr("first-light"));
   EXPECT_EQ(run("render small.toml --out /proc/nowhere"), 1);
-  write("bad.toml", std::string(small_show) + "[stars]\n");
+  write("bad.toml", std::string(small_show) + "[planets]\n");
   EXPECT_EQ(run("render bad.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("bad.toml:13"));
-  write("trails.toml", std::string(small_show) + "[effects]\ntrails = { shutter_s = 0.5 }\n");
-  EXPECT_EQ(run("render trails.toml"), 1);
-  EXPECT_THAT(output_, HasSubstr("not drawn yet"));
+  write("rows.toml", std::string(small_show) + "[stereo]\nlayout = \"rows\"\n");
+  EXPECT_EQ(run("render rows.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("stereo.layout"));
   write("map.toml", "[camera]\n[[camera.key]]\nr=9\n[sky]\nmap = \"absent.exr\"\n");
   EXPECT_EQ(run("render map.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("absent.exr"));

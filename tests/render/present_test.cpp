@@ -71,6 +71,23 @@ TEST_F(Present, PictureOfTheWindowsSizeIsTheToneMappedPicture) {
   }
 }
 
+TEST_F(Present, WindowsShowEveryToneAsFilesDo) {
+  make_framebuffer(40, 20);
+  Presenter presenter;
+  for (const ToneCurve curve : {ToneCurve::shoulder, ToneCurve::reinhard, ToneCurve::filmic, ToneCurve::gamma}) {
+    Picture picture = corners(40, 20);
+    picture.rgba[0] = 30.0F;
+    picture.tone = {curve, 1.7F, 3.0F, 1.8F};
+    presenter.upload(picture);
+    presenter.draw(40, 20);
+    const auto shown = Presenter::read_back(40, 20);
+    const auto expected = tone_mapped(picture);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      ASSERT_NEAR(shown[i], expected[i], 1) << i << " " << static_cast<int>(curve);
+    }
+  }
+}
+
 TEST_F(Present, PictureOfAnotherShapeIsLetterboxed) {
   make_framebuffer(100, 100);
   Presenter presenter;
