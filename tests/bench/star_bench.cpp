@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "kernels/launch/parallel_for.h"
-#include "render/lens/grid_builder.h"
 #include "render/stars/star_pass.h"
 
 // Finding and drawing the images of stars on a 1024² dome, down to a magnitude: the grid and its turning round, as each new place of the
@@ -37,45 +36,63 @@ StarSettings settings_to(double faintest_mag) {
   return settings;
 }
 
-LensStation station_for(const EyeCamera& eye) {
-  GridSettings grid;
-  grid.pixel = pixel;
-  grid.budget_px = 1.0;
-  grid.least_area_px = 4.0;
-  grid.fine = false;
-  grid.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
-  return build_lens_station(eye.spin, eye.r, eye.theta, grid);
-}
-
 void star_place(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
   const StarSettings settings = settings_to(10.0);
   for (auto _ : state) {
-    const LensStation station = station_for(eye());
+    const LensStation station = build_star_station(eye(), pixel);
     benchmark::DoNotOptimize(star_patches(field, colours.view(), eye(), station, settings).patches().data());
   }
 }
 
+//! Pictures of a width.
 void star_picture(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
-  const StarSettings settings = settings_to(10.0);
-  const LensStation station = station_for(eye());
+  StarSettings settings = settings_to(10.0);
+  const LensStation station = build_star_station(eye(), pixel);
   const StarPatches patches = star_patches(field, colours.view(), eye(), station, settings);
-  const Projection projection = make_dome_projection(1024, pi, 0.5);
-  std::vector<float> rgba(4UL * 1024 * 1024);
+  const int width = static_cast<int>(state.range(1));
+  const Projection projection = make_dome_projection(width, pi, 0.5);
+  settings.view = view_cone(eye(), projection, 0.06);
+  std::vector<float> rgba(4UL * static_cast<std::size_t>(width) * static_cast<std::size_t>(width));
   std::size_t images = 0;
   for (auto _ : state) {
     const auto found = find_star_images(field, colours.view(), eye(), station, patches, settings);
-    splat_stars(found, eye(), projection, {0.5, 1.0F}, 0, 1024, rgba.data());
+    splat_points(star_points(found, eye(), projection, {0.5, 1.0F}), projection, {0.5, 1.0F}, 0, width, rgba.data());
     images = found.size();
   }
   state.counters["images"] = static_cast<double>(images);
   state.SetLabel(std::to_string(thread_count()) + " threads");
 }
 
+//! The same stars by the published way: what each pixel covers on the sky.
+void star_gathered_picture(benchmark::State& state) {
+  const BlackbodyColours colours(Backend::cpu);
+  const StarField field = field_of(state.range(0), colours);
+  const StarTree tree(field);
+  const StarSettings settings = settings_to(10.0);
+  const Projection projection = make_dome_projection(static_cast<int>(state.range(1)), pi, 0.5);
+  std::size_t images = 0;
+  for (auto _ : state) {
+    images = gather_stars(field, tree, colours.view(), eye(), projection, settings).stars.size();
+  }
+  state.counters["images"] = static_cast<double>(images);
+}
+
 BENCHMARK(star_place)->Arg(5000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(star_picture)->Arg(5000)->Arg(118'216)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(star_picture)
+    ->Args({5000, 1024})
+    ->Args({20'000, 1024})
+    ->Args({118'216, 1024})
+    ->Args({118'216, 4096})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(star_gathered_picture)
+    ->Args({5000, 1024})
+    ->Args({118'216, 1024})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
