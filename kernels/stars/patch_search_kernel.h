@@ -74,70 +74,133 @@ struct SearchPatch {
     }
 
    private:
-    //! Where in a part Newton's method ended.
-    struct Found {
+    //! A place in a part.
+    struct Place {
       T u, v;
-      T area;
-      Mask found;
-      T nearest;  //!< how near to the star it came, in the plane, and where
-      T nearest_u, nearest_v;
     };
 
-    //! Newton's method from the middle of a part. A first step longer than `farthest` ends it.
-    ERGO_HD Found newton(const BezierPatch& patch, const Mask& wanted, float farthest) const {
+    //! Where in a part Newton's method ended.
+    struct Found {
+      Place at;
+      T area;
+      Mask found;
+    };
+
+    //! Newton's method from a place in a part. A first step longer than `farthest` ends it.
+    ERGO_HD Found newton(const BezierPatch& patch, const Mask& wanted, const Place& from, float farthest) const {
       constexpr int rounds = 16;
-      T u(0.5F);
-      T v(0.5F);
+      T u = from.u;
+      T v = from.v;
       T area(1.0F);
       Mask active = wanted;
       Mask found = T(1.0F) < T(0.0F);
-      T nearest(1e30F);
-      T nearest_u(0.5F);
-      T nearest_v(0.5F);
       for (int round = 0; round < rounds && any(active); ++round) {
         const PlaneValue<T> f = seen_from(patch, a_, b_, u, v);
         const T det = determinant(f);
         const T inverse = T(1.0F) / det;
-        const T miss = maximum(absolute(f.p), absolute(f.q));
-        const Mask nearer = active & (miss < nearest) & within(u, v, beyond);
-        nearest = select(nearer, miss, nearest);
-        nearest_u = select(nearer, u, nearest_u);
-        nearest_v = select(nearer, v, nearest_v);
         const T du = (f.p * f.q_v - f.p_v * f.q) * inverse;
         const T dv = (f.p_u * f.q - f.p * f.q_u) * inverse;
         const T length = maximum(absolute(du), absolute(dv));
         // The comparison is false for what is not a number.
         active = active & (length < T(round == 0 ? farthest : 1e6F));
-        const T part = minimum(T(1.0F), T(0.5F) / length);
+        // A step of nothing may be less than nothing by its sign.
+        const T part = minimum(T(1.0F), T(0.5F) / maximum(length, T(1e-30F)));
         u = select(active, u - part * du, u);
         v = select(active, v - part * dv, v);
         area = select(active, det, area);
-        active = active & (u > T(-1.0F)) & (u < T(2.0F)) & (v > T(-1.0F)) & (v < T(2.0F));
+        active = active & within(u, v, 1.0F);
         const Mask settled = active & (length < T(settled_step));
         found = found | settled;
         active = active & !settled;
       }
-      return {u, v, area, found, nearest, nearest_u, nearest_v};
+      return {{u, v}, area, found};
     }
 
     //! Adds the root that a part holds.
     ERGO_HD void solve(const Part& part, const Mask& may, bool regular) {
-      Found found = newton(part.patch, may, regular ? farthest_regular : 1e6F);
+      const Place middle = {T(0.5F), T(0.5F)};
+      Found found = newton(part.patch, may, middle, regular ? farthest_regular : 1e6F);
       // Where a part is not regular, roots are found from beside it, too.
-      const float margin = regular ? beyond : 1.0F;
-      found.found = found.found & within(found.u, found.v, margin);
+      found.found = found.found & within(found.at.u, found.at.v, regular ? beyond : 1.0F);
+      add(part, found);
       if (!regular && batch_.error > 0.0F) {
-        // Places for rays to start from, as long as there is room for roots.
-        const Mask guessed = may & !found.found & (found.nearest < T(batch_.error)) & (roots_ < T(most_guesses));
-        found.u = select(guessed, found.nearest_u, found.u);
-        found.v = select(guessed, found.nearest_v, found.v);
-        found.area = select(guessed, T(0.0F), found.area);
-        found.found = found.found | guessed;
+        look_across_fold(part, may, found);
       }
-      found.u = T(part.u) + part.size_u * found.u;
-      found.v = T(part.v) + part.size_v * found.v;
-      found.area = found.area * (1.0F / (part.size_u * part.size_v));
-      add(found, found.found & within(found.u, found.v, beyond));
+    }
+
+    //! Where the map is folded, images are born in pairs: one that is found has a twin across the fold, and where the fold passes a star
+    //! within the patch's error, there may be two.
+    ERGO_HD void look_across_fold(const Part& part, const Mask& may, const Found& found) {
+      const Place at = nearest(part.patch, may, found);
+      const PlaneValue<T> f = seen_from(part.patch, a_, b_, at.u, at.v);
+      const Fold fold = fold_at(part.patch, at, f);
+      const T to_fold = minimum(maximum(determinant(f) / -fold.slope, T(-0.5F)), T(0.5F));
+      const auto beside = [&](const T& way) { return Place{at.u + way * fold.u, at.v + way * fold.v}; };
+      const Mask paired = may & found.found & (absolute(to_fold) < T(0.5F));
+      if (any(paired)) {
+        add(part, newton(part.patch, paired, beside(T(2.0F) * to_fold), 1e6F));
+      }
+      const Mask guessed = may & !found.found & (maximum(absolute(f.p), absolute(f.q)) < T(batch_.error)) &
+                           (roots_ < T(most_guesses));
+      if (any(guessed)) {
+        // So far from the fold as the error may have moved it.
+        const T way = minimum(sqrt(T(2.0F * batch_.error) * fold.stretch / absolute(fold.slope)), T(0.25F));
+        add(part, {beside(to_fold + way), T(0.0F), guessed});
+        add(part, {beside(to_fold - way), T(0.0F), guessed});
+      }
+    }
+
+    //! Where a part comes nearest to a star, by damped least squares; a root is that itself.
+    ERGO_HD Place nearest(const BezierPatch& patch, const Mask& may, const Found& found) const {
+      constexpr int rounds = 10;
+      constexpr float damping = 1e-4F;
+      Place at = {select(found.found, found.at.u, T(0.5F)), select(found.found, found.at.v, T(0.5F))};
+      const Mask sought = may & !found.found;
+      for (int round = 0; round < rounds && any(sought); ++round) {
+        const PlaneValue<T> f = seen_from(patch, a_, b_, at.u, at.v);
+        const T square_u = f.p_u * f.p_u + f.q_u * f.q_u;
+        const T square_v = f.p_v * f.p_v + f.q_v * f.q_v;
+        const T both = f.p_u * f.p_v + f.q_u * f.q_v;
+        const T damped = damping * (square_u + square_v);
+        const T along_u = f.p * f.p_u + f.q * f.q_u;
+        const T along_v = f.p * f.p_v + f.q * f.q_v;
+        const T det = determinant(f);
+        const T inverse = T(1.0F) / (det * det + damped * (square_u + square_v));
+        const T du = ((square_v + damped) * along_u - both * along_v) * inverse;
+        const T dv = ((square_u + damped) * along_v - both * along_u) * inverse;
+        const auto moved = [&](const T& from, const T& step) {
+          const T to = from - minimum(maximum(step, T(-0.25F)), T(0.25F));
+          return select(sought, minimum(maximum(to, T(-0.25F)), T(1.25F)), from);
+        };
+        at = {moved(at.u, du), moved(at.v, dv)};
+      }
+      return at;
+    }
+
+    //! How a part is folded about a place.
+    struct Fold {
+      T u, v;     //!< the direction that the map shrinks most
+      T slope;    //!< of the determinant along it
+      T stretch;  //!< of the map across it
+    };
+
+    ERGO_HD Fold fold_at(const BezierPatch& patch, const Place& at, const PlaneValue<T>& f) const {
+      constexpr float step = 0.05F;
+      const T square_u = f.p_u * f.p_u + f.q_u * f.q_u;
+      const T square_v = f.p_v * f.p_v + f.q_v * f.q_v;
+      const T both = f.p_u * f.p_v + f.q_u * f.q_v;
+      // Twice the angle of the direction that the map stretches most, by its cosine.
+      const T half = T(0.5F) * (square_u - square_v);
+      const T length = maximum(sqrt(half * half + both * both), T(1e-30F));
+      const T cosine = sqrt(maximum(T(0.5F) + T(0.5F) * half / length, T(0.0F)));
+      const T size = sqrt(maximum(T(0.5F) - T(0.5F) * half / length, T(0.0F)));
+      const T sine = select(both < T(0.0F), -size, size);
+      const auto determinant_at = [&](float way) {
+        return determinant(seen_from(patch, a_, b_, at.u - way * sine, at.v + way * cosine));
+      };
+      const T slope = (determinant_at(step) - determinant_at(-step)) * (0.5F / step);
+      return {-sine, cosine, select(absolute(slope) > T(1e-30F), slope, T(1e-30F)),
+              sqrt(T(0.5F) * (square_u + square_v) + length)};
     }
 
     ERGO_HD static Mask within(const T& u, const T& v, float margin) {
@@ -182,18 +245,21 @@ struct SearchPatch {
     }
 
     //! Keeps roots that are not there yet.
-    ERGO_HD void add(const Found& found, const Mask& where) {
-      Mask fresh = open_ & where;
+    ERGO_HD void add(const Part& part, const Found& found) {
+      const T u = T(part.u) + part.size_u * found.at.u;
+      const T v = T(part.v) + part.size_v * found.at.v;
+      const T area = found.area * (1.0F / (part.size_u * part.size_v));
+      Mask fresh = open_ & found.found & within(u, v, beyond);
       for (int k = 0; k < most_roots && any(fresh); ++k) {
         const Mask taken = roots_ > T(static_cast<float>(k));
-        const T apart = select(taken, maximum(absolute(u_[k] - found.u), absolute(v_[k] - found.v)), T(1.0F));
+        const T apart = select(taken, maximum(absolute(u_[k] - u), absolute(v_[k] - v)), T(1.0F));
         fresh = fresh & (apart >= T(same_root));
       }
       for (int k = 0; k < most_roots && any(fresh); ++k) {
         const Mask here = fresh & (roots_ <= T(static_cast<float>(k)));
-        u_[k] = select(here, found.u, u_[k]);
-        v_[k] = select(here, found.v, v_[k]);
-        area_[k] = select(here, found.area, area_[k]);
+        u_[k] = select(here, u, u_[k]);
+        v_[k] = select(here, v, v_[k]);
+        area_[k] = select(here, area, area_[k]);
         roots_ = select(here, roots_ + T(1.0F), roots_);
         fresh = fresh & !here;
       }
