@@ -253,11 +253,15 @@ struct SortedImage {
 //! Whether two images of a star are one that was found twice.
 bool are_one(const SortedImage& a, const SortedImage& b, double pixel) {
   const Vector3<float> apart = a.image->direction - b.image->direction;
-  const double limit = std::max(same_image_px * pixel, std::max(a.arc, b.arc));
+  const auto square = static_cast<double>(dot(apart, apart));
   const float ratio = a.image->magnification / b.image->magnification;
+  const bool one_side = ratio > 0.0F;
+  if (square < same_image_px * same_image_px * pixel * pixel && one_side) {
+    return true;
+  }
   // Rings of different order lie side by side, arcs of one ring are as bright as each other.
-  const bool alike = a.capped && b.capped ? std::abs(std::log(std::abs(ratio))) < 0.7F : ratio > 0.0F;
-  return static_cast<double>(dot(apart, apart)) < limit * limit && alike;
+  const double arc = std::max(a.arc, b.arc);
+  return square < arc * arc && std::abs(std::log(std::abs(ratio))) < 0.7F && (one_side || (a.capped && b.capped));
 }
 
 //! The images there are, star by star, each once.

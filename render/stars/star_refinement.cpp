@@ -17,6 +17,8 @@ constexpr double double_tolerance = 1e-11;
 constexpr double ring_tolerance = 1e-10;
 //! Smaller singular value of the map to the sky below which float's rounding is seen in an image's place.
 constexpr double steepest = 0.1;
+//! Change of the magnification that float's rounding may make, as a part of it.
+constexpr double most_change = 0.01;
 constexpr int step_limit = 400;
 
 //! Finds images exactly, as far as rays in S are exact.
@@ -67,17 +69,33 @@ void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double
   });
 }
 
-//! Images that float does not place: where the sky hardly moves when the camera turns, its rounding is many pixels' worth. They are
-//! sought again from where the grid has them.
+//! Where double has to seek an image.
+enum class Start {
+  none,   //!< it needs not to
+  found,  //!< from where float has it: its rounding shows in the magnification alone
+  rough   //!< from where the grid has it: float may have led away, where the sky hardly moves when the camera turns
+};
+
+Start double_start(const StarCandidate& c, double pixel) {
+  const SingularValues values = singular_values(c);
+  if (!(c.miss <= image_tolerance_px * pixel) || values.smaller_square < steepest * steepest) {
+    return Start::rough;
+  }
+  // The map changes on the scale of the distance to the shadow's edge, times the ratio of its singular values.
+  const double change = float_tolerance * std::sqrt(values.larger_square) / (values.smaller_square * c.edge_distance);
+  return change > most_change ? Start::found : Start::none;
+}
+
+//! Seeks in double what float's rounding leaves wrong.
 void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const EyeCamera& eye,
                   double pixel) {
   std::vector<std::size_t> places;
   std::vector<StarCandidate> steep;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const StarCandidate& c = candidates[i];
-    if (!(c.miss <= image_tolerance_px * pixel) || singular_values(c).smaller_square < steepest * steepest) {
+    const Start start = double_start(candidates[i], pixel);
+    if (start != Start::none) {
       places.push_back(i);
-      steep.push_back(rough[i]);
+      steep.push_back(start == Start::found ? candidates[i] : rough[i]);
     }
   }
   refine<double>(steep, eye, pixel);
