@@ -12,5 +12,6 @@ void add_edge_command(CLI::App& app);
 void add_bake_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_catalogue_command(CLI::App& app);
+void add_plan_command(CLI::App& app);
 
 }  // namespace ergodome

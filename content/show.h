@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -133,8 +134,9 @@ enum class GridScheme { conforming, quadtree };
 
 //! A show as its file tells it; angles in radians but where a name says degrees.
 struct Show {
-  std::string name;    //!< file name without folder and ending
-  std::string folder;  //!< where relative paths start
+  std::string name;                  //!< file name without folder and ending
+  std::string folder;                //!< where relative paths start
+  std::map<std::string, int> lines;  //!< where the file gives each key, by its path ("sky.stars")
   std::string title;
   double duration_s = 0.0;
   double frame_rate_hz = 30.0;

@@ -259,6 +259,17 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   });
 }
 
+//! Notes where each key of a table stands.
+void note_lines(const toml::table& table, const std::string& path, std::map<std::string, int>& lines) {
+  for (const auto& [key, node] : table) {
+    const std::string own = path.empty() ? std::string(key.str()) : fmt::format("{}.{}", path, key.str());
+    lines[own] = static_cast<int>(node.source().begin.line);
+    if (const toml::table* below = node.as_table()) {
+      note_lines(*below, own, lines);
+    }
+  }
+}
+
 }  // namespace
 
 Show parse_show(std::string_view text, const std::string& file) {
@@ -273,6 +284,7 @@ Show parse_show(std::string_view text, const std::string& file) {
                 "mend the TOML there");
   }
   Show show;
+  note_lines(parsed, "", show.lines);
   const std::filesystem::path path(file);
   show.name = path.stem().string();
   show.folder = path.parent_path().string();

@@ -7,6 +7,7 @@
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
 #include "kernels/core/error.h"
+#include "kernels/launch/work_counter.h"
 
 namespace ergodome {
 
@@ -33,6 +34,8 @@ StarCatalogue load_stars(const Show& show) {
   if (name.empty()) {
     return {};
   }
+  static WorkCounter counter("load_stars");
+  const WorkScope work(counter, 1);
   const bool bright = name == "bright_stars";
   if (bright || name == "all_stars") {
     StarCatalogue built_in = read_star_file(built_in_content_folder() / "stars" / "hipparcos.stars");

@@ -16,4 +16,7 @@ struct LensPixels {
   float* half_orbits;      //!< angle swept about the hole, in units of π: the order of the image
 };
 
+//! Whether the scene calls for footprints: kernels have a variant without.
+constexpr bool has_footprints(const LensPixels& pixels) { return pixels.sky_along_x[0] != nullptr; }
+
 }  // namespace ergodome

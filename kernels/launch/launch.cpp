@@ -2,6 +2,7 @@
 
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
 
 namespace ergodome {
 
@@ -31,6 +32,8 @@ const char* cuda_unavailable_reason() {
 }
 
 void trace_rays(Backend backend, const RayBatch<float>& batch) {
+  static WorkCounter counter("trace_rays");
+  const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
     return trace_rays_cuda(batch);
   }
@@ -38,6 +41,8 @@ void trace_rays(Backend backend, const RayBatch<float>& batch) {
 }
 
 void trace_rays(Backend backend, const RayBatch<double>& batch) {
+  static WorkCounter counter("trace_rays, double");
+  const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
     return trace_rays_cuda(batch);
   }
@@ -45,14 +50,19 @@ void trace_rays(Backend backend, const RayBatch<double>& batch) {
 }
 
 void trace_pixels(Backend backend, const PixelBatch& batch) {
+  const int pixels = batch.row_count * batch.projection.width_px;
+  static WorkCounter plain("trace_pixels");
+  static WorkCounter with_footprints("trace_pixels, footprints");
+  const WorkScope work(has_footprints(batch.out) ? with_footprints : plain, pixels);
   if (backend == Backend::cuda) {
     return trace_pixels_cuda(batch);
   }
-  const int pixels = batch.row_count * batch.projection.width_px;
   run_on_cpu(active_table().trace_pixels, batch, pixels, active_table().lanes_float);
 }
 
 void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
+  static WorkCounter counter("trace_nodes");
+  const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
     return trace_nodes_cuda(batch);
   }
@@ -60,10 +70,14 @@ void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
 }
 
 void trace_nodes(const NodeBatch<double>& batch) {
+  static WorkCounter counter("trace_nodes, double");
+  const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().trace_nodes_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
 void check_cells(Backend backend, const CheckBatch<float>& batch) {
+  static WorkCounter counter("check_cells");
+  const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
     return check_cells_cuda(batch);
   }
@@ -71,22 +85,31 @@ void check_cells(Backend backend, const CheckBatch<float>& batch) {
 }
 
 void check_cells(const CheckBatch<double>& batch) {
+  static WorkCounter counter("check_cells, double");
+  const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().check_cells_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
 void check_blend(const BlendCheckBatch& batch) {
+  static WorkCounter counter("check_blend");
+  const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().check_blend, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
 void look_up_pixels(Backend backend, const LookUpBatch& batch) {
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  static WorkCounter plain("look_up_pixels");
+  static WorkCounter with_footprints("look_up_pixels, footprints");
+  const WorkScope work(has_footprints(batch.pixels.out) ? with_footprints : plain, pixels);
   if (backend == Backend::cuda) {
     return look_up_pixels_cuda(batch);
   }
-  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
   run_on_cpu(active_table().look_up_pixels, batch, pixels, active_table().lanes_float);
 }
 
 void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch) {
+  static WorkCounter counter("look_up_rays");
+  const WorkScope work(counter, batch.rays.count);
   if (backend == Backend::cuda) {
     return look_up_rays_cuda(batch);
   }
@@ -94,6 +117,8 @@ void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch) {
 }
 
 void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch) {
+  static WorkCounter counter("read_quadtree_rays");
+  const WorkScope work(counter, batch.rays.count);
   if (backend == Backend::cuda) {
     return read_quadtree_rays_cuda(batch);
   }
@@ -102,14 +127,20 @@ void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch) {
 
 void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
   const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  static WorkCounter counter("read_quadtree_pixels");
+  const WorkScope work(counter, pixels);
   run_on_cpu(active_table().read_quadtree_pixels, batch, pixels, 1, 16 * grain);
 }
 
 void find_star_images(const StarImageBatch<float>& batch) {
+  static WorkCounter counter("find_star_images");
+  const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
 }
 
 void find_star_images(const StarImageBatch<double>& batch) {
+  static WorkCounter counter("find_star_images, double");
+  const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
@@ -118,6 +149,10 @@ void search_patch(const PatchSearchBatch& batch) {
 }
 
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
+  static WorkCounter sky("shade_sky");
+  static WorkCounter shifted("shade_sky, redshift");
+  static WorkCounter heat_map("shade_heat_map");
+  const WorkScope work(batch.mode != ViewMode::sky ? heat_map : batch.beaming ? shifted : sky, batch.count);
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);
   }

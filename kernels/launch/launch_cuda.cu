@@ -30,7 +30,12 @@ void trace_rays_cuda(const RayBatch<float>& batch) { trace(batch); }
 void trace_rays_cuda(const RayBatch<double>& batch) { trace(batch); }
 
 void trace_pixels_cuda(const PixelBatch& batch) {
-  launch_cuda("trace_pixels", batch.row_count * batch.projection.width_px, TracePixels<float>{batch});
+  const int count = batch.row_count * batch.projection.width_px;
+  if (has_footprints(batch.out)) {
+    launch_cuda("trace_pixels", count, TracePixels<float, true>{batch});
+  } else {
+    launch_cuda("trace_pixels", count, TracePixels<float, false>{batch});
+  }
 }
 
 void shade_pixels_cuda(const ShadeBatch& batch) {

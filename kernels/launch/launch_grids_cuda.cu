@@ -16,7 +16,12 @@ void check_cells_cuda(const CheckBatch<float>& batch) {
 }
 
 void look_up_pixels_cuda(const LookUpBatch& batch) {
-  launch_cuda("look_up_pixels", batch.pixels.row_count * batch.pixels.projection.width_px, LookUpPixels<float>{batch});
+  const int count = batch.pixels.row_count * batch.pixels.projection.width_px;
+  if (has_footprints(batch.pixels.out)) {
+    launch_cuda("look_up_pixels", count, LookUpPixels<float, true>{batch});
+  } else {
+    launch_cuda("look_up_pixels", count, LookUpPixels<float, false>{batch});
+  }
 }
 
 void look_up_rays_cuda(const LookUpRaysBatch<double>& batch) {

@@ -30,6 +30,22 @@ void trace_rays(const RayBatch<ScalarOf<T>>& batch, int begin, int end) {
   dispatch_method(batch.method, [&](auto tracer) { run<TraceRays<decltype(tracer), T>>(batch, begin, end); });
 }
 
+void trace_pixels(const PixelBatch& batch, int begin, int end) {
+  if (has_footprints(batch.out)) {
+    run<TracePixels<WidePack<float>, true>>(batch, begin, end);
+  } else {
+    run<TracePixels<WidePack<float>, false>>(batch, begin, end);
+  }
+}
+
+void look_up_pixels(const LookUpBatch& batch, int begin, int end) {
+  if (has_footprints(batch.pixels.out)) {
+    run<LookUpPixels<WidePack<float>, true>>(batch, begin, end);
+  } else {
+    run<LookUpPixels<WidePack<float>, false>>(batch, begin, end);
+  }
+}
+
 void shade_sky(const ShadeBatch& batch, int begin, int end) {
   if (batch.beaming) {
     run<ShadeSky<WidePack<float>, true>>(batch, begin, end);
@@ -46,13 +62,13 @@ const KernelTable& own_kernel_table() {
       RealTraits<WidePack<double>>::lane_count,
       &trace_rays<WidePack<float>>,
       &trace_rays<WidePack<double>>,
-      &run<TracePixels<WidePack<float>>, PixelBatch>,
+      &trace_pixels,
       &run<TraceNodes<WidePack<float>>, NodeBatch<float>>,
       &run<TraceNodes<WidePack<double>>, NodeBatch<double>>,
       &run<CheckCells<WidePack<float>>, CheckBatch<float>>,
       &run<CheckCells<WidePack<double>>, CheckBatch<double>>,
       &run<CheckBlend<WidePack<double>>, BlendCheckBatch>,
-      &run<LookUpPixels<WidePack<float>>, LookUpBatch>,
+      &look_up_pixels,
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,

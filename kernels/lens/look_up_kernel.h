@@ -7,10 +7,12 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Reads the pixels of a batch from a lens grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block.
-template <class T>
+//! Reads the pixels of a batch from a lens grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints`
+//! compiles their derivatives in: a picture without pays nothing.
+template <class T, bool Footprints>
 struct LookUpPixels {
   using D = Dual<T>;
+  using Ray = std::conditional_t<Footprints, D, T>;
   using S = ScalarOf<T>;
 
   LookUpBatch batch;
@@ -35,14 +37,15 @@ struct LookUpPixels {
     }
     const T lit = sky_lit * inside;
     const auto wanted = lit > zero;
-    GridSky<T> read = read_blended(batch.lens, place, wanted);
+    const GridSky<T> read = read_blended(batch.lens, place, wanted);
+    Vector3<Ray> sky = part_of<Ray>(read.sky);
     T steps = zero;
     T estimate = zero;
     const auto traced = wanted & read.flagged;
     if (any(traced)) {
-      trace(n, traced, read.sky, steps, estimate);
+      trace(part_of<Ray>(n), traced, sky, steps, estimate);
     }
-    store(first, n, read.sky, lit, wanted, steps, estimate);
+    store(first, n, sky, lit, wanted, steps, estimate);
   }
 
  private:
@@ -55,18 +58,18 @@ struct LookUpPixels {
   }
 
   //! Lanes that did not come to an end keep what the grid has, which is all that float can tell.
-  ERGO_HD void trace(const Vector3<D>& n, const MaskOf<T>& traced, Vector3<D>& sky, T& steps, T& estimate) const {
+  ERGO_HD void trace(const Vector3<Ray>& n, const MaskOf<T>& traced, Vector3<Ray>& sky, T& steps, T& estimate) const {
     const PixelBatch& pixels = batch.pixels;
-    const RayStart<D> start = start_ray(pixels.camera, n);
+    const RayStart<Ray> start = start_ray(pixels.camera, n);
     const auto bright = traced & comes_from_sky(pixels.camera.spin, pixels.camera.horizon_r, plain_start(start));
     MaskOf<T> reached = bright;
-    const RayEnd<D> end =
+    const RayEnd<Ray> end =
         trace_taylor<picture_order>(pixels.camera.spin, start, bright, pixels.settings, steps, reached);
     sky = {select(reached, end.sky.x, sky.x), select(reached, end.sky.y, sky.y), select(reached, end.sky.z, sky.z)};
-    estimate = select(reached, end.error_estimate.value, estimate);
+    estimate = select(reached, value_of(end.error_estimate), estimate);
   }
 
-  ERGO_HD void store(int first, const Vector3<D>& n, const Vector3<D>& sky, const T& lit, const MaskOf<T>& wanted,
+  ERGO_HD void store(int first, const Vector3<D>& n, const Vector3<Ray>& sky, const T& lit, const MaskOf<T>& wanted,
                      const T& steps, const T& estimate) const {
     const LensPixels& out = batch.pixels.out;
     const int count = pixel_count(batch.pixels);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "kernels/core/dual.h"
 #include "kernels/core/lanes.h"
 #include "kernels/shadow/pixel_coverage.h"
@@ -64,9 +66,21 @@ ERGO_HD bool cover_lanes(const EdgeCurve& edge, const Vector3<Dual<T>>& n, const
   return shifted;
 }
 
-//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky.
-template <class T>
-ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<Dual<T>>& sky, const MaskOf<T>& valid) {
+//! A vector with its derivatives (R a Dual), or without (R its real number).
+template <class R, class T>
+ERGO_HD Vector3<R> part_of(const Vector3<Dual<T>>& v) {
+  if constexpr (std::is_same_v<R, T>) {
+    return {v.x.value, v.y.value, v.z.value};
+  } else {
+    return v;
+  }
+}
+
+//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky. Without derivatives, without
+//! footprints.
+template <class R>
+ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<R>& sky, const MaskOf<RealOf<R>>& valid) {
+  using T = RealOf<R>;
   using S = ScalarOf<T>;
   const int count = pixel_count(batch);
   const auto store = [&](const Vector3<T>& v, S otherwise, float* const(&to)[3]) {
@@ -76,10 +90,12 @@ ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<Dual<T>
     store_lanes(to[1], first, count, select(valid, turned.y, other));
     store_lanes(to[2], first, count, select(valid, turned.z, other));
   };
-  constexpr S wide = S(1e3);
-  store({sky.x.value, sky.y.value, sky.z.value}, S(0.57735027), batch.out.sky);
-  store({sky.x.along_x, sky.y.along_x, sky.z.along_x}, wide, batch.out.sky_along_x);
-  store({sky.x.along_y, sky.y.along_y, sky.z.along_y}, wide, batch.out.sky_along_y);
+  store({value_of(sky.x), value_of(sky.y), value_of(sky.z)}, S(0.57735027), batch.out.sky);
+  if constexpr (!std::is_same_v<R, T>) {
+    constexpr S wide = S(1e3);
+    store({sky.x.along_x, sky.y.along_x, sky.z.along_x}, wide, batch.out.sky_along_x);
+    store({sky.x.along_y, sky.y.along_y, sky.z.along_y}, wide, batch.out.sky_along_y);
+  }
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "kernels/geodesic/taylor.h"
 #include "kernels/trace/pixel_geometry.h"
 
@@ -8,10 +10,12 @@ namespace ergodome::inline ERGO_TARGET {
 //! Order of the Taylor series of pictures: the cheapest at their tolerances.
 inline constexpr int picture_order = 10;
 
-//! Traces the pixels of a batch with their footprints; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block.
-template <class T>
+//! Traces the pixels of a batch; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints` compiles their
+//! derivatives in: a picture without pays nothing.
+template <class T, bool Footprints>
 struct TracePixels {
   using D = Dual<T>;
+  using Ray = std::conditional_t<Footprints, D, T>;
   using S = ScalarOf<T>;
 
   PixelBatch batch;
@@ -30,7 +34,7 @@ struct TracePixels {
       n = observed_direction(batch, x_px, y_px);
     }
 
-    const RayStart<D> start = start_ray(batch.camera, n);
+    const RayStart<Ray> start = start_ray(batch.camera, part_of<Ray>(n));
     const auto bright = comes_from_sky(batch.camera.spin, batch.camera.horizon_r, plain_start(start));
     // In the shadow's very edge the decision in float may differ from the curve's: such a pixel keeps its coverage and looks at
     // the whole sky, which is what the edge shows.
@@ -39,7 +43,8 @@ struct TracePixels {
     const auto wanted = bright & (lit > zero);
     T steps = zero;
     MaskOf<T> reached = wanted;
-    const RayEnd<D> end = trace_taylor<picture_order>(batch.camera.spin, start, wanted, batch.settings, steps, reached);
+    const RayEnd<Ray> end =
+        trace_taylor<picture_order>(batch.camera.spin, start, wanted, batch.settings, steps, reached);
     store(first, start, end, steps, reached, lit, wanted);
   }
 
@@ -50,20 +55,22 @@ struct TracePixels {
     return (cosine <= T(batch.edge_cosine_highest)) & (cosine >= T(batch.edge_cosine_lowest));
   }
 
-  ERGO_HD void store(int first, const RayStart<D>& start, const RayEnd<D>& end, const T& steps,
+  ERGO_HD void store(int first, const RayStart<Ray>& start, const RayEnd<Ray>& end, const T& steps,
                      const MaskOf<T>& reached, const T& lit, const MaskOf<T>& wanted) const {
     const T zero(S(0));
     const LensPixels& out = batch.out;
     const int count = pixel_count(batch);
     store_sky(batch, first, end.sky, reached);
     store_lanes(out.coverage, first, count, lit);
-    store_lanes(out.frequency_ratio, first, count, S(1) / start.energy.value);
+    store_lanes(out.frequency_ratio, first, count, S(1) / value_of(start.energy));
     store_lanes(out.steps, first, count, steps);
     const T unresolved = select(wanted, T(S(-1)), zero);
-    store_lanes(out.error_estimate, first, count, select(reached, end.error_estimate.value, unresolved));
+    store_lanes(out.error_estimate, first, count, select(reached, value_of(end.error_estimate), unresolved));
     const S a2 = batch.camera.spin * batch.camera.spin;
-    const T mean_square = S(0.5) * (start.m.z.value * start.m.z.value + end.sky.z.value * end.sky.z.value);
-    const T sweep = safe_sqrt(start.polar_constant.value + a2 * mean_square) * end.mino_time.value;
+    const T from = value_of(start.m.z);
+    const T to = value_of(end.sky.z);
+    const T mean_square = S(0.5) * (from * from + to * to);
+    const T sweep = safe_sqrt(value_of(start.polar_constant) + a2 * mean_square) * value_of(end.mino_time);
     store_lanes(out.half_orbits, first, count, select(reached, sweep * S(0.31830988618), zero));
   }
 };

@@ -4,10 +4,12 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/work_counter.h"
 
 namespace ergodome {
 
@@ -27,11 +29,14 @@ class Buffer {
  public:
   Buffer() : data_(nullptr, Release{Backend::cpu}) {}
 
-  //! `count` elements, not initialized. Throws Error where the device has no room, std::bad_alloc where the host has none.
-  Buffer(Backend backend, std::size_t count)
-      : data_(static_cast<T*>(allocate(backend, count * sizeof(T))), Release{backend}), count_(count) {}
+  //! `count` elements, not initialized; `name` is what their bytes are counted by ("buffer: NAME"). Throws Error where the device has no
+  //! room, std::bad_alloc where the host has none.
+  Buffer(Backend backend, std::size_t count, const char* name)
+      : data_(static_cast<T*>(allocate(backend, count * sizeof(T))), Release{backend}), count_(count) {
+    count_work(std::string("buffer: ") + name, static_cast<long>(count * sizeof(T)));
+  }
 
-  Buffer(Backend backend, const std::vector<T>& values) : Buffer(backend, values.size()) {
+  Buffer(Backend backend, const std::vector<T>& values, const char* name) : Buffer(backend, values.size(), name) {
     write(values.data(), values.size());
   }
 

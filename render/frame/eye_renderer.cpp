@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
 #include "render/effects/bloom.h"
+#include "render/plan/frame_needs.h"
 
 namespace ergodome {
 
@@ -34,6 +36,8 @@ void set_kernel_range(ShadeBatch& batch, const HeatRange& range, double pixel_so
 
 //! Halos and spikes do not know where the image ends.
 void clear_outside(const Projection& projection, Picture& picture) {
+  static WorkCounter counter("clear_outside");
+  const WorkScope work(counter, static_cast<long>(picture.width) * picture.height);
   parallel_for(picture.height, 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < picture.width; ++x) {
@@ -47,6 +51,8 @@ void clear_outside(const Projection& projection, Picture& picture) {
 }
 
 }  // namespace
+
+int rows_of_a_block(int width_px, int height_px) { return std::clamp(block_pixels / width_px, 1, height_px); }
 
 HeatRange heat_range(ViewMode mode) {
   switch (mode) {
@@ -64,32 +70,28 @@ HeatRange heat_range(ViewMode mode) {
 }
 
 LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings) {
-  const bool sky = settings.mode == ViewMode::sky;
-  const bool footprint = sky || settings.mode == ViewMode::magnification;
-  const bool ratio = (sky && settings.beaming) || settings.mode == ViewMode::frequency_ratio;
-  const std::size_t count = 2U + (sky ? 3U : 0U) + (footprint ? 6U : 0U) + (ratio ? 1U : 0U) +
-                            (settings.mode == ViewMode::steps ? 1U : 0U) +
-                            (settings.mode == ViewMode::image_order ? 1U : 0U);
+  const LensChannels wanted = lens_channels(settings.mode, settings.beaming);
+  const auto count = static_cast<std::size_t>(wanted.floats());
   if (lens_.size() < count * pixels) {
-    lens_ = Buffer<float>(backend_, count * pixels);
+    lens_ = Buffer<float>(backend_, count * pixels, "lens channels");
   }
   float* next = lens_.data();
-  const auto take = [&](bool wanted) {
-    float* channel = wanted ? next : nullptr;
-    next += wanted ? pixels : 0;
+  const auto take = [&](bool needed) {
+    float* channel = needed ? next : nullptr;
+    next += needed ? pixels : 0;
     return channel;
   };
   LensPixels lens{};
   lens.coverage = take(true);
   lens.error_estimate = take(true);
   for (int i = 0; i < 3; ++i) {
-    lens.sky[i] = take(sky);
-    lens.sky_along_x[i] = take(footprint);
-    lens.sky_along_y[i] = take(footprint);
+    lens.sky[i] = take(wanted.sky);
+    lens.sky_along_x[i] = take(wanted.footprint);
+    lens.sky_along_y[i] = take(wanted.footprint);
   }
-  lens.frequency_ratio = take(ratio);
-  lens.steps = take(settings.mode == ViewMode::steps);
-  lens.half_orbits = take(settings.mode == ViewMode::image_order);
+  lens.frequency_ratio = take(wanted.frequency_ratio);
+  lens.steps = take(wanted.steps);
+  lens.half_orbits = take(wanted.half_orbits);
   return lens;
 }
 
@@ -103,7 +105,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
                                 std::size_t pixels) {
   const LensPixels lens = channels(pixels, settings);
   if (rgba_.size() < 4 * pixels) {
-    rgba_ = Buffer<float>(backend_, 4 * pixels);
+    rgba_ = Buffer<float>(backend_, 4 * pixels, "picture");
   }
   ShadeBatch shade{lens, sky.view(), settings.mode, settings.beaming, settings.exposure, 0.0F, 1.0F, rgba_.data(), 0};
   if (settings.mode != ViewMode::sky) {
@@ -115,8 +117,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 
 std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
                                                const PictureSettings& settings) {
-  const bool wanted = settings.stars != nullptr && settings.mode == ViewMode::sky;
-  return wanted ? settings.stars->find(eye, projection, settings.shutter) : std::vector<StarPoint>();
+  return settings.stars != nullptr ? settings.stars->find(eye, projection, settings.shutter) : std::vector<StarPoint>();
 }
 
 const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
@@ -159,7 +160,8 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   }
   const auto width = static_cast<std::size_t>(projection.width_px);
   picture.rgba.resize(4 * width * static_cast<std::size_t>(projection.height_px));
-  const int block_rows = std::clamp(block_pixels / projection.width_px, 1, projection.height_px);
+  count_work("buffer: finished picture", static_cast<long>(picture.rgba.size() * sizeof(float)));
+  const int block_rows = rows_of_a_block(projection.width_px, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
   ShadeBatch shade = prepare(projection, sky, settings, most);
   const auto source = lenses_.choose(
@@ -181,10 +183,10 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
                                                [](float e) { return e < 0.0F; });
   }
-  if (settings.mode == ViewMode::sky && settings.bloom) {
+  if (settings.bloom) {
     add_bloom(picture, *settings.bloom);
   }
-  if (settings.mode == ViewMode::sky && (settings.bloom || settings.spikes)) {
+  if (settings.clear_outside) {
     clear_outside(projection, picture);
   }
   return picture;

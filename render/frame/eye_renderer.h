@@ -22,9 +22,12 @@ struct PictureSettings {
   GridScheme scheme = GridScheme::conforming;
   StarPass* stars = nullptr;           //!< drawn where they are given, on the sky's own view
   std::optional<Shutter> shutter;      //!< stars leave trails
-  bool spikes = false;                 //!< stars have some
+  bool clear_outside = false;          //!< stars or bloom may spread light beyond the image
   std::optional<BloomSettings> bloom;  //!< of whole pictures alone: render_in_place leaves it out
 };
+
+//! Rows of a picture that are worked on at a time: memory stays bounded at any size.
+int rows_of_a_block(int width_px, int height_px);
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
 struct HeatRange {

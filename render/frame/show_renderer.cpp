@@ -6,6 +6,7 @@
 
 #include "content/sky_map.h"
 #include "kernels/core/error.h"
+#include "render/plan/frame_needs.h"
 
 namespace ergodome {
 
@@ -120,17 +121,20 @@ Shutter ShowRenderer::shutter_at(double time_s, double eye_offset) const {
 PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& moment, double eye_offset) const {
   PictureSettings settings;
   settings.mode = mode;
-  settings.beaming = show_.effects.redshift;
+  const FrameNeeds needs = frame_needs(show_, mode);
+  settings.beaming = needs.beaming;
   settings.exposure = static_cast<float>(show_.sky.exposure);
   settings.lens = lens_;
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
-  settings.stars = stars_.get();
-  settings.spikes = stars_ && show_.effects.diffraction;
-  settings.bloom = show_.effects.bloom;
+  settings.stars = needs.stars ? stars_.get() : nullptr;
+  settings.clear_outside = needs.clear_outside;
+  if (needs.bloom) {
+    settings.bloom = show_.effects.bloom;
+  }
   // In free flight nobody knows where the camera will be when the shutter closes.
-  if (stars_ && show_.effects.trails && moment.time_s) {
+  if (needs.trails && moment.time_s) {
     settings.shutter = shutter_at(*moment.time_s, eye_offset);
   }
   return settings;

@@ -10,6 +10,7 @@
 #include "content/show.h"
 #include "render/frame/eye_renderer.h"
 #include "render/output/auto_exposure.h"
+#include "render/plan/frame_needs.h"
 
 namespace ergodome {
 
@@ -61,9 +62,7 @@ class ShowRenderer {
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;
 
   //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom, spikes.
-  [[nodiscard]] bool finishes_pictures() const {
-    return show_.tone.automatic || show_.effects.bloom || show_.effects.diffraction;
-  }
+  [[nodiscard]] bool finishes_pictures() const { return frame_needs(show_, ViewMode::sky).finishes_pictures(); }
 
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }

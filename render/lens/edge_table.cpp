@@ -45,7 +45,7 @@ EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {
   const ShadowChart chart = make_shadow_chart(camera);
   const std::vector<float> polar_angle = solve_edge(camera, chart, count);
   curve_ = edge_view(chart, polar_angle);
-  polar_angle_ = Buffer<float>(backend, polar_angle);
+  polar_angle_ = Buffer<float>(backend, polar_angle, "shadow edge");
 }
 
 EdgeCurve EdgeTable::view() const {

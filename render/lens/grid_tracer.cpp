@@ -7,12 +7,13 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t node_floats = floats_a_node;
+constexpr const char* buffer_name = "lens grid while it is traced";
 
 //! Makes room for `count` elements; what was there may be lost.
 template <class T>
 void make_room(Backend backend, Buffer<T>& buffer, std::size_t count) {
   if (buffer.size() < count) {
-    buffer = Buffer<T>(backend, count + count / 2);
+    buffer = Buffer<T>(backend, count + count / 2, buffer_name);
   }
 }
 
@@ -55,7 +56,7 @@ void GridTracer<S>::reserve_nodes(int count) {
     return;
   }
   const std::vector<float> kept = nodes();
-  nodes_ = Buffer<float>(backend_, 2 * floats);
+  nodes_ = Buffer<float>(backend_, 2 * floats, buffer_name);
   nodes_.write(kept.data(), kept.size());
 }
 
@@ -102,7 +103,7 @@ std::vector<float> GridTracer<S>::nodes_of(const GridCamera<S>& camera, const st
                                            const std::vector<float>& s) {
   Buffer<float> edge;
   const std::size_t floats = node_floats * gamma_turns.size();
-  const Buffer<float> made(backend_, floats);
+  const Buffer<float> made(backend_, floats, buffer_name);
   trace(placed(camera, edge), gamma_turns, s, made.data());
   std::vector<float> copy(floats);
   made.read(copy.data(), floats);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/lens/direct_lens.h"
+#include "render/lens/lens_choice.h"
 #include "render/lens/quadtree_source.h"
 #include "render/lens/screen_error.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 //! Both eyes, and both of the moment before.
 constexpr std::size_t kept_grids = 4;
-//! Below this many pixels a grid is not worth its while; compare dome_frame/direct and dome_frame/live_grid in tests/bench.
-constexpr double least_pixels = 150'000.0;
 //! A bake uses up most of its budget; an eye beside the path may take a little more.
 constexpr double beside_slack = 1.25;
 //! Float traces grids well down to this budget [rad].
@@ -109,10 +108,8 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
 
 std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   const double pixels = static_cast<double>(request.projection.width_px) * request.projection.height_px;
-  // On a GPU a ray a pixel is cheap.
-  const bool worth_a_grid = backend_ == Backend::cpu && pixels >= least_pixels;
   const bool asked = request.choice == LensChoice::live || request.choice == LensChoice::streamed;
-  if (!asked && !worth_a_grid) {
+  if (!asked && !is_worth_a_grid(backend_, pixels)) {
     return nullptr;
   }
   const Grid& grid = grid_for(request);
@@ -177,8 +174,7 @@ std::unique_ptr<LensSource> LensChooser::published(const LensRequest& request) {
 }
 
 std::unique_ptr<LensSource> LensChooser::choose(const LensRequest& request) {
-  const bool about_rays = request.mode == ViewMode::steps || request.mode == ViewMode::error_estimate ||
-                          request.mode == ViewMode::image_order;
+  const bool about_rays = shows_rays(request.mode);
   std::unique_ptr<LensSource> lens;
   if (!about_rays && request.choice != LensChoice::direct && request.scheme == GridScheme::quadtree &&
       backend_ == Backend::cpu) {

@@ -25,6 +25,10 @@ std::size_t bytes_for(std::size_t edge, std::size_t tree, std::size_t leaves, st
   return sizeof(float) * (edge + copies * floats_a_node * nodes) + sizeof(int) * (tree + 4 * leaves);
 }
 
+//! Names of buffers.
+constexpr const char* grid = "lens grid";
+constexpr const char* moved_grid = "lens grid of a place between stations";
+
 LensPlace place_of(const LensStation& station) { return {station.r, station.theta}; }
 
 }  // namespace
@@ -33,10 +37,10 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
     : bytes_(bytes_for(station.edge.size(), station.tree.size(), station.leaf_count(), station.node_count(),
                        !station.nodes_along_r.empty())),
       station_(std::move(station)),
-      edge_(backend, station_.edge),
-      tree_(backend, station_.tree),
-      leaves_(backend, station_.leaves),
-      nodes_(backend, station_.nodes) {
+      edge_(backend, station_.edge, grid),
+      tree_(backend, station_.tree, grid),
+      leaves_(backend, station_.leaves, grid),
+      nodes_(backend, station_.nodes, grid) {
   std::vector<float>().swap(station_.leaf_error_px);
   if (!has_derivatives()) {
     std::vector<float>().swap(station_.nodes);
@@ -69,7 +73,8 @@ StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers
   const LensPlace from = place_of(a);
   set_chart(backend, a.spin, place, a.range);
   nodes_[0] = Buffer<float>(
-      backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spin, from, place)));
+      backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spin, from, place)),
+      moved_grid);
 }
 
 StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
@@ -105,7 +110,8 @@ void StationBlend::take_derivatives(Backend backend, double w, const LensPlace& 
   const double along[2] = {w / (1.0 + 2.0 * w), (w - 1.0) / (3.0 - 2.0 * w)};
   for (int i = 0; i < 2; ++i) {
     const LensPlace offset = {beside.r + along[i] * whole.r, beside.theta + along[i] * whole.theta};
-    nodes_[i] = Buffer<float>(backend, moved_nodes((i == 0 ? first_ : second_)->station(), offset, glm::dmat3(1.0)));
+    nodes_[i] = Buffer<float>(backend, moved_nodes((i == 0 ? first_ : second_)->station(), offset, glm::dmat3(1.0)),
+                              moved_grid);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/launch/work_counter.h"
 namespace ergodome {
 
 namespace {
@@ -10,6 +11,8 @@ constexpr float darkest = 1e-5F;
 }  // namespace
 
 void LightMeter::add(const Picture& picture) {
+  static WorkCounter counter("meter_light");
+  const WorkScope work(counter, static_cast<long>(picture.width) * picture.height);
   for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
     const float* pixel = picture.rgba.data() + i;
     const float luminance = 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2];

@@ -180,7 +180,15 @@ void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec
     pyramid.fill_border(level);
   }
   map_ = pyramid.map();
-  texels_ = Buffer<float>(backend, pyramid.texels());
+  texels_ = Buffer<float>(backend, pyramid.texels(), "sky map");
+}
+
+std::size_t SkyCube::bytes_for(int map_width) {
+  std::size_t texels = 0;
+  for (auto size = static_cast<std::size_t>(face_size_for(map_width)); size >= 1; size /= 2) {
+    texels += 6 * (size + 2) * (size + 2);
+  }
+  return 4 * sizeof(float) * texels;
 }
 
 CubeMap SkyCube::view() const {

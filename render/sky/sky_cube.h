@@ -21,6 +21,9 @@ class SkyCube {
 
   [[nodiscard]] CubeMap view() const;
 
+  //! Memory of the cube that an image of a width becomes.
+  static std::size_t bytes_for(int map_width);
+
  private:
   void build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light);
 

@@ -29,7 +29,7 @@ BlackbodyColours::BlackbodyColours(Backend backend)
       entry[2] = static_cast<float>(xyz.z / xyz.y);
     }
   });
-  entries_ = Buffer<float>(backend, entries);
+  entries_ = Buffer<float>(backend, entries, "blackbody table");
 }
 
 }  // namespace ergodome

@@ -15,9 +15,10 @@ class BlackbodyColours {
   //! The table; it points into this object.
   [[nodiscard]] BlackbodyTable view() const { return {entries_.data(), count, first_, step_}; }
 
- private:
   static constexpr int count = 2048;
+  static constexpr long bytes = 4L * count * static_cast<long>(sizeof(float));
 
+ private:
   float first_;
   float step_;
   Buffer<float> entries_;

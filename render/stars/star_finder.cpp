@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
 #include "render/lens/grid_builder.h"
 #include "render/stars/star_refinement.h"
 
@@ -119,6 +120,8 @@ bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
 
 std::vector<RoughImage> find_rough(const StarField& field, const Observer& observer, double phi,
                                    const StarPatches& patches, const ViewCone& view) {
+  static WorkCounter counter("search_patches");
+  const WorkScope work(counter, static_cast<long>(patches.patches().size()));
   constexpr int chunk = 32;
   const auto& list = patches.patches();
   const int count = static_cast<int>(list.size());

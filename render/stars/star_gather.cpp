@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
 #include "render/stars/corner_rows.h"
 
 namespace ergodome {
@@ -166,6 +167,8 @@ bool Gatherer::shine(GatheredStar& gathered) const {
 
 GatheredStars gather_stars(const StarField& field, const StarTree& tree, const BlackbodyTable& colours,
                            const EyeCamera& eye, const Projection& projection, const StarSettings& settings) {
+  static WorkCounter counter("gather_stars");
+  const WorkScope work(counter, static_cast<long>(projection.width_px) * projection.height_px);
   GatheredStars all;
   CornerRows corners(eye, projection);
   const Gatherer gatherer(field, tree, colours, projection, settings, corners);

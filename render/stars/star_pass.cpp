@@ -7,6 +7,8 @@
 
 #include "content/sky_map.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
+#include "render/plan/frame_needs.h"
 
 namespace ergodome {
 
@@ -50,9 +52,10 @@ StarPass::StarPass(const Show& show)
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
   }
-  if (show.effects.diffraction) {
+  if (frame_needs(show, ViewMode::sky).spikes) {
     splat_.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
     spikes_ = spike_pattern(show);
+    count_work("buffer: diffraction pattern", static_cast<long>(spikes_->rgb.size() * sizeof(float)));
     splat_.spike_strength = static_cast<float>(show.effects.diffraction->strength);
     splat_.spike_reach_px = 0.5 * spikes_->size_px + 1.0;
   }
@@ -116,6 +119,8 @@ void StarPass::draw(const std::vector<StarPoint>& points, const Projection& proj
 
 void StarPass::draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row,
                            int row_count, float* rgba) const {
+  static WorkCounter counter("draw_spikes");
+  const WorkScope work(counter, static_cast<long>(points.size()));
   const int width = projection.width_px;
   const bool wraps = projection.kind == ProjectionKind::equirectangular;
   constexpr int band = 64;

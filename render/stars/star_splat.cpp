@@ -6,6 +6,7 @@
 
 #include "kernels/core/dual.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
 
 namespace ergodome {
 
@@ -190,6 +191,8 @@ std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shu
 
 void splat_points(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& settings,
                   int first_row, int row_count, float* rgba) {
+  static WorkCounter counter("splat_stars");
+  const WorkScope work(counter, static_cast<long>(points.size()));
   const double reach = settings.reach_px();
   const int bands = (row_count + band_rows - 1) / band_rows;
   parallel_for(bands, 1, [&](int begin, int end) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernels/launch/work_counter.h"
 #include "render/stars/star_refinement.h"
 
 namespace ergodome {
@@ -91,6 +92,8 @@ class Follower {
 
 StarTrails star_trails(const std::vector<StarImage>& images, const StarField& field, const Shutter& shutter,
                        double pixel) {
+  static WorkCounter counter("follow_trails");
+  const WorkScope work(counter, static_cast<long>(images.size()));
   StarTrails trails;
   trails.places = static_cast<int>(shutter.eyes.size());
   trails.directions.resize(images.size() * shutter.eyes.size());

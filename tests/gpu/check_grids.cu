@@ -127,8 +127,8 @@ bool check_look_up(UniformGrid& grid, int size) {
   on_host.pixels.out = lens_at(lens.host.data(), pixels);
   on_device.pixels.out = lens_at(lens.device(), pixels);
   const int count = static_cast<int>(pixels);
-  const double device_ms = run_on_device_ms("look_up_pixels", LookUpPixels<float>{on_device}, count);
-  const double host_ms = run_on_host_ms(LookUpPixels<float>{on_host}, count);
+  const double device_ms = run_on_device_ms("look_up_pixels", LookUpPixels<float, true>{on_device}, count);
+  const double host_ms = run_on_host_ms(LookUpPixels<float, true>{on_host}, count);
   return report("look_up_pixels " + std::to_string(size) + "^2 dome", count, device_ms, host_ms,
                 compare(lens.download(), lens.host, 0.98, 1e-3));
 }

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/backend_choice.h"
+#include "app/commands.h"
+#include "app/lens_options.h"
+#include "app/show_loading.h"
+#include "content/sky_map.h"
+#include "kernels/launch/work_counter.h"
+#include "render/frame/show_renderer.h"
+#include "render/plan/frame_plan.h"
+
+namespace ergodome {
+
+namespace {
+
+struct PlanOptions {
+  std::string show;
+  std::string projection;
+  std::string stereo;
+  std::string backend = "auto";
+  std::string view = "sky";
+  LensOptions lens;
+  int size_px = 0;
+  double time_s = 0.0;
+  bool measure = false;
+  bool json = false;
+};
+
+//! What a picture has taken: the first one at its place, and one more there.
+struct Measured {
+  std::map<std::string, WorkCount> first;
+  std::map<std::string, WorkCount> next;
+  double next_ms = 0.0;
+};
+
+Measured measure(const PlanOptions& options, const Show& show, Backend backend, std::shared_ptr<StationStream> stream) {
+  Measured measured;
+  const auto start = work_done();
+  ShowRenderer renderer(show, backend, lens_choice(options.lens), std::move(stream));
+  const ViewChoice choice = {view_mode(options.view), options.size_px};
+  renderer.render(options.time_s, choice);
+  const auto first = work_done();
+  const auto begin = std::chrono::steady_clock::now();
+  renderer.render(options.time_s, choice);
+  measured.next_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  measured.first = work_between(start, first);
+  measured.next = work_between(first, work_done());
+  return measured;
+}
+
+nlohmann::json json_of(const WorkCount& count) {
+  return {{"runs", count.runs}, {"elements", count.elements}, {"ms", static_cast<double>(count.time_ns) * 1e-6}};
+}
+
+//! Counts that a plan leaves open are null.
+nlohmann::json known(long number) { return number > 0 ? nlohmann::json(number) : nlohmann::json(nullptr); }
+
+nlohmann::json json_of(const Show& show, const FramePlan& plan) {
+  constexpr const char* moments[] = {"start", "place", "picture"};
+  nlohmann::json all = {{"show", show.title},
+                        {"width_px", plan.width_px},
+                        {"height_px", plan.height_px},
+                        {"eyes", plan.eyes},
+                        {"lens", plan.lens},
+                        {"channels", nlohmann::json::array()},
+                        {"passes", nlohmann::json::array()},
+                        {"buffers", nlohmann::json::array()}};
+  for (const PlannedChannel& channel : plan.channels) {
+    all["channels"].push_back({{"name", channel.name}, {"floats", channel.floats}, {"why", channel.why}});
+  }
+  for (const PlannedPass& pass : plan.passes) {
+    all["passes"].push_back({{"name", pass.name},
+                             {"when", moments[static_cast<int>(pass.moment)]},
+                             {"runs", known(pass.runs)},
+                             {"elements", known(pass.elements)},
+                             {"if_needed", pass.if_needed},
+                             {"why", pass.why}});
+  }
+  for (const PlannedBuffer& buffer : plan.buffers) {
+    all["buffers"].push_back({{"name", buffer.name},
+                              {"when", moments[static_cast<int>(buffer.moment)]},
+                              {"bytes", known(buffer.bytes)},
+                              {"why", buffer.why}});
+  }
+  return all;
+}
+
+std::string text_of(const nlohmann::json& number) {
+  return number.is_null() ? "-" : fmt::format("{}", number.get<long>());
+}
+
+void print(const nlohmann::json& plan) {
+  fmt::print("{}: {} x {} pixels, {} {}, lens: {}\n", plan["show"].get<std::string>(), plan["width_px"].get<int>(),
+             plan["height_px"].get<int>(), plan["eyes"].get<int>(), plan["eyes"] == 1 ? "eye" : "eyes",
+             plan["lens"].get<std::string>());
+  fmt::print("\nfor each pixel    floats  because of\n");
+  for (const auto& channel : plan["channels"]) {
+    fmt::print("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
+               channel["why"].get<std::string>());
+  }
+  fmt::print("\npass                          once a        runs    elements  because of\n");
+  for (const auto& pass : plan["passes"]) {
+    fmt::print("  {:<28}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
+               text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
+               pass["if_needed"].get<bool>() ? ", if needed" : "");
+  }
+  fmt::print("\nmemory                                       once a         bytes  because of\n");
+  for (const auto& buffer : plan["buffers"]) {
+    fmt::print("  {:<43}{:<8}{:>12}  {}\n", buffer["name"].get<std::string>().substr(8),
+               buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
+  }
+  fmt::print("\n-: as many as it takes\n");
+}
+
+void print(const Measured& measured) {
+  fmt::print("\nmeasured                                     first picture there        the next one: {:.1f} ms\n",
+             measured.next_ms);
+  fmt::print("                                            runs      elements        runs      elements        ms\n");
+  for (const auto& [name, count] : measured.first) {
+    const auto next = measured.next.find(name);
+    const WorkCount again = next != measured.next.end() ? next->second : WorkCount{};
+    fmt::print("  {:<40}{:>6}{:>14}{:>12}{:>14}{:>10.2f}\n", name, count.runs, count.elements, again.runs,
+               again.elements, static_cast<double>(again.time_ns) * 1e-6);
+  }
+  fmt::print("\nTimes of passes hold those of the kernels that they call. Elements of buffers are bytes.\n");
+}
+
+void run(const PlanOptions& options) {
+  Show show = load_show(options.show);
+  override_view(show, options.projection, options.stereo);
+  require_features(show);
+  const Backend backend = choose_backend(options.backend);
+  std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
+  const FrameRequest request = {backend,         view_mode(options.view),  lens_choice(options.lens),
+                                options.size_px, load_sky_map(show).width, stream != nullptr};
+  nlohmann::json plan = json_of(show, plan_frame(show, request));
+  std::optional<Measured> measured;
+  if (options.measure) {
+    measured = measure(options, show, backend, std::move(stream));
+  }
+  if (!options.json) {
+    print(plan);
+    if (measured) {
+      print(*measured);
+    }
+    return;
+  }
+  if (measured) {
+    plan["measured"]["picture_ms"] = measured->next_ms;
+    for (const auto& [name, count] : measured->first) {
+      plan["measured"]["first"][name] = json_of(count);
+    }
+    for (const auto& [name, count] : measured->next) {
+      plan["measured"]["next"][name] = json_of(count);
+    }
+  }
+  fmt::print("{}\n", plan.dump(2));
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command =
+      app.add_subcommand("plan", "Tell what a picture of a show takes, and which lines of the show call for it");
+  command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
+  command->add_option("--view", options->view, "what to show")
+      ->check(CLI::IsMember(view_mode_names()))
+      ->capture_default_str();
+  command->add_option("--projection", options->projection, "dome, equirect or pinhole, instead of the show's")
+      ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
+  command->add_option("--stereo", options->stereo, "mono, side_by_side, top_bottom or separate, instead of the show's")
+      ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom", "separate"}));
+  command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));
+  command->add_option("--backend", options->backend, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->capture_default_str();
+  add_lens_options(*command, options->lens);
+  command->add_option("--time", options->time_s, "with --measure: show time [s]")->capture_default_str();
+  command->add_flag("--measure", options->measure, "render a picture, twice, and count what it has taken");
+  command->add_flag("--json", options->json, "as JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace ergodome {
+
+//! What a piece of work has done since the program began.
+struct WorkCount {
+  long runs = 0;
+  long elements = 0;  //!< rays, pixels, stars, bytes: what the work is told by
+  long time_ns = 0;   //!< by the clock, work within it included
+};
+
+//! Counts one kind of work: a kernel's launches, a pass over a picture, bytes of a buffer. Make it a static variable where the work is
+//! done; any thread may count.
+//!
+//! Counters of one name add up. Names are those that a frame plan has (render/plan/frame_plan.h).
+class WorkCounter {
+ public:
+  explicit WorkCounter(std::string name);
+
+  void count(long elements) {
+    runs_.fetch_add(1, std::memory_order_relaxed);
+    elements_.fetch_add(elements, std::memory_order_relaxed);
+  }
+
+  void add_time(long time_ns) { time_ns_.fetch_add(time_ns, std::memory_order_relaxed); }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] WorkCount total() const {
+    return {runs_.load(std::memory_order_relaxed), elements_.load(std::memory_order_relaxed),
+            time_ns_.load(std::memory_order_relaxed)};
+  }
+
+ private:
+  std::string name_;
+  std::atomic<long> runs_{0};
+  std::atomic<long> elements_{0};
+  std::atomic<long> time_ns_{0};
+};
+
+//! Counts a piece of work and its time, from here to the end of the scope.
+class WorkScope {
+ public:
+  WorkScope(WorkCounter& counter, long elements) : counter_(counter), begin_(std::chrono::steady_clock::now()) {
+    counter.count(elements);
+  }
+  ~WorkScope() {
+    const auto time = std::chrono::steady_clock::now() - begin_;
+    counter_.add_time(std::chrono::duration_cast<std::chrono::nanoseconds>(time).count());
+  }
+  WorkScope(const WorkScope&) = delete;
+  WorkScope& operator=(const WorkScope&) = delete;
+
+ private:
+  WorkCounter& counter_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+//! Counts work whose name is known when it is done; slower than a counter of its own.
+void count_work(const std::string& name, long elements);
+
+//! All that has been done so far.
+std::map<std::string, WorkCount> work_done();
+
+//! What was done between two calls of work_done.
+std::map<std::string, WorkCount> work_between(const std::map<std::string, WorkCount>& before,
+                                              const std::map<std::string, WorkCount>& after);
+
+}  // namespace ergodome

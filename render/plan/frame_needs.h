@@ -1,0 +1,60 @@
+#pragma once
+
+#include "content/show.h"
+#include "kernels/image/shade_pixels.h"
+
+namespace ergodome {
+
+//! Channels of LensPixels that a picture needs.
+struct LensChannels {
+  bool sky = false;        //!< three floats
+  bool footprint = false;  //!< six
+  bool frequency_ratio = false;
+  bool steps = false;
+  bool half_orbits = false;
+
+  //! With the coverage and the error estimate, which every picture has.
+  [[nodiscard]] int floats() const {
+    return 2 + (sky ? 3 : 0) + (footprint ? 6 : 0) + (frequency_ratio ? 1 : 0) + (steps ? 1 : 0) +
+           (half_orbits ? 1 : 0);
+  }
+};
+
+inline LensChannels lens_channels(ViewMode mode, bool beaming) {
+  const bool sky = mode == ViewMode::sky;
+  return {sky, sky || mode == ViewMode::magnification, (sky && beaming) || mode == ViewMode::frequency_ratio,
+          mode == ViewMode::steps, mode == ViewMode::image_order};
+}
+
+//! Which effects a show's pictures have. An effect that has nothing to work on is none.
+struct FrameNeeds {
+  bool stars;
+  bool gather;   //!< stars are gathered by pixels
+  bool beaming;  //!< the frequency ratio acts on the map's light
+  bool trails;   //!< while the camera is on its path
+  bool spikes;
+  bool bloom;
+  bool auto_exposure;
+  bool clear_outside;  //!< light may be spread beyond the image
+
+  //! Whether a picture needs more than its own pixels: it can then not stay in the backend's memory.
+  [[nodiscard]] bool finishes_pictures() const { return auto_exposure || clear_outside; }
+};
+
+inline FrameNeeds frame_needs(const Show& show, ViewMode mode) {
+  const bool sky = mode == ViewMode::sky;
+  const bool stars = sky && !show.sky.stars.empty();
+  const EffectSettings& effects = show.effects;
+  FrameNeeds needs{};
+  needs.stars = stars;
+  needs.gather = stars && show.sky.star_method == StarMethod::gather;
+  needs.beaming = sky && effects.redshift;
+  needs.trails = stars && effects.trails && effects.trails->shutter_s > 0.0;
+  needs.spikes = stars && effects.diffraction && effects.diffraction->strength > 0.0;
+  needs.bloom = sky && effects.bloom && effects.bloom->strength > 0.0 && effects.bloom->radius_px > 0.0;
+  needs.auto_exposure = sky && show.tone.automatic.has_value();
+  needs.clear_outside = needs.bloom || needs.spikes;
+  return needs;
+}
+
+}  // namespace ergodome

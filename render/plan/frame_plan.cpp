@@ -1,0 +1,212 @@
+#include "render/plan/frame_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/frame/show_renderer.h"
+#include "render/lens/edge_table.h"
+#include "render/lens/lens_choice.h"
+#include "render/plan/frame_needs.h"
+#include "render/stars/blackbody_colours.h"
+
+namespace ergodome {
+
+namespace {
+
+class Planner {
+ public:
+  Planner(const Show& show, const FrameRequest& request)
+      : show_(show), request_(request), needs_(frame_needs(show, request.mode)) {
+    const int size_px = request.size_px > 0 ? request.size_px : show.view.size_px;
+    const Projection projection = make_projection(show.view, size_px, 0.0);
+    plan_.width_px = projection.width_px;
+    plan_.height_px = projection.height_px;
+    plan_.eyes = show.stereo.layout == StereoLayout::mono ? 1 : 2;
+    pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
+    block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
+    blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
+    channels_ = lens_channels(request.mode, needs_.beaming);
+  }
+
+  FramePlan plan() {
+    plan_channels();
+    plan_lens();
+    plan_shading();
+    if (!show_.sky.stars.empty()) {
+      plan_star_loading();
+    }
+    if (needs_.stars) {
+      plan_stars();
+    }
+    plan_light();
+    return plan_;
+  }
+
+ private:
+  //! A key with where it stands.
+  [[nodiscard]] std::string why(const std::string& key) const {
+    const auto line = show_.lines.find(key);
+    return line != show_.lines.end() ? fmt::format("{} ({}.toml line {})", key, show_.name, line->second)
+                                     : fmt::format("{} (by default)", key);
+  }
+
+  [[nodiscard]] std::string why_view() const {
+    return request_.mode == ViewMode::sky ? why("sky.map") : std::string("the view that was asked for");
+  }
+
+  void pass(const std::string& name, WorkMoment moment, long runs, long elements, const std::string& reason,
+            bool if_needed = false) {
+    plan_.passes.push_back({name, moment, runs, elements, if_needed, reason});
+  }
+
+  void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason) {
+    plan_.buffers.push_back({"buffer: " + name, moment, bytes, reason});
+  }
+
+  //! A pass over all pixels of all eyes, block by block.
+  void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false) {
+    pass(name, WorkMoment::picture, plan_.eyes * blocks_, plan_.eyes * pixels_, reason, if_needed);
+  }
+
+  void plan_channels() {
+    const auto channel = [&](bool wanted, const char* name, int floats, const std::string& reason) {
+      if (wanted) {
+        plan_.channels.push_back({name, floats, reason});
+      }
+    };
+    channel(true, "coverage", 1, "every picture has a shadow");
+    channel(true, "error_estimate", 1, "every picture says which rays failed");
+    channel(channels_.sky, "sky", 3, why_view());
+    channel(channels_.footprint, "footprint", 6, why_view());
+    channel(channels_.frequency_ratio, "frequency_ratio", 1, needs_.beaming ? why("effects.redshift") : why_view());
+    channel(channels_.steps, "steps", 1, why_view());
+    channel(channels_.half_orbits, "half_orbits", 1, why_view());
+    const long block = static_cast<long>(block_rows_) * plan_.width_px;
+    constexpr long float_bytes = sizeof(float);
+    buffer("lens channels", WorkMoment::start, channels_.floats() * block * float_bytes, "the channels above");
+    buffer("picture", WorkMoment::start, 4 * block * float_bytes, why("view.size_px"));
+    buffer("finished picture", WorkMoment::picture, plan_.eyes * 4 * pixels_ * float_bytes, why("view.size_px"));
+  }
+
+  [[nodiscard]] std::string variant(const char* kernel) const {
+    return channels_.footprint ? fmt::format("{}, footprints", kernel) : kernel;
+  }
+
+  //! A grid that is traced at each new place.
+  void plan_grid(const std::string& reason, bool if_needed) {
+    pass("trace_nodes", WorkMoment::place, 0, 0, reason, if_needed);
+    pass("check_cells", WorkMoment::place, 0, 0, reason, if_needed);
+    buffer("lens grid while it is traced", WorkMoment::place, 0, reason);
+  }
+
+  void plan_lens() {
+    const double pixels = static_cast<double>(pixels_);
+    const bool asked = request_.lens == LensChoice::live || request_.lens == LensChoice::streamed;
+    const std::string quality = why("quality.budget_px");
+    if (shows_rays(request_.mode) || request_.lens == LensChoice::direct) {
+      return plan_direct(why_view());
+    }
+    if (show_.grid_scheme == GridScheme::quadtree && request_.backend == Backend::cpu) {
+      plan_.lens = "quadtree";
+      pass("trace_rays, double", WorkMoment::place, 0, 0, why("grid.scheme"));
+      return pixel_pass("read_quadtree_pixels", why("grid.scheme"));
+    }
+    const bool streamed = request_.streamed && request_.lens != LensChoice::live;
+    if (!streamed && !asked && !is_worth_a_grid(request_.backend, pixels)) {
+      return plan_direct(why("view.size_px"));
+    }
+    plan_.lens = streamed ? "streamed" : "live";
+    plan_grid(quality, streamed);
+    buffer("lens grid", WorkMoment::place, 0, quality);
+    pixel_pass(variant("look_up_pixels"), quality, !asked);
+    if (!asked) {
+      // Where most of a grid would be left to rays.
+      pixel_pass(variant("trace_pixels"), quality, true);
+    }
+    if (streamed) {
+      buffer("lens grid of a place between stations", WorkMoment::picture, 0, quality);
+    }
+    buffer("shadow edge", WorkMoment::picture, 0, quality);
+  }
+
+  void plan_direct(const std::string& reason) {
+    plan_.lens = "direct";
+    pixel_pass(variant("trace_pixels"), reason);
+    buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)), reason);
+  }
+
+  void plan_shading() {
+    buffer("sky map", WorkMoment::start, static_cast<long>(SkyCube::bytes_for(request_.map_width_px)), why("sky.map"));
+    if (request_.mode != ViewMode::sky) {
+      return pixel_pass("shade_heat_map", why_view());
+    }
+    pixel_pass(needs_.beaming ? "shade_sky, redshift" : "shade_sky",
+               needs_.beaming ? why("effects.redshift") : why("sky.map"));
+  }
+
+  //! Whatever is shown: a window goes from view to view.
+  void plan_star_loading() {
+    const std::string stars = why("sky.stars");
+    pass("load_stars", WorkMoment::start, 1, 0, stars);
+    buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes, stars);
+    if (frame_needs(show_, ViewMode::sky).spikes) {
+      buffer("diffraction pattern", WorkMoment::start, 0, why("effects.diffraction"));
+    }
+  }
+
+  void plan_stars() {
+    const std::string stars = why("sky.stars");
+    if (needs_.gather) {
+      pass("gather_stars", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, why("stars.method"));
+      pass("trace_rays, double", WorkMoment::picture, 0, 0, why("stars.method"));
+    } else {
+      plan_grid(stars, false);
+      buffer("shadow edge", WorkMoment::place, 0, stars);
+      pass("search_patches", WorkMoment::picture, plan_.eyes, 0, stars);
+      pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
+      pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
+    }
+    if (needs_.trails) {
+      pass("follow_trails", WorkMoment::picture, plan_.eyes, 0, why("effects.trails"));
+      if (needs_.gather) {
+        pass("find_star_images", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+        pass("find_star_images, double", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+      }
+    }
+    pass("splat_stars", WorkMoment::picture, plan_.eyes * blocks_, 0, show_.effects.psf ? why("effects.psf") : stars,
+         true);
+    if (needs_.spikes) {
+      pass("draw_spikes", WorkMoment::picture, plan_.eyes * blocks_, 0, why("effects.diffraction"), true);
+    }
+  }
+
+  void plan_light() {
+    if (needs_.bloom) {
+      pass("add_bloom", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, why("effects.bloom"));
+    }
+    if (needs_.clear_outside) {
+      pass("clear_outside", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_,
+           why(needs_.bloom ? "effects.bloom" : "effects.diffraction"));
+    }
+    if (needs_.auto_exposure) {
+      const bool joined = show_.stereo.layout != StereoLayout::separate;
+      pass("meter_light", WorkMoment::picture, joined ? 1 : plan_.eyes, plan_.eyes * pixels_, why("tone.auto"));
+    }
+  }
+
+  const Show& show_;
+  const FrameRequest& request_;
+  FrameNeeds needs_;
+  LensChannels channels_;
+  FramePlan plan_;
+  long pixels_;
+  int block_rows_;
+  int blocks_;
+};
+
+}  // namespace
+
+FramePlan plan_frame(const Show& show, const FrameRequest& request) { return Planner(show, request).plan(); }
+
+}  // namespace ergodome

@@ -1,0 +1,271 @@
+#include "render/plan/frame_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "content/atomic_file.h"
+#include "content/show_reader.h"
+#include "kernels/launch/work_counter.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/image_writer.h"
+
+// Counters hold pictures to their plan: what it does not name is not done.
+namespace ergodome {
+namespace {
+
+constexpr int map_width_px = 64;
+
+using Work = std::map<std::string, WorkCount>;
+
+//! One of the things that a scene may ask for.
+struct Effect {
+  const char* name;
+  std::function<void(Show&)> add;
+};
+
+const std::vector<Effect>& effects() {
+  static const std::vector<Effect> all = {
+      {"stars", [](Show& show) { show.sky.stars = "bright_stars"; }},
+      {"gather", [](Show& show) { show.sky.star_method = StarMethod::gather; }},
+      {"redshift", [](Show& show) { show.effects.redshift = true; }},
+      {"magnification", [](Show& show) { show.effects.magnification = true; }},
+      {"psf", [](Show& show) { show.effects.psf = PointSpreadSettings{}; }},
+      {"trails", [](Show& show) { show.effects.trails = TrailSettings{0.3}; }},
+      {"diffraction", [](Show& show) { show.effects.diffraction = DiffractionSettings{}; }},
+      {"bloom", [](Show& show) { show.effects.bloom = BloomSettings{}; }},
+      {"automatic exposure", [](Show& show) { show.tone.automatic = AutoExposureSettings{}; }},
+  };
+  return all;
+}
+
+class FramePlans : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::temp_directory_path() / "ergodome_frame_plan_test";
+    std::filesystem::create_directories(folder_);
+    Picture map;
+    map.width = map_width_px;
+    map.height = map_width_px / 2;
+    map.rgba.assign(4UL * map_width_px * map_width_px / 2, 0.25F);
+    write_picture(folder_ / "sky.exr", ImageFormat::exr, map, {});
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static Show plain_show() {
+    Show show;
+    show.name = "scene";
+    show.folder = folder_.string();
+    show.duration_s = 1.0;
+    show.spin = 0.9;
+    CameraKey key;
+    key.r = 9.0;
+    show.camera.keys = {key, key};
+    show.camera.keys[1].time_s = 1.0;
+    show.camera.keys[1].phi = 0.4;
+    show.sky.map = "sky.exr";
+    show.sky.faintest_mag = 4.0;
+    show.view.size_px = 96;
+    return show;
+  }
+
+  static FrameRequest request() {
+    FrameRequest request;
+    request.map_width_px = map_width_px;
+    return request;
+  }
+
+  //! What two pictures of the same moment take.
+  static std::pair<Work, Work> work_of(const Show& show, const FrameRequest& request) {
+    const Work start = work_done();
+    ShowRenderer renderer(show, request.backend, request.lens);
+    const ViewChoice choice = {request.mode, request.size_px};
+    renderer.render(0.5, choice);
+    const Work first = work_done();
+    renderer.render(0.5, choice);
+    return {work_between(start, first), work_between(first, work_done())};
+  }
+
+  //! Holds pictures of a show to their plan.
+  static void expect_as_planned(const Show& show, const FrameRequest& request) {
+    const FramePlan plan = plan_frame(show, request);
+    const auto [first, second] = work_of(show, request);
+    expect_passes(plan, first, second);
+    expect_buffers(plan, first);
+    std::set<std::string> planned;
+    std::set<std::string> of_pictures;
+    for (const PlannedPass& pass : plan.passes) {
+      planned.insert(pass.name);
+      if (pass.moment == WorkMoment::picture) {
+        of_pictures.insert(pass.name);
+      }
+    }
+    for (const PlannedBuffer& buffer : plan.buffers) {
+      planned.insert(buffer.name);
+      if (buffer.moment == WorkMoment::picture) {
+        of_pictures.insert(buffer.name);
+      }
+    }
+    for (const auto& [name, count] : first) {
+      EXPECT_TRUE(planned.contains(name)) << name << " was not planned";
+    }
+    for (const auto& [name, count] : second) {
+      EXPECT_TRUE(of_pictures.contains(name)) << name << " was done again";
+    }
+  }
+
+ private:
+  static void expect_passes(const FramePlan& plan, const Work& first, const Work& second) {
+    for (const PlannedPass& pass : plan.passes) {
+      const bool once_more = pass.moment == WorkMoment::picture;
+      for (const Work* work : {&first, once_more ? &second : &first}) {
+        const auto done = work->find(pass.name);
+        if (done == work->end()) {
+          EXPECT_TRUE(pass.if_needed) << pass.name << " was planned and not done";
+          continue;
+        }
+        if (pass.runs > 0) {
+          EXPECT_EQ(done->second.runs, pass.runs) << pass.name;
+        }
+        if (pass.elements > 0) {
+          EXPECT_EQ(done->second.elements, pass.elements) << pass.name;
+        }
+        EXPECT_FALSE(pass.why.empty()) << pass.name;
+      }
+    }
+  }
+
+  static void expect_buffers(const FramePlan& plan, const Work& first) {
+    std::map<std::string, long> bytes;
+    std::set<std::string> open;
+    for (const PlannedBuffer& buffer : plan.buffers) {
+      bytes[buffer.name] += buffer.bytes;
+      if (buffer.bytes == 0) {
+        open.insert(buffer.name);
+      }
+    }
+    for (const auto& [name, planned] : bytes) {
+      const auto done = first.find(name);
+      if (open.contains(name)) {
+        continue;
+      }
+      ASSERT_NE(done, first.end()) << name << " was planned and not made";
+      EXPECT_EQ(done->second.elements, planned) << name;
+    }
+  }
+
+  static inline std::filesystem::path folder_;
+};
+
+TEST_F(FramePlans, OfAPlainSkyNameRaysAndLightAlone) {
+  const FramePlan plan = plan_frame(plain_show(), request());
+  std::vector<std::string> names;
+  for (const PlannedPass& pass : plan.passes) {
+    names.push_back(pass.name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("trace_pixels, footprints", "shade_sky"));
+  EXPECT_EQ(plan.lens, "direct");
+}
+
+TEST_F(FramePlans, HoldForEveryEffectAlone) {
+  expect_as_planned(plain_show(), request());
+  for (const Effect& effect : effects()) {
+    SCOPED_TRACE(effect.name);
+    Show show = plain_show();
+    effect.add(show);
+    expect_as_planned(show, request());
+  }
+}
+
+TEST_F(FramePlans, HoldForEveryPairOfEffects) {
+  for (std::size_t i = 0; i < effects().size(); ++i) {
+    for (std::size_t k = i + 1; k < effects().size(); ++k) {
+      SCOPED_TRACE(std::string(effects()[i].name) + " and " + effects()[k].name);
+      Show show = plain_show();
+      effects()[i].add(show);
+      effects()[k].add(show);
+      expect_as_planned(show, request());
+    }
+  }
+}
+
+TEST_F(FramePlans, HoldForAllEffectsTogether) {
+  for (const StereoLayout layout : {StereoLayout::mono, StereoLayout::side_by_side, StereoLayout::separate}) {
+    for (const bool gather : {false, true}) {
+      Show show = plain_show();
+      for (const Effect& effect : effects()) {
+        effect.add(show);
+      }
+      show.stereo.layout = layout;
+      show.stereo.baseline = 0.1;
+      show.sky.star_method = gather ? StarMethod::gather : StarMethod::inverse;
+      expect_as_planned(show, request());
+    }
+  }
+}
+
+TEST_F(FramePlans, HoldForEveryLens) {
+  for (const LensChoice lens : {LensChoice::automatic, LensChoice::live, LensChoice::direct}) {
+    for (const GridScheme scheme : {GridScheme::conforming, GridScheme::quadtree}) {
+      SCOPED_TRACE(static_cast<int>(lens));
+      Show show = plain_show();
+      show.grid_scheme = scheme;
+      show.view.size_px = 400;
+      show.quality.budget_px = 1.0;
+      FrameRequest asked = request();
+      asked.lens = lens;
+      expect_as_planned(show, asked);
+    }
+  }
+}
+
+TEST_F(FramePlans, HoldForEveryView) {
+  for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order,
+                              ViewMode::frequency_ratio, ViewMode::magnification}) {
+    SCOPED_TRACE(static_cast<int>(mode));
+    Show show = plain_show();
+    // Effects have nothing to do in a heat map, but stars are read when the show is opened.
+    for (const Effect& effect : effects()) {
+      effect.add(show);
+    }
+    FrameRequest asked = request();
+    asked.mode = mode;
+    expect_as_planned(show, asked);
+  }
+}
+
+TEST_F(FramePlans, OfPicturesInBlocksCountEach) {
+  Show show = plain_show();
+  show.view.size_px = 1500;
+  FrameRequest asked = request();
+  asked.lens = LensChoice::direct;
+  expect_as_planned(show, asked);
+}
+
+TEST_F(FramePlans, NameTheLinesThatCallForAPass) {
+  const Show show = parse_show("[camera]\n[[camera.key]]\nr = 9\n[sky]\nmap = \"grid\"\n\n[effects]\nredshift = true\n",
+                               "folder/scene.toml");
+  const FramePlan plan = plan_frame(show, request());
+  EXPECT_EQ(plan.passes.back().name, "shade_sky, redshift");
+  EXPECT_EQ(plan.passes.back().why, "effects.redshift (scene.toml line 8)");
+  EXPECT_EQ(plan.channels[2].why, "sky.map (scene.toml line 5)");
+}
+
+TEST_F(FramePlans, LeaveOutEffectsWithoutStrength) {
+  Show show = plain_show();
+  show.sky.stars = "bright_stars";
+  show.effects.bloom = BloomSettings{0.0, 40.0};
+  show.effects.diffraction = DiffractionSettings{};
+  show.effects.diffraction->strength = 0.0;
+  show.effects.trails = TrailSettings{0.0};
+  for (const PlannedPass& pass : plan_frame(show, request()).passes) {
+    EXPECT_THAT(pass.name, testing::Not(testing::AnyOf("add_bloom", "draw_spikes", "follow_trails", "clear_outside")));
+  }
+  expect_as_planned(show, request());
+}
+
+}  // namespace
+}  // namespace ergodome
