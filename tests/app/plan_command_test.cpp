@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_line.h"
+
+namespace ergodome {
+namespace {
+
+using test::CommandLine;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* starry_show =
+    "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 8\n[sky]\nmap = \"grid\"\nstars = \"bright_stars\"\n"
+    "faintest_mag = 3\n[effects]\nredshift = true\n[view]\nsize_px = 64\n";
+
+nlohmann::json json_in(const std::string& output) { return nlohmann::json::parse(output.substr(output.find('{'))); }
+
+TEST_F(CommandLine, PlanNamesThePassesAndTheLinesThatCallForThem) {
+  write("starry.toml", starry_show);
+  ASSERT_EQ(run("plan starry.toml --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("effects.redshift (starry.toml line 11)"));
+  EXPECT_THAT(output_, HasSubstr("search_patches"));
+  EXPECT_THAT(output_, HasSubstr("64 x 64 pixels, 1 eye, lens: direct"));
+  EXPECT_THAT(output_, Not(HasSubstr("bloom")));
+  ASSERT_EQ(run("plan starry.toml --backend cpu --view steps --size 128 --stereo side_by_side"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("128 x 128 pixels, 2 eyes"));
+  EXPECT_THAT(output_, HasSubstr("shade_heat_map"));
+  EXPECT_THAT(output_, Not(HasSubstr("search_patches")));
+}
+
+TEST_F(CommandLine, PlanMeasuresWhatItPlanned) {
+  write("starry.toml", starry_show);
+  ASSERT_EQ(run("plan starry.toml --backend cpu --measure --json"), 0) << output_;
+  const nlohmann::json plan = json_in(output_);
+  EXPECT_EQ(plan["lens"], "direct");
+  EXPECT_EQ(plan["measured"]["next"]["trace_pixels, footprints"]["elements"], 64 * 64);
+  EXPECT_EQ(plan["measured"]["first"]["load_stars"]["runs"], 1);
+  EXPECT_FALSE(plan["measured"]["next"].contains("load_stars"));
+  EXPECT_GT(plan["measured"]["picture_ms"].get<double>(), 0.0);
+  for (const auto& buffer : plan["buffers"]) {
+    if (!buffer["bytes"].is_null()) {
+      const std::string name = buffer["name"];
+      EXPECT_EQ(plan["measured"]["first"][name]["elements"], buffer["bytes"]) << name;
+    }
+  }
+}
+
+TEST_F(CommandLine, PlanRefusesWhatIsNotAShow) {
+  for (const char* words : {"plan", "plan nothing.toml", "plan dome-still --size 0", "plan dome-still --view light"}) {
+    EXPECT_NE(run(words), 0) << words;
+    EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
+  }
+}
+
+TEST_F(CommandLine, CatalogueTellsWhatItHoldsAndWritesIt) {
+  ASSERT_EQ(run("catalogue bright_stars --faintest 2 --out few.stars"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("49 stars, 0 without a colour"));
+  const std::string brightest = "32349   101.287";
+  EXPECT_THAT(output_, HasSubstr(brightest));
+  ASSERT_EQ(run("catalogue few.stars"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(brightest));
+}
+
+TEST_F(CommandLine, CatalogueReadsATableAndSaysWhatItLeftOut) {
+  write("own.csv", "id,ra,dec,mag,ci\n1,1.5,20,3.0,0.6\n2,2.5,-10,4.0,\n3,,0,5.0,0.1\n");
+  ASSERT_EQ(run("catalogue own.csv"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("2 stars, 1 without a colour, 1 rows left out"));
+}
+
+TEST_F(CommandLine, CatalogueRefusesWhatItCannotRead) {
+  write("torn.csv", "ra,dec\n1,2\n");
+  for (const char* words : {"catalogue", "catalogue nothing.csv", "catalogue torn.csv", "catalogue /dev/null",
+                            "catalogue bright_stars --out /nowhere/few.stars", "catalogue bright_stars --faintest x"}) {
+    EXPECT_NE(run(words), 0) << words;
+    EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
+  }
+}
+
+}  // namespace
+}  // namespace ergodome
