@@ -43,6 +43,10 @@ struct SearchPatch {
       Part waiting[deepest + 1];
       waiting[0] = {batch_.patch, 0.0F, 0.0F, 1.0F, 1.0F, 0};
       int count = 1;
+      if (batch_.shape == PatchShape::bent) {
+        // What Newton's method finds is the only root there is. What it does not find may be there all the same.
+        add(waiting[0], newton(batch_.patch, open_, {T(0.5F), T(0.5F)}, 1e6F, few_rounds));
+      }
       while (count > 0) {
         const Part part = waiting[--count];
         const Mask may = part.depth == 0 ? open_ : may_hold(part.patch);
@@ -87,8 +91,8 @@ struct SearchPatch {
     };
 
     //! Newton's method from a place in a part. A first step longer than `farthest` ends it.
-    ERGO_HD Found newton(const BezierPatch& patch, const Mask& wanted, const Place& from, float farthest) const {
-      constexpr int rounds = 16;
+    ERGO_HD Found newton(const BezierPatch& patch, const Mask& wanted, const Place& from, float farthest,
+                         int rounds = 16) const {
       T u = from.u;
       T v = from.v;
       T area(1.0F);
@@ -140,8 +144,8 @@ struct SearchPatch {
       if (any(paired)) {
         add(part, newton(part.patch, paired, beside(T(2.0F) * to_fold), 1e6F));
       }
-      const Mask guessed = may & !found.found & (maximum(absolute(f.p), absolute(f.q)) < T(batch_.error)) &
-                           (roots_ < T(most_guesses));
+      const Mask guessed =
+          may & !found.found & (maximum(absolute(f.p), absolute(f.q)) < T(batch_.error)) & (roots_ < T(most_guesses));
       if (any(guessed)) {
         // So far from the fold as the error may have moved it.
         const T way = minimum(sqrt(T(2.0F * batch_.error) * fold.stretch / absolute(fold.slope)), T(0.25F));
@@ -268,6 +272,8 @@ struct SearchPatch {
       }
     }
 
+    //! Of Newton's method, where another way is left.
+    static constexpr int few_rounds = 6;
     //! Roots that may be guesses; the rest of the room is for what Newton's method finds.
     static constexpr float most_guesses = 4.0F;
     //! In parts of what is searched: Newton's last step, which leaves no more than its square.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "render/lens/grid_builder.h"
 #include "render/stars/star_refinement.h"
+#include "render/stars/star_twins.h"
 
 namespace ergodome {
 
@@ -17,8 +17,6 @@ namespace {
 constexpr double grid_budget_px = 0.3;
 //! Cells smaller than this are not refined: rays start from what they have.
 constexpr double least_area_px = 4.0;
-//! Images of one star nearer to each other than this, and not turned over, are one.
-constexpr double same_image_px = 0.1;
 //! The coldest and the hottest star that colours tell of: they gain most by a shift to the blue and to the red.
 constexpr float log_coldest = 7.38F;
 constexpr float log_hottest = 10.4F;
@@ -150,20 +148,6 @@ std::vector<RoughImage> find_rough(const StarField& field, const Observer& obser
   return all;
 }
 
-//! The longest arc that an image is taken for [rad].
-constexpr double longest_arc = 1.5;
-
-//! How far an image stretches because its star is a disk: next to a caustic it is an arc, whose middle needs no better place than that.
-double arc_of(const StarCandidate& c) {
-  return std::min(c.radius / std::sqrt(std::max(singular_values(c).smaller_square, 1e-30)), longest_arc);
-}
-
-//! Solid angle on the sky over that on the camera, no smaller than the star's disk allows: where the map is degenerate in one direction,
-//! the image is an arc whose length the disk sets.
-double capped_solid_angle(const StarCandidate& c) {
-  return std::max(std::abs(c.solid_angle), 0.5 * c.radius * std::sqrt(singular_values(c).larger_square));
-}
-
 }  // namespace
 
 LensStation build_star_station(const EyeCamera& eye, double pixel, GridTracer<float>* tracer) {
@@ -228,65 +212,6 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
           settings.magnification ? light : solid_angle * light};
 }
 
-//! Candidates by star, for each in their order.
-std::vector<std::size_t> by_star(const std::vector<StarImage>& found, std::size_t stars) {
-  // Sorting by counting: where each star's images begin, those that are none before all.
-  std::vector<std::size_t> place(stars + 2, 0);
-  for (const StarImage& image : found) {
-    place[static_cast<std::size_t>(image.star) + 2U] += 1;
-  }
-  place[1] = 0;
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  std::vector<std::size_t> order(place.back());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].star >= 0) {
-      order[place[static_cast<std::size_t>(found[i].star) + 1U]++] = i;
-    }
-  }
-  return order;
-}
-
-//! An image with what tells it from another.
-struct SortedImage {
-  const StarImage* image;
-  double arc;   //!< [rad]
-  bool capped;  //!< by its star's disk: which side it turns to means nothing
-};
-
-//! Whether two images of a star are one that was found twice.
-bool are_one(const SortedImage& a, const SortedImage& b, double pixel) {
-  const Vector3<float> apart = a.image->direction - b.image->direction;
-  const auto square = static_cast<double>(dot(apart, apart));
-  const float ratio = a.image->magnification / b.image->magnification;
-  const bool one_side = ratio > 0.0F;
-  if (square < same_image_px * same_image_px * pixel * pixel && one_side) {
-    return true;
-  }
-  // Rings of different order lie side by side, arcs of one ring are as bright as each other.
-  const double arc = std::max(a.arc, b.arc);
-  return square < arc * arc && std::abs(std::log(std::abs(ratio))) < 0.7F && (one_side || (a.capped && b.capped));
-}
-
-//! The images there are, star by star, each once.
-std::vector<StarImage> without_twins(const std::vector<StarImage>& found, const std::vector<StarCandidate>& candidates,
-                                     const StarField& field, double pixel) {
-  std::vector<StarImage> images;
-  images.reserve(found.size());
-  std::vector<SortedImage> of_star;
-  for (const std::size_t i : by_star(found, field.stars().size())) {
-    if (!of_star.empty() && of_star.front().image->star != found[i].star) {
-      of_star.clear();
-    }
-    const StarCandidate& c = candidates[i];
-    const SortedImage sorted = {&found[i], arc_of(c), capped_solid_angle(c) > std::abs(c.solid_angle)};
-    if (std::ranges::none_of(of_star, [&](const SortedImage& other) { return are_one(sorted, other, pixel); })) {
-      of_star.push_back(sorted);
-      images.push_back(found[i]);
-    }
-  }
-  return images;
-}
-
 }  // namespace
 
 std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
@@ -295,7 +220,12 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   const Observer observer(eye, station, colours, settings.redshift);
   std::vector<StarCandidate> candidates =
       candidates_of(find_rough(field, observer, eye.phi, patches, settings.view), field, observer, eye.phi);
-  refine_images(candidates, eye, settings.pixel);
+  StarSettings fainter = settings;
+  fainter.faintest *= 0.9F;
+  refine_images(candidates, eye, settings.pixel, [&](const StarCandidate& c) {
+    return may_touch(settings.view, c.direction, 0.0) &&
+           image_of(c, field.stars()[static_cast<std::size_t>(c.star)], colours, fainter).star >= 0;
+  });
   std::vector<StarImage> found(candidates.size());
   parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
@@ -303,7 +233,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
       found[i] = image_of(c, field.stars()[static_cast<std::size_t>(c.star)], colours, settings);
     }
   });
-  return without_twins(found, candidates, field, settings.pixel);
+  return without_twins(found, candidates, field.stars().size(), settings.pixel);
 }
 
 }  // namespace ergodome

@@ -10,9 +10,13 @@ namespace ergodome {
 
 namespace {
 
-//! Errors of traced rays on the sky, in float and in double; images move by that over the smaller singular value of the map.
+//! Errors of traced rays on the sky, in float and in double, and next to caustics; images move by that over the smaller singular value
+//! of the map.
 constexpr double float_tolerance = 5e-7;
-constexpr double double_tolerance = 1e-11;
+constexpr double fine_tolerance = 1e-9;
+constexpr double finest_tolerance = 1e-11;
+//! What an image may be off by where the magnification changes fast [rad].
+constexpr double fine_miss = 1e-7;
 //! And next to a caustic, where a hair beside a ring the magnification is another [rad].
 constexpr double ring_tolerance = 1e-10;
 //! Smaller singular value of the map to the sky below which float's rounding is seen in an image's place.
@@ -21,9 +25,15 @@ constexpr double steepest = 0.1;
 constexpr double most_change = 0.01;
 constexpr int step_limit = 400;
 
+//! How exact rays are, and how near an image has to be for the last step [rad].
+struct RayPrecision {
+  double tolerance;
+  double miss;
+};
+
 //! Finds images exactly, as far as rays in S are exact.
 template <class S>
-void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel) {
+void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, const RayPrecision& precision) {
   constexpr std::size_t channels = 12;
   const std::size_t count = candidates.size();
   std::vector<S> values(channels * count);
@@ -45,9 +55,8 @@ void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double
   });
   const StarImageBatch<S> batch = {
       converted_station<S>(make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity)),
-      {sizeof(S) == 4 ? float_tolerance : double_tolerance, step_limit, true},
-      static_cast<S>(sizeof(S) == 4 ? image_tolerance_px * pixel
-                                    : std::min(image_tolerance_px * pixel, ring_tolerance)),
+      {precision.tolerance, step_limit, true},
+      static_cast<S>(precision.miss),
       static_cast<int>(count),
       {channel(0), channel(1), channel(2)},
       channel(6),
@@ -88,19 +97,24 @@ Start double_start(const StarCandidate& c, double pixel) {
 
 //! Seeks in double what float's rounding leaves wrong.
 void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const EyeCamera& eye,
-                  double pixel) {
-  std::vector<std::size_t> places;
-  std::vector<StarCandidate> steep;
+                  double pixel, const std::function<bool(const StarCandidate&)>& wanted) {
+  std::vector<std::size_t> places[2];
+  std::vector<StarCandidate> steep[2];
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Start start = double_start(candidates[i], pixel);
-    if (start != Start::none) {
-      places.push_back(i);
-      steep.push_back(start == Start::found ? candidates[i] : rough[i]);
+    if (start == Start::rough || (start == Start::found && wanted(candidates[i]))) {
+      const int from = start == Start::found ? 0 : 1;
+      places[from].push_back(i);
+      steep[from].push_back(start == Start::found ? candidates[i] : rough[i]);
     }
   }
-  refine<double>(steep, eye, pixel);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    candidates[places[i]] = steep[i];
+  const double miss = image_tolerance_px * pixel;
+  refine<double>(steep[0], eye, {fine_tolerance, std::min(miss, fine_miss)});
+  refine<double>(steep[1], eye, {finest_tolerance, std::min(miss, ring_tolerance)});
+  for (const int from : {0, 1}) {
+    for (std::size_t i = 0; i < places[from].size(); ++i) {
+      candidates[places[from][i]] = steep[from][i];
+    }
   }
 }
 
@@ -112,10 +126,11 @@ SingularValues singular_values(const StarCandidate& c) {
   return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
 }
 
-void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel) {
+void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel,
+                   const std::function<bool(const StarCandidate&)>& wanted) {
   const std::vector<StarCandidate> rough = candidates;
-  refine<float>(candidates, eye, pixel);
-  refine_steep(candidates, rough, eye, pixel);
+  refine<float>(candidates, eye, {float_tolerance, image_tolerance_px * pixel});
+  refine_steep(candidates, rough, eye, pixel, wanted);
 }
 
 }  // namespace ergodome

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "kernels/core/vector3.h"
@@ -32,7 +33,9 @@ SingularValues singular_values(const StarCandidate& c);
 inline constexpr double image_tolerance_px = 0.005;
 
 //! Follows images to where rays have them: in float, and in double next to caustics. `pixel`: angle of a pixel [rad]. An image is found
-//! when its `miss` is at most image_tolerance_px pixels.
-void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel);
+//! when its `miss` is at most image_tolerance_px pixels. Images of which `wanted` says no, where float is right to some per cent, are not
+//! made better.
+void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel,
+                   const std::function<bool(const StarCandidate&)>& wanted);
 
 }  // namespace ergodome

@@ -3,15 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <functional>
 #include <set>
 
-#include "content/atomic_file.h"
 #include "content/show_reader.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
+#include "tests/support/folder_test.h"
 
 // Counters hold pictures to their plan: what it does not name is not done.
 namespace ergodome {
@@ -42,20 +41,18 @@ const std::vector<Effect>& effects() {
   return all;
 }
 
-class FramePlans : public testing::Test {
+class FramePlans : public test::FolderTest {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = std::filesystem::temp_directory_path() / "ergodome_frame_plan_test";
-    std::filesystem::create_directories(folder_);
+  void SetUp() override {
+    FolderTest::SetUp();
     Picture map;
     map.width = map_width_px;
     map.height = map_width_px / 2;
     map.rgba.assign(4UL * map_width_px * map_width_px / 2, 0.25F);
     write_picture(folder_ / "sky.exr", ImageFormat::exr, map, {});
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
 
-  static Show plain_show() {
+  [[nodiscard]] Show plain_show() const {
     Show show;
     show.name = "scene";
     show.folder = folder_.string();
@@ -156,8 +153,6 @@ class FramePlans : public testing::Test {
       EXPECT_EQ(done->second.elements, planned) << name;
     }
   }
-
-  static inline std::filesystem::path folder_;
 };
 
 TEST_F(FramePlans, OfAPlainSkyNameRaysAndLightAlone) {
