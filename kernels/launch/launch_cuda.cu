@@ -35,12 +35,9 @@ void trace_pixels_cuda(const PixelBatch& batch) {
 
 void shade_pixels_cuda(const ShadeBatch& batch) {
   if (batch.mode != ViewMode::sky) {
-    launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
-  } else if (batch.beaming) {
-    launch_cuda("shade_pixels", batch.count, ShadeSky<float, true>{batch});
-  } else {
-    launch_cuda("shade_pixels", batch.count, ShadeSky<float, false>{batch});
+    return launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
   }
+  dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
 }
 
 void* allocate_cuda(std::size_t bytes) {

@@ -31,11 +31,8 @@ void trace_rays(const RayBatch<ScalarOf<T>>& batch, int begin, int end) {
 }
 
 void shade_sky(const ShadeBatch& batch, int begin, int end) {
-  if (batch.beaming) {
-    run<ShadeSky<WidePack<float>, true>>(batch, begin, end);
-  } else {
-    run<ShadeSky<WidePack<float>, false>>(batch, begin, end);
-  }
+  dispatch_shading<WidePack<float>>(
+      batch, [&](const auto& functor) { run<std::decay_t<decltype(functor)>>(batch, begin, end); });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "kernels/core/dual.h"
 #include "kernels/core/lanes.h"
+#include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/pixel_coverage.h"
 #include "kernels/trace/trace_pixels.h"
 
@@ -14,14 +15,7 @@ ERGO_HD int pixel_count(const PixelBatch& batch) { return batch.row_count * batc
 //! Image coordinates of the middles of the pixels first, first + 1, ... of a block [px].
 template <class T>
 ERGO_HD void pixel_middles(const PixelBatch& batch, int first, T& x_px, T& y_px) {
-  using S = ScalarOf<T>;
-  const int count = pixel_count(batch);
-  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    const int pixel = first + i < count ? first + i : count - 1;
-    const int row = pixel / batch.projection.width_px;
-    set_lane(x_px, i, static_cast<S>(pixel - row * batch.projection.width_px) + S(0.5));
-    set_lane(y_px, i, static_cast<S>(row + batch.first_row) + S(0.5));
-  }
+  pixel_middles(batch.projection.width_px, batch.first_row, pixel_count(batch), first, x_px, y_px);
 }
 
 //! The observer's direction of a place in the image, with its derivatives per pixel.
@@ -64,7 +58,8 @@ ERGO_HD bool cover_lanes(const EdgeCurve& edge, const Vector3<Dual<T>>& n, const
   return shifted;
 }
 
-//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky.
+//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky, or where nobody asked for footprints, a direction
+//! of no length.
 template <class T>
 ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<Dual<T>>& sky, const MaskOf<T>& valid) {
   using S = ScalarOf<T>;
@@ -77,7 +72,8 @@ ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<Dual<T>
     store_lanes(to[2], first, count, select(valid, turned.z, other));
   };
   constexpr S wide = S(1e3);
-  store({sky.x.value, sky.y.value, sky.z.value}, S(0.57735027), batch.out.sky);
+  const S elsewhere = batch.out.sky_along_x[0] != nullptr ? S(0.57735027) : S(0);
+  store({sky.x.value, sky.y.value, sky.z.value}, elsewhere, batch.out.sky);
   store({sky.x.along_x, sky.y.along_x, sky.z.along_x}, wide, batch.out.sky_along_x);
   store({sky.x.along_y, sky.y.along_y, sky.z.along_y}, wide, batch.out.sky_along_y);
 }

@@ -10,6 +10,7 @@
 #include "content/show.h"
 #include "render/frame/eye_renderer.h"
 #include "render/output/auto_exposure.h"
+#include "render/sky/show_sky.h"
 
 namespace ergodome {
 
@@ -79,7 +80,7 @@ class ShowRenderer {
   Show show_;
   LensChoice lens_;
   std::shared_ptr<StationStream> stream_;
-  SkyCube sky_;
+  ShowSky sky_;
   std::unique_ptr<StarPass> stars_;  //!< where the show has any
   EyeRenderer renderer_;
   std::optional<AutoExposure> exposure_;
