@@ -1,6 +1,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
+#include "kernels/launch/own_shading.h"
 #include "kernels/lens/blend_check_kernel.h"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
@@ -28,11 +29,6 @@ void run(const Batch& batch, int begin, int end) {
 template <class T>
 void trace_rays(const RayBatch<ScalarOf<T>>& batch, int begin, int end) {
   dispatch_method(batch.method, [&](auto tracer) { run<TraceRays<decltype(tracer), T>>(batch, begin, end); });
-}
-
-void shade_sky(const ShadeBatch& batch, int begin, int end) {
-  dispatch_shading<WidePack<float>>(
-      batch, [&](const auto& functor) { run<std::decay_t<decltype(functor)>>(batch, begin, end); });
 }
 
 }  // namespace
