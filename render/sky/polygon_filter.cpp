@@ -18,6 +18,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double widest_corner = 1.25;
 //! Outlines are at least so wide [texels]: narrower ones, at caustics, are lost in rounding.
 constexpr double least_width = 0.01;
+//! Of a piece of a side beside a pole.
+constexpr int most_halvings = 12;
 
 //! The place an angle away on the sphere, along a tangent of that length.
 glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
@@ -60,30 +62,43 @@ double PolygonFilter::column_of(const glm::dvec3& direction) const {
   return map_from_direction(direction).x * sums_.width();
 }
 
+void PolygonFilter::add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const {
+  // Near a pole longitude goes with one over the distance from it.
+  const double near = 1.0 - from.in_column.sine * from.in_column.sine;
+  const double far = 1.0 - to.in_column.sine * to.in_column.sine;
+  if (depth > 0 && from.in_column.row != to.in_column.row && std::max(near, far) > 1.4 * std::min(near, far)) {
+    const glm::dvec3 middle = glm::normalize(from.direction + to.direction);
+    const double turn = std::remainder(column_of(middle) - from.column, static_cast<double>(sums_.width()));
+    const double low = std::min(from.column, to.column);
+    const double high = std::max(from.column, to.column);
+    const Place half = {middle, std::clamp(from.column + turn, low, high), sums_.place_of(middle.z)};
+    add_piece(column, from, half, depth - 1, sum);
+    return add_piece(column, half, to, depth - 1, sum);
+  }
+  const double part = to.column - from.column;
+  sums_.add_above(column, from.in_column, to.in_column, part, sum.light);
+  sum.area += part * (1.0 - 0.5 * (from.in_column.sine + to.in_column.sine));
+}
+
 void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& sum) const {
   const int width = sums_.width();
-  double at = column_of(from);
-  const double turn = std::remainder(column_of(to) - at, static_cast<double>(width));
-  const double end = at + turn;
+  Place at = {from, column_of(from), sums_.place_of(from.z)};
+  const double turn = std::remainder(column_of(to) - at.column, static_cast<double>(width));
+  const Place end = {to, at.column + turn, sums_.place_of(to.z)};
   const glm::dvec3 way = to - from;
-  ColumnPlace place = sums_.place_of(from.z);
-  const auto go_to = [&](int column, double next, double sine) {
-    const ColumnPlace there = sums_.place_of(sine);
-    sums_.add_above(static_cast<int>(wrapped(column, width)), place, there, next - at, sum.light);
-    sum.area += (next - at) * (1.0 - 0.5 * (place.sine + sine));
-    at = next;
-    place = there;
-  };
-  // Where the side, straight between its ends but for its length, crosses the meridians between columns.
+  // Where the side, whose chord is straight, crosses the meridians between columns.
   const int step = turn >= 0.0 ? 1 : -1;
-  int meridian = static_cast<int>(step > 0 ? std::floor(at) + 1.0 : std::ceil(at) - 1.0);
-  for (; step > 0 ? meridian < end : meridian > end; meridian += step) {
+  int meridian = static_cast<int>(step > 0 ? std::floor(at.column) + 1.0 : std::ceil(at.column) - 1.0);
+  const auto column = [&] { return static_cast<int>(wrapped(step > 0 ? meridian - 1 : meridian, width)); };
+  for (; step > 0 ? meridian < end.column : meridian > end.column; meridian += step) {
     const glm::dvec2& normal = normals_[wrapped(meridian, width)];
     const double along = -glm::dot(normal, glm::dvec2(from)) / glm::dot(normal, glm::dvec2(way));
-    const glm::dvec3 crossing = from + std::clamp(std::isfinite(along) ? along : 0.5, 0.0, 1.0) * way;
-    go_to(step > 0 ? meridian - 1 : meridian, meridian, crossing.z / glm::length(crossing));
+    const glm::dvec3 crossing = glm::normalize(from + std::clamp(std::isfinite(along) ? along : 0.5, 0.0, 1.0) * way);
+    const Place next = {crossing, static_cast<double>(meridian), sums_.place_of(crossing.z)};
+    add_piece(column(), at, next, most_halvings, sum);
+    at = next;
   }
-  go_to(step > 0 ? meridian - 1 : meridian, end, to.z);
+  add_piece(column(), at, end, most_halvings, sum);
   sum.turn += turn;
 }
 

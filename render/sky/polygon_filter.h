@@ -42,7 +42,16 @@ class PolygonFilter {
     double turn = 0.0;  //!< columns that the outline goes forwards in all: a full turn when it goes round a pole
   };
 
+  //! A place on an outline; `column` runs on across the seam.
+  struct Place {
+    glm::dvec3 direction;
+    double column;
+    ColumnPlace in_column;
+  };
+
   [[nodiscard]] double column_of(const glm::dvec3& direction) const;
+  //! Adds what lies above a piece of a side inside one column. Halves it as long as it is not straight there, `depth` times at the most.
+  void add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const;
   void add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& sum) const;
 
   ColumnSums sums_;
