@@ -18,7 +18,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double widest_corner = 1.25;
 //! Outlines are at least so wide [texels]: narrower ones, at caustics, are lost in rounding.
 constexpr double least_width = 0.01;
-//! Of a piece of a side beside a pole.
+//! A side may be off by this part of an outline's width.
+constexpr double part_off = 0.01;
 constexpr int most_halvings = 12;
 
 //! The place an angle away on the sphere, along a tangent of that length.
@@ -63,10 +64,11 @@ double PolygonFilter::column_of(const glm::dvec3& direction) const {
 }
 
 void PolygonFilter::add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const {
-  // Near a pole longitude goes with one over the distance from it.
-  const double near = 1.0 - from.in_column.sine * from.in_column.sine;
-  const double far = 1.0 - to.in_column.sine * to.in_column.sine;
-  if (depth > 0 && from.in_column.row != to.in_column.row && std::max(near, far) > 1.4 * std::min(near, far)) {
+  // A great circle bends by an eighth of its length squared, over the distance from the pole: longitude goes with one over that.
+  const glm::dvec3 chord = to.direction - from.direction;
+  const double highest = std::max(std::abs(from.in_column.sine), std::abs(to.in_column.sine));
+  const double from_pole = std::sqrt(std::max(1.0 - highest * highest, 0.0));
+  if (depth > 0 && from.in_column.row != to.in_column.row && glm::dot(chord, chord) > sum.tolerance * from_pole) {
     const glm::dvec3 middle = glm::normalize(from.direction + to.direction);
     const double turn = std::remainder(column_of(middle) - from.column, static_cast<double>(sums_.width()));
     const double low = std::min(from.column, to.column);
@@ -114,7 +116,9 @@ glm::dvec4 PolygonFilter::light(const glm::dvec3& direction, const glm::dvec3& a
   widen(middle, least_width * pi / sums_.height(), right, down);
   const std::array<glm::dvec3, 4> corners = {moved(middle, -0.5 * (right + down)), moved(middle, 0.5 * (right - down)),
                                              moved(middle, 0.5 * (right + down)), moved(middle, 0.5 * (down - right))};
+  const double longer = std::max(glm::length(right), glm::length(down));
   Sum sum;
+  sum.tolerance = 8.0 * part_off * glm::length(glm::cross(right, down)) / longer;
   for (std::size_t i = 0; i < 4; ++i) {
     add_side(corners[i], corners[(i + 1) % 4], sum);
   }

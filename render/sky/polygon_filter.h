@@ -39,7 +39,8 @@ class PolygonFilter {
   struct Sum {
     glm::dvec4 light{0.0};
     double area = 0.0;
-    double turn = 0.0;  //!< columns that the outline goes forwards in all: a full turn when it goes round a pole
+    double tolerance = 0.0;  //!< angle that a side may be off, times 8 [rad]
+    double turn = 0.0;       //!< columns that the outline goes forwards in all: a full turn when it goes round a pole
   };
 
   //! A place on an outline; `column` runs on across the seam.
@@ -50,7 +51,7 @@ class PolygonFilter {
   };
 
   [[nodiscard]] double column_of(const glm::dvec3& direction) const;
-  //! Adds what lies above a piece of a side inside one column. Halves it as long as it is not straight there, `depth` times at the most.
+  //! Adds what lies above a piece of a side inside one column. Halves it until it is straight there, `depth` times at the most.
   void add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const;
   void add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& sum) const;
 

@@ -308,21 +308,17 @@ TEST(Brightening, IsWhatTheMagnificationViewShows) {
 }
 
 TEST(ShowSky, EveryLookAtTheSkyGivesAPicture) {
-  for (const std::string filter : {"ewa", "point", "polygon"}) {
-    for (const std::string shift : {"luminance", "blackbody_fit"}) {
-      for (const std::string brightening : {"false", "true"}) {
-        const Show show =
-            dome_show("filter = \"" + filter + "\"\nshift = \"" + shift + "\"\nbrightening = " + brightening + "\n",
-                      "[effects]\nredshift = true\n");
-        const Picture picture = ShowRenderer(show, Backend::cpu).render(0.0, {}).front().picture;
-        double sum = 0.0;
-        for (const float value : picture.rgba) {
-          ASSERT_TRUE(std::isfinite(value) && value >= -1e-5F) << filter << shift;
-          sum += static_cast<double>(value);
-        }
-        EXPECT_GT(sum, 1000.0) << filter << shift;
-      }
+  for (const std::string look : {"filter = \"ewa\"\nshift = \"luminance\"\nbrightening = true\n",
+                                 "filter = \"point\"\nshift = \"blackbody_fit\"\n",
+                                 "filter = \"polygon\"\nshift = \"blackbody_fit\"\nbrightening = true\n"}) {
+    const Picture picture =
+        ShowRenderer(dome_show(look, "[effects]\nredshift = true\n"), Backend::cpu).render(0.0, {}).front().picture;
+    double sum = 0.0;
+    for (const float value : picture.rgba) {
+      ASSERT_TRUE(std::isfinite(value) && value >= -1e-5F) << look;
+      sum += static_cast<double>(value);
     }
+    EXPECT_GT(sum, 1000.0) << look;
   }
 }
 
