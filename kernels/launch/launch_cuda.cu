@@ -1,4 +1,3 @@
-#include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/trace/trace_pixels_kernel.h"
@@ -31,13 +30,6 @@ void trace_rays_cuda(const RayBatch<double>& batch) { trace(batch); }
 
 void trace_pixels_cuda(const PixelBatch& batch) {
   launch_cuda("trace_pixels", batch.row_count * batch.projection.width_px, TracePixels<float>{batch});
-}
-
-void shade_pixels_cuda(const ShadeBatch& batch) {
-  if (batch.mode != ViewMode::sky) {
-    return launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
-  }
-  dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
 }
 
 void* allocate_cuda(std::size_t bytes) {
