@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/metric/observer.h"
+#include "kernels/sky/sky_look.h"
 
 namespace ergodome {
 
@@ -45,6 +46,10 @@ struct SkySettings {
   double spin_axis_ra_deg = 270.0;  //!< where the hole's spin axis points, J2000
   double spin_axis_dec_deg = 66.6;
   double exposure = 1.0;  //!< factor on the map's light
+  SkyFilter filter = SkyFilter::ewa;
+  SkyShift shift = SkyShift::luminance;  //!< what EffectSettings::redshift does to the map; `none` is not for shows
+  //! The map's light is multiplied by the magnification, as Verbraeck & Eisemann do, against the conservation of surface brightness.
+  bool brightening = false;
 };
 
 struct PointSpreadSettings {

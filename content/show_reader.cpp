@@ -128,6 +128,10 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
   sky.stars = reader.text("stars", sky.stars);
   sky.faintest_mag = reader.number("faintest_mag", sky.faintest_mag, -30.0, 60.0);
   sky.exposure = reader.number("exposure", sky.exposure, 0.0, 1e12);
+  sky.filter = static_cast<SkyFilter>(reader.choice("filter", 0, {"ewa", "point", "polygon"}));
+  constexpr SkyShift shifts[] = {SkyShift::luminance, SkyShift::blackbody_fit};
+  sky.shift = shifts[reader.choice("shift", 0, {"luminance", "blackbody_fit"})];
+  sky.brightening = reader.boolean("brightening", false);
   if (const toml::table* axis = reader.table("spin_axis")) {
     TomlTable direction(*axis, file, "sky.spin_axis");
     sky.spin_axis_ra_deg = direction.number("ra_deg", sky.spin_axis_ra_deg, -360.0, 360.0);

@@ -91,7 +91,9 @@ std::string to_toml(const Show& show) {
                                      "anaglyph", "dubois",       "rows",       "quad_buffer"};
   constexpr const char* schemes[] = {"conforming", "quadtree"};
   constexpr const char* methods[] = {"inverse", "gather"};
+  constexpr const char* filters[] = {"ewa", "point", "polygon"};
   constexpr const char* models[] = {"physical", "flat", "omni"};
+  const bool fitted = show.sky.shift == SkyShift::blackbody_fit;
   const toml::table root{{"title", show.title},
                          {"duration_s", show.duration_s},
                          {"frame_rate_hz", show.frame_rate_hz},
@@ -102,6 +104,9 @@ std::string to_toml(const Show& show) {
 
                                              {"faintest_mag", show.sky.faintest_mag},
                                              {"exposure", show.sky.exposure},
+                                             {"filter", filters[static_cast<int>(show.sky.filter)]},
+                                             {"shift", fitted ? "blackbody_fit" : "luminance"},
+                                             {"brightening", show.sky.brightening},
                                              {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
                                                                        {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
                          {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},

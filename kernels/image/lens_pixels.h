@@ -6,7 +6,8 @@ namespace ergodome {
 //!
 //! One array a channel, an element a pixel. A null pointer is a channel that the scene does not call for.
 struct LensPixels {
-  float* sky[3];           //!< unit vector to the source on the celestial sphere
+  float* sky
+      [3];  //!< unit vector to the source on the celestial sphere; 0 where light is lost and nobody asked for derivatives
   float* sky_along_x[3];   //!< its derivative per pixel to the right
   float* sky_along_y[3];   //!< its derivative per pixel downwards
   float* coverage;         //!< fraction of the pixel that the sky lights: 0 in the shadow and outside the image

@@ -2,9 +2,15 @@
 
 #include "kernels/image/color_map.h"
 #include "kernels/image/shade_pixels.h"
+#include "kernels/projection/pixel_measure.h"
+#include "kernels/sky/blackbody_shift.h"
 #include "kernels/sky/elliptic_filter.h"
+#include "kernels/sky/point_sample.h"
 
 namespace ergodome::inline ERGO_TARGET {
+
+//! Brightening goes no further: at caustics a footprint has no area.
+inline constexpr float brightening_limit = 1000.0F;
 
 namespace detail {
 ERGO_HD Vector3<float> vector_at(float* const (&from)[3], int index) {
@@ -20,12 +26,12 @@ ERGO_HD void store_rgba(const ShadeBatch& batch, int index, const Vector3<float>
 }
 }  // namespace detail
 
-//! Light of the sky behind the pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... `Beaming` compiles the frequency
-//! ratio in: a scene without it pays nothing.
+//! Light of the sky behind the pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... Each way to look at the map is compiled
+//! apart: a scene pays for none but its own.
 //!
-//! The map has no spectrum to shift, so the shift acts on its brightness alone: intensity over the cube of the frequency is the same
-//! everywhere along a ray, and over all frequencies intensity goes with g⁴.
-template <class T, bool Beaming>
+//! A map has no spectrum to shift. SkyShift::luminance acts on its brightness alone: intensity over the cube of the frequency is the same
+//! everywhere along a ray, and over all frequencies intensity goes with g⁴. SkyShift::blackbody_fit: see shifted_light.
+template <class T, SkyFilter Filter, SkyShift Shift, bool Brightened>
 struct ShadeSky {
   ShadeBatch batch;
 
@@ -34,18 +40,26 @@ struct ShadeSky {
     const int first = index * lanes;
     const T coverage = load_lanes<T>(batch.lens.coverage, first, batch.count);
     T scale = coverage * batch.exposure;
-    if constexpr (Beaming) {
-      const T g = load_lanes<T>(batch.lens.frequency_ratio, first, batch.count);
+    T g(1.0F);
+    if constexpr (Shift != SkyShift::none) {
+      g = load_lanes<T>(batch.lens.frequency_ratio, first, batch.count);
+    }
+    if constexpr (Shift == SkyShift::luminance) {
       const T g2 = g * g;
       // The ratio is not written where no light comes from.
       scale = select(coverage > T(0.0F), scale * (g2 * g2), T(0.0F));
     }
-    const SkyLight<T> light =
-        filter_sky(batch.sky, vectors(batch.lens.sky, first), vectors(batch.lens.sky_along_x, first),
-                   vectors(batch.lens.sky_along_y, first), scale);
+    if constexpr (Brightened) {
+      scale = scale * magnification(first);
+    }
+    const SkyLight<T> light = look(first, scale);
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       float* to = batch.rgba + 4 * static_cast<long>(first + i);
-      store_quad(to, light.pixel[i]);
+      if constexpr (Shift == SkyShift::blackbody_fit) {
+        store_shifted(light.pixel[i], lane(g, i), to);
+      } else {
+        store_quad(to, light.pixel[i]);
+      }
       to[3] = lane(coverage, i);
     }
   }
@@ -55,7 +69,88 @@ struct ShadeSky {
     return {load_lanes<T>(from[0], first, batch.count), load_lanes<T>(from[1], first, batch.count),
             load_lanes<T>(from[2], first, batch.count)};
   }
+
+  //! The map's light over the pixels, times a factor.
+  ERGO_HD SkyLight<T> look(int first, const T& factor) const {
+    if constexpr (Filter == SkyFilter::ewa) {
+      return filter_sky(batch.sky, vectors(batch.lens.sky, first), vectors(batch.lens.sky_along_x, first),
+                        vectors(batch.lens.sky_along_y, first), factor);
+    } else if constexpr (Filter == SkyFilter::point) {
+      return sample_sky(batch.sky, vectors(batch.lens.sky, first), factor);
+    } else {
+      SkyLight<T> light = detail::no_light<T>();
+      for (int i = 0; i < RealTraits<T>::lane_count && first + i < batch.count; ++i) {
+        light.pixel[i] = lane(factor, i) * load_quad(batch.rgba + 4 * static_cast<long>(first + i));
+      }
+      return light;
+    }
+  }
+
+  //! Solid angle of the pixels before the camera, over that of their footprints on the sky; at caustics no more than the limit.
+  ERGO_HD T magnification(int first) const {
+    const Vector3<T> along_x = vectors(batch.lens.sky_along_x, first);
+    const Vector3<T> area = cross(along_x, vectors(batch.lens.sky_along_y, first));
+    const T whole_sky(12.566371F);
+    // Lost light has derivatives that are too large to be true.
+    const auto lost = dot(along_x, along_x) > T(1e6F);
+    const T on_sky = select(lost, whole_sky, minimum(safe_sqrt(dot(area, area)), whole_sky));
+    T x_px(0.0F);
+    T y_px(0.0F);
+    pixel_middles(batch.projection.width_px, batch.first_row, batch.count, first, x_px, y_px);
+    const T on_screen = pixel_solid_angle(batch.projection, x_px, y_px);
+    return on_screen / maximum(on_sky, on_screen * (1.0F / brightening_limit));
+  }
+
+  //! Writes light shifted by g. The fourth part of light is that of cube maps' texels.
+  ERGO_HD void store_shifted(const Quad& light, float g, float* to) const {
+    const Vector3<float> rgb = {quad_part(light, 0), quad_part(light, 1), quad_part(light, 2)};
+    const float luminance = luminance_of(rgb);
+    Vector3<float> seen = {0.0F, 0.0F, 0.0F};
+    // Where no light comes from, the ratio is not written.
+    if (luminance > 1e-37F) {
+      seen = shifted_light(batch.colours, rgb, quad_part(light, 3) / luminance, g);
+    }
+    to[0] = seen.x;
+    to[1] = seen.y;
+    to[2] = seen.z;
+  }
 };
+
+namespace detail {
+template <class T, SkyFilter Filter, SkyShift Shift, class Action>
+inline void dispatch_brightening(const ShadeBatch& batch, const Action& action) {
+  if (batch.brightening) {
+    action(ShadeSky<T, Filter, Shift, true>{batch});
+  } else {
+    action(ShadeSky<T, Filter, Shift, false>{batch});
+  }
+}
+
+template <class T, SkyFilter Filter, class Action>
+inline void dispatch_shift(const ShadeBatch& batch, const Action& action) {
+  switch (batch.shift) {
+    case SkyShift::none:
+      return dispatch_brightening<T, Filter, SkyShift::none>(batch, action);
+    case SkyShift::luminance:
+      return dispatch_brightening<T, Filter, SkyShift::luminance>(batch, action);
+    case SkyShift::blackbody_fit:
+      return dispatch_brightening<T, Filter, SkyShift::blackbody_fit>(batch, action);
+  }
+}
+}  // namespace detail
+
+//! Calls action(functor) with the functor that shades a batch as it asks.
+template <class T, class Action>
+inline void dispatch_shading(const ShadeBatch& batch, const Action& action) {
+  switch (batch.filter) {
+    case SkyFilter::ewa:
+      return detail::dispatch_shift<T, SkyFilter::ewa>(batch, action);
+    case SkyFilter::point:
+      return detail::dispatch_shift<T, SkyFilter::point>(batch, action);
+    case SkyFilter::polygon:
+      return detail::dispatch_shift<T, SkyFilter::polygon>(batch, action);
+  }
+}
 
 //! A heat map of one channel of the lens, dark where no light comes from.
 struct ShadeHeatMap {

@@ -148,11 +148,17 @@ void search_patch(const PatchSearchBatch& batch) {
   active_table().search_patch(batch, 0, index_count(batch.count, active_table().lanes_float));
 }
 
+std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening) {
+  constexpr const char* filters[] = {"", ", point", ", polygon"};
+  constexpr const char* shifts[] = {"", ", luminance", ", blackbody_fit"};
+  return std::string("shade_sky") + filters[static_cast<int>(filter)] + shifts[static_cast<int>(shift)] +
+         (brightening ? ", brightening" : "");
+}
+
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
-  static WorkCounter sky("shade_sky");
-  static WorkCounter shifted("shade_sky, redshift");
-  static WorkCounter heat_map("shade_heat_map");
-  const WorkScope work(batch.mode != ViewMode::sky ? heat_map : batch.beaming ? shifted : sky, batch.count);
+  const bool sky = batch.mode == ViewMode::sky;
+  const WorkScope work(
+      work_counter(sky ? shading_name(batch.filter, batch.shift, batch.brightening) : "shade_heat_map"), batch.count);
   if (backend == Backend::cuda) {
     return shade_pixels_cuda(batch);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "kernels/launch/kernel_table.h"
 
 namespace ergodome {
@@ -48,6 +50,9 @@ void find_star_images(const StarImageBatch<double>& batch);
 
 //! Finds stars in a patch of a lens, on the thread that calls; see PatchSearchBatch.
 void search_patch(const PatchSearchBatch& batch);
+
+//! What shading the sky is counted by; each variant is compiled apart ("shade_sky, point, luminance").
+std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening);
 
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);

@@ -1,4 +1,3 @@
-#include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/trace/trace_pixels_kernel.h"
@@ -35,16 +34,6 @@ void trace_pixels_cuda(const PixelBatch& batch) {
     launch_cuda("trace_pixels", count, TracePixels<float, true>{batch});
   } else {
     launch_cuda("trace_pixels", count, TracePixels<float, false>{batch});
-  }
-}
-
-void shade_pixels_cuda(const ShadeBatch& batch) {
-  if (batch.mode != ViewMode::sky) {
-    launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
-  } else if (batch.beaming) {
-    launch_cuda("shade_pixels", batch.count, ShadeSky<float, true>{batch});
-  } else {
-    launch_cuda("shade_pixels", batch.count, ShadeSky<float, false>{batch});
   }
 }
 

@@ -1,6 +1,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
+#include "kernels/launch/own_shading.h"
 #include "kernels/lens/blend_check_kernel.h"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
@@ -43,14 +44,6 @@ void look_up_pixels(const LookUpBatch& batch, int begin, int end) {
     run<LookUpPixels<WidePack<float>, true>>(batch, begin, end);
   } else {
     run<LookUpPixels<WidePack<float>, false>>(batch, begin, end);
-  }
-}
-
-void shade_sky(const ShadeBatch& batch, int begin, int end) {
-  if (batch.beaming) {
-    run<ShadeSky<WidePack<float>, true>>(batch, begin, end);
-  } else {
-    run<ShadeSky<WidePack<float>, false>>(batch, begin, end);
   }
 }
 

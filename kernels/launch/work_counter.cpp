@@ -26,12 +26,14 @@ WorkCounter::WorkCounter(std::string name) : name_(std::move(name)) {
   all.counters.push_back(this);
 }
 
-void count_work(const std::string& name, long elements) {
+WorkCounter& work_counter(const std::string& name) {
   static std::mutex mutex;
   static std::map<std::string, WorkCounter> named;
   const std::lock_guard lock(mutex);
-  named.try_emplace(name, name).first->second.count(elements);
+  return named.try_emplace(name, name).first->second;
 }
+
+void count_work(const std::string& name, long elements) { work_counter(name).count(elements); }
 
 std::map<std::string, WorkCount> work_done() {
   Registry& all = registry();

@@ -60,7 +60,8 @@ class WorkScope {
   std::chrono::steady_clock::time_point begin_;
 };
 
-//! Counts work whose name is known when it is done; slower than a counter of its own.
+//! The counter of a name that is known when the work is done; slower than a static one.
+WorkCounter& work_counter(const std::string& name);
 void count_work(const std::string& name, long elements);
 
 //! All that has been done so far.

@@ -82,21 +82,25 @@ ERGO_HD Vector3<float> read_blackbody(const BlackbodyTable& table, float log_tem
   return {low[0] + straight * (high[0] - low[0]), low[1] + t * (high[1] - low[1]), low[2] + t * (high[2] - low[2])};
 }
 
-//! Light of a star as it arrives, in linear sRGB, times its luminance factor: a blackbody of temperature T and flux F in the V band, seen
-//! with the frequency ratio g and magnified μ times, has the tristimulus values μ F XYZ(gT) / Y(T). Shift, beaming and lensing in one.
+//! Light of a luminance whose colour has the luminance 1: linear sRGB.
 //!
-//! Colours redder than the display can show (below some 1,900 K) are moved towards grey at the same luminance until they fit.
-ERGO_HD Vector3<float> star_light(const BlackbodyTable& table, float log_temperature, float flux, float g,
-                                  float magnification) {
-  const float at_rest = read_blackbody(table, log_temperature).x;
-  const Vector3<float> seen = read_blackbody(table, log_temperature + ::logf(maximum(g, 1e-30F)));
-  const float luminance = magnification * flux * ::expf(minimum(seen.x - at_rest, 80.0F));
-  const Vector3<float> rgb = linear_srgb(Vector3<float>{seen.y, 1.0F, seen.z});
+//! Colours redder than the display can show (blackbodies below some 1,900 K) are moved towards grey at the same luminance until they fit.
+ERGO_HD Vector3<float> displayable(const Vector3<float>& rgb, float luminance) {
   const float least = minimum(rgb.x, minimum(rgb.y, rgb.z));
   // 1 is grey of the same luminance: mix so much of it in that the least part is 0.
   const float grey = least < 0.0F ? -least / (1.0F - least) : 0.0F;
   const float own = luminance * (1.0F - grey);
   return {own * rgb.x + luminance * grey, own * rgb.y + luminance * grey, own * rgb.z + luminance * grey};
+}
+
+//! Light of a star as it arrives, in linear sRGB, times its luminance factor: a blackbody of temperature T and flux F in the V band, seen
+//! with the frequency ratio g and magnified μ times, has the tristimulus values μ F XYZ(gT) / Y(T). Shift, beaming and lensing in one.
+ERGO_HD Vector3<float> star_light(const BlackbodyTable& table, float log_temperature, float flux, float g,
+                                  float magnification) {
+  const float at_rest = read_blackbody(table, log_temperature).x;
+  const Vector3<float> seen = read_blackbody(table, log_temperature + ::logf(maximum(g, 1e-30F)));
+  const float luminance = magnification * flux * ::expf(minimum(seen.x - at_rest, 80.0F));
+  return displayable(linear_srgb(Vector3<float>{seen.y, 1.0F, seen.z}), luminance);
 }
 
 }  // namespace ERGO_TARGET

@@ -14,8 +14,12 @@ namespace ergodome {
 inline constexpr int cube_level_limit = 16;
 
 //! A cube map as kernels read it. Face order: +x, -x, +y, -y, +z, -z.
+//!
+//! For SkyShift::blackbody_fit the fourth float of a texel is its luminance times ln T, T being the temperature of the blackbody [K] that
+//! its colour is nearest to; else it is without meaning. So filtered, it is over the filtered luminance the mean of ln T by light: dark texels
+//! do not decide.
 struct CubeMap {
-  const float* texels;                  //!< four floats a texel (red, green, blue, unused), 16-byte aligned
+  const float* texels;                  //!< four floats a texel, 16-byte aligned: red, green, blue, and see below
   long level_offset[cube_level_limit];  //!< in texels; a level holds 6 faces of (size + 2)² texels, border included
   int face_size;                        //!< of level 0; a power of two; level k has face_size >> k
   int level_count;
@@ -109,13 +113,17 @@ ERGO_HD BilinearPlace<T> bilinear_place(const CubePlace<T>& place, const T& size
 }
 
 //! The mean over the whole sky, from the coarsest level (one texel a face; by symmetry the faces are equal in solid angle).
-ERGO_HD Vector3<float> cube_mean(const CubeMap& map) {
-  Vector3<float> sum = {0.0F, 0.0F, 0.0F};
+ERGO_HD Quad cube_mean_texel(const CubeMap& map) {
+  Quad sum = quad_of(0.0F);
   for (int face = 0; face < 6; ++face) {
-    const float* texel = map.texels + 4 * texel_index(map, map.level_count - 1, face, 0, 0);
-    sum = sum + Vector3<float>{texel[0], texel[1], texel[2]};
+    sum = sum + load_quad(map.texels + 4 * texel_index(map, map.level_count - 1, face, 0, 0));
   }
   return (1.0F / 6.0F) * sum;
+}
+
+ERGO_HD Vector3<float> cube_mean(const CubeMap& map) {
+  const Quad mean = cube_mean_texel(map);
+  return {quad_part(mean, 0), quad_part(mean, 1), quad_part(mean, 2)};
 }
 
 //! Angle that a texel of level 0 subtends [rad]: a quarter turn is a face.

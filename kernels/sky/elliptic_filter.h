@@ -8,13 +8,33 @@ namespace ergodome::inline ERGO_TARGET {
 //! Probes along the major axis at the most; longer ellipses are widened instead.
 inline constexpr int probe_limit = 16;
 
-//! Light of as many pixels as a real number has lanes; the fourth part of each is without meaning.
+//! Light of as many pixels as a real number has lanes, in the parts that texels have.
 template <class T>
 struct SkyLight {
   Quad pixel[RealTraits<T>::lane_count];
 };
 
 namespace detail {
+
+template <class T>
+ERGO_HD SkyLight<T> no_light() {
+  SkyLight<T> light;
+  for (Quad& pixel : light.pixel) {
+    pixel = quad_of(0.0F);
+  }
+  return light;
+}
+
+//! Adds the mean of the sky to the lanes that have a share.
+template <class T>
+ERGO_HD void add_mean(const CubeMap& map, const T& share, SkyLight<T>& light) {
+  if (any(share > T(0.0F))) {
+    const Quad mean = cube_mean_texel(map);
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      light.pixel[i] = light.pixel[i] + lane(share, i) * mean;
+    }
+  }
+}
 
 //! Half axes of the ellipse onto which a circle falls: the direction of the major one, and both lengths.
 template <class T>
@@ -187,22 +207,12 @@ ERGO_HD SkyLight<T> filter_sky(const CubeMap& map, const Vector3<T>& direction, 
   // A pixel as a Gaussian of standard deviation 0.5 px.
   const detail::Ellipse<T> ellipse = detail::ellipse_of(0.5F * along_x, 0.5F * along_y);
   const auto resolved = ellipse.major_length < T(1.0F);
-  SkyLight<T> light;
-  for (Quad& pixel : light.pixel) {
-    pixel = quad_of(0.0F);
-  }
+  SkyLight<T> light = detail::no_light<T>();
   const T seen = select(resolved, factor, zero);
   if (any(seen > zero)) {
     detail::add_line(map, detail::probe_line(map, ellipse), direction, ellipse.major, seen, light);
   }
-  const T unresolved = select(resolved, zero, factor);
-  if (any(unresolved > zero)) {
-    const Vector3<float> mean = cube_mean(map);
-    alignas(16) const float quad[4] = {mean.x, mean.y, mean.z, 0.0F};
-    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-      light.pixel[i] = light.pixel[i] + lane(unresolved, i) * load_quad(quad);
-    }
-  }
+  detail::add_mean(map, select(resolved, zero, factor), light);
   return light;
 }
 

@@ -4,6 +4,7 @@
 
 #include "kernels/core/dual.h"
 #include "kernels/core/lanes.h"
+#include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/pixel_coverage.h"
 #include "kernels/trace/trace_pixels.h"
 
@@ -16,14 +17,7 @@ ERGO_HD int pixel_count(const PixelBatch& batch) { return batch.row_count * batc
 //! Image coordinates of the middles of the pixels first, first + 1, ... of a block [px].
 template <class T>
 ERGO_HD void pixel_middles(const PixelBatch& batch, int first, T& x_px, T& y_px) {
-  using S = ScalarOf<T>;
-  const int count = pixel_count(batch);
-  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    const int pixel = first + i < count ? first + i : count - 1;
-    const int row = pixel / batch.projection.width_px;
-    set_lane(x_px, i, static_cast<S>(pixel - row * batch.projection.width_px) + S(0.5));
-    set_lane(y_px, i, static_cast<S>(row + batch.first_row) + S(0.5));
-  }
+  pixel_middles(batch.projection.width_px, batch.first_row, pixel_count(batch), first, x_px, y_px);
 }
 
 //! The observer's direction of a place in the image, with its derivatives per pixel.
@@ -76,8 +70,8 @@ ERGO_HD Vector3<R> part_of(const Vector3<Dual<T>>& v) {
   }
 }
 
-//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky. Without derivatives, without
-//! footprints.
+//! Writes the sky channels of pixels; where `valid` does not hold, a footprint as wide as the sky, or where nobody asked for footprints,
+//! a direction of no length. Without derivatives, without footprints.
 template <class R>
 ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<R>& sky, const MaskOf<RealOf<R>>& valid) {
   using T = RealOf<R>;
@@ -90,7 +84,8 @@ ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<R>& sky
     store_lanes(to[1], first, count, select(valid, turned.y, other));
     store_lanes(to[2], first, count, select(valid, turned.z, other));
   };
-  store({value_of(sky.x), value_of(sky.y), value_of(sky.z)}, S(0.57735027), batch.out.sky);
+  const S elsewhere = has_footprints(batch.out) ? S(0.57735027) : S(0);
+  store({value_of(sky.x), value_of(sky.y), value_of(sky.z)}, elsewhere, batch.out.sky);
   if constexpr (!std::is_same_v<R, T>) {
     constexpr S wide = S(1e3);
     store({sky.x.along_x, sky.y.along_x, sky.z.along_x}, wide, batch.out.sky_along_x);

@@ -70,7 +70,7 @@ HeatRange heat_range(ViewMode mode) {
 }
 
 LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings) {
-  const LensChannels wanted = lens_channels(settings.mode, settings.beaming);
+  const LensChannels wanted = lens_channels(settings.mode, {settings.filter, settings.shift, settings.brightening});
   const auto count = static_cast<std::size_t>(wanted.floats());
   if (lens_.size() < count * pixels) {
     lens_ = Buffer<float>(backend_, count * pixels, "lens channels");
@@ -95,9 +95,37 @@ LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& sett
   return lens;
 }
 
-void EyeRenderer::render_rows(const LensSource& source, ShadeBatch& shade, int width_px, int row, int rows) {
+void EyeRenderer::filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons) {
+  if (backend_ == Backend::cpu) {
+    return polygons.filter(shade.lens, shade.count, shade.rgba);
+  }
+  const auto pixels = static_cast<std::size_t>(shade.count);
+  std::vector<float> values(14 * pixels);
+  float* next = values.data() + 4 * pixels;
+  const auto fetch = [&](const float* channel) {
+    copy_to_host(backend_, next, channel, pixels);
+    next += pixels;
+    return next - pixels;
+  };
+  LensPixels lens{};
+  for (int i = 0; i < 3; ++i) {
+    lens.sky[i] = fetch(shade.lens.sky[i]);
+    lens.sky_along_x[i] = fetch(shade.lens.sky_along_x[i]);
+    lens.sky_along_y[i] = fetch(shade.lens.sky_along_y[i]);
+  }
+  lens.coverage = fetch(shade.lens.coverage);
+  polygons.filter(lens, shade.count, values.data());
+  rgba_.write(values.data(), 4 * pixels);
+}
+
+void EyeRenderer::render_rows(const LensSource& source, ShadeBatch& shade, const PolygonFilter* polygons, int row,
+                              int rows) {
   source.fill(row, rows, shade.lens);
-  shade.count = rows * width_px;
+  shade.first_row = row;
+  shade.count = rows * shade.projection.width_px;
+  if (shade.mode == ViewMode::sky && shade.filter == SkyFilter::polygon) {
+    filter_polygons(shade, *polygons);
+  }
   shade_pixels(backend_, shade);
 }
 
@@ -107,7 +135,20 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
   if (rgba_.size() < 4 * pixels) {
     rgba_ = Buffer<float>(backend_, 4 * pixels, "picture");
   }
-  ShadeBatch shade{lens, sky.view(), settings.mode, settings.beaming, settings.exposure, 0.0F, 1.0F, rgba_.data(), 0};
+  ShadeBatch shade{lens,
+                   sky.view(),
+                   settings.mode,
+                   settings.filter,
+                   settings.shift,
+                   settings.brightening,
+                   settings.colours,
+                   converted_projection<float>(projection),
+                   0,
+                   settings.exposure,
+                   0.0F,
+                   1.0F,
+                   rgba_.data(),
+                   0};
   if (settings.mode != ViewMode::sky) {
     const double pixel = pixel_angle(projection);
     set_kernel_range(shade, heat_range(settings.mode), pixel * pixel);
@@ -127,7 +168,7 @@ const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
   const auto source = lenses_.choose(
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
-  render_rows(*source, shade, projection.width_px, 0, projection.height_px);
+  render_rows(*source, shade, settings.polygons, 0, projection.height_px);
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
   if (!stars.empty()) {
     draw_stars_in_place(stars, projection, *settings.stars);
@@ -173,7 +214,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
     const std::size_t pixels = width * static_cast<std::size_t>(rows);
-    render_rows(*source, shade, projection.width_px, row, rows);
+    render_rows(*source, shade, settings.polygons, row, rows);
     rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
     if (!stars.empty()) {
       settings.stars->draw(stars, projection, row, rows,

@@ -6,6 +6,7 @@
 #include "render/backend/buffer.h"
 #include "render/lens/lens_chooser.h"
 #include "render/output/tone.h"
+#include "render/sky/polygon_filter.h"
 #include "render/sky/sky_cube.h"
 #include "render/stars/star_pass.h"
 
@@ -14,7 +15,11 @@ namespace ergodome {
 //! How a picture is made of what the lens shows.
 struct PictureSettings {
   ViewMode mode = ViewMode::sky;
-  bool beaming = false;  //!< the frequency ratio acts on the sky's light
+  SkyFilter filter = SkyFilter::ewa;
+  SkyShift shift = SkyShift::none;
+  bool brightening = false;                 //!< the map's light is multiplied by the magnification
+  const PolygonFilter* polygons = nullptr;  //!< for SkyFilter::polygon, which needs it
+  BlackbodyTable colours{};  //!< for SkyShift::blackbody_fit, in the backend's memory; the sky must be fitted
   float exposure = 1.0F;
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
@@ -57,6 +62,9 @@ class EyeRenderer {
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
+  //! Floats that are kept for the lens of pictures: what their channels take.
+  [[nodiscard]] std::size_t lens_floats() const { return lens_.size(); }
+
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                  const PictureSettings& settings);
 
@@ -71,8 +79,8 @@ class EyeRenderer {
   ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
                      std::size_t pixels);
 
-  //! Renders rows [row, row + rows) of `width_px` pixels into rgba_.
-  void render_rows(const LensSource& source, ShadeBatch& shade, int width_px, int row, int rows);
+  //! Renders rows [row, row + rows) of the image into rgba_. `polygons`: where the sky is filtered by them.
+  void render_rows(const LensSource& source, ShadeBatch& shade, const PolygonFilter* polygons, int row, int rows);
 
   //! The images of stars that a picture shows.
   static std::vector<StarPoint> find_stars(const EyeCamera& eye, const Projection& projection,
@@ -80,6 +88,9 @@ class EyeRenderer {
 
   //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
   void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
+
+  //! Filters the map over the pixels' outlines, on the processor: channels of a GPU come over, and the light goes back.
+  void filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons);
 
   //! Makes room for the channels that the picture calls for, and no others.
   LensPixels channels(std::size_t pixels, const PictureSettings& settings);

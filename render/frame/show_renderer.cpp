@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "content/sky_map.h"
 #include "kernels/core/error.h"
 #include "render/plan/frame_needs.h"
 
@@ -75,7 +74,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
     : show_(show),
       lens_(lens),
       stream_(std::move(stream)),
-      sky_(backend, load_sky_map(show), sky_from_map(show.sky)),
+      sky_(show, backend),
       stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show)),
       renderer_(backend, stream_) {
   if (show.tone.automatic) {
@@ -122,7 +121,11 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   PictureSettings settings;
   settings.mode = mode;
   const FrameNeeds needs = frame_needs(show_, mode);
-  settings.beaming = needs.beaming;
+  settings.filter = show_.sky.filter;
+  settings.shift = sky_.shift();
+  settings.brightening = show_.sky.brightening;
+  settings.polygons = sky_.polygons();
+  settings.colours = sky_.colours();
   settings.exposure = static_cast<float>(show_.sky.exposure);
   settings.lens = lens_;
   settings.accuracy = {show_.quality.budget_px, 0.2 * show_.quality.budget_px};
@@ -142,13 +145,13 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
 
 Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
                                  const ShowMoment& moment) {
-  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_,
+  return renderer_.render(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
                           picture_settings(mode, moment, eye_offset));
 }
 
 const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
                                                ViewMode mode, const ShowMoment& moment, const char** lens) {
-  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_,
+  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
                                    picture_settings(mode, moment, eye_offset), lens);
 }
 

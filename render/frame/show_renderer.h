@@ -11,6 +11,7 @@
 #include "render/frame/eye_renderer.h"
 #include "render/output/auto_exposure.h"
 #include "render/plan/frame_needs.h"
+#include "render/sky/show_sky.h"
 
 namespace ergodome {
 
@@ -78,7 +79,7 @@ class ShowRenderer {
   Show show_;
   LensChoice lens_;
   std::shared_ptr<StationStream> stream_;
-  SkyCube sky_;
+  ShowSky sky_;
   std::unique_ptr<StarPass> stars_;  //!< where the show has any
   EyeRenderer renderer_;
   std::optional<AutoExposure> exposure_;

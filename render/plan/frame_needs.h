@@ -20,18 +20,27 @@ struct LensChannels {
   }
 };
 
-inline LensChannels lens_channels(ViewMode mode, bool beaming) {
+//! How the map's light becomes that of pixels.
+struct SkyShading {
+  SkyFilter filter = SkyFilter::ewa;
+  SkyShift shift = SkyShift::none;
+  bool brightening = false;
+};
+
+inline LensChannels lens_channels(ViewMode mode, const SkyShading& shading) {
   const bool sky = mode == ViewMode::sky;
-  return {sky, sky || mode == ViewMode::magnification, (sky && beaming) || mode == ViewMode::frequency_ratio,
+  const bool wide = shading.filter != SkyFilter::point || shading.brightening;
+  const bool shifted = shading.shift != SkyShift::none;
+  return {sky, (sky && wide) || mode == ViewMode::magnification, (sky && shifted) || mode == ViewMode::frequency_ratio,
           mode == ViewMode::steps, mode == ViewMode::image_order};
 }
 
 //! Which effects a show's pictures have. An effect that has nothing to work on is none.
 struct FrameNeeds {
   bool stars;
-  bool gather;   //!< stars are gathered by pixels
-  bool beaming;  //!< the frequency ratio acts on the map's light
-  bool trails;   //!< while the camera is on its path
+  bool gather;  //!< stars are gathered by pixels
+  SkyShading shading;
+  bool trails;  //!< while the camera is on its path
   bool spikes;
   bool bloom;
   bool auto_exposure;
@@ -48,7 +57,7 @@ inline FrameNeeds frame_needs(const Show& show, ViewMode mode) {
   FrameNeeds needs{};
   needs.stars = stars;
   needs.gather = stars && show.sky.star_method == StarMethod::gather;
-  needs.beaming = sky && effects.redshift;
+  needs.shading = {show.sky.filter, effects.redshift ? show.sky.shift : SkyShift::none, show.sky.brightening};
   needs.trails = stars && effects.trails && effects.trails->shutter_s > 0.0;
   needs.spikes = stars && effects.diffraction && effects.diffraction->strength > 0.0;
   needs.bloom = sky && effects.bloom && effects.bloom->strength > 0.0 && effects.bloom->radius_px > 0.0;

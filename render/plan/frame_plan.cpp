@@ -8,6 +8,7 @@
 #include "render/lens/edge_table.h"
 #include "render/lens/lens_choice.h"
 #include "render/plan/frame_needs.h"
+#include "render/sky/column_sums.h"
 #include "render/stars/blackbody_colours.h"
 
 namespace ergodome {
@@ -26,7 +27,7 @@ class Planner {
     pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
     block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
     blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
-    channels_ = lens_channels(request.mode, needs_.beaming);
+    channels_ = lens_channels(request.mode, needs_.shading);
   }
 
   FramePlan plan() {
@@ -75,11 +76,13 @@ class Planner {
         plan_.channels.push_back({name, floats, reason});
       }
     };
+    const bool sky = request_.mode == ViewMode::sky;
     channel(true, "coverage", 1, "every picture has a shadow");
     channel(true, "error_estimate", 1, "every picture says which rays failed");
     channel(channels_.sky, "sky", 3, why_view());
-    channel(channels_.footprint, "footprint", 6, why_view());
-    channel(channels_.frequency_ratio, "frequency_ratio", 1, needs_.beaming ? why("effects.redshift") : why_view());
+    channel(channels_.footprint, "footprint", 6,
+            sky ? why(needs_.shading.brightening ? "sky.brightening" : "sky.filter") : why_view());
+    channel(channels_.frequency_ratio, "frequency_ratio", 1, sky ? why("effects.redshift") : why_view());
     channel(channels_.steps, "steps", 1, why_view());
     channel(channels_.half_orbits, "half_orbits", 1, why_view());
     const long block = static_cast<long>(block_rows_) * plan_.width_px;
@@ -137,12 +140,37 @@ class Planner {
   }
 
   void plan_shading() {
-    buffer("sky map", WorkMoment::start, static_cast<long>(SkyCube::bytes_for(request_.map_width_px)), why("sky.map"));
+    const SkyShading& shading = needs_.shading;
+    plan_map(shading);
     if (request_.mode != ViewMode::sky) {
       return pixel_pass("shade_heat_map", why_view());
     }
-    pixel_pass(needs_.beaming ? "shade_sky, redshift" : "shade_sky",
-               needs_.beaming ? why("effects.redshift") : why("sky.map"));
+    if (shading.filter == SkyFilter::polygon) {
+      pixel_pass("filter_polygons", why("sky.filter"));
+    }
+    std::string reason = why("sky.filter");
+    if (shading.shift != SkyShift::none) {
+      reason += ", " + why("effects.redshift");
+    }
+    if (shading.brightening) {
+      reason += ", " + why("sky.brightening");
+    }
+    pixel_pass(shading_name(shading.filter, shading.shift, shading.brightening), reason);
+  }
+
+  //! The sky as its filter reads it.
+  void plan_map(const SkyShading& shading) {
+    const bool polygons = shading.filter == SkyFilter::polygon;
+    const bool fitted = shading.shift == SkyShift::blackbody_fit;
+    const int width = request_.map_width_px;
+    buffer("sky map", WorkMoment::start, static_cast<long>(SkyCube::bytes_for(polygons ? 1 : width)), why("sky.map"));
+    if (polygons) {
+      buffer("column sums", WorkMoment::start, ColumnSums::bytes_for(width, fitted), why("sky.filter"));
+    }
+    if (fitted) {
+      // One to fit temperatures by, one for the kernels.
+      buffer("blackbody table", WorkMoment::start, 2 * BlackbodyColours::bytes, why("sky.shift"));
+    }
   }
 
   //! Whatever is shown: a window goes from view to view.

@@ -77,12 +77,12 @@ class Pyramid {
 
   float* texel(int level, int face, int x, int y) { return texels_.data() + 4 * texel_index(map_, level, face, x, y); }
 
-  void set(int level, int face, int x, int y, const glm::vec3& light) {
+  void set(int level, int face, int x, int y, const glm::vec4& light) {
     float* to = texel(level, face, x, y);
     to[0] = light.x;
     to[1] = light.y;
     to[2] = light.z;
-    to[3] = 1.0F;
+    to[3] = light.w;
   }
 
   //! A texel is the mean of the four below it, weighted with their solid angles.
@@ -90,17 +90,17 @@ class Pyramid {
     for (int face = 0; face < 6; ++face) {
       for (int y = 0; y < size(level); ++y) {
         for (int x = 0; x < size(level); ++x) {
-          glm::dvec3 sum(0.0);
+          glm::dvec4 sum(0.0);
           double weights = 0.0;
           for (int i = 0; i < 4; ++i) {
             const int fine_x = 2 * x + i % 2;
             const int fine_y = 2 * y + i / 2;
             const double weight = texel_weight(size(level - 1), fine_x, fine_y);
             const float* from = texel(level - 1, face, fine_x, fine_y);
-            sum += weight * glm::dvec3(from[0], from[1], from[2]);
+            sum += weight * glm::dvec4(from[0], from[1], from[2], from[3]);
             weights += weight;
           }
-          set(level, face, x, y, glm::vec3(sum / weights));
+          set(level, face, x, y, glm::vec4(sum / weights));
         }
       }
     }
@@ -120,7 +120,7 @@ class Pyramid {
 
  private:
   //! Bilinear, inside one face only: usable before the borders are there.
-  glm::vec3 seen_from(int level, const glm::dvec3& d) {
+  glm::vec4 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
     const CubePlace<float> place =
         cube_place<float>({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
@@ -132,7 +132,7 @@ class Pyramid {
     const int y0 = static_cast<int>(y);
     const auto at = [&](int dx, int dy) {
       const float* from = texel(level, its_face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
-      return glm::vec3(from[0], from[1], from[2]);
+      return glm::vec4(from[0], from[1], from[2], from[3]);
     };
     const float fx = x - static_cast<float>(x0);
     const float fy = y - static_cast<float>(y0);
@@ -145,17 +145,21 @@ class Pyramid {
 
 }  // namespace
 
-SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map) {
+SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
+                 const TemperatureFit* fit) {
   const glm::dmat3 map_from_sky = glm::transpose(sky_from_map);
-  build(backend, face_size_for(image.width),
-        [&](const glm::dvec3& d) { return bilinear(image, map_from_direction(map_from_sky * d)); });
+  build(
+      backend, face_size_for(image.width),
+      [&](const glm::dvec3& d) { return bilinear(image, map_from_direction(map_from_sky * d)); }, fit);
 }
 
-SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light) {
-  build(backend, face_size, light);
+SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
+                 const TemperatureFit* fit) {
+  build(backend, face_size, light, fit);
 }
 
-void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light) {
+void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
+                    const TemperatureFit* fit) {
   Pyramid pyramid(face_size);
   parallel_for(6 * face_size, 8, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
@@ -169,7 +173,8 @@ void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec
             sum += light(texel_direction(face, face_size, x + dx, y + dy));
           }
         }
-        pyramid.set(0, face, x, y, 0.25F * sum);
+        const glm::vec3 mean = 0.25F * sum;
+        pyramid.set(0, face, x, y, glm::vec4(mean, fit != nullptr ? fit->weighted_log_temperature(mean) : 0.0F));
       }
     }
   });

@@ -7,6 +7,7 @@
 #include "content/environment_image.h"
 #include "kernels/sky/cube_map.h"
 #include "render/backend/buffer.h"
+#include "render/sky/temperature_fit.h"
 
 namespace ergodome {
 
@@ -14,10 +15,14 @@ namespace ergodome {
 class SkyCube {
  public:
   //! Resamples an equirectangular image, turned into the hole's sky axes; about as many texels as the image has.
-  SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map);
+  //!
+  //! `fit`, where given: texels keep the temperature of their colour (kernels/sky/cube_map.h), for SkyShift::blackbody_fit.
+  SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
+          const TemperatureFit* fit = nullptr);
 
   //! A sky from a function of the direction (unit vector): for tests and procedural skies. `face_size` is a power of two.
-  SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light);
+  SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
+          const TemperatureFit* fit = nullptr);
 
   [[nodiscard]] CubeMap view() const;
 
@@ -25,7 +30,8 @@ class SkyCube {
   static std::size_t bytes_for(int map_width);
 
  private:
-  void build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light);
+  void build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
+             const TemperatureFit* fit);
 
   CubeMap map_{};
   Buffer<float> texels_;

@@ -63,6 +63,7 @@ class MinimalFrame {
     ShadeBatch shade{};
     shade.lens = pixels;
     shade.sky = sky_.view();
+    shade.projection = converted_projection<float>(projection_);
     shade.exposure = static_cast<float>(show_.sky.exposure);
     shade.rgba = rgba_.data();
     shade.count = size_px * size_px;

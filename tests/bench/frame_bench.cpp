@@ -12,10 +12,12 @@ namespace {
 
 using namespace ergodome;
 
-Show dome_show() {
+//! `more`: further lines, of the sky's table and after.
+Show dome_show(const std::string& more = {}) {
   return parse_show(
-      "[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 5\npitch_deg = -25\n[sky]\nmap = \"milky_way\"\n"
-      "[view]\nprojection = \"dome\"\ntilt_deg = 30\n",
+      "[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 5\npitch_deg = -25\n"
+      "[view]\nprojection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n" +
+          more,
       "bench.toml");
 }
 
@@ -45,6 +47,28 @@ BENCHMARK_CAPTURE(dome_frame, image_order, ViewMode::image_order, LensChoice::di
     ->Arg(1024)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+//! The same frame with other ways to look at the map, its lens read from a kept grid.
+void sky_look(benchmark::State& state, const char* more) {
+  ShowRenderer renderer(dome_show(more), Backend::cpu, LensChoice::live);
+  const Projection projection = make_projection(renderer.show().view, 1024, 0.0);
+  const CameraPose pose = camera_pose(renderer.show(), 0.0);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(renderer.render_eye(pose, 0.0, projection, ViewMode::sky).rgba.data());
+  }
+}
+
+void in_milliseconds(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(sky_look, ewa, "")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(sky_look, point, "filter = \"point\"\n")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(sky_look, polygon, "filter = \"polygon\"\n")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(sky_look, ewa_luminance, "[effects]\nredshift = true\n")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(sky_look, ewa_blackbody_fit, "shift = \"blackbody_fit\"\n[effects]\nredshift = true\n")
+    ->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(sky_look, ewa_brightening, "brightening = true\n")->Apply(in_milliseconds);
 
 //! A grid for the camera of the frames: budget in hundredths of a pixel of a 4096² dome, traced in float or double.
 void grid_build(benchmark::State& state, bool fine) {

@@ -87,6 +87,9 @@ TEST(Show, WrittenAsTextReadsBackTheSame) {
   show.effects.trails = TrailSettings{0.1};
   show.stereo = {StereoLayout::anaglyph, StereoModel::omni, 0.5, true};
   show.tone = {ToneCurve::gamma, -1.5, 8.0, 1.8, AutoExposureSettings{0.2, -2.0, 3.0, 0.5}};
+  show.sky.filter = SkyFilter::polygon;
+  show.sky.shift = SkyShift::blackbody_fit;
+  show.sky.brightening = true;
   const Show back = parse_show(to_toml(show), "show.toml");
   EXPECT_EQ(back.title, show.title);
   EXPECT_EQ(back.duration_s, show.duration_s);
@@ -102,6 +105,9 @@ TEST(Show, WrittenAsTextReadsBackTheSame) {
   EXPECT_EQ(back.tone.white, 8.0);
   EXPECT_EQ(back.tone.gamma, 1.8);
   EXPECT_EQ(back.tone.automatic->most_stops, 3.0);
+  EXPECT_EQ(back.sky.filter, SkyFilter::polygon);
+  EXPECT_EQ(back.sky.shift, SkyShift::blackbody_fit);
+  EXPECT_TRUE(back.sky.brightening);
   EXPECT_FALSE(back.effects.psf.has_value());
   EXPECT_EQ(back.stereo.layout, StereoLayout::anaglyph);
   EXPECT_TRUE(back.stereo.swap_eyes);
@@ -126,6 +132,21 @@ TEST(Show, UnknownKeyNamesTheNearestTheFileAndTheLine) {
 
 TEST(Show, WrongWordNamesTheNearest) {
   EXPECT_THAT(problem_of("[camera]\nobserver = \"geodesik\"\n[[camera.key]]\nr = 10\n"), HasSubstr("\"geodesic\""));
+}
+
+TEST(Show, LooksAtTheSkyThroughEllipsesUnlessItSaysOtherwise) {
+  const Show plain = parse_show(minimal, "show.toml");
+  EXPECT_EQ(plain.sky.filter, SkyFilter::ewa);
+  EXPECT_EQ(plain.sky.shift, SkyShift::luminance);
+  EXPECT_FALSE(plain.sky.brightening);
+  EXPECT_EQ(parse_show(to_toml(plain), "show.toml").sky.shift, SkyShift::luminance);
+  EXPECT_EQ(parse_show(minimal + "[sky]\nfilter = \"point\"\n", "show.toml").sky.filter, SkyFilter::point);
+  EXPECT_THAT(problem_of(minimal + "[sky]\nfilter = \"poligon\"\n"),
+              AllOf(HasSubstr("show.toml:5"), HasSubstr("sky.filter"), HasSubstr("\"polygon\"")));
+  EXPECT_THAT(problem_of(minimal + "[sky]\n\nshift = \"none\"\n"),
+              AllOf(HasSubstr("show.toml:6"), HasSubstr("sky.shift")));
+  EXPECT_THAT(problem_of(minimal + "[sky]\nbrightening = 2\n"),
+              AllOf(HasSubstr("show.toml:5"), HasSubstr("sky.brightening")));
 }
 
 TEST(Show, RefusesWhatCannotBe) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "kernels/image/shade_pixels_kernel.h"
@@ -25,16 +26,48 @@ CubeMap patterned_cube(Twin<float>& texels, int face_size) {
   return map;
 }
 
-bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, bool beaming, const char* name) {
+//! How a check looks at the sky.
+struct SkyLook {
+  SkyFilter filter = SkyFilter::ewa;
+  SkyShift shift = SkyShift::none;
+  bool brightening = false;
+};
+
+//! Colours of blackbodies; a smooth curve is as good as Planck's for comparing two machines.
+BlackbodyTable smooth_colours(Twin<float>& entries) {
+  const int count = static_cast<int>(entries.host.size() / 4);
+  for (int i = 0; i < count; ++i) {
+    const float x = static_cast<float>(i) / static_cast<float>(count);
+    const float entry[] = {20.0F * x, 1.1F - 0.2F * x, 0.1F + 1.5F * x, 0.0F};
+    std::copy(entry, entry + 4, entries.host.begin() + 4 * i);
+  }
+  entries.upload();
+  return {entries.host.data(), count, 5.7F, 0.01F};
+}
+
+bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, const SkyLook& look, const char* name) {
   Twin<float> texels(std::size_t{4} * 6 * 2 * 514 * 514);
+  Twin<float> colours(4 * 512);
   Twin<float> rgba(4 * pixels);
-  ShadeBatch on_host{
-      lens_at(lens.host.data(), pixels), patterned_cube(texels, 512), mode, beaming, 1.0F, 0.0F, 1.0F, rgba.host.data(),
-      static_cast<int>(pixels)};
+  ShadeBatch on_host{};
+  on_host.lens = lens_at(lens.host.data(), pixels);
+  on_host.sky = patterned_cube(texels, 512);
+  on_host.mode = mode;
+  on_host.filter = look.filter;
+  on_host.shift = look.shift;
+  on_host.brightening = look.brightening;
+  on_host.colours = smooth_colours(colours);
+  const int size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(pixels))));
+  on_host.projection = converted_projection<float>(make_dome_projection(size, 3.14159265358979, 0.5));
+  on_host.exposure = 1.0F;
+  on_host.range_high = 1.0F;
+  on_host.rgba = rgba.host.data();
+  on_host.count = static_cast<int>(pixels);
   ShadeBatch on_device = on_host;
   on_host.sky.texels = texels.host.data();
   on_device.lens = lens_at(lens.device(), pixels);
   on_device.sky.texels = texels.device();
+  on_device.colours.entries = colours.device();
   on_device.rgba = rgba.device();
   const auto run = [&](auto host_functor, auto device_functor) {
     const double device_ms = run_on_device_ms(name, device_functor, on_device.count);
@@ -44,8 +77,13 @@ bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, bool be
   if (mode != ViewMode::sky) {
     return run(ShadeHeatMap{on_host}, ShadeHeatMap{on_device});
   }
-  return beaming ? run(ShadeSky<float, true>{on_host}, ShadeSky<float, true>{on_device})
-                 : run(ShadeSky<float, false>{on_host}, ShadeSky<float, false>{on_device});
+  bool good = false;
+  dispatch_shading<float>(on_host, [&](const auto& functor) {
+    auto device_functor = functor;
+    device_functor.batch = on_device;
+    good = run(functor, device_functor);
+  });
+  return good;
 }
 
 bool check_size(int size, bool compare_all) {
@@ -66,10 +104,16 @@ bool check_size(int size, bool compare_all) {
   bool good = report("trace_pixels " + std::to_string(size) + "^2 dome", count, device_ms, host_ms,
                      compare(lens.download(), lens.host, 0.98, 1e-4));
   lens.upload();
-  good = check_shading(lens, pixels, ViewMode::sky, false, "shade sky") && good;
+  good = check_shading(lens, pixels, ViewMode::sky, {}, "shade sky") && good;
   if (compare_all) {
-    good = check_shading(lens, pixels, ViewMode::sky, true, "shade sky with beaming") && good;
-    good = check_shading(lens, pixels, ViewMode::image_order, false, "shade heat map") && good;
+    const auto check = [&](const SkyLook& look, const char* name) {
+      good = check_shading(lens, pixels, ViewMode::sky, look, name) && good;
+    };
+    check({SkyFilter::ewa, SkyShift::luminance, false}, "shade sky, luminance shift");
+    check({SkyFilter::ewa, SkyShift::blackbody_fit, false}, "shade sky, blackbody shift");
+    check({SkyFilter::ewa, SkyShift::none, true}, "shade sky, brightened");
+    check({SkyFilter::point, SkyShift::none, false}, "shade sky, point samples");
+    good = check_shading(lens, pixels, ViewMode::image_order, {}, "shade heat map") && good;
   }
   return good;
 }

@@ -30,6 +30,10 @@ const std::vector<Effect>& effects() {
   static const std::vector<Effect> all = {
       {"stars", [](Show& show) { show.sky.stars = "bright_stars"; }},
       {"gather", [](Show& show) { show.sky.star_method = StarMethod::gather; }},
+      {"point", [](Show& show) { show.sky.filter = SkyFilter::point; }},
+      {"polygon", [](Show& show) { show.sky.filter = SkyFilter::polygon; }},
+      {"blackbody fit", [](Show& show) { show.sky.shift = SkyShift::blackbody_fit; }},
+      {"brightening", [](Show& show) { show.sky.brightening = true; }},
       {"redshift", [](Show& show) { show.effects.redshift = true; }},
       {"magnification", [](Show& show) { show.effects.magnification = true; }},
       {"psf", [](Show& show) { show.effects.psf = PointSpreadSettings{}; }},
@@ -244,8 +248,8 @@ TEST_F(FramePlans, NameTheLinesThatCallForAPass) {
   const Show show = parse_show("[camera]\n[[camera.key]]\nr = 9\n[sky]\nmap = \"grid\"\n\n[effects]\nredshift = true\n",
                                "folder/scene.toml");
   const FramePlan plan = plan_frame(show, request());
-  EXPECT_EQ(plan.passes.back().name, "shade_sky, redshift");
-  EXPECT_EQ(plan.passes.back().why, "effects.redshift (scene.toml line 8)");
+  EXPECT_EQ(plan.passes.back().name, "shade_sky, luminance");
+  EXPECT_EQ(plan.passes.back().why, "sky.filter (by default), effects.redshift (scene.toml line 8)");
   EXPECT_EQ(plan.channels[2].why, "sky.map (scene.toml line 5)");
 }
 

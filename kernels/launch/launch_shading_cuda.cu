@@ -1,0 +1,15 @@
+#include "kernels/image/shade_pixels_kernel.h"
+#include "kernels/launch/launch_cuda.cuh"
+#include "kernels/launch/launch_cuda.h"
+
+// The ways to shade pixels, in a file of their own: they are many.
+namespace ergodome {
+
+void shade_pixels_cuda(const ShadeBatch& batch) {
+  if (batch.mode != ViewMode::sky) {
+    return launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
+  }
+  dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
+}
+
+}  // namespace ergodome
