@@ -26,8 +26,8 @@ std::size_t bytes_for(std::size_t edge, std::size_t tree, std::size_t leaves, st
 }
 
 //! Names of buffers.
-constexpr const char* grid = "lens grid";
-constexpr const char* moved_grid = "lens grid of a place between stations";
+constexpr const char* grid_buffer = "lens grid";
+constexpr const char* moved_grid_buffer = "lens grid of a place between stations";
 
 LensPlace place_of(const LensStation& station) { return {station.r, station.theta}; }
 
@@ -37,10 +37,10 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
     : bytes_(bytes_for(station.edge.size(), station.tree.size(), station.leaf_count(), station.node_count(),
                        !station.nodes_along_r.empty())),
       station_(std::move(station)),
-      edge_(backend, station_.edge, grid),
-      tree_(backend, station_.tree, grid),
-      leaves_(backend, station_.leaves, grid),
-      nodes_(backend, station_.nodes, grid) {
+      edge_(backend, station_.edge, grid_buffer),
+      tree_(backend, station_.tree, grid_buffer),
+      leaves_(backend, station_.leaves, grid_buffer),
+      nodes_(backend, station_.nodes, grid_buffer) {
   std::vector<float>().swap(station_.leaf_error_px);
   if (!has_derivatives()) {
     std::vector<float>().swap(station_.nodes);
@@ -74,7 +74,7 @@ StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers
   set_chart(backend, a.spin, place, a.range);
   nodes_[0] = Buffer<float>(
       backend, moved_nodes(a, {place.r - from.r, place.theta - from.theta}, place_turn(a.spin, from, place)),
-      moved_grid);
+      moved_grid_buffer);
 }
 
 StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
@@ -111,7 +111,7 @@ void StationBlend::take_derivatives(Backend backend, double w, const LensPlace& 
   for (int i = 0; i < 2; ++i) {
     const LensPlace offset = {beside.r + along[i] * whole.r, beside.theta + along[i] * whole.theta};
     nodes_[i] = Buffer<float>(backend, moved_nodes((i == 0 ? first_ : second_)->station(), offset, glm::dmat3(1.0)),
-                              moved_grid);
+                              moved_grid_buffer);
   }
 }
 

@@ -58,7 +58,8 @@ TEST(Brightening, IsTheSolidAngleOfAPixelOverThatOnTheSky) {
       const Vector3<double> area = cross(vector(lens.sky_along_x), vector(lens.sky_along_y));
       const double on_sky = std::sqrt(dot(area, area));
       const double x = static_cast<double>(i % static_cast<std::size_t>(projection.width_px)) + 0.5;
-      const double y = static_cast<double>(i / static_cast<std::size_t>(projection.width_px)) + 0.5;
+      const std::size_t row = i / static_cast<std::size_t>(projection.width_px);
+      const double y = static_cast<double>(row) + 0.5;
       const double h = 1e-4;
       const Vector3<double> view =
           cross((0.5 / h) * (direction_from_pixel(projection, x + h, y) - direction_from_pixel(projection, x - h, y)),

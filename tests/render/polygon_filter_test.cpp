@@ -97,7 +97,7 @@ TEST(ColumnSums, InFloatTheLowerPoleWouldBeLost) {
   for (int row = 0; row < 2048; ++row) {
     const double top = std::cos(pi * row / 2048);
     const double bottom = std::cos(pi * (row + 1) / 2048);
-    const auto exact = static_cast<double>(image.rgb[static_cast<std::size_t>(3 * row)]);
+    const auto exact = static_cast<double>(image.rgb[3 * static_cast<std::size_t>(row)]);
     glm::dvec4 light(0.0);
     sums.add_above(0, {bottom, row}, {bottom, row}, 1.0, light);
     sums.add_above(0, {top, row}, {top, row}, -1.0, light);

@@ -96,7 +96,8 @@ TEST(PointSample, InTheMiddleOfATexelIsTheTexel) {
   std::vector<const float*> texels;
   for (int face = 0; face < 6; ++face) {
     for (int i = 0; i < 256; ++i) {
-      const Vector3<double> d = cube_direction(face, (2 * (i % 16) + 1) / 16.0 - 1.0, (2 * (i / 16) + 1) / 16.0 - 1.0);
+      const int row = i / 16;
+      const Vector3<double> d = cube_direction(face, (2 * (i % 16) + 1) / 16.0 - 1.0, (2 * row + 1) / 16.0 - 1.0);
       const double length = std::sqrt(dot(d, d));
       directions.push_back(
           {static_cast<float>(d.x / length), static_cast<float>(d.y / length), static_cast<float>(d.z / length)});
