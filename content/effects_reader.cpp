@@ -35,7 +35,8 @@ void read_effects(const toml::table& table, const std::string& file, EffectSetti
   effects.magnification = reader.boolean("magnification", false);
   if (const toml::table* psf = reader.table("psf")) {
     TomlTable spread(*psf, file, "effects.psf");
-    effects.psf = PointSpreadSettings{spread.number("sigma_px", 0.5, 0.01, 100.0)};
+    effects.psf =
+        PointSpreadSettings{spread.number("sigma_px", 0.5, 0.01, 100.0), spread.number("cutoff_px", 0.0, 0.0, 100.0)};
     spread.refuse_unknown_keys();
   }
   if (const toml::table* trails = reader.table("trails")) {

@@ -52,8 +52,10 @@ struct SkySettings {
   bool brightening = false;
 };
 
+//! The spot that an image of a star is. Pixels are those of pictures up to 4k; in finer ones of a dome or a whole sky it keeps its angle.
 struct PointSpreadSettings {
   double sigma_px = 0.5;
+  double cutoff_px = 0.0;  //!< where the spot ends; 0: three sigma
 };
 
 struct TrailSettings {

@@ -47,8 +47,11 @@ StarPass::StarPass(const Show& show)
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
       settings_(star_settings(show)),
       splat_{show.effects.psf ? show.effects.psf->sigma_px : 0.0,
-             static_cast<float>(show.sky.exposure / luminance_of_white), std::numeric_limits<float>::infinity(), 0.0F,
-             0.0} {
+             static_cast<float>(show.sky.exposure / luminance_of_white),
+             std::numeric_limits<float>::infinity(),
+             0.0F,
+             0.0,
+             show.effects.psf ? show.effects.psf->cutoff_px : 0.0} {
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
   }
@@ -97,21 +100,22 @@ std::vector<StarPoint> StarPass::find(const EyeCamera& eye, const Projection& pr
   }
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
+  const SplatSettings splat = scaled_to(splat_, projection);
   // Trails may come in from anywhere.
   if (!shutter) {
-    const double reach_px = std::max(splat_.reach_px(), splat_.spike_reach_px);
+    const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
     settings.view = view_cone(eye, projection, view_margin + reach_px * settings.pixel);
   }
   const std::vector<StarImage> found = images(eye, projection, settings);
   if (!shutter) {
-    return star_points(found, eye, projection, splat_);
+    return star_points(found, eye, projection, splat);
   }
-  return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat_);
+  return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat);
 }
 
 void StarPass::draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
                     float* rgba) const {
-  splat_points(points, projection, splat_, first_row, row_count, rgba);
+  splat_points(points, projection, scaled_to(splat_, projection), first_row, row_count, rgba);
   if (spikes_) {
     draw_spikes(points, projection, first_row, row_count, rgba);
   }

@@ -34,14 +34,13 @@ struct Spread {
   int count = 0;
   std::array<float, 2 * widest_px + 2> part{};
 
-  Spread(double middle_px, double sigma_px) {
+  Spread(double middle_px, double sigma_px, double reach) {
     if (!(sigma_px > 0.0)) {
       first = static_cast<int>(std::floor(middle_px));
       count = 1;
       part[0] = 1.0F;
       return;
     }
-    const double reach = std::min(cut_off_sigmas * sigma_px, widest_px - 1.0);
     first = static_cast<int>(std::floor(middle_px - reach));
     count = static_cast<int>(std::floor(middle_px + reach)) - first + 1;
     const auto integral = [&](double x) {
@@ -55,10 +54,11 @@ struct Spread {
 };
 
 //! Adds the pixels of one image that lie in rows [top, bottom); `rgba` begins at row `origin`.
-void add(const StarPoint& splat, const Projection& projection, double sigma_px, int top, int bottom, int origin,
-         float* rgba) {
-  const Spread across(splat.x_px, sigma_px);
-  const Spread down(splat.y_px, sigma_px);
+void add(const StarPoint& splat, const Projection& projection, const SplatSettings& settings, int top, int bottom,
+         int origin, float* rgba) {
+  const double reach = settings.reach_px() - 1.0;
+  const Spread across(splat.x_px, settings.sigma_px, reach);
+  const Spread down(splat.y_px, settings.sigma_px, reach);
   const bool wraps = projection.kind == ProjectionKind::equirectangular;
   const int width = projection.width_px;
   for (int j = 0; j < down.count; ++j) {
@@ -145,7 +145,20 @@ class PointList {
 
 }  // namespace
 
-double SplatSettings::reach_px() const { return std::min(cut_off_sigmas * sigma_px, widest_px - 1.0) + 1.0; }
+double SplatSettings::reach_px() const {
+  return std::min(cutoff_px > 0.0 ? cutoff_px : cut_off_sigmas * sigma_px, widest_px - 1.0) + 1.0;
+}
+
+SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection) {
+  constexpr double pixel_of_4k = 3.14159265358979323846 / 4096;
+  SplatSettings scaled = settings;
+  if (projection.kind != ProjectionKind::pinhole) {
+    const double scale = std::max(pixel_of_4k / pixel_angle(projection), 1.0);
+    scaled.sigma_px *= scale;
+    scaled.cutoff_px *= scale;
+  }
+  return scaled;
+}
 
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
                                    const Projection& projection, const SplatSettings& settings) {
@@ -200,7 +213,7 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
     const int bottom = std::min(first_row + end * band_rows, first_row + row_count);
     auto point = std::ranges::lower_bound(points, top - reach, {}, &StarPoint::y_px);
     for (; point != points.end() && point->y_px < bottom + reach; ++point) {
-      add(*point, projection, settings.sigma_px, top, bottom, first_row, rgba);
+      add(*point, projection, settings, top, bottom, first_row, rgba);
     }
   });
 }

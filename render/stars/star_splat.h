@@ -11,15 +11,20 @@ namespace ergodome {
 
 //! How points become pixels.
 struct SplatSettings {
-  double sigma_px = 0.0;  //!< of a Gaussian, cut off at three of them; 0: each image in the pixel that it falls on
+  double sigma_px = 0.0;  //!< of a Gaussian; 0: each image in the pixel that it falls on
   float scale = 1.0F;     //!< picture value of a luminance of 1 cd/m²
   float spikes_from = std::numeric_limits<float>::infinity();  //!< illuminance of the images that have spikes [lx]
   float spike_strength = 0.0F;                                 //!< part of their light that is in these
   double spike_reach_px = 0.0;
+  double cutoff_px = 0.0;  //!< where the Gaussian ends; 0: at three sigma
 
   //! How far from its middle a point may reach.
   [[nodiscard]] double reach_px() const;
 };
+
+//! The same for a picture: a spot of a dome or a whole sky is given in pixels of 4k ones, and keeps its angle in finer ones, where it
+//! would shrink below what an eye in the dome can tell from nothing.
+SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
 
 //! Light on the screen, at a point.
 struct StarPoint {

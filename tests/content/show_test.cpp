@@ -45,7 +45,7 @@ spin_axis = { ra_deg = 270.0, dec_deg = 66.6 }
 [effects]
 redshift = true
 magnification = true
-psf = { sigma_px = 0.5 }
+psf = { sigma_px = 0.5, cutoff_px = 1.5 }
 trails = { shutter_s = 0.02 }
 [view]
 projection = "dome"
@@ -70,6 +70,7 @@ budget_px = 0.25
   EXPECT_EQ(show.sky.stars, "bright_stars");
   EXPECT_TRUE(show.effects.redshift);
   EXPECT_EQ(show.effects.psf->sigma_px, 0.5);
+  EXPECT_EQ(show.effects.psf->cutoff_px, 1.5);
   EXPECT_EQ(show.view.size_px, 4096);
   EXPECT_EQ(show.stereo.baseline, 0.02);
   EXPECT_EQ(frame_count(show), 900);

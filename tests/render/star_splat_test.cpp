@@ -37,6 +37,43 @@ TEST(StarSplat, LightDoesNotDependOnSpreadNorResolution) {
   }
 }
 
+//! Brightest pixel and number of lit pixels of one star in the middle of a dome.
+std::pair<float, long> spot_of(int size_px, const SplatSettings& settings) {
+  const Projection projection = make_dome_projection(size_px, pi, 0.0);
+  const std::vector<StarPoint> points = {{0.5 * size_px + 0.5, 0.5 * size_px + 0.5, {1.0F, 1.0F, 1.0F}, {}}};
+  std::vector<float> rgba(4 * static_cast<std::size_t>(size_px) * 64);
+  splat_points(points, projection, scaled_to(settings, projection), size_px / 2 - 32, 64, rgba.data());
+  float brightest = 0.0F;
+  long lit = 0;
+  for (std::size_t i = 1; i < rgba.size(); i += 4) {
+    brightest = std::max(brightest, rgba[i]);
+    lit += rgba[i] > 0.0F ? 1 : 0;
+  }
+  return {brightest, lit};
+}
+
+TEST(StarSplat, SpotsKeepTheirAngleInPicturesFinerThan4k) {
+  const SplatSettings settings{1.0, 1.0F};
+  const auto [of_1k, lit_1k] = spot_of(1024, settings);
+  const auto [of_4k, lit_4k] = spot_of(4096, settings);
+  const auto [of_8k, lit_8k] = spot_of(8192, settings);
+  EXPECT_EQ(lit_1k, 49);
+  EXPECT_EQ(lit_4k, 49);
+  EXPECT_EQ(lit_8k, 169);
+  EXPECT_EQ(of_1k, of_4k);
+  // Twice as wide each way, and a Gaussian's middle is that much lower but for the pixels' own width.
+  EXPECT_NEAR(of_8k / of_4k, 0.25, 0.02);
+  EXPECT_EQ(scaled_to(settings, make_pinhole_projection(8192, 4096, 0.1)).sigma_px, 1.0);
+}
+
+TEST(StarSplat, SpotsEndAtTheirCutOff) {
+  SplatSettings settings{0.5, 1.0F};
+  settings.cutoff_px = 0.4;
+  EXPECT_EQ(spot_of(1024, settings).second, 1);
+  settings.cutoff_px = 2.4;
+  EXPECT_EQ(spot_of(1024, settings).second, 25);
+}
+
 TEST(StarSplat, BlocksOfRowsMakeTheWholePicture) {
   const EyeCamera eye = eye_at(places[1]);
   const StarField field(brightest(2000), glm::dmat3(1.0), colours().view());
