@@ -21,7 +21,7 @@ enum class WorkMoment {
 struct PlannedPass {
   std::string name;
   WorkMoment moment;
-  long runs;        //!< at most, in all of that moment's pictures; 0: as many as it takes
+  long runs;        //!< in all of that moment's pictures; 0: as many as it takes
   long elements;    //!< pixels, or nodes, or stars, in all; 0: as many as it takes
   bool if_needed;   //!< it may turn out that there is nothing to do
   std::string why;  //!< the keys of the show that call for it, with their lines
@@ -63,8 +63,8 @@ struct FrameRequest {
   bool streamed = false;  //!< the show's trajectory has been baked
 };
 
-//! Plans the pictures that ShowRenderer::render makes. The same functions decide here and there what is needed
-//! (render/plan/frame_needs.h).
+//! Plans the pictures that ShowRenderer::render makes. Effects and channels are decided by the same functions here and there
+//! (render/plan/frame_needs.h); the order in which lenses are tried is LensChooser's own, followed here.
 FramePlan plan_frame(const Show& show, const FrameRequest& request);
 
 }  // namespace ergodome
