@@ -144,6 +144,16 @@ void find_star_images(const StarImageBatch<double>& batch) {
   run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
+void search_stars(const StarSearchBatch& batch) { active_table().search_stars(batch, 0, 1); }
+
+void find_patch_sides(const PatchSideBatch& batch) {
+  active_table().find_patch_sides(batch, 0, index_count(batch.pairs.count, active_table().lanes_float));
+}
+
+void invert_patches(const PatchNewtonBatch& batch) {
+  active_table().invert_patches(batch, 0, index_count(batch.pairs.count, active_table().lanes_float));
+}
+
 void search_patch(const PatchSearchBatch& batch) {
   active_table().search_patch(batch, 0, index_count(batch.count, active_table().lanes_float));
 }

@@ -48,7 +48,11 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 void find_star_images(const StarImageBatch<float>& batch);
 void find_star_images(const StarImageBatch<double>& batch);
 
-//! Finds stars in a patch of a lens, on the thread that calls; see PatchSearchBatch.
+//! The search for images of stars, on the thread that calls: stars in a part of the sky, on which side of patches' borders stars are,
+//! where patches hold them, and where one that is not one to one does. See the batches.
+void search_stars(const StarSearchBatch& batch);
+void find_patch_sides(const PatchSideBatch& batch);
+void invert_patches(const PatchNewtonBatch& batch);
 void search_patch(const PatchSearchBatch& batch);
 
 //! What shading the sky is counted by; each variant is compiled apart ("shade_sky, point, luminance").

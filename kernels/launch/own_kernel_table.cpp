@@ -6,8 +6,10 @@
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
+#include "kernels/stars/patch_pairs_kernel.h"
 #include "kernels/stars/patch_search_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
+#include "kernels/stars/star_index_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -67,6 +69,9 @@ const KernelTable& own_kernel_table() {
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,
       &run<FindStarImages<WidePack<float>>, StarImageBatch<float>>,
       &run<FindStarImages<WidePack<double>>, StarImageBatch<double>>,
+      &run<SearchStars<WidePack<float>>, StarSearchBatch>,
+      &run<FindPatchSides<WidePack<float>>, PatchSideBatch>,
+      &run<InvertPatches<WidePack<float>>, PatchNewtonBatch>,
       &run<SearchPatch<WidePack<float>>, PatchSearchBatch>,
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,

@@ -24,6 +24,14 @@ inline constexpr float most_regular_change = 0.6F;
 
 inline namespace ERGO_TARGET {
 
+//! A patch in each lane.
+template <class T>
+struct PatchLanes {
+  T x[16];
+  T y[16];
+  T z[16];
+};
+
 ERGO_HD Vector3<double> control_point(const BezierPatch& patch, int i) {
   return {static_cast<double>(patch.x[i]), static_cast<double>(patch.y[i]), static_cast<double>(patch.z[i])};
 }
@@ -79,8 +87,8 @@ struct FormValue {
 };
 
 //! A coordinate of a patch; rows first, whose sums go through four columns at a time.
-template <class T>
-ERGO_HD FormValue<T> form_at(const float (&points)[16], const T (&along_u)[4], const T (&slope_u)[4],
+template <class T, class Point>
+ERGO_HD FormValue<T> form_at(const Point (&points)[16], const T (&along_u)[4], const T (&slope_u)[4],
                              const T (&along_v)[4], const T (&slope_v)[4]) {
   T sum[4];
   T slope[4];
@@ -125,8 +133,9 @@ ERGO_HD T determinant(const PlaneValue<T>& f) {
 }
 
 //! A patch at (u, v), which may lie outside [0, 1]², as seen from a star at (a, b) in the plane z = 1: p = x - a z, q = y - b z.
-template <class T>
-ERGO_HD PlaneValue<T> seen_from(const BezierPatch& patch, const T& a, const T& b, const T& u, const T& v) {
+//! `Patch`: one for all lanes, or PatchLanes.
+template <class T, class Patch>
+ERGO_HD PlaneValue<T> seen_from(const Patch& patch, const T& a, const T& b, const T& u, const T& v) {
   T along_u[4];
   T slope_u[4];
   T along_v[4];

@@ -11,8 +11,8 @@ inline constexpr int most_roots = 6;
 //! first root of all stars, then the second.
 struct PatchSearchBatch {
   BezierPatch patch;
-  PatchShape shape;
-  int halvings;  //!< at most, until Newton's method is trusted though a part is not regular
+  PatchShape shape;  //!< not regular: see patch_pairs.h for those
+  int halvings;      //!< at most, until Newton's method is trusted though a part is not regular
   //! How far the patch may be from the sky, in its plane. Where it is folded and comes so near to a star, that counts as a root, with no
   //! area: whether there are images, next to a caustic, the patch does not know.
   float error;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
+#include "kernels/stars/patch_newton.h"
 #include "kernels/stars/patch_search.h"
 
 namespace ergodome::inline ERGO_TARGET {
@@ -56,7 +57,7 @@ struct SearchPatch {
         const bool last = part.depth >= batch_.halvings || part.depth >= deepest;
         // Asked every other time: the answer costs more than a halving.
         const bool asked = last || part.depth % 2 == 0;
-        const bool regular = part.depth == 0 ? batch_.shape == PatchShape::regular : asked && is_regular(part.patch);
+        const bool regular = part.depth > 0 && asked && is_regular(part.patch);
         if (regular || last) {
           solve(part, may, regular);
           continue;
@@ -78,46 +79,14 @@ struct SearchPatch {
     }
 
    private:
-    //! A place in a part.
-    struct Place {
-      T u, v;
-    };
-
-    //! Where in a part Newton's method ended.
-    struct Found {
-      Place at;
-      T area;
-      Mask found;
-    };
+    //! A place in a part, and where in it Newton's method ended.
+    using Place = PatchPlace<T>;
+    using Found = PatchRoot<T>;
 
     //! Newton's method from a place in a part. A first step longer than `farthest` ends it.
     ERGO_HD Found newton(const BezierPatch& patch, const Mask& wanted, const Place& from, float farthest,
                          int rounds = 16) const {
-      T u = from.u;
-      T v = from.v;
-      T area(1.0F);
-      Mask active = wanted;
-      Mask found = T(1.0F) < T(0.0F);
-      for (int round = 0; round < rounds && any(active); ++round) {
-        const PlaneValue<T> f = seen_from(patch, a_, b_, u, v);
-        const T det = determinant(f);
-        const T inverse = T(1.0F) / det;
-        const T du = (f.p * f.q_v - f.p_v * f.q) * inverse;
-        const T dv = (f.p_u * f.q - f.p * f.q_u) * inverse;
-        const T length = maximum(absolute(du), absolute(dv));
-        // The comparison is false for what is not a number.
-        active = active & (length < T(round == 0 ? farthest : 1e6F));
-        // A step of nothing may be less than nothing by its sign.
-        const T part = minimum(T(1.0F), T(0.5F) / maximum(length, T(1e-30F)));
-        u = select(active, u - part * du, u);
-        v = select(active, v - part * dv, v);
-        area = select(active, det, area);
-        active = active & within(u, v, 1.0F);
-        const Mask settled = active & (length < T(settled_step));
-        found = found | settled;
-        active = active & !settled;
-      }
-      return {{u, v}, area, found};
+      return newton_on_patch(patch, a_, b_, wanted, from, farthest, rounds);
     }
 
     //! Adds the root that a part holds.
@@ -125,7 +94,7 @@ struct SearchPatch {
       const Place middle = {T(0.5F), T(0.5F)};
       Found found = newton(part.patch, may, middle, regular ? farthest_regular : 1e6F);
       // Where a part is not regular, roots are found from beside it, too.
-      found.found = found.found & within(found.at.u, found.at.v, regular ? beyond : 1.0F);
+      found.found = found.found & within_patch(found.at, regular ? beyond_patch : 1.0F);
       add(part, found);
       if (!regular && batch_.error > 0.0F) {
         look_across_fold(part, may, found);
@@ -207,10 +176,6 @@ struct SearchPatch {
               sqrt(T(0.5F) * (square_u + square_v) + length)};
     }
 
-    ERGO_HD static Mask within(const T& u, const T& v, float margin) {
-      return (u > T(-margin)) & (u < T(1.0F + margin)) & (v > T(-margin)) & (v < T(1.0F + margin));
-    }
-
     ERGO_HD static void halves_of(const Part& part, Part& first, Part& second) {
       const int axis = part.size_u >= part.size_v ? 0 : 1;
       const float size_u = axis == 0 ? 0.5F * part.size_u : part.size_u;
@@ -227,19 +192,52 @@ struct SearchPatch {
       place(second, axis == 0 ? part.u + size_u : part.u, axis == 1 ? part.v + size_v : part.v);
     }
 
-    //! Lanes whose star lies within the box of a part's control points.
+    //! Lanes whose star lies within the box of a part's control points: a box along the part, as parts of a bent patch are slivers that
+    //! point all ways.
     ERGO_HD Mask may_hold(const BezierPatch& part) const {
-      // The narrow side of a patch first: it sorts most stars out.
-      const Mask narrow = open_ & has_both_signs(part.y, part.z, b_);
-      return any(narrow) ? narrow & has_both_signs(part.x, part.z, a_) : narrow;
+      float x;
+      float y;
+      long_way(part, x, y);
+      // The narrow side first: it sorts most stars out.
+      const Mask narrow = open_ & has_both_signs(part, -y, x);
+      return any(narrow) ? narrow & has_both_signs(part, x, y) : narrow;
     }
 
-    ERGO_HD Mask has_both_signs(const float (&points)[16], const float (&depths)[16], const T& at) const {
-      T lowest = points[0] - at * depths[0];
+    //! The way in the plane along which a part is longer, about; a unit vector.
+    ERGO_HD static void long_way(const BezierPatch& part, float& x, float& y) {
+      const auto from_to = [&](int a, int b, int c, int d, float& along_x, float& along_y) {
+        const float before = 1.0F / (part.z[a] + part.z[c]);
+        const float after = 1.0F / (part.z[b] + part.z[d]);
+        along_x = (part.x[b] + part.x[d]) * after - (part.x[a] + part.x[c]) * before;
+        along_y = (part.y[b] + part.y[d]) * after - (part.y[a] + part.y[c]) * before;
+      };
+      float other_x;
+      float other_y;
+      from_to(0, 3, 12, 15, x, y);
+      from_to(0, 12, 3, 15, other_x, other_y);
+      const bool first = x * x + y * y > other_x * other_x + other_y * other_y;
+      x = first ? x : other_x;
+      y = first ? y : other_y;
+      const float square = x * x + y * y;
+      const bool some = square > 1e-30F;
+      const float inverse = some ? 1.0F / sqrt(square) : 0.0F;
+      x = some ? x * inverse : 1.0F;
+      y = y * inverse;
+    }
+
+    //! Lanes whose star has control points on both sides of it, along a unit vector (x, y) of the plane.
+    ERGO_HD Mask has_both_signs(const BezierPatch& part, float x, float y) const {
+      const T at = x * a_ + y * b_;
+      float along[16];
+      ERGO_UNROLL
+      for (int i = 0; i < 16; ++i) {
+        along[i] = x * part.x[i] + y * part.y[i];
+      }
+      T lowest = along[0] - at * part.z[0];
       T highest = lowest;
       ERGO_UNROLL
       for (int i = 1; i < 16; ++i) {
-        const T value = points[i] - at * depths[i];
+        const T value = along[i] - at * part.z[i];
         lowest = minimum(lowest, value);
         highest = maximum(highest, value);
       }
@@ -253,7 +251,7 @@ struct SearchPatch {
       const T u = T(part.u) + part.size_u * found.at.u;
       const T v = T(part.v) + part.size_v * found.at.v;
       const T area = found.area * (1.0F / (part.size_u * part.size_v));
-      Mask fresh = open_ & found.found & within(u, v, beyond);
+      Mask fresh = open_ & found.found & within_patch<T>({u, v}, beyond_patch);
       for (int k = 0; k < most_roots && any(fresh); ++k) {
         const Mask taken = roots_ > T(static_cast<float>(k));
         const T apart = select(taken, maximum(absolute(u_[k] - u), absolute(v_[k] - v)), T(1.0F));
@@ -276,15 +274,8 @@ struct SearchPatch {
     static constexpr int few_rounds = 6;
     //! Roots that may be guesses; the rest of the room is for what Newton's method finds.
     static constexpr float most_guesses = 4.0F;
-    //! In parts of what is searched: Newton's last step, which leaves no more than its square.
-    static constexpr float settled_step = 1e-3F;
-    //! Newton's first step to a root inside a regular part: half the part, and as much of that as the Jacobian may change.
-    static constexpr float farthest_regular = 0.51F * (1.3F + most_regular_change);
     //! Roots of a patch that are nearer to each other are one.
     static constexpr float same_root = 2e-3F;
-    //! Images are sought so far beyond a patch, in parts of it: on borders, neither side may lose one.
-    static constexpr float beyond = 2e-3F;
-
     const PatchSearchBatch& batch_;
     int first_;
     T a_;

@@ -31,22 +31,4 @@ double solid_angle(const SkyFrustum& frustum);
 //! The same after the sky's mirror image across the equator, if `side` is -1, and a turn by φ about z.
 SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi, double side);
 
-inline bool holds(const SkyFrustum& frustum, const Vector3<double>& d) {
-  // All tests at once: branches would not be foretold.
-  bool inside = true;
-  for (const Vector3<double>& inward : frustum.inward) {
-    inside = inside & (dot(inward, d) >= 0.0);
-  }
-  return inside;
-}
-
-//! Whether a cone about `axis`, of a half angle below a quarter turn with the given sine, may share directions with a frustum.
-inline bool may_touch(const SkyFrustum& frustum, const Vector3<double>& axis, double sine) {
-  bool apart = false;
-  for (const Vector3<double>& inward : frustum.inward) {
-    apart = apart | (dot(inward, axis) < -sine);
-  }
-  return !apart;
-}
-
 }  // namespace ergodome

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <array>
 #include <glm/mat3x3.hpp>
+#include <utility>
 #include <vector>
 
 #include "content/stars/star_catalogue.h"
 #include "kernels/sky/blackbody.h"
+#include "kernels/stars/star_index.h"
 #include "render/stars/sky_frustum.h"
 
 namespace ergodome {
@@ -17,15 +18,6 @@ struct FieldStar {
   float illuminance;          //!< in empty space [lx]
   float radius;               //!< angle that its disk spans, half [rad]
   std::uint32_t number;       //!< as the catalogue counts
-};
-
-//! A patch of the sky for searching: a quadrangle of a cube's face, at some depth of halving.
-struct SkyCell {
-  Vector3<double> axis;  //!< a cone about this holds the cell
-  double sine;           //!< of the cone's half angle
-  int first;             //!< range of the stars inside, the brightest first
-  int last;
-  float brightest;  //!< greatest illuminance inside [lx]; 0 without stars
 };
 
 //! Stars by their place on the sky.
@@ -40,43 +32,29 @@ class StarField {
   //! How many stars have at least `illuminance` lx.
   [[nodiscard]] std::size_t count_from(float illuminance) const;
 
-  //! Calls visit(star number) for the stars of at least `faintest` lx in a part of the sky.
-  template <class Visit>
-  void search(const SkyFrustum& part, float faintest, const Visit& visit) const {
-    for (int face = 0; face < 6; ++face) {
-      search_cell(0, face, part, faintest, visit);
-    }
-  }
+  //! Puts the numbers of the stars of at least `faintest` lx in a part of the sky into the first places of `found`, which is made large
+  //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them.
+  int search(const SkyFrustum& part, float faintest, std::vector<int>& found) const;
 
  private:
-  template <class Visit>
-  void search_cell(int level, int index, const SkyFrustum& part, float faintest, const Visit& visit) const {
-    const SkyCell& cell = levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(index)];
-    if (!(cell.brightest >= faintest) || cell.brightest <= 0.0F || !may_touch(part, cell.axis, cell.sine)) {
-      return;
-    }
-    if (level + 1 < static_cast<int>(levels_.size())) {
-      for (int child = 0; child < 4; ++child) {
-        search_cell(level + 1, 4 * index + child, part, faintest, visit);
-      }
-      return;
-    }
-    for (int number = cell.first; number < cell.last; ++number) {
-      const FieldStar& star = stars_[static_cast<std::size_t>(number)];
-      if (!(star.illuminance >= faintest)) {
-        return;
-      }
-      if (holds(part, star.direction)) {
-        visit(number);
-      }
-    }
-  }
+  //! A level of the index: quadrangles of a cube's faces, and the cones that hold them.
+  struct Level {
+    std::vector<float> axis[3];
+    std::vector<float> sine;
+    std::vector<float> brightest;
+  };
 
-  void make_cells(int depth);
+  void make_cells(int levels);
+  void add_stars(const std::vector<std::pair<int, FieldStar>>& placed);
+  void tell_coarser_cells();
+  [[nodiscard]] StarIndex index() const;
 
-  std::vector<float> illuminances_;           //!< the greatest first
-  std::vector<FieldStar> stars_;              //!< by finest cell, in each the brightest first
-  std::vector<std::vector<SkyCell>> levels_;  //!< 6 · 4^level cells a level
+  std::vector<float> illuminances_;  //!< the greatest first
+  std::vector<FieldStar> stars_;     //!< by finest cell, in each the brightest first
+  std::vector<Level> levels_;
+  std::vector<int> first_;           //!< of the finest cells' stars
+  std::vector<float> direction_[3];  //!< of stars, as kernels read them
+  std::vector<float> illuminance_;
 };
 
 }  // namespace ergodome

@@ -6,6 +6,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "render/lens/grid_builder.h"
+#include "render/stars/rough_images.h"
 #include "render/stars/star_refinement.h"
 #include "render/stars/star_twins.h"
 
@@ -120,23 +121,23 @@ std::vector<RoughImage> find_rough(const StarField& field, const Observer& obser
                                    const StarPatches& patches, const ViewCone& view) {
   static WorkCounter counter("search_patches");
   const WorkScope work(counter, static_cast<long>(patches.patches().size()));
-  constexpr int chunk = 32;
+  constexpr int chunk = 128;
   const auto& list = patches.patches();
   const int count = static_cast<int>(list.size());
   // In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes.
   std::vector<std::vector<RoughImage>> found(static_cast<std::size_t>((count + chunk - 1) / chunk));
   parallel_for(static_cast<int>(found.size()), 1, [&](int begin, int end) {
-    SearchRoom room;
+    RoughImageFinder finder(patches, field, observer, phi);
     for (int part = begin; part < end; ++part) {
       for (int i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
         const StarPatch& patch = list[static_cast<std::size_t>(i)];
-        std::vector<RoughImage>& into = found[static_cast<std::size_t>(part)];
         for (const bool mirrored : {false, true}) {
           if ((!mirrored || patches.mirrored()) && may_be_seen(patch, mirrored, view)) {
-            patches.search(patch, field, observer, phi, mirrored, room, into);
+            finder.look_in(patch, mirrored);
           }
         }
       }
+      finder.finish(found[static_cast<std::size_t>(part)]);
     }
   });
   std::vector<RoughImage> all;

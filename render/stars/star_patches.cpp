@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
@@ -23,8 +22,6 @@ constexpr double widest_cosine = 0.94;
 //! Next to a critical curve images are as bright as one likes, but seldom: M-fold in a patch of solid angle w on the camera's sky are
 //! those of w / M of the sky at the most. What less of the sky than this would show is not looked for.
 constexpr float neglected_sky = 1e-8F;
-//! What an image may be brighter than the grid makes it out to be.
-constexpr float most_grid_error = 2.0F;
 
 Vector3<double> normalized(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
@@ -191,74 +188,8 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
   add_patch(wanted, second, depth + 1, patches);
 }
 
-void StarPatches::search(const StarPatch& patch, const StarField& field, const ImageLight& light, double phi,
-                         bool mirrored, SearchRoom& room, std::vector<RoughImage>& found) const {
-  const double side = mirrored ? -1.0 : 1.0;
-  const double sine_phi = std::sin(phi);
-  const double cosine_phi = std::cos(phi);
-  // Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
-  const auto there = [&](const Vector3<double>& own) {
-    return Vector3<double>{cosine_phi * own.x - sine_phi * own.y, sine_phi * own.x + cosine_phi * own.y, side * own.z};
-  };
-  const SkyFrustum part = turned(patch.frustum, sine_phi, cosine_phi, side);
-  const PatchFrame frame = {there(patch.frame.first), there(patch.frame.second), there(patch.frame.axis)};
-  room.stars.clear();
-  room.depths.clear();
-  room.places.clear();
-  field.search(part, faintest_ / patch.gain, [&](int number) {
-    const Vector3<double>& d = field.stars()[static_cast<std::size_t>(number)].direction;
-    const double depth = dot(d, frame.axis);
-    room.stars.push_back(number);
-    room.depths.push_back(static_cast<float>(depth));
-    room.places.push_back(static_cast<float>(dot(d, frame.first) / depth));
-    room.places.push_back(static_cast<float>(dot(d, frame.second) / depth));
-  });
-  if (room.stars.empty()) {
-    return;
-  }
-  const std::size_t count = room.stars.size();
-  room.roots.resize(count * (1 + 3 * most_roots));
-  float* const roots = room.roots.data();
-  // Both coordinates of a star stand together as they are found; lanes want them apart.
-  std::vector<float>& apart = room.places;
-  apart.resize(4 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    apart[2 * count + i] = apart[2 * i];
-    apart[3 * count + i] = apart[2 * i + 1];
-  }
-  const PatchSearchBatch batch = {patch.sky,
-                                  patch.shape,
-                                  patch.halvings,
-                                  patch.error,
-                                  static_cast<int>(count),
-                                  apart.data() + 2 * count,
-                                  apart.data() + 3 * count,
-                                  roots,
-                                  roots + count,
-                                  roots + (1 + most_roots) * count,
-                                  roots + (1 + 2 * most_roots) * count};
-  search_patch(batch);
-  keep(patch, field, light, mirrored, batch, room, found);
-}
-
-void StarPatches::keep(const StarPatch& patch, const StarField& field, const ImageLight& light, bool mirrored,
-                       const PatchSearchBatch& batch, const SearchRoom& room, std::vector<RoughImage>& found) const {
-  for (int i = 0; i < batch.count; ++i) {
-    const auto star = static_cast<std::size_t>(room.stars[static_cast<std::size_t>(i)]);
-    const FieldStar& field_star = field.stars()[star];
-    for (int k = 0; k < static_cast<int>(batch.roots[i]); ++k) {
-      const int at = k * batch.count + i;
-      const float camera = camera_rate(chart_, patch, batch.u[at], batch.v[at]) * patch.width_turns * patch.height;
-      // The plane's areas are larger than the solid angles behind them by 1 / depth.
-      const float sky = std::max(std::abs(batch.area[at]), 1e-30F) * room.depths[static_cast<std::size_t>(i)];
-      if (field_star.illuminance * light.gain(patch, most_grid_error * camera / sky, field_star) >= faintest_) {
-        const float gamma = patch.gamma_turns + batch.u[at] * patch.width_turns;
-        const float seen = mirrored ? 1.0F - gamma : gamma;
-        found.push_back({static_cast<int>(star), seen - std::floor(seen), patch.s + batch.v[at] * patch.height,
-                         batch.area[at] == 0.0F});
-      }
-    }
-  }
+float StarPatches::camera_solid_angle(const StarPatch& patch, float u, float v) const {
+  return camera_rate(chart_, patch, u, v) * patch.width_turns * patch.height;
 }
 
 }  // namespace ergodome

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/lens_station.h"
-#include "kernels/stars/patch_search.h"
+#include "kernels/stars/bezier_patch.h"
 #include "render/stars/bezier_patch.h"
 #include "render/stars/star_field.h"
 
@@ -26,22 +26,6 @@ struct StarPatch {
   Vector3<float> seen;    //!< the way to it in the observer's frame
   float seen_radius;      //!< of a cone about that way that holds it [rad]
   float gain;  //!< most that an image here may be brighter than its star; where folded, but for 1e-8 sr of the sky
-};
-
-//! An image of a star, roughly: where the grid has it.
-struct RoughImage {
-  int star;           //!< in the field
-  float gamma_turns;  //!< in [0, 1)
-  float s;
-  bool guessed;  //!< the star is so near to a caustic that the grid cannot tell whether there is one
-};
-
-//! What a search needs room for, from patch to patch.
-struct SearchRoom {
-  std::vector<int> stars;
-  std::vector<float> depths;  //!< cosine of the angle to the patch's axis
-  std::vector<float> places;  //!< a of all stars, then b
-  std::vector<float> roots;   //!< counts, then u, v and area of all roots
 };
 
 //! What the search for images asks about an observer and his stars.
@@ -72,13 +56,14 @@ class StarPatches {
 
   [[nodiscard]] const std::vector<StarPatch>& patches() const { return patches_; }
 
-  //! Finds the images that a patch holds and that may be bright enough. The camera is at `phi` [rad]; `mirrored`: the other half of a
-  //! mirrored grid. An image on a border may be found from both sides.
-  void search(const StarPatch& patch, const StarField& field, const ImageLight& light, double phi, bool mirrored,
-              SearchRoom& room, std::vector<RoughImage>& found) const;
-
   //! Whether the grid is half of a sky that is its own mirror image.
   [[nodiscard]] bool mirrored() const { return mirrored_; }
+
+  //! Illuminance below which images are left out [lx].
+  [[nodiscard]] float faintest() const { return faintest_; }
+
+  //! The camera's solid angle per unit of a patch's own (u, v) at a place in it [sr].
+  [[nodiscard]] float camera_solid_angle(const StarPatch& patch, float u, float v) const;
 
  private:
   //! What making patches asks for.
@@ -89,9 +74,6 @@ class StarPatches {
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
   [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch) const;
-
-  void keep(const StarPatch& patch, const StarField& field, const ImageLight& light, bool mirrored,
-            const PatchSearchBatch& batch, const SearchRoom& room, std::vector<RoughImage>& found) const;
 
   std::vector<float> edge_;  //!< of the chart
   LensChart chart_;

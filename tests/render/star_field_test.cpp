@@ -36,6 +36,15 @@ BezierPatch random_patch(std::mt19937& random, double size) {
   return patch;
 }
 
+//! How far inside a frustum a direction is, as the sine of an angle.
+double depth_in(const SkyFrustum& frustum, const Vector3<double>& d) {
+  double depth = 1.0;
+  for (const Vector3<double>& inward : frustum.inward) {
+    depth = std::min(depth, dot(inward, d));
+  }
+  return depth;
+}
+
 TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
   std::mt19937 random(5);
   for (int round = 0; round < 100; ++round) {
@@ -45,7 +54,7 @@ TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
     const PatchFrame frame = frame_of(patch, unit_of(corners));
     const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
     for (int i = 0; i < 16; ++i) {
-      EXPECT_TRUE(holds(frustum, unit_of(control_point(patch, i))));
+      EXPECT_GE(depth_in(frustum, unit_of(control_point(patch, i))), 0.0);
     }
     // A patch of 0.6 by 0.06 rad at the most, with its control points off by a fifth or so of a third of that.
     EXPECT_LT(solid_angle(frustum), 0.2 * 0.02 * 6.0 * 6.0);
@@ -56,17 +65,24 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
   const StarField field(brightest(20'000), glm::dmat3(1.0), colours().view());
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform;
+  std::vector<int> found;
   for (int round = 0; round < 200; ++round) {
     const BezierPatch patch = random_patch(random, std::pow(uniform(random), 3.0));
     const PatchFrame frame = frame_of(patch, unit_of(control_point(patch, 5)));
     const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
     const float faintest =
         static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * 9.0 * uniform(random)));
+    const int count = field.search(frustum, faintest, found);
     std::vector<int> times(field.stars().size());
-    field.search(frustum, faintest, [&](int star) { ++times[static_cast<std::size_t>(star)]; });
+    for (int i = 0; i < count; ++i) {
+      ++times[static_cast<std::size_t>(found[static_cast<std::size_t>(i)])];
+    }
     for (std::size_t i = 0; i < times.size(); ++i) {
       const FieldStar& star = field.stars()[i];
-      ASSERT_EQ(times[i], holds(frustum, star.direction) && star.illuminance >= faintest ? 1 : 0) << star.number;
+      const double depth = depth_in(frustum, star.direction);
+      if (std::abs(depth) > 2e-7) {
+        ASSERT_EQ(times[i], depth > 0.0 && star.illuminance >= faintest ? 1 : 0) << star.number;
+      }
     }
   }
 }

@@ -1,0 +1,178 @@
+#include "render/stars/rough_images.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/launch/launch.h"
+#include "kernels/stars/patch_newton.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What an image may be brighter than the grid makes it out to be.
+constexpr float most_grid_error = 2.0F;
+//! Of Newton's method in regular patches, and where another way is left.
+constexpr int rounds_regular = 16;
+constexpr int rounds_bent = 8;
+//! No first step is too long.
+constexpr float any_step = 1e6F;
+//! A root so far outside of a patch that is one to one, in parts of it, says that none is inside.
+constexpr float near_outside = 0.1F;
+
+}  // namespace
+
+void RoughImageFinder::PairList::add(const Pair& pair, float at_a, float at_b) {
+  pairs.push_back(pair);
+  patch.push_back(&pair.patch->sky);
+  a.push_back(at_a);
+  b.push_back(at_b);
+}
+
+void RoughImageFinder::PairList::clear() {
+  pairs.clear();
+  patch.clear();
+  a.clear();
+  b.clear();
+}
+
+PatchPairBatch RoughImageFinder::PairList::batch() const {
+  return {static_cast<int>(pairs.size()), patch.data(), a.data(), b.data()};
+}
+
+RoughImageFinder::RoughImageFinder(const StarPatches& patches, const StarField& field, const ImageLight& light,
+                                   double phi)
+    : patches_(patches), field_(field), light_(light), sine_phi_(std::sin(phi)), cosine_phi_(std::cos(phi)) {}
+
+void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
+  const double side = mirrored ? -1.0 : 1.0;
+  // Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
+  const auto there = [&](const Vector3<double>& own) {
+    return Vector3<double>{cosine_phi_ * own.x - sine_phi_ * own.y, sine_phi_ * own.x + cosine_phi_ * own.y,
+                           side * own.z};
+  };
+  const int count =
+      field_.search(turned(patch.frustum, sine_phi_, cosine_phi_, side), patches_.faintest() / patch.gain, stars_);
+  if (count == 0) {
+    return;
+  }
+  const PatchFrame frame = {there(patch.frame.first), there(patch.frame.second), there(patch.frame.axis)};
+  PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : alone_;
+  for (int i = 0; i < count; ++i) {
+    const int star = stars_[static_cast<std::size_t>(i)];
+    const Vector3<double>& d = field_.stars()[static_cast<std::size_t>(star)].direction;
+    const double depth = dot(d, frame.axis);
+    list.add({&patch, mirrored, star, static_cast<float>(depth)}, static_cast<float>(dot(d, frame.first) / depth),
+             static_cast<float>(dot(d, frame.second) / depth));
+  }
+}
+
+void RoughImageFinder::finish(std::vector<RoughImage>& found) {
+  finish_regular(found);
+  finish_bent(found);
+  search_alone(alone_, found);
+  regular_.clear();
+  bent_.clear();
+  alone_.clear();
+}
+
+void RoughImageFinder::invert(const PairList& list, float farthest, int rounds) {
+  const std::size_t count = list.pairs.size();
+  roots_.resize(4 * count);
+  float* const roots = roots_.data();
+  invert_patches({list.batch(), farthest, rounds, roots, roots + count, roots + 2 * count, roots + 3 * count});
+}
+
+bool RoughImageFinder::within(std::size_t pair) const {
+  const std::size_t count = roots_.size() / 4;
+  return roots_[pair] != 0.0F && within_patch<float>({roots_[count + pair], roots_[2 * count + pair]}, beyond_patch);
+}
+
+void RoughImageFinder::finish_regular(std::vector<RoughImage>& found) {
+  invert(regular_, farthest_regular, rounds_regular);
+  const std::size_t count = regular_.pairs.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (within(i)) {
+      keep(regular_.pairs[i], {roots_[count + i], roots_[2 * count + i], roots_[3 * count + i]}, found);
+    }
+  }
+}
+
+void RoughImageFinder::finish_bent(std::vector<RoughImage>& found) {
+  sides_.resize(bent_.pairs.size());
+  find_patch_sides({bent_.batch(), sides_.data()});
+  PairList held;
+  for (std::size_t i = 0; i < bent_.pairs.size(); ++i) {
+    if (sides_[i] != static_cast<float>(PatchSide::outside)) {
+      held.add(bent_.pairs[i], bent_.a[i], bent_.b[i]);
+      sides_[held.pairs.size() - 1] = sides_[i];
+    }
+  }
+  invert(held, any_step, rounds_bent);
+  const std::size_t count = held.pairs.size();
+  PairList missed;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (within(i)) {
+      keep(held.pairs[i], {roots_[count + i], roots_[2 * count + i], roots_[3 * count + i]}, found);
+    } else if (sides_[i] == static_cast<float>(PatchSide::inside) || roots_[i] == 0.0F ||
+               !within_patch<float>({roots_[count + i], roots_[2 * count + i]}, near_outside)) {
+      missed.add(held.pairs[i], held.a[i], held.b[i]);
+    }
+  }
+  search_alone(missed, found);
+}
+
+void RoughImageFinder::search_alone(const PairList& list, std::vector<RoughImage>& found) {
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return list.pairs[i].patch == list.pairs[j].patch && list.pairs[i].mirrored == list.pairs[j].mirrored;
+  };
+  for (std::size_t begin = 0; begin < list.pairs.size();) {
+    std::size_t end = begin + 1;
+    while (end < list.pairs.size() && same(begin, end)) {
+      ++end;
+    }
+    search_one(list, begin, end, found);
+    begin = end;
+  }
+}
+
+void RoughImageFinder::search_one(const PairList& list, std::size_t begin, std::size_t end,
+                                  std::vector<RoughImage>& found) {
+  const StarPatch& patch = *list.pairs[begin].patch;
+  const std::size_t count = end - begin;
+  roots_.resize(count * (1 + 3 * most_roots));
+  float* const roots = roots_.data();
+  const PatchSearchBatch batch = {patch.sky,
+                                  patch.shape,
+                                  patch.halvings,
+                                  patch.error,
+                                  static_cast<int>(count),
+                                  list.a.data() + begin,
+                                  list.b.data() + begin,
+                                  roots,
+                                  roots + count,
+                                  roots + (1 + most_roots) * count,
+                                  roots + (1 + 2 * most_roots) * count};
+  search_patch(batch);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(batch.roots[i]); ++k) {
+      const std::size_t at = k * count + i;
+      keep(list.pairs[begin + i], {batch.u[at], batch.v[at], batch.area[at]}, found);
+    }
+  }
+}
+
+void RoughImageFinder::keep(const Pair& pair, const Root& root, std::vector<RoughImage>& found) const {
+  const StarPatch& patch = *pair.patch;
+  const FieldStar& star = field_.stars()[static_cast<std::size_t>(pair.star)];
+  // The plane's areas are larger than the solid angles behind them by 1 / depth.
+  const float sky = std::max(std::abs(root.area), 1e-30F) * pair.depth;
+  const float magnification = most_grid_error * patches_.camera_solid_angle(patch, root.u, root.v) / sky;
+  if (star.illuminance * light_.gain(patch, magnification, star) >= patches_.faintest()) {
+    const float gamma = patch.gamma_turns + root.u * patch.width_turns;
+    const float seen = pair.mirrored ? 1.0F - gamma : gamma;
+    found.push_back({pair.star, seen - std::floor(seen), patch.s + root.v * patch.height, root.area == 0.0F});
+  }
+}
+
+}  // namespace ergodome

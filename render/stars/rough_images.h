@@ -1,0 +1,81 @@
+#pragma once
+
+#include <vector>
+
+#include "kernels/stars/patch_pairs.h"
+#include "kernels/stars/patch_search.h"
+#include "render/stars/star_patches.h"
+
+namespace ergodome {
+
+//! An image of a star, roughly: where the grid has it.
+struct RoughImage {
+  int star;           //!< in the field
+  float gamma_turns;  //!< in [0, 1)
+  float s;
+  bool guessed;  //!< the star is so near to a caustic that the grid cannot tell whether there is one
+};
+
+//! Finds the images that patches hold and that may be bright enough. Stars of many patches are sought at once, as kernels work on many
+//! lanes and a patch has but a few stars; where a patch may be folded it is searched alone.
+class RoughImageFinder {
+ public:
+  //! The camera is at `phi` [rad]. All that is given has to outlive the finder.
+  RoughImageFinder(const StarPatches& patches, const StarField& field, const ImageLight& light, double phi);
+
+  //! Takes a patch, or with `mirrored` its image in the other half of a mirrored sky.
+  void look_in(const StarPatch& patch, bool mirrored);
+
+  //! Adds the images in what was taken so far to `found`, roughly in the order of the patches. An image on a border may be found from
+  //! both sides.
+  void finish(std::vector<RoughImage>& found);
+
+ private:
+  //! A star that a patch may hold.
+  struct Pair {
+    const StarPatch* patch;
+    bool mirrored;
+    int star;     //!< in the field
+    float depth;  //!< cosine of the angle to the patch's axis
+  };
+
+  //! Pairs as kernels read them.
+  struct PairList {
+    std::vector<Pair> pairs;
+    std::vector<const BezierPatch*> patch;
+    std::vector<float> a;
+    std::vector<float> b;
+
+    void add(const Pair& pair, float at_a, float at_b);
+    void clear();
+    [[nodiscard]] PatchPairBatch batch() const;
+  };
+
+  //! A root of a patch, in it.
+  struct Root {
+    float u, v, area;
+  };
+
+  void invert(const PairList& list, float farthest, int rounds);
+  [[nodiscard]] bool within(std::size_t pair) const;
+  void finish_regular(std::vector<RoughImage>& found);
+  void finish_bent(std::vector<RoughImage>& found);
+  void search_alone(const PairList& list, std::vector<RoughImage>& found);
+  void search_one(const PairList& list, std::size_t begin, std::size_t end, std::vector<RoughImage>& found);
+  void keep(const Pair& pair, const Root& root, std::vector<RoughImage>& found) const;
+
+  const StarPatches& patches_;
+  const StarField& field_;
+  const ImageLight& light_;
+  double sine_phi_;
+  double cosine_phi_;
+  PairList regular_;
+  PairList bent_;
+  PairList alone_;            //!< in patches that may be folded
+  std::vector<int> stars_;    //!< room for a search of the field
+  std::vector<float> sides_;  //!< of the patches' borders that stars are on
+  std::vector<float>
+      roots_;  //!< found, u, v and area of all pairs; for patches alone, counts, then u, v and area of all roots
+};
+
+}  // namespace ergodome
