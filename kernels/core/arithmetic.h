@@ -54,6 +54,7 @@ ERGO_HD double lane(double a, int) { return a; }
 ERGO_HD void set_lane(float& a, int, float value) { a = value; }
 ERGO_HD void set_lane(double& a, int, double value) { a = value; }
 ERGO_HD bool mask_lane(bool mask, int) { return mask; }
+ERGO_HD unsigned mask_bits(bool mask) { return mask ? 1U : 0U; }
 ERGO_HD std::int32_t truncated(float a) { return static_cast<std::int32_t>(a); }
 // clang-format on
 

@@ -52,4 +52,22 @@ ERGO_HD T lane_numbers() {
   return value;
 }
 
+//! The mask whose lane i is bit i.
+template <class T>
+ERGO_HD MaskOf<T> mask_from_bits(unsigned bits) {
+  T flags(ScalarOf<T>(0));
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    set_lane(flags, i, static_cast<ScalarOf<T>>((bits >> static_cast<unsigned>(i)) & 1U));
+  }
+  return flags > T(ScalarOf<T>(0));
+}
+
+//! Bits of the lanes of a register that begins at element `first` of `count`.
+template <class T>
+ERGO_HD unsigned bits_within(int first, int count) {
+  constexpr int lanes = RealTraits<T>::lane_count;
+  const int inside = count - first < lanes ? count - first : lanes;
+  return (1U << static_cast<unsigned>(inside)) - 1U;
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

@@ -5,6 +5,10 @@
 
 #include "kernels/core/host_device.h"
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 // SIMD packs for the CPU. Device code never includes this header: there a thread is a lane.
 namespace ergodome::inline ERGO_TARGET {
 
@@ -74,13 +78,35 @@ inline Pack<T, N> select(const PackMask<T, N>& mask, const Pack<T, N>& yes, cons
   return Pack<T, N>(mask.bits ? yes.lanes : no.lanes);
 }
 
+//! Bit i is lane i's.
+template <class T, int N>
+inline unsigned mask_bits(const PackMask<T, N>& mask) {
+  unsigned bits = 0;
+#if defined(__x86_64__)
+  // Compilers do not find these instructions by themselves.
+  if constexpr (N * sizeof(T) == register_bytes) {
+#if defined(__AVX512DQ__)
+    const auto whole = reinterpret_cast<__m512i>(mask.bits);
+    return sizeof(T) == 4 ? static_cast<unsigned>(_mm512_movepi32_mask(whole))
+                          : static_cast<unsigned>(_mm512_movepi64_mask(whole));
+#elif defined(__AVX2__)
+    return static_cast<unsigned>(sizeof(T) == 4 ? _mm256_movemask_ps(reinterpret_cast<__m256>(mask.bits))
+                                                : _mm256_movemask_pd(reinterpret_cast<__m256d>(mask.bits)));
+#else
+    return static_cast<unsigned>(sizeof(T) == 4 ? _mm_movemask_ps(reinterpret_cast<__m128>(mask.bits))
+                                                : _mm_movemask_pd(reinterpret_cast<__m128d>(mask.bits)));
+#endif
+  }
+#endif
+  for (int lane = 0; lane < N; ++lane) {
+    bits |= mask.bits[lane] != 0 ? 1U << lane : 0U;
+  }
+  return bits;
+}
+
 template <class T, int N>
 inline bool any(const PackMask<T, N>& mask) {
-  typename PackMask<T, N>::Integer all = 0;
-  for (int lane = 0; lane < N; ++lane) {
-    all |= mask.bits[lane];
-  }
-  return all != 0;
+  return mask_bits(mask) != 0;
 }
 
 template <class T, int N>

@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/stars/patch_measure.h"
 #include "kernels/stars/patch_pairs.h"
 #include "kernels/stars/patch_search.h"
 #include "kernels/stars/star_images.h"
@@ -33,7 +34,8 @@ struct KernelTable {
   void (*read_quadtree_pixels)(const QuadtreePixelBatch& batch, int begin, int end);
   void (*find_star_images_float)(const StarImageBatch<float>& batch, int begin, int end);
   void (*find_star_images_double)(const StarImageBatch<double>& batch, int begin, int end);
-  void (*search_stars)(const StarSearchBatch& batch, int begin, int end);  //!< the one index 0
+  void (*measure_patch)(const PatchMeasureBatch& batch, int begin, int end);  //!< the one index 0
+  void (*search_stars)(const StarSearchBatch& batch, int begin, int end);     //!< the one index 0
   void (*find_patch_sides)(const PatchSideBatch& batch, int begin, int end);
   void (*invert_patches)(const PatchNewtonBatch& batch, int begin, int end);
   void (*search_patch)(const PatchSearchBatch& batch, int begin, int end);

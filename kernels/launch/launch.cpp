@@ -144,6 +144,8 @@ void find_star_images(const StarImageBatch<double>& batch) {
   run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
+void measure_patch(const PatchMeasureBatch& batch) { active_table().measure_patch(batch, 0, 1); }
+
 void search_stars(const StarSearchBatch& batch) { active_table().search_stars(batch, 0, 1); }
 
 void find_patch_sides(const PatchSideBatch& batch) {

@@ -48,8 +48,9 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 void find_star_images(const StarImageBatch<float>& batch);
 void find_star_images(const StarImageBatch<double>& batch);
 
-//! The search for images of stars, on the thread that calls: stars in a part of the sky, on which side of patches' borders stars are,
+//! The search for images of stars, on the thread that calls: what patches do to light, stars in a part of the sky, on which side of patches' borders stars are,
 //! where patches hold them, and where one that is not one to one does. See the batches.
+void measure_patch(const PatchMeasureBatch& batch);
 void search_stars(const StarSearchBatch& batch);
 void find_patch_sides(const PatchSideBatch& batch);
 void invert_patches(const PatchNewtonBatch& batch);

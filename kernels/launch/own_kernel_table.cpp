@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
+#include "kernels/stars/patch_measure_kernel.h"
 #include "kernels/stars/patch_pairs_kernel.h"
 #include "kernels/stars/patch_search_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
@@ -69,6 +70,7 @@ const KernelTable& own_kernel_table() {
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,
       &run<FindStarImages<WidePack<float>>, StarImageBatch<float>>,
       &run<FindStarImages<WidePack<double>>, StarImageBatch<double>>,
+      &run<MeasurePatch<WidePack<float>>, PatchMeasureBatch>,
       &run<SearchStars<WidePack<float>>, StarSearchBatch>,
       &run<FindPatchSides<WidePack<float>>, PatchSideBatch>,
       &run<InvertPatches<WidePack<float>>, PatchNewtonBatch>,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/core/arithmetic.h"
+#include "kernels/core/lanes.h"
 #include "kernels/core/vector3.h"
 
 namespace ergodome {
@@ -149,25 +149,49 @@ ERGO_HD PlaneValue<T> seen_from(const Patch& patch, const T& a, const T& b, cons
           y.by_u - b * z.by_u,   x.by_v - a * z.by_v,   y.by_v - b * z.by_v};
 }
 
-//! Whether the Jacobian of a patch, seen from its axis, is nearly the same all over: then it is one to one, and Newton's method from the
-//! middle ends at a star's place.
-ERGO_HD bool is_regular(const BezierPatch& patch) {
-  const PlaneValue<float> middle = seen_from(patch, 0.0F, 0.0F, 0.5F, 0.5F);
-  const float inverse = 1.0F / determinant(middle);
-  // J⁻¹ times the control points of a derivative, less the unit vector that it should be.
-  const auto change = [&](int from, int to, float unit_u, float unit_v) {
-    const float dp = 3.0F * (patch.x[to] - patch.x[from]);
-    const float dq = 3.0F * (patch.y[to] - patch.y[from]);
-    return maximum(absolute((middle.q_v * dp - middle.p_v * dq) * inverse - unit_u),
-                   absolute((middle.p_u * dq - middle.q_u * dp) * inverse - unit_v));
-  };
-  float along_u = 0.0F;
-  float along_v = 0.0F;
-  for (int i = 0; i < 16; ++i) {
-    along_u = i % 4 < 3 ? maximum(along_u, change(i, i + 1, 1.0F, 0.0F)) : along_u;
-    along_v = i < 12 ? maximum(along_v, change(i, i + 4, 0.0F, 1.0F)) : along_v;
+namespace detail {
+//! The greatest part by which derivatives of a patch along one axis are another than in its middle: the neighbours of control points are
+//! `step` farther, and those of `last` have none. T: a register whose lanes are control points.
+template <class T>
+ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float>& middle, int step, unsigned last) {
+  constexpr int lanes = RealTraits<T>::lane_count;
+  const float scale = 3.0F / determinant(middle);
+  const T unit_u(step == 1 ? 1.0F : 0.0F);
+  const T unit_v(step == 1 ? 0.0F : 1.0F);
+  T greatest(0.0F);
+  for (int i = 0; i < 16; i += lanes) {
+    const auto difference = [&](const float(&points)[16]) {
+      float next[lanes];
+      for (int k = 0; k < lanes; ++k) {
+        next[k] = points[i + k + step < 16 ? i + k + step : 15];
+      }
+      return load_lanes<T>(next, 0, lanes) - load_lanes<T>(points, i, 16);
+    };
+    const T dp = difference(patch.x);
+    const T dq = difference(patch.y);
+    // J⁻¹ times the control points of a derivative, less the unit vector that it should be.
+    const T change = maximum(absolute((middle.q_v * dp - middle.p_v * dq) * scale - unit_u),
+                             absolute((middle.p_u * dq - middle.q_u * dp) * scale - unit_v));
+    greatest = maximum(greatest, select(mask_from_bits<T>(~last >> static_cast<unsigned>(i)), change, T(0.0F)));
   }
-  return along_u + along_v < most_regular_change;
+  float most = 0.0F;
+  for (int k = 0; k < lanes; ++k) {
+    most = maximum(most, lane(greatest, k));
+  }
+  return most;
+}
+}  // namespace detail
+
+//! Whether the Jacobian of a patch, seen from its axis, is nearly the same all over: then it is one to one, and Newton's method from the
+//! middle ends at a star's place. T: a number, or a register of them.
+template <class T>
+ERGO_HD bool is_regular(const BezierPatch& patch) {
+  constexpr unsigned last_column = 0x8888U;
+  constexpr unsigned last_row = 0xF000U;
+  const PlaneValue<float> middle = seen_from(patch, 0.0F, 0.0F, 0.5F, 0.5F);
+  return detail::derivative_change<T>(patch, middle, 1, last_column) +
+             detail::derivative_change<T>(patch, middle, 4, last_row) <
+         most_regular_change;
 }
 
 }  // namespace ERGO_TARGET

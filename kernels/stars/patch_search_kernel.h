@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+
 #include "kernels/core/lanes.h"
 #include "kernels/stars/patch_newton.h"
 #include "kernels/stars/patch_search.h"
@@ -26,6 +28,7 @@ struct SearchPatch {
     float u, v;
     float size_u, size_v;
     int depth;
+    unsigned stars;  //!< lanes that the part it is a half of may hold
   };
 
   class Search {
@@ -35,34 +38,34 @@ struct SearchPatch {
           first_(first),
           a_(load_lanes<T>(batch.a, first, batch.count)),
           b_(load_lanes<T>(batch.b, first, batch.count)),
-          open_(T(0.0F) < T(1.0F)),
+          open_(bits_within<T>(first, batch.count)),
           roots_(0.0F) {}
 
     //! Halves the patch where its control points leave room for stars, down to parts for which Newton's method is safe.
     ERGO_HD void run() {
       constexpr int deepest = 24;
       Part waiting[deepest + 1];
-      waiting[0] = {batch_.patch, 0.0F, 0.0F, 1.0F, 1.0F, 0};
+      waiting[0] = {batch_.patch, 0.0F, 0.0F, 1.0F, 1.0F, 0, open_};
       int count = 1;
       if (batch_.shape == PatchShape::bent) {
         // What Newton's method finds is the only root there is. What it does not find may be there all the same.
-        add(waiting[0], newton(batch_.patch, open_, {T(0.5F), T(0.5F)}, 1e6F, few_rounds));
+        add(waiting[0], newton(batch_.patch, mask_from_bits<T>(open_), {T(0.5F), T(0.5F)}, 1e6F, few_rounds));
       }
       while (count > 0) {
         const Part part = waiting[--count];
-        const Mask may = part.depth == 0 ? open_ : may_hold(part.patch);
-        if (!any(may)) {
+        const unsigned may = part.depth == 0 ? open_ : those_in(part);
+        if (may == 0) {
           continue;
         }
         const bool last = part.depth >= batch_.halvings || part.depth >= deepest;
         // Asked every other time: the answer costs more than a halving.
         const bool asked = last || part.depth % 2 == 0;
-        const bool regular = part.depth > 0 && asked && is_regular(part.patch);
+        const bool regular = part.depth > 0 && asked && is_regular<T>(part.patch);
         if (regular || last) {
-          solve(part, may, regular);
+          solve(part, mask_from_bits<T>(may), regular);
           continue;
         }
-        halves_of(part, waiting[count], waiting[count + 1]);
+        halves_of(part, may, waiting[count], waiting[count + 1]);
         count += 2;
       }
     }
@@ -176,7 +179,7 @@ struct SearchPatch {
               sqrt(T(0.5F) * (square_u + square_v) + length)};
     }
 
-    ERGO_HD static void halves_of(const Part& part, Part& first, Part& second) {
+    ERGO_HD static void halves_of(const Part& part, unsigned stars, Part& first, Part& second) {
       const int axis = part.size_u >= part.size_v ? 0 : 1;
       const float size_u = axis == 0 ? 0.5F * part.size_u : part.size_u;
       const float size_v = axis == 1 ? 0.5F * part.size_v : part.size_v;
@@ -187,63 +190,73 @@ struct SearchPatch {
         half.size_u = size_u;
         half.size_v = size_v;
         half.depth = part.depth + 1;
+        half.stars = stars;
       };
       place(first, part.u, part.v);
       place(second, axis == 0 ? part.u + size_u : part.u, axis == 1 ? part.v + size_v : part.v);
     }
 
-    //! Lanes whose star lies within the box of a part's control points: a box along the part, as parts of a bent patch are slivers that
-    //! point all ways.
-    ERGO_HD Mask may_hold(const BezierPatch& part) const {
+    //! Those of a part's stars that lie within the box of its control points: a box along the part, as parts of a bent patch are slivers
+    //! that point all ways. Here lanes are control points, as few stars come so far.
+    ERGO_HD unsigned those_in(const Part& part) const {
+      constexpr int lanes = RealTraits<T>::lane_count;
+      constexpr int registers = 16 / lanes;
       float x;
       float y;
-      long_way(part, x, y);
-      // The narrow side first: it sorts most stars out.
-      const Mask narrow = open_ & has_both_signs(part, -y, x);
-      return any(narrow) ? narrow & has_both_signs(part, x, y) : narrow;
-    }
-
-    //! The way in the plane along which a part is longer, about; a unit vector.
-    ERGO_HD static void long_way(const BezierPatch& part, float& x, float& y) {
-      const auto from_to = [&](int a, int b, int c, int d, float& along_x, float& along_y) {
-        const float before = 1.0F / (part.z[a] + part.z[c]);
-        const float after = 1.0F / (part.z[b] + part.z[d]);
-        along_x = (part.x[b] + part.x[d]) * after - (part.x[a] + part.x[c]) * before;
-        along_y = (part.y[b] + part.y[d]) * after - (part.y[a] + part.y[c]) * before;
-      };
-      float other_x;
-      float other_y;
-      from_to(0, 3, 12, 15, x, y);
-      from_to(0, 12, 3, 15, other_x, other_y);
-      const bool first = x * x + y * y > other_x * other_x + other_y * other_y;
-      x = first ? x : other_x;
-      y = first ? y : other_y;
-      const float square = x * x + y * y;
-      const bool some = square > 1e-30F;
-      const float inverse = some ? 1.0F / sqrt(square) : 0.0F;
-      x = some ? x * inverse : 1.0F;
-      y = y * inverse;
-    }
-
-    //! Lanes whose star has control points on both sides of it, along a unit vector (x, y) of the plane.
-    ERGO_HD Mask has_both_signs(const BezierPatch& part, float x, float y) const {
-      const T at = x * a_ + y * b_;
-      float along[16];
-      ERGO_UNROLL
-      for (int i = 0; i < 16; ++i) {
-        along[i] = x * part.x[i] + y * part.y[i];
-      }
-      T lowest = along[0] - at * part.z[0];
-      T highest = lowest;
-      ERGO_UNROLL
-      for (int i = 1; i < 16; ++i) {
-        const T value = along[i] - at * part.z[i];
-        lowest = minimum(lowest, value);
-        highest = maximum(highest, value);
+      const float length = long_way(part.patch, x, y);
+      T depth[registers];
+      T along[registers];
+      T across[registers];
+      for (int k = 0; k < registers; ++k) {
+        const T point_x = load_lanes<T>(part.patch.x, k * lanes, 16);
+        const T point_y = load_lanes<T>(part.patch.y, k * lanes, 16);
+        depth[k] = load_lanes<T>(part.patch.z, k * lanes, 16);
+        along[k] = x * point_x + y * point_y;
+        across[k] = x * point_y - y * point_x;
       }
       // Roots on a border belong to both sides, whatever rounding says.
-      const T slack = 1e-3F * (highest - lowest) + batch_.error;
-      return (lowest <= slack) & (highest >= -slack);
+      const float slack = 1e-3F * length + batch_.error;
+      const auto has_both_signs = [&](const T(&points)[registers], float at) {
+        unsigned low = 0;
+        unsigned high = 0;
+        for (int k = 0; k < registers; ++k) {
+          const T value = points[k] - at * depth[k];
+          low |= mask_bits(value <= T(slack));
+          high |= mask_bits(value >= T(-slack));
+        }
+        return low != 0 && high != 0;
+      };
+      unsigned held = 0;
+      for (unsigned bits = part.stars & open_; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        const float a = batch_.a[first_ + i];
+        const float b = batch_.b[first_ + i];
+        // The narrow side first: it sorts most stars out.
+        if (has_both_signs(across, x * b - y * a) && has_both_signs(along, x * a + y * b)) {
+          held |= 1U << static_cast<unsigned>(i);
+        }
+      }
+      return held;
+    }
+
+    //! The way in the plane along which a part is longer, about: a unit vector. Returns how long.
+    ERGO_HD static float long_way(const BezierPatch& part, float& x, float& y) {
+      const auto from_to = [](const float(&at)[16], int a, int b, int c, int d) {
+        return 0.5F * (at[b] + at[d] - at[a] - at[c]);
+      };
+      const float along_x = from_to(part.x, 0, 3, 12, 15);
+      const float along_y = from_to(part.y, 0, 3, 12, 15);
+      const float across_x = from_to(part.x, 0, 12, 3, 15);
+      const float across_y = from_to(part.y, 0, 12, 3, 15);
+      const float along = along_x * along_x + along_y * along_y;
+      const float across = across_x * across_x + across_y * across_y;
+      const bool first = along > across;
+      const float length = sqrt(first ? along : across);
+      const bool some = length > 1e-15F;
+      const float inverse = some ? 1.0F / length : 0.0F;
+      x = some ? (first ? along_x : across_x) * inverse : 1.0F;
+      y = (first ? along_y : across_y) * inverse;
+      return length;
     }
 
     //! Keeps roots that are not there yet.
@@ -251,7 +264,7 @@ struct SearchPatch {
       const T u = T(part.u) + part.size_u * found.at.u;
       const T v = T(part.v) + part.size_v * found.at.v;
       const T area = found.area * (1.0F / (part.size_u * part.size_v));
-      Mask fresh = open_ & found.found & within_patch<T>({u, v}, beyond_patch);
+      Mask fresh = mask_from_bits<T>(open_) & found.found & within_patch<T>({u, v}, beyond_patch);
       for (int k = 0; k < most_roots && any(fresh); ++k) {
         const Mask taken = roots_ > T(static_cast<float>(k));
         const T apart = select(taken, maximum(absolute(u_[k] - u), absolute(v_[k] - v)), T(1.0F));
@@ -266,7 +279,7 @@ struct SearchPatch {
         fresh = fresh & !here;
       }
       if (batch_.shape == PatchShape::bent) {
-        open_ = open_ & (roots_ < T(1.0F));
+        open_ &= mask_bits(roots_ < T(1.0F));
       }
     }
 
@@ -280,7 +293,7 @@ struct SearchPatch {
     int first_;
     T a_;
     T b_;
-    Mask open_;  //!< lanes that may have more roots
+    unsigned open_;  //!< lanes that may have more roots, a bit each
     T roots_;
     T u_[most_roots] = {};
     T v_[most_roots] = {};

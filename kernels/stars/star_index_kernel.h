@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+
 #include "kernels/core/lanes.h"
 #include "kernels/core/vector3.h"
 #include "kernels/stars/star_index.h"
@@ -26,17 +28,12 @@ struct SearchStars {
     for (int at = first; at < last; at += lanes) {
       const Mask touched =
           (load(cells.brightest, at) >= T(batch.faintest)) & inside(load(cells.axis, at), -load(cells.sine, at));
-      if (!any(touched)) {
-        continue;
-      }
-      for (int i = 0; i < lanes && at + i < last; ++i) {
-        if (!mask_lane(touched, i)) {
-          continue;
-        }
+      for (unsigned bits = mask_bits(touched) & bits_within<T>(at, last); bits != 0; bits &= bits - 1) {
+        const int cell = at + std::countr_zero(bits);
         if (finest) {
-          search_stars(batch.index.first[at + i], batch.index.first[at + i + 1]);
+          search_stars(batch.index.first[cell], batch.index.first[cell + 1]);
         } else {
-          search_cells(level + 1, star_cell_children * (at + i), star_cell_children * (at + i + 1));
+          search_cells(level + 1, star_cell_children * cell, star_cell_children * (cell + 1));
         }
       }
     }
@@ -47,13 +44,9 @@ struct SearchStars {
     int count = *batch.count;
     for (int at = first; at < last && index.illuminance[at] >= batch.faintest; at += lanes) {
       const Mask held = (load(index.illuminance, at) >= T(batch.faintest)) & inside(load(index.direction, at), T(0.0F));
-      if (!any(held)) {
-        continue;
-      }
-      // Without branches, which would not be foretold.
-      for (int i = 0; i < lanes && at + i < last; ++i) {
-        batch.found[count] = at + i;
-        count += mask_lane(held, i) ? 1 : 0;
+      for (unsigned bits = mask_bits(held) & bits_within<T>(at, last); bits != 0; bits &= bits - 1) {
+        batch.found[count] = at + std::countr_zero(bits);
+        ++count;
       }
     }
     *batch.count = count;

@@ -10,8 +10,6 @@ namespace ergodome {
 
 namespace {
 
-//! What an image may be brighter than the grid makes it out to be.
-constexpr float most_grid_error = 2.0F;
 //! Of Newton's method in regular patches, and where another way is left.
 constexpr int rounds_regular = 16;
 constexpr int rounds_bent = 8;
@@ -167,11 +165,13 @@ void RoughImageFinder::keep(const Pair& pair, const Root& root, std::vector<Roug
   const FieldStar& star = field_.stars()[static_cast<std::size_t>(pair.star)];
   // The plane's areas are larger than the solid angles behind them by 1 / depth.
   const float sky = std::max(std::abs(root.area), 1e-30F) * pair.depth;
-  const float magnification = most_grid_error * patches_.camera_solid_angle(patch, root.u, root.v) / sky;
-  if (star.illuminance * light_.gain(patch, magnification, star) >= patches_.faintest()) {
+  const float magnification = patch.most_camera / sky;
+  if (star.illuminance * light_.gain(patch, most_grid_error(patch.shape) * magnification, star) >=
+      patches_.faintest()) {
     const float gamma = patch.gamma_turns + root.u * patch.width_turns;
     const float seen = pair.mirrored ? 1.0F - gamma : gamma;
-    found.push_back({pair.star, seen - std::floor(seen), patch.s + root.v * patch.height, root.area == 0.0F});
+    found.push_back({pair.star, seen - std::floor(seen), patch.s + root.v * patch.height,
+                     sky / (patch.width_turns * patch.height), patch.shape, root.area == 0.0F});
   }
 }
 

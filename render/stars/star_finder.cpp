@@ -40,10 +40,11 @@ class Observer final : public ImageLight {
         inverse_zamo_{aberration_.zamo_from_observer.axis, 1.0 / aberration_.zamo_from_observer.stretch},
         inverse_rain_{aberration_.rain_from_zamo.axis, 1.0 / aberration_.rain_from_zamo.stretch} {}
 
-  //! The rain-frame direction of a place in the chart.
-  [[nodiscard]] Vector3<double> rain_direction(double gamma_turns, double s) const {
+  //! The rain-frame direction of a place in the chart, and the solid angle there per area of the chart [sr/turn].
+  [[nodiscard]] Vector3<double> rain_direction(double gamma_turns, double s, double& per_area) const {
     const ChartStretch<double> stretch = chart_stretch(chart_, gamma_turns, s);
     const Vector3<MixedDual<double>> n = chart_direction_at(chart_, gamma_turns, stretch.alpha);
+    per_area = 6.28318530717958647692 * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y);
     return {n.x.value, n.y.value, n.z.value};
   }
 
@@ -58,26 +59,18 @@ class Observer final : public ImageLight {
     return aberrated(inverse_zamo_, aberrated(inverse_rain_, rain, energy), energy);
   }
 
-  void see(StarPatch& patch) const override {
-    patch.brightening = 0.0F;
-    patch.frequency_ratio = 0.0F;
-    const Vector3<double> middle = observed(rain_at(patch, 0.5, 0.5));
-    double farthest = 0.0;
-    for (const double u : {0.0, 0.5, 1.0}) {
-      for (const double v : {0.0, 0.5, 1.0}) {
-        const Vector3<double> n = rain_at(patch, u, v);
-        const Vector3<double> apart = observed(n) - middle;
-        farthest = std::max(farthest, dot(apart, apart));
-        const double scale = observed_scale(aberration_, n);
-        const double energy = detail::evaluate(rain_.energy, n) * scale;
-        patch.brightening = std::max(patch.brightening, static_cast<float>(scale * scale));
-        patch.frequency_ratio = std::max(patch.frequency_ratio, static_cast<float>(1.0 / std::max(energy, 1e-6)));
-      }
-    }
-    patch.seen = {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)};
-    // Chords are shorter than angles, and sides may bulge between the places that were asked.
-    patch.seen_radius = static_cast<float>(1.6 * std::sqrt(farthest));
+  //! What an image of a star in a rain-frame direction gains in brightness, but for its magnification there.
+  [[nodiscard]] float gain_towards(const Vector3<double>& rain, const FieldStar& star) const {
+    const double scale = observed_scale(aberration_, rain);
+    const double energy = detail::evaluate(rain_.energy, rain) * scale;
+    const auto frequency_ratio = static_cast<float>(1.0 / std::max(energy, 1e-6));
+    return static_cast<float>(scale * scale) *
+           (redshift_ ? shift_gain(colours_, star.log_temperature, frequency_ratio) : 1.0F);
   }
+
+  [[nodiscard]] AberrationOf<float> observer() const override { return converted_aberration<float>(aberration_); }
+
+  [[nodiscard]] DirectionForm<float> energy() const override { return detail::converted<float>(rain_.energy); }
 
   [[nodiscard]] float greatest_gain(const StarPatch& patch, float magnification) const override {
     const float from = patch.frequency_ratio >= 1.0F ? log_coldest : log_hottest;
@@ -89,11 +82,6 @@ class Observer final : public ImageLight {
   }
 
  private:
-  [[nodiscard]] Vector3<double> rain_at(const StarPatch& patch, double u, double v) const {
-    return rain_direction(static_cast<double>(patch.gamma_turns) + u * static_cast<double>(patch.width_turns),
-                          static_cast<double>(patch.s) + v * static_cast<double>(patch.height));
-  }
-
   //! With a margin for what lies between the places that were asked.
   [[nodiscard]] float gain_at(const StarPatch& patch, float magnification, float log_temperature) const {
     return 1.2F * magnification * patch.brightening *
@@ -169,25 +157,37 @@ StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, 
 
 namespace {
 
+//! What becomes of a rough image; star -1 where it is too faint or out of view.
+StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const Observer& observer,
+                           const Vector3<double>& on_sky, const StarSettings& settings) {
+  double per_area = 0.0;
+  const Vector3<double> rain =
+      observer.rain_direction(static_cast<double>(image.gamma_turns), static_cast<double>(image.s), per_area);
+  StarCandidate candidate{image.star, on_sky, observer.observed(rain), static_cast<double>(star.radius),
+                          observer.edge_distance(image.s)};
+  const float magnification = static_cast<float>(per_area) / image.sky;
+  const float most = most_grid_error(image.shape) * magnification * observer.gain_towards(rain, star);
+  if (!image.guessed &&
+      (star.illuminance * most < settings.faintest || !may_touch(settings.view, candidate.direction, 0.0))) {
+    candidate.star = -1;
+  }
+  return candidate;
+}
+
 std::vector<StarCandidate> candidates_of(const std::vector<RoughImage>& rough, const StarField& field,
-                                         const Observer& observer, double phi) {
+                                         const Observer& observer, double phi, const StarSettings& settings) {
   std::vector<StarCandidate> candidates(rough.size());
   const double sine = std::sin(phi);
   const double cosine = std::cos(phi);
   parallel_for(static_cast<int>(rough.size()), 1024, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const RoughImage& image = rough[i];
-      const FieldStar& star = field.stars()[static_cast<std::size_t>(image.star)];
+      const FieldStar& star = field.stars()[static_cast<std::size_t>(rough[i].star)];
       const Vector3<double>& d = star.direction;
-      const Vector3<double> near =
-          observer.rain_direction(static_cast<double>(image.gamma_turns), static_cast<double>(image.s));
-      candidates[i] = {image.star,
-                       {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z},
-                       observer.observed(near),
-                       static_cast<double>(star.radius),
-                       observer.edge_distance(image.s)};
+      candidates[i] =
+          candidate_of(rough[i], star, observer, {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z}, settings);
     }
   });
+  std::erase_if(candidates, [](const StarCandidate& candidate) { return candidate.star < 0; });
   return candidates;
 }
 
@@ -220,7 +220,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
                                         const StarSettings& settings) {
   const Observer observer(eye, station, colours, settings.redshift);
   std::vector<StarCandidate> candidates =
-      candidates_of(find_rough(field, observer, eye.phi, patches, settings.view), field, observer, eye.phi);
+      candidates_of(find_rough(field, observer, eye.phi, patches, settings.view), field, observer, eye.phi, settings);
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;
   refine_images(candidates, eye, settings.pixel, [&](const StarCandidate& c) {

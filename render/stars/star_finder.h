@@ -22,7 +22,7 @@ struct StarImage {
 //! Which images to find, and how well.
 struct StarSettings {
   double pixel = 3e-3;        //!< angle of a pixel on the screen [rad]
-  double grid_px = 0.03;      //!< how far the grid may be wrong next to critical curves [px]
+  double grid_px = 0.01;      //!< how far the grid may be wrong next to critical curves [px]
   float faintest = 1e-11F;    //!< illuminance of an image, below which it is left out [lx]
   ViewCone view{};            //!< images outside of it may be left out
   bool redshift = true;       //!< light is shifted and beamed

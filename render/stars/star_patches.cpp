@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
@@ -12,8 +13,10 @@ namespace {
 
 //! Halvings of a leaf at the most, for regular patches; next to a critical curve no patch is regular.
 constexpr int deepest_patch = 12;
-//! Stars that a patch which is not regular may have to try before it is halved.
+//! Stars that a patch which is not regular may have to try before it is halved: what may be folded is searched by halving, at each
+//! picture, and dearer than what is inverted.
 constexpr double few_stars = 12.0;
+constexpr double few_stars_folded = 4.0;
 //! Halvings in search of images that stand for those that a patch was spared.
 constexpr int search_halvings = 8;
 constexpr int leaves_a_chunk = 16;
@@ -50,18 +53,6 @@ Extent extent_of(const BezierPatch& patch, Vector3<double>& axis) {
   return cosine > widest_cosine ? Extent::narrow : cosine > 0.1 ? Extent::wide : Extent::half;
 }
 
-//! A patch in its middle's tangent plane.
-PlaneValue<float> tangent_value(const BezierPatch& patch, float u, float v) {
-  return seen_from(patch, 0.0F, 0.0F, u, v);
-}
-
-//! The camera's solid angle per area of the chart at a place in a patch.
-float camera_rate(const LensChart& chart, const StarPatch& patch, float u, float v) {
-  const ChartStretch<float> stretch =
-      chart_stretch(chart, patch.gamma_turns + u * patch.width_turns, patch.s + v * patch.height);
-  return 6.2831853F * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y);
-}
-
 //! What a patch does to solid angles.
 struct Stretching {
   bool folded;          //!< turned over in parts
@@ -76,32 +67,14 @@ float folded_magnification(float camera_rate, float sky_range, float chart_area)
   return margin * camera_rate * std::sqrt(chart_area / (std::max(sky_range, 1e-30F) * neglected_sky));
 }
 
-Stretching stretching_of(const LensChart& chart, const StarPatch& patch) {
-  const float chart_area = patch.width_turns * patch.height;
-  constexpr int steps = 4;
-  float lowest = std::numeric_limits<float>::infinity();
-  float highest = -lowest;
-  float greatest = 0.0F;
-  float camera_most = 0.0F;
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; j <= steps; ++j) {
-      const float u = static_cast<float>(i) / steps;
-      const float v = static_cast<float>(j) / steps;
-      const float sky = determinant(tangent_value(patch.sky, u, v)) / chart_area;
-      lowest = std::min(lowest, sky);
-      highest = std::max(highest, sky);
-      const float camera = camera_rate(chart, patch, u, v);
-      camera_most = std::max(camera_most, camera);
-      greatest = std::max(greatest, camera / std::max(std::abs(sky), 1e-30F));
-    }
-  }
+Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) {
   constexpr float between_samples = 2.0F;
-  const float sky_range = highest - lowest;
+  const float sky_range = measures.highest_sky - measures.lowest_sky;
   // A fold may hide between samples.
-  if (lowest > 0.05F * sky_range || highest < -0.05F * sky_range) {
-    return {false, between_samples * greatest};
+  if (measures.lowest_sky > 0.05F * sky_range || measures.highest_sky < -0.05F * sky_range) {
+    return {false, between_samples * measures.greatest_ratio};
   }
-  return {true, folded_magnification(camera_most, sky_range, chart_area)};
+  return {true, folded_magnification(measures.greatest_camera, sky_range, patch.width_turns * patch.height)};
 }
 
 //! The axis along which a patch is longer on the sky.
@@ -147,7 +120,8 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
 bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch) const {
   const double share = solid_angle(patch.frustum) / (4.0 * 3.14159265358979323846);
   const double stars = static_cast<double>(wanted.field.count_from(faintest_ / patch.gain)) * std::min(share, 1.0);
-  return patch.shape == PatchShape::regular || stars <= few_stars;
+  return patch.shape == PatchShape::regular ||
+         stars <= (patch.shape == PatchShape::folded ? few_stars_folded : few_stars);
 }
 
 void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int depth,
@@ -160,11 +134,19 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     own.frame = frame_of(patch.sky, middle);
     own.sky = in_frame(patch.sky, own.frame);
     own.halvings = search_halvings + (deepest_patch - depth) / 2;
-    const Stretching stretching = stretching_of(chart_, own);
-    own.shape = stretching.folded ? PatchShape::folded : is_regular(own.sky) ? PatchShape::regular : PatchShape::bent;
+    PatchMeasures measures;
+    measure_patch({&own.sky, chart_, own.gamma_turns, own.s, own.width_turns, own.height, wanted.light.energy(),
+                   wanted.light.observer(), &measures});
+    const Stretching stretching = stretching_of(measures, own);
+    own.shape = stretching.folded ? PatchShape::folded : measures.regular ? PatchShape::regular : PatchShape::bent;
     own.error = stretching.folded ? error_ : 0.0F;
     own.frustum = frustum_of(own.sky, own.frame, static_cast<double>(own.error));
-    wanted.light.see(own);
+    own.brightening = measures.brightening;
+    own.frequency_ratio = measures.frequency_ratio;
+    own.seen = measures.seen;
+    // Chords are shorter than angles, and sides may bulge between the places that were asked.
+    own.seen_radius = 1.6F * measures.seen_radius;
+    own.most_camera = 1.1F * measures.greatest_camera * own.width_turns * own.height;
     own.gain = wanted.light.greatest_gain(own, stretching.magnification);
     if (wanted.field.count_from(faintest_ / own.gain) == 0) {
       return;
@@ -186,10 +168,6 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
   (axis == 0 ? second.gamma_turns : second.s) += size;
   add_patch(wanted, first, depth + 1, patches);
   add_patch(wanted, second, depth + 1, patches);
-}
-
-float StarPatches::camera_solid_angle(const StarPatch& patch, float u, float v) const {
-  return camera_rate(chart_, patch, u, v) * patch.width_turns * patch.height;
 }
 
 }  // namespace ergodome

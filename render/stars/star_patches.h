@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/lens_station.h"
-#include "kernels/stars/bezier_patch.h"
+#include "kernels/stars/patch_measure.h"
 #include "render/stars/bezier_patch.h"
 #include "render/stars/star_field.h"
 
@@ -25,6 +25,7 @@ struct StarPatch {
   float frequency_ratio;  //!< g there, to the observer
   Vector3<float> seen;    //!< the way to it in the observer's frame
   float seen_radius;      //!< of a cone about that way that holds it [rad]
+  float most_camera;      //!< most that the rain frame's camera sees of it per unit of its own (u, v) [sr]
   float gain;  //!< most that an image here may be brighter than its star; where folded, but for 1e-8 sr of the sky
 };
 
@@ -36,8 +37,9 @@ class ImageLight {
   ImageLight(const ImageLight&) = delete;
   ImageLight& operator=(const ImageLight&) = delete;
 
-  //! Fills in `brightening` and `frequency_ratio`.
-  virtual void see(StarPatch& patch) const = 0;
+  //! The observer's frame, and the energy at infinity of light from rain-frame directions.
+  [[nodiscard]] virtual AberrationOf<float> observer() const = 0;
+  [[nodiscard]] virtual DirectionForm<float> energy() const = 0;
 
   //! The most that an image in a patch may be brighter than its star, when magnified so in the rain frame.
   [[nodiscard]] virtual float greatest_gain(const StarPatch& patch, float magnification) const = 0;
@@ -61,9 +63,6 @@ class StarPatches {
 
   //! Illuminance below which images are left out [lx].
   [[nodiscard]] float faintest() const { return faintest_; }
-
-  //! The camera's solid angle per unit of a patch's own (u, v) at a place in it [sr].
-  [[nodiscard]] float camera_solid_angle(const StarPatch& patch, float u, float v) const;
 
  private:
   //! What making patches asks for.

@@ -23,6 +23,8 @@ constexpr double ring_tolerance = 1e-10;
 constexpr double steepest = 0.1;
 //! Change of the magnification that float's rounding may make, as a part of it.
 constexpr double most_change = 0.01;
+//! What double has not brought so near to an image has none [px].
+constexpr double near_px = 2.0;
 constexpr int step_limit = 400;
 
 //! How exact rays are, and how near an image has to be for the last step [rad].
@@ -95,6 +97,22 @@ Start double_start(const StarCandidate& c, double pixel) {
   return change > most_change ? Start::found : Start::none;
 }
 
+//! Follows images next to caustics to the end. Most of what is sought there is none: only what came near is worth rays that cost more.
+void refine_finest(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel) {
+  std::vector<std::size_t> places;
+  std::vector<StarCandidate> near;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].miss <= near_px * pixel) {
+      places.push_back(i);
+      near.push_back(candidates[i]);
+    }
+  }
+  refine<double>(near, eye, {finest_tolerance, std::min(image_tolerance_px * pixel, ring_tolerance)});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    candidates[places[i]] = near[i];
+  }
+}
+
 //! Seeks in double what float's rounding leaves wrong.
 void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const EyeCamera& eye,
                   double pixel, const std::function<bool(const StarCandidate&)>& wanted) {
@@ -109,8 +127,10 @@ void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<Star
     }
   }
   const double miss = image_tolerance_px * pixel;
-  refine<double>(steep[0], eye, {fine_tolerance, std::min(miss, fine_miss)});
-  refine<double>(steep[1], eye, {finest_tolerance, std::min(miss, ring_tolerance)});
+  for (std::vector<StarCandidate>& each : steep) {
+    refine<double>(each, eye, {fine_tolerance, std::min(miss, fine_miss)});
+  }
+  refine_finest(steep[1], eye, pixel);
   for (const int from : {0, 1}) {
     for (std::size_t i = 0; i < places[from].size(); ++i) {
       candidates[places[from][i]] = steep[from][i];

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "kernels/core/lanes.h"
+#include "kernels/stars/patch_measure.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Measures a patch; there is one index, whose lanes are samples.
+template <class T>
+struct MeasurePatch {
+  const PatchMeasureBatch& batch;
+
+  ERGO_HD void operator()(int /*index*/) const {
+    Sums sums{T(infinite), T(-infinite), T(0.0F), T(0.0F), T(0.0F), T(0.0F), T(0.0F)};
+    // The middle first: the others are seen from it.
+    const Vector3<T> middle = measure(T(0.5F), T(0.5F), sums);
+    for (int first = 0; first < samples; first += lanes) {
+      T u;
+      T v;
+      for (int i = 0; i < lanes; ++i) {
+        const int sample = first + i < samples ? first + i : samples - 1;
+        set_lane(u, i, static_cast<float>(sample % side) / (side - 1));
+        set_lane(v, i, static_cast<float>(sample / side) / (side - 1));
+      }
+      const Vector3<T> apart = measure(u, v, sums) - middle;
+      sums.chord_square = maximum(sums.chord_square, dot(apart, apart));
+    }
+    *batch.out = {-greatest(-sums.lowest_sky),
+                  greatest(sums.highest_sky),
+                  greatest(sums.camera),
+                  greatest(sums.ratio),
+                  greatest(sums.brightening),
+                  greatest(sums.frequency_ratio),
+                  {lane(middle.x, 0), lane(middle.y, 0), lane(middle.z, 0)},
+                  sqrt(greatest(sums.chord_square)),
+                  is_regular<T>(*batch.patch)};
+  }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+  static constexpr int side = 5;
+  static constexpr int samples = side * side;
+  static constexpr float infinite = 3e38F;
+
+  //! The extremes so far.
+  struct Sums {
+    T lowest_sky, highest_sky;
+    T camera;
+    T ratio;
+    T brightening;
+    T frequency_ratio;
+    T chord_square;
+  };
+
+  ERGO_HD static float greatest(const T& value) {
+    float most = lane(value, 0);
+    for (int i = 1; i < lanes; ++i) {
+      most = maximum(most, lane(value, i));
+    }
+    return most;
+  }
+
+  //! Takes samples; returns the way to them in the observer's frame.
+  ERGO_HD Vector3<T> measure(const T& u, const T& v, Sums& sums) const {
+    const T gamma_turns = u * batch.width_turns + T(batch.gamma_turns);
+    const ChartStretch<T> stretch = chart_stretch(batch.chart, gamma_turns, v * batch.height + T(batch.s));
+    const Vector3<MixedDual<T>> way = chart_direction_at(batch.chart, gamma_turns, stretch.alpha);
+    const Vector3<T> rain = {way.x.value, way.y.value, way.z.value};
+    T sine;
+    T cosine;
+    sine_cosine(stretch.alpha.value, sine, cosine);
+    const T camera = absolute(sine * stretch.alpha.along_y) * 6.2831853F;
+    const T area =
+        determinant(seen_from(*batch.patch, T(0.0F), T(0.0F), u, v)) * (1.0F / (batch.width_turns * batch.height));
+    sums.lowest_sky = minimum(sums.lowest_sky, area);
+    sums.highest_sky = maximum(sums.highest_sky, area);
+    sums.camera = maximum(sums.camera, camera);
+    sums.ratio = maximum(sums.ratio, camera / maximum(absolute(area), T(1e-30F)));
+    return look(rain, sums);
+  }
+
+  //! What the observer sees in rain-frame directions, and where.
+  ERGO_HD Vector3<T> look(const Vector3<T>& rain, Sums& sums) const {
+    const auto inverse = [](const FrameBoostOf<float>& b) { return FrameBoostOf<float>{b.axis, 1.0F / b.stretch}; };
+    T to_zamo;
+    T to_observer;
+    const Vector3<T> in_zamo = aberrated(inverse(batch.observer.rain_from_zamo), rain, to_zamo);
+    const Vector3<T> seen = aberrated(inverse(batch.observer.zamo_from_observer), in_zamo, to_observer);
+    const T scale = T(1.0F) / (to_zamo * to_observer);
+    const T energy = detail::evaluate(batch.energy, rain) * scale;
+    sums.brightening = maximum(sums.brightening, scale * scale);
+    sums.frequency_ratio = maximum(sums.frequency_ratio, T(1.0F) / maximum(energy, T(1e-6F)));
+    return seen;
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET
