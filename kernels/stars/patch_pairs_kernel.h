@@ -64,8 +64,14 @@ struct FindPatchSides {
     T q[13];
     load_border(pairs, first, border, p, q);
     Round round{T(0.0F), T(1.0F) < T(0.0F)};
+    T length[4];
     for (int side = 0; side < 4; ++side) {
-      go_along(p + 3 * side, q + 3 * side, round);
+      length[side] = absolute(p[3 * side + 3] - p[3 * side]) + absolute(q[3 * side + 3] - q[3 * side]);
+    }
+    for (int side = 0; side < 4; ++side) {
+      // Images are sought beyond a side by parts of the patch across it.
+      const T across = maximum(length[(side + 1) % 4], length[(side + 3) % 4]);
+      go_along(p + 3 * side, q + 3 * side, across * (2.0F * beyond_patch) + T(rounding), round);
     }
     const T inside = select(absolute(round.turns) > T(0.5F), T(1.0F), T(0.0F));
     store_lanes(batch.side, first, pairs.count, select(round.beside, T(2.0F), inside));
@@ -73,6 +79,8 @@ struct FindPatchSides {
 
  private:
   static constexpr int chords = 8;
+  //! Of places on the sky, in float.
+  static constexpr float rounding = 2e-7F;
 
   //! What has been seen of a border on the way round it.
   struct Round {
@@ -99,8 +107,8 @@ struct FindPatchSides {
     q[12] = q[0];
   }
 
-  ERGO_HD static void go_along(const T* p, const T* q, Round& round) {
-    const T slack = chord_error(p, q);
+  ERGO_HD static void go_along(const T* p, const T* q, const T& margin, Round& round) {
+    const T slack = chord_error(p, q) + margin;
     T from_p = p[0];
     T from_q = q[0];
     for (int chord = 1; chord <= chords; ++chord) {
@@ -115,15 +123,14 @@ struct FindPatchSides {
     }
   }
 
-  //! How far the curve, and images that are sought beyond it, may be from its chords at the most.
+  //! How far a side may be from its chords at the most.
   ERGO_HD static T chord_error(const T* p, const T* q) {
     const auto bend = [](const T* at) {
       return maximum(absolute(at[0] - T(2.0F) * at[1] + at[2]), absolute(at[1] - T(2.0F) * at[2] + at[3]));
     };
-    const auto length = [](const T* at) { return absolute(at[3] - at[0]); };
     // A cubic's second derivative is at most 6 times these differences; a chord is off by an eighth of it times its square.
     constexpr float chord_part = 6.0F / (8.0F * chords * chords);
-    return (bend(p) + bend(q)) * chord_part + (length(p) + length(q)) * (2.0F * beyond_patch);
+    return (bend(p) + bend(q)) * chord_part;
   }
 
   //! Goes along a chord.
