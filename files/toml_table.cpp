@@ -1,4 +1,4 @@
-#include "content/toml_table.h"
+#include "files/toml_table.h"
 
 #include <fmt/format.h>
 
