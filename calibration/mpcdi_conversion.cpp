@@ -1,6 +1,7 @@
 #include "calibration/mpcdi_conversion.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "calibration/warp_conversion.h"
 #include "kernels/core/error.h"
@@ -66,6 +67,19 @@ ProjectorPose pose_of(const MpcdiRegion& region) {
     pose.position_m = metres * in_dome_axes(*region.frame, region.frame->position);
   }
   return pose;
+}
+
+Lens lens_of(const MpcdiRegion& region) {
+  if (region.fisheye) {
+    constexpr double degrees = 180.0 / 3.14159265358979323846;
+    FisheyeLens lens;
+    lens.polynomial.assign(std::begin(region.fisheye->coefficients), std::end(region.fisheye->coefficients));
+    lens.field_of_view_deg = std::max(1.0, 2.0 * degrees * growing_angle(lens.polynomial));
+    lens.offset_x = region.fisheye->horizontal_offset;
+    lens.offset_y = region.fisheye->vertical_offset;
+    return lens;
+  }
+  return region.frustum ? Lens(*region.frustum) : Lens();
 }
 
 MpcdiRegion region_from_warp(const std::string& id, const WarpMesh& warp, int resolution_x, int resolution_y,

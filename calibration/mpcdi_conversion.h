@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/lens.h"
 #include "calibration/mpcdi.h"
 #include "calibration/warp_mesh.h"
 
@@ -26,6 +27,10 @@ SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std:
 //! The pose of a region: where there is no coordinate frame it stands at the origin, the ideal eye point. With one, the axis of pitch points right,
 //! that of roll to the front, that of yaw down (VESA MPCDI 2.0, 2.2.2), and lengths are in the unit of its 3D data. Needs a frustum.
 ProjectorPose pose_of(const MpcdiRegion& region);
+
+//! The lens of a region: a fisheye where an extension tells one, with the widest field of view over which it grows; else its frustum. Skewed and
+//! anamorphic fisheyes are read as round ones.
+Lens lens_of(const MpcdiRegion& region);
 
 //! A region of profile 2d that covers its whole buffer: the warp as a map of the given size, and its intensities as the alpha mask.
 MpcdiRegion region_from_warp(const std::string& id, const WarpMesh& warp, int resolution_x, int resolution_y,
