@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-//! A mask: a number from 0 to 1 for each channel of each sample, as the file holds it (no gamma is taken out). Rows from top to bottom.
+//! A mask: a number from 0 to 1 for each channel of each sample, as the file holds it (no gamma is taken out). Rows from top to
+//! bottom.
 struct BlendMap {
   int width = 0;
   int height = 0;

@@ -11,8 +11,8 @@
 #include "calibration/warp_conversion.h"
 #include "kernels/core/vector3.h"
 
-// A dome with its projectors. Places are in metres from the middle of the dome's sphere, x right, y straight up, z back, for a viewer who looks to
-// the front; y stays upright when the dome is tilted.
+// A dome with its projectors. Places are in metres from the middle of the dome's sphere, x right, y straight up, z back, for a
+// viewer who looks to the front; y stays upright when the dome is tilted.
 namespace ergodome {
 
 //! A convex mirror between projector and dome.

@@ -9,8 +9,8 @@
 #include "calibration/pfm.h"
 #include "kernels/core/vector3.h"
 
-// VESA's Multiple Projection Common Data Interchange (MPCDI), versions 1.0 (2013) and 2.0 (2015): what such a file says, as it says it. Its
-// readings as warps, masks and places are in mpcdi_conversion.h.
+// VESA's Multiple Projection Common Data Interchange (MPCDI), versions 1.0 (2013) and 2.0 (2015): what such a file says, as it
+// says it. Its readings as warps, masks and places are in mpcdi_conversion.h.
 namespace ergodome {
 
 enum class MpcdiProfile {
@@ -31,8 +31,8 @@ enum class MpcdiVersion { one, two };
 //! What the coordinates of 3D data are counted from.
 enum class MpcdiOrigin { unknown, centre_of_mass, ideal_eye_point, floor_centre };
 
-//! A projector's place in the coordinates of the file, and which way those run: the axes of yaw (down), pitch (right) and roll (forward),
-//! orthonormal.
+//! A projector's place in the coordinates of the file, and which way those run: the axes of yaw (down), pitch (right) and roll
+//! (forward), orthonormal.
 struct MpcdiFrame {
   Vector3<double> position{};
   Vector3<double> yaw_axis{};

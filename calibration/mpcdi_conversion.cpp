@@ -1,7 +1,9 @@
 #include "calibration/mpcdi_conversion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "calibration/warp_conversion.h"
 #include "kernels/core/error.h"
@@ -9,6 +11,11 @@
 namespace ergodome {
 
 namespace {
+
+//! Far outside any dome in any unit; what is not finite is not below it either.
+constexpr float largest_coordinate = 1e7F;
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr Vector3<float> unknown = {nan, nan, nan};
 
 //! A vector of a file in the dome's axes.
 Vector3<double> in_dome_axes(const MpcdiFrame& frame, const Vector3<double>& v) {
@@ -53,8 +60,11 @@ SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std:
   surface.points.reserve(geometry.map.samples.size() / 3);
   for (std::size_t i = 0; i + 2 < geometry.map.samples.size(); i += 3) {
     const float* const sample = &geometry.map.samples[i];
+    const bool known = std::all_of(sample, sample + 3, [](float c) { return std::abs(c) <= largest_coordinate; });
     const Vector3<double> point = metres * in_dome_axes(frame, {sample[0], sample[1], sample[2]});
-    surface.points.push_back({static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+    surface.points.push_back(
+        known ? Vector3<float>{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)}
+              : unknown);
   }
   return surface;
 }

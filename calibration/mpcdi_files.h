@@ -26,8 +26,8 @@ class MpcdiFileReader {
   RowOrder order_;
 };
 
-//! Files that lie beside a description. Only what is below `folder` is opened: names with a drive, from the root, or through ".." are refused, and
-//! so are links that lead out of it.
+//! Files that lie beside a description. Only what is below `folder` is opened: names with a drive, from the root, or through ".."
+//! are refused, and so are links that lead out of it.
 MpcdiFiles files_in_folder(const std::filesystem::path& folder);
 
 }  // namespace ergodome

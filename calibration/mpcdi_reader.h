@@ -14,13 +14,14 @@ namespace ergodome {
 //! Gives the bytes of a file that an MPCDI description names, or throws Error.
 using MpcdiFiles = std::function<std::string(const std::string& name, std::size_t most_bytes)>;
 
-//! Reads a calibration: a zip archive with mpcdi.xml (or, as some programs name it, mpacs.xml), or such a description alone, whose files then
-//! lie in its folder. `order` tells which row the float maps begin with: bottom_up as the format of the maps and VESA's own library
-//! have it, top_down as MPCDI's text has it.
+//! Reads a calibration: a zip archive with mpcdi.xml (or, as some programs name it, mpacs.xml), or such a description alone,
+//! whose files then lie in its folder. `order` tells which row the float maps begin with: bottom_up as the format of the maps and
+//! VESA's own library have it, top_down as MPCDI's text has it.
 //!
 //! Names of elements and attributes are matched without regard to capitals; filesets may stand in <files> or beside it; an empty
-//! <path> stands for no file, as programs write that send warps by other ways. Throws Error with file and line, or the archive's member,
-//! for everything else that the specification rules out, and for archives, XML and maps beyond the bounds of their readers.
+//! <path> stands for no file, as programs write that send warps by other ways. Throws Error with file and line, or the archive's
+//! member, for everything else that the specification rules out, and for archives, XML and maps beyond the bounds of their
+//! readers.
 Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order = RowOrder::bottom_up);
 
 //! The same from an archive in memory.

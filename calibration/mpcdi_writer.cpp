@@ -135,12 +135,12 @@ class ArchiveWriter {
     return members_.back().first;
   }
 
-  void write_mask(pugi::xml_node fileset, const char* kind, const MpcdiMask* mask) {
+  pugi::xml_node write_mask(pugi::xml_node fileset, const char* kind, const MpcdiMask* mask) {
     pugi::xml_node element = fileset.append_child(kind);
     add(element, "path", mask != nullptr ? member(kind, "png", to_png(mask->map, name_ + ": " + kind + ".png")) : "");
     add(element, "bitDepth", number(mask != nullptr ? mask->map.bit_depth : 8));
     add(element, "componentDepth", number(mask != nullptr ? mask->map.channels : 1));
-    add(element, "gammaEmbedded", number(mask != nullptr ? mask->gamma_embedded : 1.0));
+    return element;
   }
 
   void write_files(pugi::xml_node files, const MpcdiRegion& region) {
@@ -156,7 +156,9 @@ class ArchiveWriter {
       add(warp, "geometricUnit", geometry != nullptr ? geometry->unit : "unknown");
       add(warp, "originOf3DData", std::string(mpcdi_origin_words[origin]));
     }
-    write_mask(fileset, "alphaMap", region.alpha ? &*region.alpha : nullptr);
+    const MpcdiMask* const alpha = region.alpha ? &*region.alpha : nullptr;
+    pugi::xml_node element = write_mask(fileset, "alphaMap", alpha);
+    add(element, "gammaEmbedded", number(alpha != nullptr ? alpha->gamma_embedded : 1.0));
     if (region.beta || mpcdi_.color_level > 2) {
       write_mask(fileset, "betaMap", region.beta ? &*region.beta : nullptr);
     }

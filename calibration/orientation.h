@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! How a projector is turned from looking to the front: to the right by yaw, then up by pitch, then about its own axis by roll, clockwise
-//! as seen from behind it (VESA MPCDI 2.0, table 2-1).
+//! How a projector is turned from looking to the front: to the right by yaw, then up by pitch, then about its own axis by roll,
+//! clockwise as seen from behind it (VESA MPCDI 2.0, table 2-1).
 struct Orientation {
   double yaw_deg = 0.0;
   double pitch_deg = 0.0;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-// Portable float maps (http://www.pauldebevec.com/Research/HDR/PFM/, netpbm's pfm(5)) as warps carry them: "PF", width and height, a scale
-// whose sign tells the byte order (negative: least significant byte first), then three floats a sample.
+// Portable float maps (http://www.pauldebevec.com/Research/HDR/PFM/, netpbm's pfm(5)) as warps carry them: "PF", width and
+// height, a scale whose sign tells the byte order (negative: least significant byte first), then three floats a sample.
 //
 // OpenImageIO is not asked: release 2.4 multiplies samples by the scale's size, which would move a warp, and it writes no such file.
 namespace ergodome {
@@ -22,8 +22,9 @@ struct FloatMap {
 //! Which row a file begins with. The format says the bottom row, MPCDI's text the top one; programs have done both.
 enum class RowOrder { bottom_up, top_down };
 
-//! Reads a map. Throws Error for another type of map ("Pf" has one component), sizes below 2 x 2 or beyond warp_mesh.h's bounds, scales
-//! that are zero or not finite, and when there are not exactly as many bytes as the size calls for; nothing is allocated before that.
+//! Reads a map. Throws Error for another type of map ("Pf" has one component), sizes below 2 x 2 or beyond warp_mesh.h's bounds,
+//! scales that are zero or not finite, and when there are not exactly as many bytes as the size calls for; nothing is allocated
+//! before that.
 FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& name, RowOrder order);
 
 //! The same from a file.

@@ -28,8 +28,8 @@ struct LoadedProjector {
   Vector3<double> black_level_lift{};   //!< the setup's; 1 where it is 0 and there is a betaMap
 };
 
-//! Reads the warp and the masks of a projector of a setup. Throws Error, naming the file, for whatever its reader refuses, for a region that a
-//! calibration does not have, and where it has several and the setup names none.
+//! Reads the warp and the masks of a projector of a setup. Throws Error, naming the file, for whatever its reader refuses, for a
+//! region that a calibration does not have, and where it has several and the setup names none.
 LoadedProjector load_projector(const DomeSetup& setup, const ProjectorSetup& projector);
 
 }  // namespace ergodome

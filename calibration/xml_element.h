@@ -13,8 +13,8 @@
 
 namespace ergodome {
 
-//! An XML file of a stranger: UTF-8, of bounded size and depth, without a document type. pugixml knows no entities but the five of XML, and
-//! reads no other file; what declares entities is refused all the same, so that nobody relies on them.
+//! An XML file of a stranger: UTF-8, of bounded size and depth, without a document type. pugixml knows no entities but the five
+//! of XML, and reads no other file; what declares entities is refused all the same, so that nobody relies on them.
 class XmlFile {
  public:
   //! Throws Error with the line where the text is no well-formed XML, too deep, or declares a document type.
@@ -32,8 +32,8 @@ class XmlFile {
   pugi::xml_document document_;
 };
 
-//! One element of such a file. Names are compared without regard to capitals, as MPCDI asks (VESA MPCDI 2.0, 3.5.2); values keep theirs. The
-//! file must outlive it.
+//! One element of such a file. Names are compared without regard to capitals, as MPCDI asks (VESA MPCDI 2.0, 3.5.2); values keep
+//! theirs. The file must outlive it.
 class XmlElement {
  public:
   XmlElement(const XmlFile& file, const pugi::xml_node& node) : file_(&file), node_(node) {}

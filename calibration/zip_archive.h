@@ -15,8 +15,8 @@ namespace ergodome {
 //! from the archive in all. Members are stored or deflated, and not encrypted; their checksums are verified.
 class ZipArchive {
  public:
-  //! Opens an archive, from which `most_unpacked` bytes may be read in all; `bytes` must outlive it. Throws Error where it is none, or has too
-  //! many entries.
+  //! Opens an archive, from which `most_unpacked` bytes may be read in all; `bytes` must outlive it. Throws Error where it is
+  //! none, or has too many entries.
   ZipArchive(std::span<const std::byte> bytes, std::string name, std::size_t most_unpacked = std::size_t{2} << 30U);
   ~ZipArchive();
   ZipArchive(const ZipArchive&) = delete;
