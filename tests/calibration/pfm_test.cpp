@@ -102,8 +102,10 @@ TEST(FloatMapFile, TooFewOrTooManySamplesAreErrors) {
 }
 
 TEST(FloatMapFile, ScaleThatTellsNoByteOrderIsAnError) {
-  for (const char* scale : {"0", "nan", "inf", "-inf"}) {
-    EXPECT_THAT(problem_of(std::string("PF\n2 2\n") + scale + "\n" + first_row + second_row), HasSubstr("byte order"));
+  for (const char* const scale : {"0", "nan", "inf", "-inf"}) {
+    std::string bytes = "PF\n2 2\n";
+    bytes.append(scale).append("\n").append(first_row).append(second_row);
+    EXPECT_THAT(problem_of(bytes), HasSubstr("byte order"));
   }
 }
 

@@ -81,7 +81,7 @@ TEST(WarpConversion, MeshBecomesAMapWithTheValuesBetweenItsNodes) {
   const FloatMap map = map_from_warp(linear_mesh(5, 4), 64, 48, TextureDirection::downwards);
   for (int row = 0; row < 48; ++row) {
     for (int column = 0; column < 64; ++column) {
-      const float* sample = &map.samples[static_cast<std::size_t>(3 * (64 * row + column))];
+      const float* sample = &map.samples[3 * (64 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column))];
       const double x = (column + 0.5) / 64.0;
       const double y = (row + 0.5) / 48.0;
       EXPECT_NEAR(sample[0], 0.1 + 0.8 * x, 1e-6);
