@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "content/show_reader.h"
-#include "content/toml_table.h"
+#include "files/toml_table.h"
 
 namespace ergodome {
 

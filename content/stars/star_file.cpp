@@ -9,8 +9,8 @@
 #include <fstream>
 #include <limits>
 
-#include "content/atomic_file.h"
 #include "content/byte_planes.h"
+#include "files/atomic_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

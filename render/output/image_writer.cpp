@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "content/atomic_file.h"
+#include "files/atomic_file.h"
 #include "kernels/core/error.h"
 #include "render/output/tone_map.h"
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <limits>
 
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 
 namespace ergodome {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "content/show_reader.h"
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 
 namespace ergodome {
 namespace {

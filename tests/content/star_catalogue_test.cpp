@@ -11,7 +11,7 @@
 #include "content/bytes.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

@@ -11,7 +11,7 @@
 #include "content/trajectory/station_frame.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "render/effects/diffraction.h"
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

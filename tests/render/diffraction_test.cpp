@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 
 namespace ergodome {
 namespace {

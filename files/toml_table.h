@@ -22,6 +22,9 @@ class TomlTable {
 
   //! A number that is neither NaN nor infinite, within [least, greatest]; `otherwise` where the key is absent.
   double number(std::string_view key, double otherwise, double least, double greatest);
+  //! A list of such numbers, from `fewest` to `most` of them; empty where the key is absent.
+  std::vector<double> numbers(std::string_view key, std::size_t fewest, std::size_t most, double least,
+                              double greatest);
   int integer(std::string_view key, int otherwise, int least, int greatest);
   bool boolean(std::string_view key, bool otherwise);
   std::string text(std::string_view key, const std::string& otherwise);

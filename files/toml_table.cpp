@@ -1,4 +1,4 @@
-#include "content/toml_table.h"
+#include "files/toml_table.h"
 
 #include <fmt/format.h>
 
@@ -73,6 +73,30 @@ double TomlTable::number(std::string_view key, double otherwise, double least, d
     throw error_at(key, fmt::format("is {}", *value), fmt::format("choose a number from {} to {}", least, greatest));
   }
   return *value;
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, std::size_t fewest, std::size_t most, double least,
+                                       double greatest) {
+  std::vector<double> found;
+  const toml::node* at = node(key);
+  if (at == nullptr) {
+    return found;
+  }
+  const toml::array* list = at->as_array();
+  if (list == nullptr || list->size() < fewest || list->size() > most) {
+    throw error_at(key, "is not a list of numbers as long as it should be",
+                   fewest == most ? fmt::format("write {} numbers in brackets", most)
+                                  : fmt::format("write {} to {} numbers in brackets", fewest, most));
+  }
+  for (const toml::node& item : *list) {
+    const auto value = item.value<double>();
+    if (!item.is_number() || !value || !(*value >= least && *value <= greatest)) {
+      throw error_at(key, "holds something else than a number in range",
+                     fmt::format("choose numbers from {} to {}", least, greatest));
+    }
+    found.push_back(*value);
+  }
+  return found;
 }
 
 int TomlTable::integer(std::string_view key, int otherwise, int least, int greatest) {

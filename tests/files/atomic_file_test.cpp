@@ -1,4 +1,4 @@
-#include "content/atomic_file.h"
+#include "files/atomic_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "tests/content/errors.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

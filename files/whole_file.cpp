@@ -1,0 +1,29 @@
+#include "files/whole_file.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+std::string read_whole_file(const std::filesystem::path& path, std::size_t most_bytes, const std::string& remedy) {
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(path, problem)) {
+    throw Error(path.string(), "is not a file that can be read", remedy);
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, problem);
+  if (problem || size > most_bytes) {
+    throw Error(path.string(), fmt::format("is larger than {} MiB", most_bytes >> 20U), remedy);
+  }
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file) {
+    throw Error(path.string(), "cannot be read", "check its permissions");
+  }
+  return bytes;
+}
+
+}  // namespace ergodome
