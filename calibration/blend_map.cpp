@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "calibration/warp_mesh.h"
-#include "files/whole_file.h"
+#include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

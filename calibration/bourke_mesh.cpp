@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "calibration/text_lines.h"
-#include "files/whole_file.h"
+#include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -4,8 +4,8 @@
 
 #include "calibration/dome_setup.h"
 #include "calibration/projector_reader.h"
-#include "files/toml_table.h"
-#include "files/whole_file.h"
+#include "content/files/toml_table.h"
+#include "content/files/whole_file.h"
 
 namespace ergodome {
 

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "calibration/dome_setup.h"
-#include "files/atomic_file.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

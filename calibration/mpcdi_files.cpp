@@ -7,7 +7,7 @@
 
 #include "calibration/mpcdi_words.h"
 #include "calibration/warp_mesh.h"
-#include "files/whole_file.h"
+#include "content/files/whole_file.h"
 
 namespace ergodome {
 

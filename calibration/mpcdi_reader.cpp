@@ -11,7 +11,7 @@
 #include "calibration/mpcdi_words.h"
 #include "calibration/xml_element.h"
 #include "calibration/zip_archive.h"
-#include "files/whole_file.h"
+#include "content/files/whole_file.h"
 
 namespace ergodome {
 

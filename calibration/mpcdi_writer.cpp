@@ -9,7 +9,7 @@
 
 #include "calibration/mpcdi_words.h"
 #include "calibration/zip_archive.h"
-#include "files/atomic_file.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -10,7 +10,7 @@
 
 #include "calibration/text_lines.h"
 #include "calibration/warp_mesh.h"
-#include "files/whole_file.h"
+#include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

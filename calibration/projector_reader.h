@@ -4,7 +4,7 @@
 #include <string>
 
 #include "calibration/dome_setup.h"
-#include "files/toml_table.h"
+#include "content/files/toml_table.h"
 
 namespace ergodome {
 

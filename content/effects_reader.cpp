@@ -1,6 +1,6 @@
 #include "content/effects_reader.h"
 
-#include "files/toml_table.h"
+#include "content/files/toml_table.h"
 
 namespace ergodome {
 

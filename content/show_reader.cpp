@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "content/effects_reader.h"
-#include "files/toml_table.h"
+#include "content/files/toml_table.h"
 
 namespace ergodome {
 

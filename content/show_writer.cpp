@@ -2,8 +2,8 @@
 
 #include <sstream>
 
+#include "content/files/toml_table.h"
 #include "content/show_reader.h"
-#include "files/toml_table.h"
 
 namespace ergodome {
 

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "content/byte_planes.h"
-#include "files/atomic_file.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

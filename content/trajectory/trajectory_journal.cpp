@@ -7,9 +7,9 @@
 #include <cstring>
 #include <fstream>
 
+#include "content/files/atomic_file.h"
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_frame.h"
-#include "files/atomic_file.h"
 
 namespace ergodome {
 

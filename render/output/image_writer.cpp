@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "files/atomic_file.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 #include "render/output/tone_map.h"
 

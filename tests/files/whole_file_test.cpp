@@ -1,4 +1,4 @@
-#include "files/whole_file.h"
+#include "content/files/whole_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

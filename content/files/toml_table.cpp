@@ -1,4 +1,4 @@
-#include "files/toml_table.h"
+#include "content/files/toml_table.h"
 
 #include <fmt/format.h>
 

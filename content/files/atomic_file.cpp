@@ -1,4 +1,4 @@
-#include "files/atomic_file.h"
+#include "content/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
