@@ -6,6 +6,7 @@
 
 #include "content/show_reader.h"
 #include "kernels/image/color_map.h"
+#include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
 

@@ -8,6 +8,7 @@
 #include "content/show_reader.h"
 #include "kernels/geodesic/closed_form.h"
 #include "kernels/image/color_map.h"
+#include "kernels/projection/make_projection.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
