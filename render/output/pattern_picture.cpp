@@ -111,7 +111,7 @@ std::vector<PatternLabel> pattern_labels() {
                                       {"ZENITH", 0.0, 90.0, 5.0, white}, {"NADIR", 0.0, -90.0, 5.0, white}};
   for (int azimuth = -165; azimuth <= 180; azimuth += 15) {
     if (azimuth % 90 != 0) {
-      labels.push_back({fmt::format("{}°", azimuth), static_cast<double>(azimuth), 2.5, 2.5, grey});
+      labels.push_back({fmt::format("{}", azimuth), static_cast<double>(azimuth), 2.5, 2.5, grey});
     }
   }
   for (int elevation = -75; elevation <= 75; elevation += 15) {
@@ -119,7 +119,7 @@ std::vector<PatternLabel> pattern_labels() {
       if (elevation != 0) {
         // Beside the line, on top of the circle.
         labels.push_back(
-            {fmt::format("{}°", elevation), quarter + 3.0 / std::cos(elevation * degree), elevation + 2.0, 2.5, grey});
+            {fmt::format("{}", elevation), quarter + 3.0 / std::cos(elevation * degree), elevation + 2.0, 2.5, grey});
       }
     }
   }

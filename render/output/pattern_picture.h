@@ -17,7 +17,7 @@ struct PatternLabel {
   Vector3<float> colour;
 };
 
-//! FRONT (yellow), RIGHT (green), BACK (blue) and LEFT (red) just above the horizon, ZENITH and NADIR (white), and degrees (grey).
+//! FRONT (yellow), RIGHT (green), BACK (blue) and LEFT (red) just above the horizon, ZENITH and NADIR (white), and numbers of degrees (grey).
 std::vector<PatternLabel> pattern_labels();
 
 //! A picture that settles arguments about left and right: circles of elevation and lines of azimuth every 15° as a viewer inside has them,

@@ -226,6 +226,22 @@ TEST(EyeRenderer, MagnificationFarFromTheHoleIsOne) {
   EXPECT_NEAR(picture.rgba[4 * (10 * 65 + 32) + 1], srgb_decoded(middle.y), 0.02F);
 }
 
+TEST(EyeRenderer, MagnificationCountsEachPixelsOwnSolidAngle) {
+  PictureSettings settings;
+  settings.mode = ViewMode::magnification;
+  DomeView lens;
+  lens.law = LensLaw::orthographic;
+  const Vector3<float> middle = heat_color(0.5F);
+  for (const Projection& projection :
+       {make_equirectangular_projection(64, 32), make_cylinder_projection(64, 64, 3.0, -2.0, 2.0),
+        make_cube_projection(16, CubeLayout::strip), make_dome_projection(64, lens)}) {
+    const Picture picture = EyeRenderer(Backend::cpu).render(eye_at(0.0, 1e6), projection, white_sky(), settings);
+    // The middle of the top row, next to a pole, an edge or the rim.
+    const std::size_t at = 4 * static_cast<std::size_t>(projection.width_px / 2 + projection.width_px);
+    EXPECT_NEAR(picture.rgba[at + 1], srgb_decoded(middle.y), 0.02F) << static_cast<int>(projection.kind);
+  }
+}
+
 Show stereo_show(const std::string& layout, double baseline) {
   return parse_show(
       "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"grid\"\n[view]\nprojection = \"pinhole\"\n"
