@@ -10,11 +10,11 @@ namespace ergodome {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
-constexpr int largest_height_px = 16384;
+constexpr double largest_height_px = 16384.0;
 
 //! Height of a picture whose pixels are square.
 int height_for(int width_px, double width, double height) {
-  return std::clamp(static_cast<int>(std::lround(width_px * height / width)), 1, largest_height_px);
+  return static_cast<int>(std::lround(std::clamp(width_px * height / width, 1.0, largest_height_px)));
 }
 
 Projection dome_projection(const ViewSettings& view, int width_px, double field_of_view) {

@@ -100,7 +100,9 @@ TEST(CubeFaces, EdgesAndCornersHaveAPlaceInThePicture) {
   for (const CubeLayout layout : {CubeLayout::cross, CubeLayout::strip}) {
     const Projection p = make_cube_projection(100, layout);
     for (int i = 0; i < 27; ++i) {
-      const Vector3<double> way = {i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+      const int up = i / 3 % 3;
+      const int back = i / 9;
+      const Vector3<double> way = {i % 3 - 1.0, up - 1.0, back - 1.0};
       if (dot(way, way) > 0.0) {
         const Vector3<double> view = (1.0 / std::sqrt(dot(way, way))) * way;
         double x = 0.0;

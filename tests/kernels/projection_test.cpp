@@ -152,7 +152,8 @@ TEST_P(EveryProjection, InFloatMissesAPixelByLittle) {
 TEST_P(EveryProjection, DerivativesAreThoseOfDifferenceQuotients) {
   const Projection& p = projection();
   for (const ImagePlace& place : image_places(p, 0.5)) {
-    const auto [x, y] = place;
+    const double x = place.x_px;
+    const double y = place.y_px;
     const PixelSteps<double> steps = pixel_steps(p, x, y);
     const double h = 1e-3;
     const auto expect_alike = [&](const Vector3<double>& step, const Vector3<double>& change) {

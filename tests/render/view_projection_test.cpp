@@ -36,6 +36,13 @@ TEST(ViewProjection, OfACylinderHasSquarePixelsOnTheHorizon) {
   EXPECT_NEAR(std::sqrt(dot(steps.down, steps.down) / dot(steps.across, steps.across)), 1.0, 2e-3);
 }
 
+TEST(ViewProjection, OfASliverIsNoHigherThanPicturesMayBe) {
+  ViewSettings view;
+  view.projection = ViewProjection::cylinder;
+  view.field_of_view_deg = 1e-6;
+  EXPECT_EQ(make_projection(view, 16384, 0.0).height_px, 16384);
+}
+
 TEST(ViewProjection, OfAFrustumHasSquarePixels) {
   ViewSettings view;
   view.projection = ViewProjection::pinhole;

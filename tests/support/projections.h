@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -16,7 +17,7 @@ struct NamedProjection {
   Projection projection;
 };
 
-inline void PrintTo(const NamedProjection& named, std::ostream* to) { *to << named.name; }
+inline std::ostream& operator<<(std::ostream& to, const NamedProjection& named) { return to << named.name; }
 
 inline Projection lens_of(LensLaw law, double field_of_view_deg, int size_px = 1000) {
   DomeView view;
@@ -95,7 +96,8 @@ inline std::vector<ImagePlace> image_places(const Projection& p, double inside) 
                                    {inside, bottom}, {right, bottom},   {inside, y + 0.3},
                                    {right, y + 0.3}, {x + 0.3, inside}, {x + 0.3, bottom}};
   for (int i = 0; i < 400; ++i) {
-    found.push_back({p.width_px * (0.013 + 0.05 * (i % 20)), p.height_px * (0.017 + 0.05 * (i / 20))});
+    const int row = i / 20;
+    found.push_back({p.width_px * (0.013 + 0.05 * (i % 20)), p.height_px * (0.017 + 0.05 * row)});
   }
   if (p.kind == ProjectionKind::dome_fisheye) {
     const double rim = p.dome.lens.rim * x - inside;
