@@ -21,6 +21,10 @@ struct Letters {
   int left = size_px, right = 0, top = size_px, bottom = 0;
 };
 
+const float* light_at(const Picture& picture, int x, int y) {
+  return picture.rgba.data() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x);
+}
+
 Letters letters_of(const Picture& picture, const char* text) {
   Letters letters;
   for (const PatternLabel& label : pattern_labels()) {
@@ -29,7 +33,7 @@ Letters letters_of(const Picture& picture, const char* text) {
     }
     for (int y = 0; y < picture.height; ++y) {
       for (int x = 0; x < picture.width; ++x) {
-        const float* at = picture.rgba.data() + 4 * static_cast<std::ptrdiff_t>(y * picture.width + x);
+        const float* at = light_at(picture, x, y);
         const float apart =
             std::abs(at[0] - label.colour.x) + std::abs(at[1] - label.colour.y) + std::abs(at[2] - label.colour.z);
         if (apart < 0.3F) {
@@ -83,8 +87,10 @@ double likeness(const Picture& picture, const char* text, bool mirrored) {
       const double down = (y + 0.5 - box.top) / (box.bottom - box.top);
       const int column = static_cast<int>((mirrored ? 1.0 - across : across) * written.width);
       const int row = static_cast<int>(down * written.height);
-      const double a = static_cast<double>(written.coverage[static_cast<std::size_t>(row * written.width + column)]);
-      const double b = static_cast<double>(picture.rgba[4 * static_cast<std::size_t>(y * picture.width + x)]);
+      const double a =
+          static_cast<double>(written.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(written.width) +
+                                               static_cast<std::size_t>(column)]);
+      const double b = static_cast<double>(light_at(picture, x, y)[0]);
       const double parts[5] = {a, b, a * a, b * b, a * b};
       for (int i = 0; i < 5; ++i) {
         sums[i] += parts[i];
