@@ -22,6 +22,20 @@ struct DomeFisheye {
 
 inline namespace ERGO_TARGET {
 
+namespace detail {
+//! The place of the dome at image position (x, y), in view axes; its part across the zenith is `outwards` times (x, y).
+template <class T>
+ERGO_HD Vector3<T> tilted_down(const DomeFisheye<ScalarOf<T>>& dome, const T& outwards, const T& cosine, const T& x,
+                               const T& y) {
+  const T right = outwards * x;
+  const T front = -(outwards * y);
+  // The zenith leans to the front, the front goes down.
+  const T up = dome.tilt_cosine * cosine - dome.tilt_sine * front;
+  const T forward = dome.tilt_sine * cosine + dome.tilt_cosine * front;
+  return {right, up, -forward};
+}
+}  // namespace detail
+
 //! View direction (x right, y up, z back) at image position (x, y), -1 to 1 across the square, y up; unit length.
 //!
 //! Positions outside the circle continue the same map.
@@ -31,16 +45,27 @@ ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, 
   T outwards;
   T cosine;
   look_through_lens(dome.lens, x, y, outwards, cosine);
-  const T right = outwards * x;
-  const T front = -(outwards * y);
-  // The zenith leans to the front, the front goes down.
-  const T up = dome.tilt_cosine * cosine - dome.tilt_sine * front;
-  const T forward = dome.tilt_sine * cosine + dome.tilt_cosine * front;
+  const Vector3<T> place = detail::tilted_down(dome, outwards, cosine, x, y);
   if (dome.off_centre == 0) {
-    return {right, up, -forward};
+    return place;
   }
-  const Vector3<T> way = {right - dome.viewer.x, up - dome.viewer.y, -forward - dome.viewer.z};
+  const Vector3<T> way = {place.x - dome.viewer.x, place.y - dome.viewer.y, place.z - dome.viewer.z};
   return (S(1) / sqrt(dot(way, way))) * way;
+}
+
+//! Whether the dome is what nearly all are: equidistant, seen from its middle.
+template <class S>
+ERGO_HD bool is_plain(const DomeFisheye<S>& dome) {
+  return dome.lens.law == LensLaw::equidistant && dome.off_centre == 0;
+}
+
+//! The same for a plain dome.
+template <class T>
+ERGO_HD Vector3<T> direction_from_plain_fisheye(const DomeFisheye<ScalarOf<T>>& dome, const T& x, const T& y) {
+  T outwards;
+  T cosine;
+  look_through_plain_lens(dome.lens, x, y, outwards, cosine);
+  return detail::tilted_down(dome, outwards, cosine, x, y);
 }
 
 //! The place of the dome that a viewer sees in a direction: where the ray meets the sphere. Both of unit length.

@@ -66,7 +66,18 @@ ERGO_HD T polynomial_angle(const FisheyeLens<ScalarOf<T>>& lens, const T& radius
   return (radius - reached) * (S(1) / slope) + angle;
 }
 
-//! The sine of the angle over the radius, and the cosine of the angle, at a place of the image.
+//! The sine of the angle over the radius, and the cosine of the angle, at a place of the image: of the equidistant law.
+template <class T>
+ERGO_HD void look_through_plain_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x, const T& y, T& sine_over_radius,
+                                     T& cosine) {
+  // Far below the resolution of any image, and keeps 0 / 0 away from the centre.
+  const T radius = sqrt(x * x + y * y + ScalarOf<T>(1e-20));
+  T sine;
+  sine_cosine(lens.half_angle * radius, sine, cosine);
+  sine_over_radius = sine / radius;
+}
+
+//! The same of any law.
 //!
 //! Nothing divides by the radius but where the angle is needed itself, and there the square of the radius is kept from 0 far below the
 //! resolution of any image. The equisolid and the orthographic law end where the angle is π and π/2: the image of the last ray is drawn
@@ -90,12 +101,13 @@ ERGO_HD void look_through_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x,
     const bool equisolid = lens.law == LensLaw::equisolid;
     sine_over_radius = (equisolid ? root * (S(2) * lens.scale) : T(lens.scale)) * drawn_in;
     cosine = equisolid ? S(1) - used * S(2) : root;
-  } else {
+  } else if (lens.law == LensLaw::polynomial) {
     const T radius = sqrt(square + S(1e-20));
     T sine;
-    sine_cosine(lens.law == LensLaw::polynomial ? polynomial_angle(lens, radius) : lens.half_angle * radius, sine,
-                cosine);
+    sine_cosine(polynomial_angle(lens, radius), sine, cosine);
     sine_over_radius = sine / radius;
+  } else {
+    look_through_plain_lens(lens, x, y, sine_over_radius, cosine);
   }
 }
 

@@ -53,14 +53,10 @@ ERGO_HD void image_position(const ProjectionOf<ScalarOf<T>>& projection, const T
   y = S(1) - y_px * (S(2) / static_cast<S>(projection.height_px));
 }
 
-//! View direction (x right, y up, z back; unit length) at a pixel position: (0.5, 0.5) is the middle of the top left pixel.
-//!
-//! With dual numbers that carry d/dx_px and d/dy_px (y downwards), the result carries the exact derivatives per pixel.
+namespace detail {
+//! View direction at a position in the image, for every projection.
 template <class T>
-ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
-  T x;
-  T y;
-  image_position(projection, x_px, y_px, x, y);
+ERGO_HD_RARE Vector3<T> direction_from_position(const ProjectionOf<ScalarOf<T>>& projection, const T& x, const T& y) {
   switch (projection.kind) {
     case ProjectionKind::dome_fisheye:
       return direction_from_fisheye(projection.dome, x, y);
@@ -74,6 +70,21 @@ ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& project
       break;
   }
   return direction_from_pinhole(projection.pinhole, x, y);
+}
+}  // namespace detail
+
+//! View direction (x right, y up, z back; unit length) at a pixel position: (0.5, 0.5) is the middle of the top left pixel.
+//!
+//! With dual numbers that carry d/dx_px and d/dy_px (y downwards), the result carries the exact derivatives per pixel.
+template <class T>
+ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
+  T x;
+  T y;
+  image_position(projection, x_px, y_px, x, y);
+  if (projection.kind == ProjectionKind::dome_fisheye && is_plain(projection.dome)) {
+    return direction_from_plain_fisheye(projection.dome, x, y);
+  }
+  return detail::direction_from_position(projection, x, y);
 }
 
 //! Pixel position of a view direction: the inverse. False where the projection has none: beside and behind a flat screen, straight up from
