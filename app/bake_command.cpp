@@ -14,6 +14,7 @@
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/trajectory_baker.h"
 

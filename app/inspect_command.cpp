@@ -14,6 +14,7 @@
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/grid_builder.h"

@@ -170,8 +170,10 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--view", options->view, "what to show")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
-  command->add_option("--projection", options->projection, "dome, equirect or pinhole, instead of the show's")
-      ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
+  command
+      ->add_option("--projection", options->projection,
+                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
+      ->check(CLI::IsMember(projection_names()));
   command->add_option("--stereo", options->stereo, "mono, side_by_side, top_bottom or separate, instead of the show's")
       ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom", "separate"}));
   command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));

@@ -24,6 +24,10 @@ void run(PlayArguments arguments) {
   arguments.options.free_flight = arguments.options.free_flight || arguments.show.empty();
   Show show = load_show(arguments.show.empty() ? "free-flight" : arguments.show);
   override_view(show, arguments.projection, arguments.stereo);
+  if (has_face_files(show.view)) {
+    // A window has them in one picture.
+    show.view.cube_files = CubeFiles::cross;
+  }
   require_features(show);
   const Backend backend = choose_backend(arguments.backend);
   ShowRenderer renderer(show, backend, lens_choice(arguments.lens), open_stream(show, arguments.lens, backend));
@@ -41,8 +45,10 @@ void add_play_command(CLI::App& app) {
   command->add_option("--backend", arguments->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  command->add_option("--projection", arguments->projection, "dome, equirect or pinhole, instead of the show's")
-      ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
+  command
+      ->add_option("--projection", arguments->projection,
+                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
+      ->check(CLI::IsMember(projection_names()));
   command->add_option("--stereo", arguments->stereo, "mono, side_by_side or top_bottom, instead of the show's")
       ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom"}));
   add_lens_options(*command, arguments->lens);

@@ -26,6 +26,7 @@ struct RenderOptions {
   int size_px = 0;
   std::string projection;
   std::string stereo;
+  bool from_outside = false;
   std::string backend = "auto";
   std::string format = "png";
   std::string view = "sky";
@@ -72,9 +73,8 @@ void make_folder(const std::filesystem::path& folder) {
   }
 }
 
-FrameMetadata metadata_of(const Show& show, double time_s, FramePart part) {
+FrameMetadata metadata_of(const Show& show, double time_s, const FrameImage& image) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
-  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   constexpr const char* parts[] = {"whole", "left", "right"};
   const CameraPose pose = camera_pose(show, time_s);
   return {{"show", show.title},
@@ -83,8 +83,10 @@ FrameMetadata metadata_of(const Show& show, double time_s, FramePart part) {
           {"r", fmt::format("{:.12g}", pose.r)},
           {"theta_deg", fmt::format("{:.12g}", pose.theta * 180.0 / 3.14159265358979323846)},
           {"observer", observers[static_cast<int>(show.camera.motion)]},
-          {"projection", projections[static_cast<int>(show.view.projection)]},
-          {"part", parts[static_cast<int>(part)]},
+          {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
+          {"from_outside", show.view.from_outside ? "true" : "false"},
+          {"part", parts[static_cast<int>(image.part)]},
+          {"face", image.face ? cube_face_name(*image.face) : "none"},
           {"version", ERGODOME_VERSION}};
 }
 
@@ -106,9 +108,9 @@ class FrameWriter {
     const double time_s = frame_time_s(show, frame);
     for (FrameImage& image : renderer_.render(time_s, choice_)) {
       draw_color_bar(image.picture, choice_.mode);
-      const std::filesystem::path path = path_of(frame, image.part);
+      const std::filesystem::path path = path_of(frame, image.part, image.face);
       make_folder(path.parent_path());
-      write_picture(path, format_, image.picture, metadata_of(show, time_s, image.part));
+      write_picture(path, format_, image.picture, metadata_of(show, time_s, image));
       unresolved_ += image.picture.unresolved_pixels;
     }
     ++written_;
@@ -119,26 +121,33 @@ class FrameWriter {
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
  private:
-  [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part) const {
+  [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const {
     return std::filesystem::path(options_.out) /
-           frame_path(renderer_.show().name, frame, frame_count(renderer_.show()), part, options_.format);
+           frame_path(renderer_.show().name, frame, frame_count(renderer_.show()), part, options_.format, face);
   }
 
   [[nodiscard]] bool is_there(int frame) const {
     const Show& show = renderer_.show();
-    const int size_px = choice_.size_px > 0 ? choice_.size_px : show.view.size_px;
-    const Projection eye = make_projection(show.view, size_px, 0.0);
-    switch (show.stereo.layout) {
-      case StereoLayout::separate:
-        return is_complete_image(path_of(frame, FramePart::left), eye.width_px, eye.height_px) &&
-               is_complete_image(path_of(frame, FramePart::right), eye.width_px, eye.height_px);
-      case StereoLayout::side_by_side:
-        return is_complete_image(path_of(frame, FramePart::whole), 2 * eye.width_px, eye.height_px);
-      case StereoLayout::top_bottom:
-        return is_complete_image(path_of(frame, FramePart::whole), eye.width_px, 2 * eye.height_px);
-      default:
-        return is_complete_image(path_of(frame, FramePart::whole), eye.width_px, eye.height_px);
+    if (show.stereo.layout == StereoLayout::separate) {
+      return is_there(frame, FramePart::left) && is_there(frame, FramePart::right);
     }
+    return is_there(frame, FramePart::whole);
+  }
+
+  [[nodiscard]] bool is_there(int frame, FramePart part) const {
+    const Show& show = renderer_.show();
+    const Projection eye = make_projection(show.view, choice_.size_px > 0 ? choice_.size_px : show.view.size_px, 0.0);
+    const int width_px = show.stereo.layout == StereoLayout::side_by_side ? 2 * eye.width_px : eye.width_px;
+    const int height_px = show.stereo.layout == StereoLayout::top_bottom ? 2 * eye.height_px : eye.height_px;
+    if (!has_face_files(show.view)) {
+      return is_complete_image(path_of(frame, part, std::nullopt), width_px, height_px);
+    }
+    for (int face = 0; face < cube_faces; ++face) {
+      if (!is_complete_image(path_of(frame, part, static_cast<CubeFace>(face)), width_px / cube_faces, height_px)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   const RenderOptions& options_;
@@ -153,6 +162,7 @@ class FrameWriter {
 void run(const RenderOptions& options) {
   Show show = load_show(options.show);
   override_view(show, options.projection, options.stereo);
+  show.view.from_outside = show.view.from_outside || options.from_outside;
   require_features(show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   make_folder(options.out);
@@ -185,8 +195,11 @@ void add_render_command(CLI::App& app) {
   command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
   command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1 (default: all)");
   command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
-  command->add_option("--projection", options->projection, "dome, equirect or pinhole, instead of the show's")
-      ->check(CLI::IsMember({"dome", "equirect", "pinhole"}));
+  command
+      ->add_option("--projection", options->projection,
+                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
+      ->check(CLI::IsMember(projection_names()));
+  command->add_flag("--from-outside", options->from_outside, "the mirror image: a dome as it is seen from outside");
   command->add_option("--stereo", options->stereo, "mono, side_by_side, top_bottom or separate, instead of the show's")
       ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom", "separate"}));
   command->add_option("--backend", options->backend, "auto, cpu or cuda")

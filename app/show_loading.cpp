@@ -41,14 +41,15 @@ Show load_show(const std::string& name_or_path) {
               fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
 }
 
+std::vector<std::string> projection_names() { return {"dome", "equirect", "cube", "cylinder", "pinhole"}; }
+
 void override_view(Show& show, const std::string& projection, const std::string& stereo) {
   if (!projection.empty()) {
-    const ViewProjection chosen = projection == "dome"       ? ViewProjection::dome
-                                  : projection == "equirect" ? ViewProjection::equirect
-                                                             : ViewProjection::pinhole;
+    const std::vector<std::string> names = projection_names();
+    const auto chosen = static_cast<ViewProjection>(std::find(names.begin(), names.end(), projection) - names.begin());
     if (chosen != show.view.projection) {
       show.view.projection = chosen;
-      show.view.field_of_view_deg = chosen == ViewProjection::pinhole ? 60.0 : 180.0;
+      show.view.field_of_view_deg = usual_field_of_view_deg(chosen);
     }
   }
   if (!stereo.empty()) {

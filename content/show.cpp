@@ -5,6 +5,17 @@
 
 namespace ergodome {
 
+double usual_field_of_view_deg(ViewProjection projection) {
+  switch (projection) {
+    case ViewProjection::pinhole:
+      return 60.0;
+    case ViewProjection::dome:
+      return 180.0;
+    default:
+      return 360.0;
+  }
+}
+
 int frame_count(const Show& show) {
   const double frames = std::round(show.duration_s * show.frame_rate_hz);
   return static_cast<int>(std::clamp(frames, 1.0, 1e9));
@@ -14,9 +25,6 @@ double frame_time_s(const Show& show, int frame) { return frame / show.frame_rat
 
 std::vector<std::string> missing_features(const Show& show) {
   std::vector<std::string> missing;
-  if (show.view.projection == ViewProjection::cube || show.view.projection == ViewProjection::cylinder) {
-    missing.emplace_back("the projections cube and cylinder are not there yet (view.projection)");
-  }
   const StereoLayout layout = show.stereo.layout;
   if (layout != StereoLayout::mono && layout != StereoLayout::side_by_side && layout != StereoLayout::top_bottom &&
       layout != StereoLayout::separate) {

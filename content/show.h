@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kernels/metric/observer.h"
+#include "kernels/projection/lens_law.h"
 #include "kernels/sky/sky_look.h"
 
 namespace ergodome {
@@ -95,12 +97,38 @@ struct EffectSettings {
 
 enum class ViewProjection { dome, equirect, cube, cylinder, pinhole };
 
+//! What the picture of a cube is: one picture of all faces, or a file each (kernels/projection/cube_faces.h).
+enum class CubeFiles { cross, strip, faces };
+
+//! Sides of a screen off the axis, as angles from it [deg]: left below right, down below up.
+struct FrustumAngles {
+  double left_deg = -30.0;
+  double right_deg = 30.0;
+  double up_deg = 30.0;
+  double down_deg = -30.0;
+};
+
+//! Parts of the height of a domemaster that stay black.
+struct DomeTruncation {
+  double bottom = 0.0;
+  double top = 0.0;
+};
+
 struct ViewSettings {
   ViewProjection projection = ViewProjection::dome;
   double field_of_view_deg = 180.0;
   double tilt_deg = 0.0;
-  int size_px = 1024;   //!< width of the image
-  double aspect = 1.0;  //!< width over height, for the pinhole
+  int size_px = 1024;                   //!< width of the image; of a face, where each has a file
+  double aspect = 1.0;                  //!< width over height, for the pinhole
+  bool from_outside = false;            //!< the mirror image
+  LensLaw lens = LensLaw::equidistant;  //!< of the dome, as the next three
+  std::array<double, 4> polynomial =
+      {};  //!< for LensLaw::polynomial: of t, t³, t⁵, t⁷ [rad], in half widths of the picture
+  DomeTruncation truncation;
+  Vector3<double> viewer = {0.0, 0.0, 0.0};  //!< from the dome's middle: right, up, back; in radii of the dome
+  CubeFiles cube_files = CubeFiles::cross;
+  double height_deg = 90.0;              //!< vertical field of view of the cylinder
+  std::optional<FrustumAngles> frustum;  //!< of a pinhole that is not symmetric, in place of field of view and aspect
 };
 
 enum class StereoLayout { mono, side_by_side, top_bottom, separate, multiview, anaglyph, dubois, rows, quad_buffer };
@@ -157,6 +185,9 @@ struct Show {
   QualitySettings quality;
   GridScheme grid_scheme = GridScheme::conforming;
 };
+
+//! The field of view that a projection has unless the show says otherwise [deg].
+double usual_field_of_view_deg(ViewProjection projection);
 
 //! Number of frames of the whole show; at least one.
 int frame_count(const Show& show);

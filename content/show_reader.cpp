@@ -9,6 +9,7 @@
 
 #include "content/effects_reader.h"
 #include "content/files/toml_table.h"
+#include "content/view_reader.h"
 
 namespace ergodome {
 
@@ -139,18 +140,6 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
     sky.spin_axis_dec_deg = direction.number("dec_deg", sky.spin_axis_dec_deg, -90.0, 90.0);
     direction.refuse_unknown_keys();
   }
-  reader.refuse_unknown_keys();
-}
-
-void read_view(const toml::table& table, const std::string& file, ViewSettings& view) {
-  TomlTable reader(table, file, "view");
-  view.projection =
-      static_cast<ViewProjection>(reader.choice("projection", 0, {"dome", "equirect", "cube", "cylinder", "pinhole"}));
-  const bool flat = view.projection == ViewProjection::pinhole;
-  view.field_of_view_deg = reader.number("fov_deg", flat ? 60.0 : 180.0, 1e-6, flat ? 179.0 : 360.0);
-  view.tilt_deg = reader.number("tilt_deg", 0.0, -180.0, 180.0);
-  view.size_px = reader.integer("size_px", view.size_px, 1, 16384);
-  view.aspect = reader.number("aspect", 1.0, 0.01, 100.0);
   reader.refuse_unknown_keys();
 }
 

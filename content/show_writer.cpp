@@ -68,6 +68,37 @@ toml::table effects_of(const EffectSettings& effects) {
   return table;
 }
 
+toml::table view_of(const ViewSettings& view) {
+  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
+  constexpr const char* lenses[] = {"equidistant", "equisolid", "stereographic", "orthographic", "polynomial"};
+  constexpr const char* files[] = {"cross", "strip", "faces"};
+  toml::table table{{"projection", projections[static_cast<int>(view.projection)]},
+                    {"fov_deg", view.field_of_view_deg},
+                    {"tilt_deg", view.tilt_deg},
+                    {"size_px", view.size_px},
+                    {"aspect", view.aspect},
+                    {"from_outside", view.from_outside}};
+  if (view.projection == ViewProjection::dome) {
+    table.insert("lens", lenses[static_cast<int>(view.lens)]);
+    if (view.lens == LensLaw::polynomial) {
+      const auto& f = view.polynomial;
+      table.insert("polynomial", toml::array{f[0], f[1], f[2], f[3]});
+    }
+    table.insert("truncate", toml::table{{"bottom", view.truncation.bottom}, {"top", view.truncation.top}});
+    table.insert("viewer", vector_of(view.viewer));
+  } else if (view.projection == ViewProjection::cube) {
+    table.insert("cube_layout", files[static_cast<int>(view.cube_files)]);
+  } else if (view.projection == ViewProjection::cylinder) {
+    table.insert("height_deg", view.height_deg);
+  } else if (view.frustum) {
+    table.insert("frustum", toml::table{{"left_deg", view.frustum->left_deg},
+                                        {"right_deg", view.frustum->right_deg},
+                                        {"up_deg", view.frustum->up_deg},
+                                        {"down_deg", view.frustum->down_deg}});
+  }
+  return table;
+}
+
 toml::table tone_of(const ToneSettings& tone) {
   constexpr const char* curves[] = {"shoulder", "reinhard", "filmic", "gamma"};
   toml::table table{{"curve", curves[static_cast<int>(tone.curve)]},
@@ -86,7 +117,6 @@ toml::table tone_of(const ToneSettings& tone) {
 }  // namespace
 
 std::string to_toml(const Show& show) {
-  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
                                      "anaglyph", "dubois",       "rows",       "quad_buffer"};
   constexpr const char* schemes[] = {"conforming", "quadtree"};
@@ -101,7 +131,6 @@ std::string to_toml(const Show& show) {
                          {"camera", camera_of(show.camera)},
                          {"sky", toml::table{{"map", show.sky.map},
                                              {"stars", show.sky.stars},
-
                                              {"faintest_mag", show.sky.faintest_mag},
                                              {"exposure", show.sky.exposure},
                                              {"filter", filters[static_cast<int>(show.sky.filter)]},
@@ -111,11 +140,7 @@ std::string to_toml(const Show& show) {
                                                                        {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
                          {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
                          {"effects", effects_of(show.effects)},
-                         {"view", toml::table{{"projection", projections[static_cast<int>(show.view.projection)]},
-                                              {"fov_deg", show.view.field_of_view_deg},
-                                              {"tilt_deg", show.view.tilt_deg},
-                                              {"size_px", show.view.size_px},
-                                              {"aspect", show.view.aspect}}},
+                         {"view", view_of(show.view)},
                          {"stereo", toml::table{{"layout", layouts[static_cast<int>(show.stereo.layout)]},
                                                 {"model", models[static_cast<int>(show.stereo.model)]},
                                                 {"baseline", show.stereo.baseline},

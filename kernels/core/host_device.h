@@ -2,6 +2,8 @@
 
 //! Marks functions that run on the host and on the device, and names the instruction set that this file is compiled for.
 //!
+//! ERGO_HD_RARE functions hold what few pictures need: on the host they stay functions, so that the others' loops stay short. On a device
+//! a call would take registers from all.
 //! ERGO_HD_CALLED functions stay functions: large ones that are read from several places and are not worth a copy for each.
 //!
 //! Inline code of `kernels/` lives in `ergodome::ERGO_TARGET`, an inline namespace: the same header compiled for AVX-512 and
@@ -9,9 +11,11 @@
 //! processor without it. Plain data that crosses that border lives in `ergodome` itself.
 #if defined(__CUDACC__)
 #define ERGO_HD __host__ __device__ __forceinline__
+#define ERGO_HD_RARE ERGO_HD
 #define ERGO_HD_CALLED inline __host__ __device__ __noinline__
 #else
 #define ERGO_HD inline
+#define ERGO_HD_RARE [[gnu::noinline]] inline
 #define ERGO_HD_CALLED [[gnu::noinline]] inline
 #endif
 

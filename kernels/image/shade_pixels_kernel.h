@@ -172,8 +172,11 @@ struct ShadeHeatMap {
     }
     const Vector3<float> area =
         cross(detail::vector_at(batch.lens.sky_along_x, index), detail::vector_at(batch.lens.sky_along_y, index));
-    // log10 of the solid angle on the sky that one pixel sees; the bar is labelled relative to an undisturbed pixel.
-    return -0.5F * ::log10f(maximum(dot(area, area), 1e-30F));
+    float x_px = 0.0F;
+    float y_px = 0.0F;
+    pixel_middles(batch.projection.width_px, batch.first_row, batch.count, index, x_px, y_px);
+    const float on_screen = pixel_solid_angle(batch.projection, x_px, y_px);
+    return ::log10f(maximum(on_screen, 1e-30F)) - 0.5F * ::log10f(maximum(dot(area, area), 1e-30F));
   }
 
   ERGO_HD void operator()(int index) const {

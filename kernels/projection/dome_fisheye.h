@@ -1,34 +1,32 @@
 #pragma once
 
-#include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
+#include "kernels/projection/lens_law.h"
 
-// The dome's equidistant fisheye (domemaster, AFDI/IMERSA): the circle is inscribed in the square and touches its sides; as seen
+// The dome's fisheye (domemaster, AFDI/IMERSA: there equidistant): the circle is inscribed in the square and touches its sides; as seen
 // from inside, looking up; the front of the dome is at the bottom of the image, right is right.
 namespace ergodome {
 
-//! Parameters of a fisheye image.
+//! Parameters of a fisheye image. Each of its places is one of the dome, a sphere of radius 1 about the middle of the view's axes.
 template <class S>
 struct DomeFisheye {
-  S half_angle;  //!< zenith angle at the rim of the circle [rad], up to π
-  S tilt_sine;   //!< how far the dome's top leans to the front
+  FisheyeLens<S> lens;
+  S tilt_sine;  //!< how far the dome's top leans to the front
   S tilt_cosine;
+  Vector3<S> viewer;        //!< where the dome is seen from, inside it
+  std::int32_t off_centre;  //!< 1 where that is not its middle
+  std::int32_t truncated;   //!< 1 where parts of the square are cut off:
+  S lowest;                 //!< y below which it is black
+  S highest;                //!< y above which it is black
 };
 
 inline namespace ERGO_TARGET {
 
-//! View direction (x right, y up, z back) at image position (x, y), -1 to 1 across the square, y up; unit length.
-//!
-//! Zenith angle = radius · half_angle. Positions outside the circle continue the same map.
+namespace detail {
+//! The place of the dome at image position (x, y), in view axes; its part across the zenith is `outwards` times (x, y).
 template <class T>
-ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, const T& x, const T& y) {
-  using S = ScalarOf<T>;
-  // Far below the resolution of any image, and keeps 0 / 0 away from the centre.
-  const T radius = sqrt(x * x + y * y + S(1e-20));
-  T sine;
-  T cosine;
-  sine_cosine(dome.half_angle * radius, sine, cosine);
-  const T outwards = sine / radius;
+ERGO_HD Vector3<T> tilted_down(const DomeFisheye<ScalarOf<T>>& dome, const T& outwards, const T& cosine, const T& x,
+                               const T& y) {
   const T right = outwards * x;
   const T front = -(outwards * y);
   // The zenith leans to the front, the front goes down.
@@ -36,17 +34,92 @@ ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, 
   const T forward = dome.tilt_sine * cosine + dome.tilt_cosine * front;
   return {right, up, -forward};
 }
+}  // namespace detail
 
-//! Image position of a view direction: the inverse; the antipode of the zenith has no single position.
-ERGO_HD void fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x,
+//! View direction (x right, y up, z back) at image position (x, y), -1 to 1 across the square, y up; unit length.
+//!
+//! Positions outside the circle continue the same map.
+template <class T>
+ERGO_HD Vector3<T> direction_from_fisheye(const DomeFisheye<ScalarOf<T>>& dome, const T& x, const T& y) {
+  using S = ScalarOf<T>;
+  T outwards;
+  T cosine;
+  look_through_lens(dome.lens, x, y, outwards, cosine);
+  const Vector3<T> place = detail::tilted_down(dome, outwards, cosine, x, y);
+  if (dome.off_centre == 0) {
+    return place;
+  }
+  const Vector3<T> way = {place.x - dome.viewer.x, place.y - dome.viewer.y, place.z - dome.viewer.z};
+  return (S(1) / sqrt(dot(way, way))) * way;
+}
+
+//! Whether the dome is what nearly all are: equidistant, seen from its middle.
+template <class S>
+ERGO_HD bool is_plain(const DomeFisheye<S>& dome) {
+  return dome.lens.law == LensLaw::equidistant && dome.off_centre == 0;
+}
+
+//! The same for a plain dome.
+template <class T>
+ERGO_HD Vector3<T> direction_from_plain_fisheye(const DomeFisheye<ScalarOf<T>>& dome, const T& x, const T& y) {
+  T outwards;
+  T cosine;
+  look_through_plain_lens(dome.lens, x, y, outwards, cosine);
+  return detail::tilted_down(dome, outwards, cosine, x, y);
+}
+
+//! The place of the dome that a viewer sees in a direction: where the ray meets the sphere. Both of unit length.
+ERGO_HD Vector3<double> place_on_dome(const DomeFisheye<double>& dome, const Vector3<double>& view) {
+  if (dome.off_centre == 0) {
+    return view;
+  }
+  const double along = dot(dome.viewer, view);
+  const double distance = ::sqrt(along * along + 1.0 - dot(dome.viewer, dome.viewer)) - along;
+  return dome.viewer + distance * view;
+}
+
+//! Image position of a view direction: the inverse. The antipode of the zenith has no single position, and gets one at the front. False
+//! where the lens has no image of it.
+ERGO_HD bool fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x,
                                     double& y) {
-  const double forward = -view.z;
-  const double zenith = dome.tilt_cosine * view.y + dome.tilt_sine * forward;
-  const double front = dome.tilt_cosine * forward - dome.tilt_sine * view.y;
-  const double across = ::sqrt(view.x * view.x + front * front);
-  const double radius = ::atan2(across, zenith) / dome.half_angle;
-  x = across > 0.0 ? radius * view.x / across : 0.0;
-  y = across > 0.0 ? -radius * front / across : 0.0;
+  const Vector3<double> place = place_on_dome(dome, view);
+  const double forward = -place.z;
+  const double zenith = dome.tilt_cosine * place.y + dome.tilt_sine * forward;
+  const double front = dome.tilt_cosine * forward - dome.tilt_sine * place.y;
+  const double across = ::sqrt(place.x * place.x + front * front);
+  double radius = 0.0;
+  if (!lens_radius(dome.lens, zenith, across, radius)) {
+    return false;
+  }
+  x = across > 0.0 ? radius * place.x / across : 0.0;
+  y = across > 0.0 ? -radius * front / across : -radius;
+  return true;
+}
+
+//! Fraction of a pixel that the image covers: 1, falling to 0 across the rim of the circle and along a cut. In pixels from the middle of the
+//! square, y down, which is `half_width` pixels wide each way.
+template <class T>
+ERGO_HD T fisheye_coverage(const DomeFisheye<ScalarOf<T>>& dome, ScalarOf<T> half_width, const T& x, const T& y) {
+  using S = ScalarOf<T>;
+  T inside = (dome.lens.rim * half_width + S(0.5)) - sqrt(x * x + y * y);
+  if (dome.truncated != 0) {
+    const T above_cut = (S(0.5) - dome.lowest * half_width) - y;
+    const T below_cut = (dome.highest * half_width + S(0.5)) + y;
+    inside = minimum(inside, minimum(above_cut, below_cut));
+  }
+  return minimum(maximum(inside, T(S(0))), T(S(1)));
+}
+
+template <class S>
+ERGO_HD DomeFisheye<S> converted_dome(const DomeFisheye<double>& dome) {
+  return {converted_lens<S>(dome.lens),
+          static_cast<S>(dome.tilt_sine),
+          static_cast<S>(dome.tilt_cosine),
+          {static_cast<S>(dome.viewer.x), static_cast<S>(dome.viewer.y), static_cast<S>(dome.viewer.z)},
+          dome.off_centre,
+          dome.truncated,
+          static_cast<S>(dome.lowest),
+          static_cast<S>(dome.highest)};
 }
 
 }  // namespace ERGO_TARGET

@@ -3,14 +3,16 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
 
-// The flat screen: a symmetric frustum.
+// The flat screen: a frustum, symmetric or not, whose screen is square to the view's axis.
 namespace ergodome {
 
 //! Parameters of a pinhole image.
 template <class S>
 struct Pinhole {
-  S half_width;   //!< tangent of half the horizontal field of view
-  S half_height;  //!< tangent of half the vertical field of view
+  S half_width;   //!< half the way on a screen at distance 1, from the left side to the right one
+  S half_height;  //!< half that from the bottom to the top
+  S middle_x;     //!< where the middle of the image lies on that screen, to the right of the axis
+  S middle_y;     //!< and upwards
 };
 
 inline namespace ERGO_TARGET {
@@ -19,8 +21,8 @@ inline namespace ERGO_TARGET {
 template <class T>
 ERGO_HD Vector3<T> direction_from_pinhole(const Pinhole<ScalarOf<T>>& pinhole, const T& x, const T& y) {
   using S = ScalarOf<T>;
-  const T right = pinhole.half_width * x;
-  const T up = pinhole.half_height * y;
+  const T right = pinhole.half_width * x + pinhole.middle_x;
+  const T up = pinhole.half_height * y + pinhole.middle_y;
   const T inverse_length = S(1) / sqrt(right * right + up * up + S(1));
   return {right * inverse_length, up * inverse_length, -inverse_length};
 }
@@ -30,8 +32,8 @@ ERGO_HD bool pinhole_from_direction(const Pinhole<double>& pinhole, const Vector
   if (!(view.z < 0.0)) {
     return false;
   }
-  x = view.x / (-view.z * pinhole.half_width);
-  y = view.y / (-view.z * pinhole.half_height);
+  x = (view.x / -view.z - pinhole.middle_x) / pinhole.half_width;
+  y = (view.y / -view.z - pinhole.middle_y) / pinhole.half_height;
   return true;
 }
 

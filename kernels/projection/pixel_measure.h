@@ -19,17 +19,87 @@ ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T&
   }
 }
 
-//! Solid angle that a pixel spans before the camera [sr]: the area of the two steps to its neighbours.
+//! How the view direction changes per pixel, to the right and downwards.
 template <class T>
-ERGO_HD T pixel_solid_angle(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
+struct PixelSteps {
+  Vector3<T> across;
+  Vector3<T> down;
+};
+
+template <class T>
+ERGO_HD PixelSteps<T> pixel_steps(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
   using D = Dual<T>;
   using S = ScalarOf<T>;
   const T one(S(1));
   const T zero(S(0));
   const Vector3<D> view = direction_from_pixel(projection, D(x_px, one, zero), D(y_px, zero, one));
-  const Vector3<T> area = cross(Vector3<T>{view.x.along_x, view.y.along_x, view.z.along_x},
-                                Vector3<T>{view.x.along_y, view.y.along_y, view.z.along_y});
+  return {{view.x.along_x, view.y.along_x, view.z.along_x}, {view.x.along_y, view.y.along_y, view.z.along_y}};
+}
+
+//! Solid angle that a pixel spans before the camera [sr]: the area of the two steps to its neighbours.
+template <class T>
+ERGO_HD T pixel_solid_angle(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
+  const PixelSteps<T> steps = pixel_steps(projection, x_px, y_px);
+  const Vector3<T> area = cross(steps.across, steps.down);
   return safe_sqrt(dot(area, area));
+}
+
+//! The longer side of a pixel [rad].
+ERGO_HD double pixel_side(const Projection& projection, double x_px, double y_px) {
+  const PixelSteps<double> steps = pixel_steps(projection, x_px, y_px);
+  return ::sqrt(maximum(dot(steps.across, steps.across), dot(steps.down, steps.down)));
+}
+
+//! The angle of a pixel that errors are counted in [rad]: on the axis of a lens, on the horizon of a map, in the middle of a face or a
+//! screen. Of the pixels of most projections it is the largest, too.
+ERGO_HD double pixel_angle(const Projection& projection) {
+  const double width_px = projection.width_px;
+  const FisheyeLens<double>& lens = projection.dome.lens;
+  switch (projection.kind) {
+    case ProjectionKind::dome_fisheye:
+      if (projection.dome.off_centre == 0 && lens.law == LensLaw::equidistant) {
+        return 2.0 * lens.half_angle / width_px;
+      }
+      return pixel_side(projection, 0.5 * width_px, 0.5 * projection.height_px);
+    case ProjectionKind::equirectangular:
+      return 6.28318530717958647692 / width_px;
+    case ProjectionKind::cube:
+      return 2.0 * cube_columns(projection.cube.layout) / width_px;
+    case ProjectionKind::cylinder:
+      return 2.0 * projection.cylinder.half_azimuth / width_px;
+    case ProjectionKind::pinhole:
+      break;
+  }
+  return 2.0 * projection.pinhole.half_width / width_px;
+}
+
+//! The largest angle that a pixel of the image spans along a side [rad]. Lenses are asked along sixteen lines to their rims, where those that
+//! crowd them have it.
+ERGO_HD double largest_pixel_angle(const Projection& projection) {
+  constexpr int lines = 16;
+  constexpr int places = 32;
+  double largest = pixel_angle(projection);
+  if (projection.kind == ProjectionKind::cylinder) {
+    return maximum(largest, 2.0 * projection.cylinder.half_height / projection.height_px);
+  }
+  if (projection.kind == ProjectionKind::pinhole) {
+    return maximum(largest, 2.0 * projection.pinhole.half_height / projection.height_px);
+  }
+  const bool even = projection.dome.off_centre == 0 && projection.dome.lens.law == LensLaw::equidistant;
+  if (projection.kind != ProjectionKind::dome_fisheye || even) {
+    return largest;
+  }
+  const double middle = 0.5 * projection.width_px;
+  // The middles of the outermost pixels lie half a pixel within the rim.
+  const double rim = maximum(projection.dome.lens.rim * middle - 0.5, 0.0);
+  for (int line = 0; line < lines; ++line) {
+    const double turn = 6.28318530717958647692 * line / lines;
+    for (int place = 0; place <= places; ++place) {
+      const double radius = rim * place / places;
+      largest = maximum(largest, pixel_side(projection, middle + radius * ::cos(turn), middle + radius * ::sin(turn)));
+    }
+  }
+  return largest;
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

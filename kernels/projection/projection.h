@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "kernels/projection/cube_faces.h"
+#include "kernels/projection/cylinder.h"
 #include "kernels/projection/dome_fisheye.h"
 #include "kernels/projection/equirectangular.h"
 #include "kernels/projection/pinhole.h"
@@ -9,15 +11,18 @@
 namespace ergodome {
 
 //! The ways to put the sky on an image.
-enum class ProjectionKind : std::int32_t { dome_fisheye, equirectangular, pinhole };
+enum class ProjectionKind : std::int32_t { dome_fisheye, equirectangular, cube, cylinder, pinhole };
 
-//! A projection with its image size.
+//! A projection with its image size; of the kinds' own parameters those of `kind` count.
 template <class S>
 struct ProjectionOf {
   ProjectionKind kind;
   int width_px;
   int height_px;
+  S left;  //!< x of the left side: -1, and 1 in a picture as seen from outside, which is the mirror image
   DomeFisheye<S> dome;
+  CubePicture cube;
+  Cylinder<S> cylinder;
   Pinhole<S> pinhole;
 };
 
@@ -25,97 +30,116 @@ using Projection = ProjectionOf<double>;
 
 inline namespace ERGO_TARGET {
 
-//! A domemaster of the given full field of view, its top leaning to the front by `tilt` [rad].
-ERGO_HD Projection make_dome_projection(int size_px, double field_of_view, double tilt) {
-  return {ProjectionKind::dome_fisheye, size_px, size_px, {0.5 * field_of_view, ::sin(tilt), ::cos(tilt)}, {1.0, 1.0}};
-}
-
-ERGO_HD Projection make_equirectangular_projection(int width_px, int height_px) {
-  return {ProjectionKind::equirectangular, width_px, height_px, {1.0, 0.0, 1.0}, {1.0, 1.0}};
-}
-
-//! A flat screen of the given horizontal field of view [rad], below π, with square pixels.
-ERGO_HD Projection make_pinhole_projection(int width_px, int height_px, double field_of_view) {
-  const double half_width = ::tan(0.5 * field_of_view);
-  return {
-      ProjectionKind::pinhole, width_px, height_px, {1.0, 0.0, 1.0}, {half_width, half_width * height_px / width_px}};
-}
-
 //! The same projection for kernels that work in another precision.
 template <class S>
 ERGO_HD ProjectionOf<S> converted_projection(const Projection& p) {
   return {p.kind,
           p.width_px,
           p.height_px,
-          {static_cast<S>(p.dome.half_angle), static_cast<S>(p.dome.tilt_sine), static_cast<S>(p.dome.tilt_cosine)},
-          {static_cast<S>(p.pinhole.half_width), static_cast<S>(p.pinhole.half_height)}};
+          static_cast<S>(p.left),
+          converted_dome<S>(p.dome),
+          p.cube,
+          {static_cast<S>(p.cylinder.half_azimuth), static_cast<S>(p.cylinder.middle_height),
+           static_cast<S>(p.cylinder.half_height)},
+          {static_cast<S>(p.pinhole.half_width), static_cast<S>(p.pinhole.half_height),
+           static_cast<S>(p.pinhole.middle_x), static_cast<S>(p.pinhole.middle_y)}};
 }
+
+//! Position (x, y) in the image of a pixel position: -1 to 1 across width and height, y up, x to the right for a viewer inside.
+template <class T>
+ERGO_HD void image_position(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px, T& x, T& y) {
+  using S = ScalarOf<T>;
+  x = x_px * (projection.left * (S(-2) / static_cast<S>(projection.width_px))) + projection.left;
+  y = S(1) - y_px * (S(2) / static_cast<S>(projection.height_px));
+}
+
+namespace detail {
+//! View direction at a position in the image, for every projection.
+template <class T>
+ERGO_HD_RARE Vector3<T> direction_from_position(const ProjectionOf<ScalarOf<T>>& projection, const T& x, const T& y) {
+  switch (projection.kind) {
+    case ProjectionKind::dome_fisheye:
+      return direction_from_fisheye(projection.dome, x, y);
+    case ProjectionKind::equirectangular:
+      return direction_from_equirectangular(x, y);
+    case ProjectionKind::cube:
+      return direction_from_cube(projection.cube, x, y);
+    case ProjectionKind::cylinder:
+      return direction_from_cylinder(projection.cylinder, x, y);
+    case ProjectionKind::pinhole:
+      break;
+  }
+  return direction_from_pinhole(projection.pinhole, x, y);
+}
+}  // namespace detail
 
 //! View direction (x right, y up, z back; unit length) at a pixel position: (0.5, 0.5) is the middle of the top left pixel.
 //!
 //! With dual numbers that carry d/dx_px and d/dy_px (y downwards), the result carries the exact derivatives per pixel.
 template <class T>
 ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
-  using S = ScalarOf<T>;
-  const T x = x_px * (S(2) / static_cast<S>(projection.width_px)) - S(1);
-  const T y = S(1) - y_px * (S(2) / static_cast<S>(projection.height_px));
-  switch (projection.kind) {
-    case ProjectionKind::dome_fisheye:
-      return direction_from_fisheye(projection.dome, x, y);
-    case ProjectionKind::equirectangular:
-      return direction_from_equirectangular(x, y);
-    case ProjectionKind::pinhole:
-      break;
+  T x;
+  T y;
+  image_position(projection, x_px, y_px, x, y);
+  if (projection.kind == ProjectionKind::dome_fisheye && is_plain(projection.dome)) {
+    return direction_from_plain_fisheye(projection.dome, x, y);
   }
-  return direction_from_pinhole(projection.pinhole, x, y);
+  return detail::direction_from_position(projection, x, y);
 }
 
-//! Pixel position of a view direction: the inverse. False where the projection has none: beside and behind a flat screen.
+//! Pixel position of a view direction: the inverse. False where the projection has none: beside and behind a flat screen, straight up from
+//! a cylinder, beyond the end of a lens' law.
 ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<double>& view, double& x_px,
                                   double& y_px) {
   double x = 0.0;
   double y = 0.0;
+  bool exists = true;
   switch (projection.kind) {
     case ProjectionKind::dome_fisheye:
-      fisheye_from_direction(projection.dome, view, x, y);
+      exists = fisheye_from_direction(projection.dome, view, x, y);
       break;
     case ProjectionKind::equirectangular:
       equirectangular_from_direction(view, x, y);
       break;
+    case ProjectionKind::cube:
+      exists = cube_from_direction(projection.cube, view, x, y);
+      break;
+    case ProjectionKind::cylinder:
+      exists = cylinder_from_direction(projection.cylinder, view, x, y);
+      break;
     case ProjectionKind::pinhole:
-      if (!pinhole_from_direction(projection.pinhole, view, x, y)) {
-        return false;
-      }
+      exists = pinhole_from_direction(projection.pinhole, view, x, y);
+      break;
   }
-  x_px = 0.5 * (x + 1.0) * projection.width_px;
+  x_px = 0.5 * (1.0 - projection.left * x) * projection.width_px;
   y_px = 0.5 * (1.0 - y) * projection.height_px;
-  return true;
+  return exists;
 }
 
-//! Fraction of a pixel that the image covers: 1, but for a fisheye falling to 0 across the rim of its circle.
+//! Fraction of a pixel that the image covers: 1, but for a fisheye falling to 0 across the rim of its circle, and 0 beside a cube's faces.
+//! Pixels without are black and are not traced.
 template <class T>
 ERGO_HD T image_coverage(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
   using S = ScalarOf<T>;
-  if (projection.kind != ProjectionKind::dome_fisheye) {
-    return T(S(1));
+  if (projection.kind == ProjectionKind::dome_fisheye) {
+    const S half_width = S(0.5) * static_cast<S>(projection.width_px);
+    return fisheye_coverage<T>(projection.dome, half_width, x_px - half_width,
+                               y_px - S(0.5) * static_cast<S>(projection.height_px));
   }
-  const S half_width = S(0.5) * static_cast<S>(projection.width_px);
-  const T x = x_px - half_width;
-  const T y = y_px - S(0.5) * static_cast<S>(projection.height_px);
-  return minimum(maximum((half_width + S(0.5)) - sqrt(x * x + y * y), T(S(0))), T(S(1)));
+  if (projection.kind == ProjectionKind::cube) {
+    T x;
+    T y;
+    image_position(projection, x_px, y_px, x, y);
+    return cube_coverage(projection.cube, x, y);
+  }
+  return T(S(1));
 }
 
-//! The largest angle that one pixel spans [rad], roughly: the middle of the image has it in every projection here.
-ERGO_HD double pixel_angle(const Projection& projection) {
-  switch (projection.kind) {
-    case ProjectionKind::dome_fisheye:
-      return 2.0 * projection.dome.half_angle / projection.width_px;
-    case ProjectionKind::equirectangular:
-      return 6.28318530717958647692 / projection.width_px;
-    case ProjectionKind::pinhole:
-      break;
-  }
-  return 2.0 * projection.pinhole.half_width / projection.width_px;
+//! Whether the right side of the image meets the left one: what goes out on one side comes in on the other.
+template <class S>
+ERGO_HD bool wraps_around(const ProjectionOf<S>& projection) {
+  return projection.kind == ProjectionKind::equirectangular ||
+         (projection.kind == ProjectionKind::cylinder && projection.cylinder.half_azimuth > S(3.1415926));
 }
 
 }  // namespace ERGO_TARGET

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "kernels/launch/parallel_for.h"
-#include "kernels/launch/work_counter.h"
 
 namespace ergodome {
 
@@ -169,8 +168,6 @@ void add_bloom(Picture& picture, const BloomSettings& settings) {
   if (!(settings.strength > 0.0) || !(settings.radius_px > 0.0) || most_levels == 0) {
     return;
   }
-  static WorkCounter counter("add_bloom");
-  const WorkScope work(counter, static_cast<long>(picture.width) * picture.height);
   const std::vector<double> parts = level_parts(settings.radius_px * settings.radius_px, most_levels);
   std::vector<Level> levels = {{picture.width, picture.height, picture.rgba.data()}};
   std::vector<std::vector<float>> pixels;

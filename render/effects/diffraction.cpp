@@ -178,24 +178,24 @@ DiffractionPattern load_diffraction_pattern(const std::filesystem::path& path) {
 }
 
 void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
-                     int width, int height, float* rgba) {
+                     const PixelBlock& block) {
   const int size = pattern.size_px;
   const double left = x_px - 0.5 * size;
   const double top = y_px - 0.5 * size;
   // False for places that are not finite as well.
-  if (!(left > -size - 1.0 && left < width && top > -size - 1.0 && top < height)) {
+  if (!(left > block.first_column - size - 1.0 && left < block.end_column && top > -size - 1.0 && top < block.height)) {
     return;
   }
   for (int y = 0; y < size; ++y) {
     for_covered(top + y, [&](int row, float down) {
-      if (row < 0 || row >= height) {
+      if (row < 0 || row >= block.height) {
         return;
       }
-      float* to = rgba + 4 * static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+      float* to = block.rgba + 4 * static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width);
       const float* from = pattern.rgb.data() + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(size);
       for_covered(left, [&](int column, float across) {
         const float part = down * across;
-        for (int x = std::max(0, -column); x < std::min(size, width - column); ++x) {
+        for (int x = std::max(0, block.first_column - column); x < std::min(size, block.end_column - column); ++x) {
           to[4 * (column + x)] += part * light.x * from[3 * x];
           to[4 * (column + x) + 1] += part * light.y * from[3 * x + 1];
           to[4 * (column + x) + 2] += part * light.z * from[3 * x + 2];

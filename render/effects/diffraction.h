@@ -27,12 +27,26 @@ DiffractionPattern diffraction_pattern(const ApertureSettings& settings);
 //! is larger than 1025 px, not finite, or black in a channel.
 DiffractionPattern load_diffraction_pattern(const std::filesystem::path& path);
 
-//! Adds the pattern of a point of light to a picture in host memory: four floats a pixel, linear light; coverage stays.
+//! Rows of a picture in host memory, four floats a pixel, linear light, of which some columns are drawn to.
+struct PixelBlock {
+  int width;         //!< pixels in a row
+  int height;        //!< rows; none where it is not above 0
+  int first_column;  //!< drawn to, up to before `end_column`
+  int end_column;
+  float* rgba;  //!< the first row
+};
+
+//! Adds the pattern of a point of light to a block of pixels; coverage stays.
 //!
-//! (x_px, y_px) is the point's place, (0.5, 0.5) the middle of the first pixel; the pattern is placed bilinearly between pixels. The
-//! light added is `light` [picture value times pixels], less what falls beside the picture. A block of rows is a picture of its own, with
-//! y_px counted from its first row. A place that is not finite adds nothing.
+//! (x_px, y_px) is the point's place, (0.5, 0.5) the middle of the block's first pixel; the pattern is placed bilinearly between pixels. The
+//! light added is `light` [picture value times pixels], less what falls beside the block. A place that is not finite adds nothing.
 void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
-                     int width, int height, float* rgba);
+                     const PixelBlock& block);
+
+//! The same for the whole of a picture's rows.
+inline void add_diffraction(const DiffractionPattern& pattern, double x_px, double y_px, const Vector3<float>& light,
+                            int width, int height, float* rgba) {
+  add_diffraction(pattern, x_px, y_px, light, {width, height, 0, width, rgba});
+}
 
 }  // namespace ergodome

@@ -5,7 +5,7 @@
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
-#include "render/effects/bloom.h"
+#include "render/effects/bloom_across_seams.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {
@@ -16,16 +16,14 @@ namespace {
 constexpr int block_pixels = 1 << 20;
 
 //! The ends of the colour bar in the kernel's own measure of a channel (kernels/image/shade_pixels_kernel.h).
-void set_kernel_range(ShadeBatch& batch, const HeatRange& range, double pixel_solid_angle) {
+void set_kernel_range(ShadeBatch& batch, const HeatRange& range) {
   const auto measure = [&](double value) {
     switch (batch.mode) {
       case ViewMode::error_estimate:
+      case ViewMode::magnification:
         return std::log10(value);
       case ViewMode::frequency_ratio:
         return std::log2(value);
-      case ViewMode::magnification:
-        // The kernel has -½ log10 of the squared solid angle on the sky: magnification times the pixel's own solid angle.
-        return std::log10(value) - std::log10(pixel_solid_angle);
       default:
         return value;
     }
@@ -150,8 +148,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
                    rgba_.data(),
                    0};
   if (settings.mode != ViewMode::sky) {
-    const double pixel = pixel_angle(projection);
-    set_kernel_range(shade, heat_range(settings.mode), pixel * pixel);
+    set_kernel_range(shade, heat_range(settings.mode));
   }
   return shade;
 }
@@ -225,7 +222,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
                                                [](float e) { return e < 0.0F; });
   }
   if (settings.bloom) {
-    add_bloom(picture, *settings.bloom);
+    add_bloom(picture, projection, *settings.bloom);
   }
   if (settings.clear_outside) {
     clear_outside(projection, picture);

@@ -14,7 +14,6 @@ namespace {
 //! Of the camera's way past the hole, in which images of stars are followed [rad].
 constexpr double longest_trail_step = 0.02;
 constexpr int most_trail_steps = 32;
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 //! Both pictures in one: `columns` 2 side by side, 1 on top of each other.
 Picture joined(const Picture& first, const Picture& second, int columns) {
@@ -36,20 +35,18 @@ Picture joined(const Picture& first, const Picture& second, int columns) {
   return whole;
 }
 
-}  // namespace
-
-Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg) {
-  const double field_of_view = degree * (field_of_view_deg > 0.0 ? field_of_view_deg : view.field_of_view_deg);
-  switch (view.projection) {
-    case ViewProjection::equirect:
-      return make_equirectangular_projection(width_px, std::max(width_px / 2, 1));
-    case ViewProjection::pinhole:
-      return make_pinhole_projection(
-          width_px, std::clamp(static_cast<int>(std::lround(width_px / view.aspect)), 1, 16384), field_of_view);
-    default:
-      return make_dome_projection(width_px, field_of_view, degree * view.tilt_deg);
+std::vector<FrameImage> cut_into_faces(const std::vector<FrameImage>& strips, const Projection& projection) {
+  std::vector<FrameImage> images;
+  for (const FrameImage& strip : strips) {
+    auto faces = cube_face_pictures(strip.picture, projection);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      images.push_back({strip.part, std::move(faces[i]), static_cast<CubeFace>(i)});
+    }
   }
+  return images;
 }
+
+}  // namespace
 
 void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
   const auto other = [&](const char* what) {
@@ -189,7 +186,7 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
     images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode, moment)});
   }
   expose(images, time_s);
-  return images;
+  return has_face_files(show_.view) ? cut_into_faces(images, projection) : std::move(images);
 }
 
 }  // namespace ergodome

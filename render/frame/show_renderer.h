@@ -8,7 +8,9 @@
 
 #include "content/camera_path.h"
 #include "content/show.h"
+#include "render/frame/cube_pictures.h"
 #include "render/frame/eye_renderer.h"
+#include "render/frame/view_projection.h"
 #include "render/output/auto_exposure.h"
 #include "render/plan/frame_needs.h"
 #include "render/sky/show_sky.h"
@@ -22,6 +24,7 @@ enum class FramePart { whole, left, right };
 struct FrameImage {
   FramePart part = FramePart::whole;
   Picture picture;
+  std::optional<CubeFace> face{};  //!< which face of a cube it is, where each has a file
 };
 
 //! What a person may choose beside the show.
@@ -39,7 +42,8 @@ class ShowRenderer {
   ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
                std::shared_ptr<StationStream> stream = nullptr);
 
-  //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`).
+  //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`); six of each where
+  //! the faces of a cube have files of their own.
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
   //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (`separate` side by side). `moment` says
@@ -85,9 +89,6 @@ class ShowRenderer {
   std::optional<AutoExposure> exposure_;
   double last_clock_s_ = 0.0;
 };
-
-//! The projection of a show's view at a width.
-Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg);
 
 //! Throws Error unless a trajectory was baked along the show's camera path, for its hole.
 void require_path_of(const Show& show, const TrajectoryReader& trajectory);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/projection/pixel_measure.h"
+
 namespace ergodome {
 
 namespace {
@@ -34,7 +36,7 @@ DirectLens::DirectLens(Backend backend, const EyeCamera& eye, const Projection& 
     : backend_(backend),
       edge_(backend, station_of(eye), edge_points),
       prototype_(pixel_batch(eye, projection, tolerance_px)) {
-  const double pixel = pixel_angle(projection);
+  const double pixel = largest_pixel_angle(projection);
   prototype_.edge = edge_.view();
   const double inner = static_cast<double>(prototype_.edge.smallest) - 2.0 * pixel;
   const double outer = static_cast<double>(prototype_.edge.largest) + 2.0 * pixel;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kernels/projection/pixel_measure.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/lens_choice.h"
 #include "render/lens/quadtree_source.h"

@@ -5,7 +5,7 @@
 namespace ergodome {
 
 std::filesystem::path frame_path(const std::string& name, int index, int frames_in_show, FramePart part,
-                                 const std::string& ending) {
+                                 const std::string& ending, std::optional<CubeFace> face) {
   constexpr int frames_a_folder = 10'000;
   std::filesystem::path path;
   if (part != FramePart::whole) {
@@ -16,7 +16,8 @@ std::filesystem::path frame_path(const std::string& name, int index, int frames_
     const int last = first + frames_a_folder - 1;
     path /= fmt::format("{}_{:06}_{:03},{:03}", name, first, last / 1000, last % 1000);
   }
-  return path / fmt::format("{}_{:06}.{}", name, index + 1, ending);
+  const std::string face_name = face ? cube_face_name(*face) : std::string();
+  return path / fmt::format("{}_{:06}{}{}.{}", name, index + 1, face ? "_" : "", face_name, ending);
 }
 
 }  // namespace ergodome

@@ -10,6 +10,7 @@
 #include "render/plan/frame_needs.h"
 #include "render/sky/column_sums.h"
 #include "render/stars/blackbody_colours.h"
+#include "render/stars/picture_sheets.h"
 
 namespace ergodome {
 
@@ -28,6 +29,10 @@ class Planner {
     block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
     blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
     channels_ = lens_channels(request.mode, needs_.shading);
+    for (const PictureSheet& sheet : picture_sheets(projection)) {
+      ++gathers_;
+      gathered_pixels_ += static_cast<long>(sheet.cell.width_px) * sheet.cell.height_px;
+    }
   }
 
   FramePlan plan() {
@@ -186,7 +191,8 @@ class Planner {
   void plan_stars() {
     const std::string stars = why("sky.stars");
     if (needs_.gather) {
-      pass("gather_stars", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, why("stars.method"));
+      pass("gather_stars", WorkMoment::picture, plan_.eyes * gathers_, plan_.eyes * gathered_pixels_,
+           why("stars.method"));
       pass("trace_rays, double", WorkMoment::picture, 0, 0, why("stars.method"));
     } else {
       plan_grid(stars, false);
@@ -229,6 +235,8 @@ class Planner {
   LensChannels channels_;
   FramePlan plan_;
   long pixels_;
+  long gathers_ = 0;          //!< a face of a cube each
+  long gathered_pixels_ = 0;  //!< of all of them
   int block_rows_;
   int blocks_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/launch/launch.h"
+#include "kernels/projection/pixel_measure.h"
 
 namespace ergodome {
 

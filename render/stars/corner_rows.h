@@ -25,7 +25,7 @@ class CornerRows {
 
   //! Number of the corner at the top left of a pixel: the right rim of a full turn is its left one.
   [[nodiscard]] int number(int row, int column) const {
-    const bool turned = projection_.kind == ProjectionKind::equirectangular && column == projection_.width_px;
+    const bool turned = wraps_around(projection_) && column == projection_.width_px;
     return (row - first_row_) * (projection_.width_px + 1) + (turned ? 0 : column);
   }
 

@@ -8,7 +8,9 @@
 #include "content/sky_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
+#include "kernels/projection/pixel_measure.h"
 #include "render/plan/frame_needs.h"
+#include "render/stars/picture_sheets.h"
 
 namespace ergodome {
 
@@ -84,10 +86,21 @@ const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSe
   return turned_.front();
 }
 
+std::vector<StarImage> StarPass::gathered_images(const EyeCamera& eye, const Projection& projection,
+                                                 const StarSettings& settings) const {
+  std::vector<StarImage> images;
+  for (const PictureSheet& sheet : picture_sheets(projection)) {
+    const auto stars = gather_stars(field_, *tree_, colours_.view(), eye, sheet.projection, settings).stars;
+    const std::vector<StarImage> on_sheet = star_images(stars, eye, sheet.projection);
+    images.insert(images.end(), on_sheet.begin(), on_sheet.end());
+  }
+  return images;
+}
+
 std::vector<StarImage> StarPass::images(const EyeCamera& eye, const Projection& projection,
                                         const StarSettings& settings) {
   if (tree_) {
-    return star_images(gather_stars(field_, *tree_, colours_.view(), eye, projection, settings).stars, eye, projection);
+    return gathered_images(eye, projection, settings);
   }
   const Turned& turned = patches_for(eye, settings);
   return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
@@ -104,7 +117,7 @@ std::vector<StarPoint> StarPass::find(const EyeCamera& eye, const Projection& pr
   // Trails may come in from anywhere.
   if (!shutter) {
     const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
-    settings.view = view_cone(eye, projection, view_margin + reach_px * settings.pixel);
+    settings.view = view_cone(eye, projection, view_margin + reach_px * largest_pixel_angle(projection));
   }
   const std::vector<StarImage> found = images(eye, projection, settings);
   if (!shutter) {
@@ -126,18 +139,23 @@ void StarPass::draw_spikes(const std::vector<StarPoint>& points, const Projectio
   static WorkCounter counter("draw_spikes");
   const WorkScope work(counter, static_cast<long>(points.size()));
   const int width = projection.width_px;
-  const bool wraps = projection.kind == ProjectionKind::equirectangular;
+  const bool wraps = wraps_around(projection);
+  const std::vector<PictureSheet> sheets = picture_sheets(projection);
   constexpr int band = 64;
   parallel_for((row_count + band - 1) / band, 1, [&](int begin, int end) {
     const int top = begin * band;
     const int rows = std::min(end * band, row_count) - top;
-    float* const to = rgba + 4 * static_cast<std::size_t>(top) * static_cast<std::size_t>(width);
     for (const StarPoint& point : points) {
-      if (point.spikes.x + point.spikes.y + point.spikes.z > 0.0F) {
-        const double y = point.y_px - (first_row + top);
-        for (int turn = wraps ? -1 : 0; turn <= (wraps ? 1 : 0); ++turn) {
-          add_diffraction(*spikes_, point.x_px + turn * width, y, point.spikes, width, rows, to);
-        }
+      if (!(point.spikes.x + point.spikes.y + point.spikes.z > 0.0F)) {
+        continue;
+      }
+      const PixelCell& cell = sheets[static_cast<std::size_t>(point.sheet)].cell;
+      const int first = std::max(first_row + top, cell.top_px);
+      const int count = std::min(first_row + top + rows, cell.top_px + cell.height_px) - first;
+      const PixelBlock block = {width, count, cell.left_px, cell.left_px + cell.width_px,
+                                rgba + 4 * static_cast<std::ptrdiff_t>(first - first_row) * width};
+      for (int turn = wraps ? -1 : 0; turn <= (wraps ? 1 : 0); ++turn) {
+        add_diffraction(*spikes_, point.x_px + turn * width, point.y_px - first, point.spikes, block);
       }
     }
   });

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "kernels/core/dual.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/stars/picture_sheets.h"
 
 namespace ergodome {
 
@@ -18,15 +19,6 @@ constexpr int widest_px = 60;
 constexpr int band_rows = 32;
 //! A line across a whole dome of 4k.
 constexpr int most_line_points = 8192;
-
-//! Solid angle of the pixel at a place in the image.
-double pixel_solid_angle(const Projection& projection, double x_px, double y_px) {
-  using D = Dual<double>;
-  const Vector3<D> n = direction_from_pixel(projection, D(x_px, 1.0, 0.0), D(y_px, 0.0, 1.0));
-  const Vector3<double> area = cross(Vector3<double>{n.x.along_x, n.y.along_x, n.z.along_x},
-                                     Vector3<double>{n.x.along_y, n.y.along_y, n.z.along_y});
-  return std::sqrt(dot(area, area));
-}
 
 //! Parts of a Gaussian that fall on neighbouring pixels, from pixel `first` on; they add up to 1.
 struct Spread {
@@ -53,23 +45,25 @@ struct Spread {
   }
 };
 
-//! Adds the pixels of one image that lie in rows [top, bottom); `rgba` begins at row `origin`.
-void add(const StarPoint& splat, const Projection& projection, const SplatSettings& settings, int top, int bottom,
-         int origin, float* rgba) {
+//! Adds the pixels of one image that lie in rows [top, bottom) and in a cell of the picture; `rgba` begins at row `origin`.
+void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
+         int top, int bottom, int origin, float* rgba) {
   const double reach = settings.reach_px() - 1.0;
   const Spread across(splat.x_px, settings.sigma_px, reach);
   const Spread down(splat.y_px, settings.sigma_px, reach);
-  const bool wraps = projection.kind == ProjectionKind::equirectangular;
+  const bool wraps = wraps_around(projection);
   const int width = projection.width_px;
+  const int first_row = std::max(top, cell.top_px);
+  const int end_row = std::min(bottom, cell.top_px + cell.height_px);
   for (int j = 0; j < down.count; ++j) {
     const int y = down.first + j;
-    if (y < top || y >= bottom) {
+    if (y < first_row || y >= end_row) {
       continue;
     }
     for (int i = 0; i < across.count; ++i) {
       int x = across.first + i;
       x = wraps ? ((x % width) + width) % width : x;
-      if (x < 0 || x >= width) {
+      if (x < cell.left_px || x >= cell.left_px + cell.width_px) {
         continue;
       }
       const double inside = image_coverage(projection, x + 0.5, y + 0.5);
@@ -105,30 +99,34 @@ bool has_spikes(const Vector3<float>& illuminance, const SplatSettings& settings
   return 0.2126729F * illuminance.x + 0.7151522F * illuminance.y + 0.0721750F * illuminance.z >= settings.spikes_from;
 }
 
-//! Adds points on the screen.
+//! Adds points on a sheet of the screen; places are the sheet's own.
 class PointList {
  public:
-  PointList(const Projection& projection, const SplatSettings& settings, std::vector<StarPoint>& points)
-      : projection_(projection), settings_(settings), points_(points) {}
+  PointList(const PictureSheet& sheet, int number, const SplatSettings& settings, std::vector<StarPoint>& points)
+      : sheet_(sheet), number_(number), wraps_(wraps_around(sheet.projection)), settings_(settings), points_(points) {}
 
   void add(double x, double y, const Vector3<float>& illuminance, bool has_spikes) {
-    if (projection_.kind == ProjectionKind::equirectangular) {
-      x -= projection_.width_px * std::floor(x / projection_.width_px);
+    const Projection& projection = sheet_.projection;
+    if (wraps_) {
+      x -= projection.width_px * std::floor(x / projection.width_px);
     }
-    const double reach = has_spikes ? std::max(settings_.reach_px(), settings_.spike_reach_px) : settings_.reach_px();
-    if (is_near_picture(projection_, x, y, reach)) {
-      const double solid_angle = pixel_solid_angle(projection_, x, y);
+    if (is_near_picture(projection, x, y, reach_px(has_spikes))) {
+      const double solid_angle = pixel_solid_angle(projection, x, y);
       const Vector3<float> light = (settings_.scale / static_cast<float>(std::max(solid_angle, 1e-12))) * illuminance;
       const float part = has_spikes ? settings_.spike_strength : 0.0F;
-      points_.push_back({x, y, (1.0F - part) * light, part * light});
+      points_.push_back(
+          {x + sheet_.cell.left_px, y + sheet_.cell.top_px, (1.0F - part) * light, part * light, number_});
     }
   }
 
   //! Light spread evenly along a line, at points that are half a pixel apart at the most.
   void add_line(const double (&from)[2], const double (&to)[2], const Vector3<float>& illuminance, bool has_spikes) {
+    if (passes_by(from, to, reach_px(has_spikes))) {
+      return;
+    }
     double way[2] = {to[0] - from[0], to[1] - from[1]};
-    if (projection_.kind == ProjectionKind::equirectangular) {
-      way[0] -= projection_.width_px * std::round(way[0] / projection_.width_px);
+    if (wraps_) {
+      way[0] -= sheet_.projection.width_px * std::round(way[0] / sheet_.projection.width_px);
     }
     const int count = std::clamp(static_cast<int>(std::ceil(2.0 * std::hypot(way[0], way[1]))), 1, most_line_points);
     for (int i = 0; i < count; ++i) {
@@ -138,10 +136,59 @@ class PointList {
   }
 
  private:
-  const Projection& projection_;
+  [[nodiscard]] double reach_px(bool has_spikes) const {
+    return has_spikes ? std::max(settings_.reach_px(), settings_.spike_reach_px) : settings_.reach_px();
+  }
+
+  //! Whether a line lies beside the sheet, all of it on one side: on a plane far from its middle lines get as long as one likes.
+  [[nodiscard]] bool passes_by(const double (&from)[2], const double (&to)[2], double reach) const {
+    const auto beside = [&](int axis, double size) {
+      return std::max(from[axis], to[axis]) < -reach || std::min(from[axis], to[axis]) > size + reach;
+    };
+    return !wraps_ && (beside(0, sheet_.projection.width_px) || beside(1, sheet_.projection.height_px));
+  }
+
+  const PictureSheet& sheet_;
+  int number_;
+  bool wraps_;
   const SplatSettings& settings_;
   std::vector<StarPoint>& points_;
 };
+
+//! Calls body(sheet's projection, list) for each sheet of a picture; returns the points from the top down.
+template <class Body>
+std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, const Body& body) {
+  std::vector<StarPoint> points;
+  const std::vector<PictureSheet> sheets = picture_sheets(projection);
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    PointList list(sheets[i], static_cast<int>(i), settings, points);
+    body(sheets[i].projection, list);
+  }
+  std::ranges::stable_sort(points, {}, &StarPoint::y_px);
+  return points;
+}
+
+void add_trails(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
+                const SplatSettings& settings, PointList& list) {
+  const float part = 1.0F / static_cast<float>(std::max(trails.places - 1, 1));
+  for (std::size_t i = 0; i < trails.ways.size(); ++i) {
+    const StarTrails::Way& way = trails.ways[i];
+    double before[2] = {};
+    bool was_seen = false;
+    for (int at = way.first; at <= way.last; ++at) {
+      const Vector3<float>& direction =
+          trails.directions[i * static_cast<std::size_t>(trails.places) + static_cast<std::size_t>(at)];
+      double here[2] = {};
+      const bool seen =
+          place_on_screen(direction, shutter.eyes[static_cast<std::size_t>(at)], projection, here[0], here[1]);
+      if (seen && was_seen) {
+        list.add_line(before, here, part * way.illuminance, has_spikes(way.illuminance, settings));
+      }
+      was_seen = seen;
+      std::copy_n(here, 2, before);
+    }
+  }
+}
 
 }  // namespace
 
@@ -162,50 +209,29 @@ SplatSettings scaled_to(const SplatSettings& settings, const Projection& project
 
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
                                    const Projection& projection, const SplatSettings& settings) {
-  std::vector<StarPoint> points;
-  points.reserve(images.size());
-  PointList list(projection, settings, points);
-  for (const StarImage& image : images) {
-    double x = 0.0;
-    double y = 0.0;
-    if (place_on_screen(image.direction, eye, projection, x, y)) {
-      list.add(x, y, image.illuminance, has_spikes(image.illuminance, settings));
+  return points_on_sheets(projection, settings, [&](const Projection& sheet, PointList& list) {
+    for (const StarImage& image : images) {
+      double x = 0.0;
+      double y = 0.0;
+      if (place_on_screen(image.direction, eye, sheet, x, y)) {
+        list.add(x, y, image.illuminance, has_spikes(image.illuminance, settings));
+      }
     }
-  }
-  std::ranges::stable_sort(points, {}, &StarPoint::y_px);
-  return points;
+  });
 }
 
 std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
                                     const SplatSettings& settings) {
-  std::vector<StarPoint> points;
-  PointList list(projection, settings, points);
-  const float part = 1.0F / static_cast<float>(std::max(trails.places - 1, 1));
-  for (std::size_t i = 0; i < trails.ways.size(); ++i) {
-    const StarTrails::Way& way = trails.ways[i];
-    double before[2] = {};
-    bool was_seen = false;
-    for (int at = way.first; at <= way.last; ++at) {
-      const Vector3<float>& direction =
-          trails.directions[i * static_cast<std::size_t>(trails.places) + static_cast<std::size_t>(at)];
-      double here[2] = {};
-      const bool seen =
-          place_on_screen(direction, shutter.eyes[static_cast<std::size_t>(at)], projection, here[0], here[1]);
-      if (seen && was_seen) {
-        list.add_line(before, here, part * way.illuminance, has_spikes(way.illuminance, settings));
-      }
-      was_seen = seen;
-      std::copy_n(here, 2, before);
-    }
-  }
-  std::ranges::stable_sort(points, {}, &StarPoint::y_px);
-  return points;
+  return points_on_sheets(projection, settings, [&](const Projection& sheet, PointList& list) {
+    add_trails(trails, shutter, sheet, settings, list);
+  });
 }
 
 void splat_points(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& settings,
                   int first_row, int row_count, float* rgba) {
   static WorkCounter counter("splat_stars");
   const WorkScope work(counter, static_cast<long>(points.size()));
+  const std::vector<PictureSheet> sheets = picture_sheets(projection);
   const double reach = settings.reach_px();
   const int bands = (row_count + band_rows - 1) / band_rows;
   parallel_for(bands, 1, [&](int begin, int end) {
@@ -213,7 +239,8 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
     const int bottom = std::min(first_row + end * band_rows, first_row + row_count);
     auto point = std::ranges::lower_bound(points, top - reach, {}, &StarPoint::y_px);
     for (; point != points.end() && point->y_px < bottom + reach; ++point) {
-      add(*point, projection, settings, top, bottom, first_row, rgba);
+      add(*point, projection, sheets[static_cast<std::size_t>(point->sheet)].cell, settings, top, bottom, first_row,
+          rgba);
     }
   });
 }

@@ -32,10 +32,12 @@ struct StarPoint {
   double y_px;
   Vector3<float> light;   //!< picture value times pixels
   Vector3<float> spikes;  //!< light of the spikes, of the same measure
+  int sheet = 0;          //!< which of picture_sheets it is drawn on
 };
 
 //! The images that lie in a picture or beside it, from the top down.
 //!
+//! An image near the edge of a cube's face is there once for each face that its light may reach.
 //! A pixel receives the illuminance that falls on it over its solid angle, which is a luminance like that of the map.
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
                                    const Projection& projection, const SplatSettings& settings);

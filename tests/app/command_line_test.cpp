@@ -154,6 +154,26 @@ TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
   }
 }
 
+TEST_F(CommandLine, RenderHasCubesAndCylinders) {
+  write("small.toml", small_show);
+  ASSERT_EQ(run("render small.toml --out c --frames 1 --size 64 --projection cube --backend cpu"), 0) << output_;
+  EXPECT_TRUE(is_complete_image(folder_ / "c/small_000001.png", 64, 48));
+  ASSERT_EQ(run("render small.toml --out y --frames 1 --size 64 --projection cylinder --backend cpu"), 0) << output_;
+  // 90° high: twice its radius, of which the width is 2π.
+  EXPECT_TRUE(is_complete_image(folder_ / "y/small_000001.png", 64, 20));
+}
+
+TEST_F(CommandLine, RenderWritesAFileForEachFaceOfACube) {
+  write("faces.toml", std::string(small_show) + "projection = \"cube\"\ncube_layout = \"faces\"\n");
+  ASSERT_EQ(run("render faces.toml --out f --frames 1 --size 32 --stereo side_by_side --backend cpu"), 0) << output_;
+  for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"}) {
+    EXPECT_TRUE(is_complete_image(folder_ / "f" / (std::string("faces_000001_") + face + ".png"), 64, 32)) << face;
+  }
+  fs::remove(folder_ / "f/faces_000001_ny.png");
+  ASSERT_EQ(run("render faces.toml --out f --frames 1 --size 32 --stereo side_by_side --backend cpu --resume"), 0);
+  EXPECT_THAT(output_, HasSubstr("1 frames"));
+}
+
 TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   write("small.toml", small_show);
   EXPECT_EQ(run("render small.toml --frames 9:12"), 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernels/launch/parallel_for.h"
+#include "kernels/projection/make_projection.h"
 #include "render/stars/star_pass.h"
 
 // Finding and drawing the images of stars on a 1024² dome, down to a magnitude: the grid and its turning round, as each new place of the

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "kernels/image/shade_pixels_kernel.h"
+#include "kernels/projection/make_projection.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "tests/gpu/dome.cuh"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/projection/make_projection.h"
 #include "kernels/shadow/critical_curve.h"
 #include "kernels/trace/trace_pixels.h"
 #include "tests/gpu/harness.cuh"

@@ -30,7 +30,8 @@ int main() {
     const bool rays = ergodome::gpu_check::check_rays();
     const bool pixels = ergodome::gpu_check::check_pixels();
     const bool grids = ergodome::gpu_check::check_grids();
-    return rays && pixels && grids ? 0 : 1;
+    const bool projections = ergodome::gpu_check::check_projections();
+    return rays && pixels && grids && projections ? 0 : 1;
   } catch (const std::exception& problem) {
     std::printf("GPU check: %s\n", problem.what());
     return 1;

@@ -111,5 +111,6 @@ inline bool report(const std::string& name, int count, double device_ms, double 
 bool check_rays();
 bool check_pixels();
 bool check_grids();
+bool check_projections();
 
 }  // namespace ergodome::gpu_check

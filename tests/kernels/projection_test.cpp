@@ -1,16 +1,14 @@
-#include "kernels/projection/projection.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
-#include "kernels/core/dual.h"
+#include "kernels/projection/pixel_measure.h"
+#include "tests/support/projections.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using test::pi;
 
 void expect_direction(const Vector3<double>& v, double x, double y, double z) {
   EXPECT_NEAR(v.x, x, 1e-12);
@@ -73,83 +71,149 @@ TEST(Pinhole, HasNoPlaceForWhatIsBehindTheCamera) {
   EXPECT_FALSE(pinhole_from_direction(p.pinhole, {1.0, 0.0, 0.0}, x, y));
 }
 
-class EveryProjection : public testing::TestWithParam<int> {
- protected:
-  static Projection projection() {
-    switch (GetParam()) {
-      case 0:
-        return make_dome_projection(800, 1.2 * pi, 0.3);
-      case 1:
-        return make_equirectangular_projection(800, 400);
-      default:
-        return make_pinhole_projection(800, 600, 1.3);
-    }
-  }
+TEST(Pinhole, SidesOfAFrustumLieWhereItsTangentsSay) {
+  const Projection p = make_frustum_projection(300, 200, {-0.5, 1.0, 0.75, -0.25});
+  const auto expect_tangents = [&](double x_px, double y_px, double right, double up) {
+    const Vector3<double> v = direction_from_pixel(p, x_px, y_px);
+    EXPECT_NEAR(v.x / -v.z, right, 1e-12);
+    EXPECT_NEAR(v.y / -v.z, up, 1e-12);
+  };
+  expect_tangents(0.0, 0.0, -0.5, 0.75);
+  expect_tangents(300.0, 200.0, 1.0, -0.25);
+  expect_tangents(100.0, 150.0, 0.0, 0.0);
+}
 
-  static void inverse(const Projection& p, const Vector3<double>& v, double& x, double& y) {
-    switch (p.kind) {
-      case ProjectionKind::dome_fisheye:
-        fisheye_from_direction(p.dome, v, x, y);
-        break;
-      case ProjectionKind::equirectangular:
-        equirectangular_from_direction(v, x, y);
-        break;
-      case ProjectionKind::pinhole:
-        pinhole_from_direction(p.pinhole, v, x, y);
-        break;
-    }
-  }
+TEST(Cylinder, HeightIsTheTangentOfTheElevation) {
+  const Projection p = make_cylinder_projection(400, 300, 2.0 * pi, -1.0, 2.0);
+  expect_direction(direction_from_pixel(p, 200.0, 200.0), 0.0, 0.0, -1.0);
+  expect_direction(direction_from_pixel(p, 300.0, 200.0), 1.0, 0.0, 0.0);
+  const Vector3<double> above = direction_from_pixel(p, 100.0, 0.0);
+  EXPECT_NEAR(above.y / -above.x, 2.0, 1e-12);
+  const Vector3<double> below = direction_from_pixel(p, 200.0, 300.0);
+  EXPECT_NEAR(std::atan2(below.y, -below.z), -pi / 4, 1e-12);
+}
+
+TEST(Cylinder, HasNoPlaceForTheZenith) {
+  double x = 0.0;
+  double y = 0.0;
+  EXPECT_FALSE(pixel_from_direction(make_cylinder_projection(400, 300, 2.0 * pi, -1.0, 1.0), {0.0, 1.0, 0.0}, x, y));
+}
+
+TEST(Cylinder, WrapsAroundWhenItIsWhole) {
+  EXPECT_TRUE(wraps_around(make_cylinder_projection(400, 300, 2.0 * pi, -1.0, 1.0)));
+  EXPECT_FALSE(wraps_around(make_cylinder_projection(400, 300, 1.9 * pi, -1.0, 1.0)));
+  EXPECT_TRUE(wraps_around(make_equirectangular_projection(400, 200)));
+  EXPECT_FALSE(wraps_around(dome()));
+}
+
+TEST(Projection, SeenFromOutsideIsTheMirrorImage) {
+  const Projection inside = dome(20.0);
+  const Projection outside = seen_from_outside(inside);
+  const Vector3<double> v = direction_from_pixel(inside, 700.0, 400.0);
+  expect_direction(direction_from_pixel(outside, 300.0, 400.0), v.x, v.y, v.z);
+  EXPECT_EQ(image_coverage(outside, 980.0, 560.0), image_coverage(inside, 20.0, 560.0));
+}
+
+using test::every_projection;
+using test::image_places;
+using test::ImagePlace;
+using test::NamedProjection;
+
+class EveryProjection : public testing::TestWithParam<NamedProjection> {
+ protected:
+  const Projection& projection() const { return GetParam().projection; }
 };
 
-TEST_P(EveryProjection, GivesUnitVectorsThatItsInverseTakesBack) {
-  const Projection p = projection();
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> place(-0.69, 0.69);
-  for (int i = 0; i < 200; ++i) {
-    const double x = place(random);
-    const double y = place(random);
-    const Vector3<double> v = direction_from_pixel(p, (x + 1.0) * 0.5 * p.width_px, (1.0 - y) * 0.5 * p.height_px);
+TEST_P(EveryProjection, TakesPixelsToUnitVectorsAndBack) {
+  const Projection& p = projection();
+  for (const ImagePlace& place : image_places(p, 1e-3)) {
+    const Vector3<double> v = direction_from_pixel(p, place.x_px, place.y_px);
     EXPECT_NEAR(dot(v, v), 1.0, 1e-14);
-    double back_x = 0.0;
-    double back_y = 0.0;
-    inverse(p, v, back_x, back_y);
-    EXPECT_NEAR(back_x, x, 1e-13);
-    EXPECT_NEAR(back_y, y, 1e-13);
+    ImagePlace back{};
+    ASSERT_TRUE(pixel_from_direction(p, v, back.x_px, back.y_px)) << place.x_px << " " << place.y_px;
+    EXPECT_NEAR(back.x_px, place.x_px, 1e-4) << place.y_px;
+    EXPECT_NEAR(back.y_px, place.y_px, 1e-4) << place.x_px;
+  }
+}
+
+TEST_P(EveryProjection, InFloatMissesAPixelByLittle) {
+  const Projection& p = projection();
+  const auto narrow = converted_projection<float>(p);
+  for (const ImagePlace& place : image_places(p, 0.5)) {
+    const auto v = direction_from_pixel(narrow, static_cast<float>(place.x_px), static_cast<float>(place.y_px));
+    const Vector3<double> wide = {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+    ImagePlace back{};
+    ASSERT_TRUE(pixel_from_direction(p, wide, back.x_px, back.y_px)) << place.x_px << " " << place.y_px;
+    EXPECT_NEAR(back.x_px, place.x_px, 5e-3) << place.y_px;
+    EXPECT_NEAR(back.y_px, place.y_px, 5e-3) << place.x_px;
   }
 }
 
 TEST_P(EveryProjection, DerivativesAreThoseOfDifferenceQuotients) {
-  const Projection p = projection();
-  const double x = 0.61 * p.width_px;
-  const double y = 0.37 * p.height_px;
-  const auto v = direction_from_pixel(p, Dual<double>(x, 1.0, 0.0), Dual<double>(y, 0.0, 1.0));
-  const double h = 1e-3;
-  const Vector3<double> dx = (0.5 / h) * (direction_from_pixel(p, x + h, y) - direction_from_pixel(p, x - h, y));
-  const Vector3<double> dy = (0.5 / h) * (direction_from_pixel(p, x, y + h) - direction_from_pixel(p, x, y - h));
-  EXPECT_NEAR(v.x.along_x, dx.x, 1e-10);
-  EXPECT_NEAR(v.y.along_x, dx.y, 1e-10);
-  EXPECT_NEAR(v.z.along_x, dx.z, 1e-10);
-  EXPECT_NEAR(v.x.along_y, dy.x, 1e-10);
-  EXPECT_NEAR(v.y.along_y, dy.y, 1e-10);
-  EXPECT_NEAR(v.z.along_y, dy.z, 1e-10);
+  const Projection& p = projection();
+  for (const ImagePlace& place : image_places(p, 0.5)) {
+    const double x = place.x_px;
+    const double y = place.y_px;
+    const PixelSteps<double> steps = pixel_steps(p, x, y);
+    const double h = 1e-3;
+    const auto expect_alike = [&](const Vector3<double>& step, const Vector3<double>& change) {
+      const Vector3<double> apart = step - (0.5 / h) * change;
+      EXPECT_LT(dot(apart, apart), 1e-20 + 1e-9 * dot(step, step)) << x << " " << y;
+    };
+    expect_alike(steps.across, direction_from_pixel(p, x + h, y) - direction_from_pixel(p, x - h, y));
+    expect_alike(steps.down, direction_from_pixel(p, x, y + h) - direction_from_pixel(p, x, y - h));
+  }
 }
 
 TEST_P(EveryProjection, IsFiniteEverywhereInFloatWithItsDerivatives) {
   const auto p = converted_projection<float>(projection());
-  for (int y = 0; y <= p.height_px; y += 8) {
-    for (int x = 0; x <= p.width_px; x += 8) {
+  for (int y = -2; y <= p.height_px + 2; y += 2) {
+    for (int x = -2; x <= p.width_px + 2; x += 2) {
       const auto v = direction_from_pixel(p, Dual<float>(static_cast<float>(x), 1.0F, 0.0F),
                                           Dual<float>(static_cast<float>(y), 0.0F, 1.0F));
-      ASSERT_TRUE(std::isfinite(v.x.value + v.x.along_x + v.x.along_y));
-      ASSERT_TRUE(std::isfinite(v.y.value + v.y.along_x + v.y.along_y));
-      ASSERT_TRUE(std::isfinite(v.z.value + v.z.along_x + v.z.along_y));
+      ASSERT_TRUE(std::isfinite(v.x.value + v.x.along_x + v.x.along_y)) << x << " " << y;
+      ASSERT_TRUE(std::isfinite(v.y.value + v.y.along_x + v.y.along_y)) << x << " " << y;
+      ASSERT_TRUE(std::isfinite(v.z.value + v.z.along_x + v.z.along_y)) << x << " " << y;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, EveryProjection, testing::Values(0, 1, 2), [](const auto& each) {
-  return std::string(each.param == 0 ? "Dome" : each.param == 1 ? "Equirectangular" : "Pinhole");
-});
+TEST_P(EveryProjection, ShowsSimdLanesWhatItShowsSinglePixels) {
+  using Lanes = WidePack<float>;
+  const auto p = converted_projection<float>(projection());
+  const int count = p.width_px * p.height_px;
+  // Lanes cross the borders of rows and of a cube's faces.
+  for (int first = 0; first < count; first += 997) {
+    Lanes x_px;
+    Lanes y_px;
+    pixel_middles(p.width_px, 0, count, first, x_px, y_px);
+    const Vector3<Lanes> many = direction_from_pixel(p, x_px, y_px);
+    const Lanes coverage = image_coverage(p, x_px, y_px);
+    for (int i = 0; i < RealTraits<Lanes>::lane_count; ++i) {
+      const Vector3<float> one = direction_from_pixel(p, lane(x_px, i), lane(y_px, i));
+      ASSERT_NEAR(lane(many.x, i), one.x, 1e-6F) << first + i;
+      ASSERT_NEAR(lane(many.y, i), one.y, 1e-6F) << first + i;
+      ASSERT_NEAR(lane(many.z, i), one.z, 1e-6F) << first + i;
+      ASSERT_NEAR(lane(coverage, i), image_coverage(p, lane(x_px, i), lane(y_px, i)), 1e-4F) << first + i;
+    }
+  }
+}
+
+//! At the very rim of a sphere or hemisphere angles grow without end; half a pixel within they are counted.
+TEST_P(EveryProjection, HasNoPixelLargerThanItsLargest) {
+  const Projection& p = projection();
+  const double largest = largest_pixel_angle(p);
+  for (int y = 0; y < p.height_px; y += 3) {
+    for (int x = 0; x < p.width_px; x += 3) {
+      if (image_coverage(p, x + 0.5, y + 0.5) >= 1.0) {
+        ASSERT_LT(pixel_side(p, x + 0.5, y + 0.5), 1.02 * largest) << x << " " << y;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, EveryProjection, testing::ValuesIn(every_projection()),
+                         [](const auto& each) { return each.param.name; });
 
 }  // namespace
 }  // namespace ergodome

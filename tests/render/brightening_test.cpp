@@ -6,6 +6,7 @@
 
 #include "content/show_reader.h"
 #include "kernels/image/color_map.h"
+#include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
 
@@ -75,7 +76,6 @@ TEST(Brightening, IsTheSolidAngleOfAPixelOverThatOnTheSky) {
 }
 
 TEST(Brightening, IsWhatTheMagnificationViewShows) {
-  // The view counts pixels as equal: on a small flat screen they are.
   const EyeCamera eye = eye_before_the_hole();
   const Projection projection = make_pinhole_projection(64, 64, 0.1);
   EyeCamera aside = eye;

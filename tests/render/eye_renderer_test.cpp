@@ -8,6 +8,7 @@
 #include "content/show_reader.h"
 #include "kernels/geodesic/closed_form.h"
 #include "kernels/image/color_map.h"
+#include "kernels/projection/make_projection.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
@@ -223,6 +224,22 @@ TEST(EyeRenderer, MagnificationFarFromTheHoleIsOne) {
   // Half-way up the logarithmic bar from 1e-3 to 1e3.
   const Vector3<float> middle = heat_color(0.5F);
   EXPECT_NEAR(picture.rgba[4 * (10 * 65 + 32) + 1], srgb_decoded(middle.y), 0.02F);
+}
+
+TEST(EyeRenderer, MagnificationCountsEachPixelsOwnSolidAngle) {
+  PictureSettings settings;
+  settings.mode = ViewMode::magnification;
+  DomeView lens;
+  lens.law = LensLaw::orthographic;
+  const Vector3<float> middle = heat_color(0.5F);
+  for (const Projection& projection :
+       {make_equirectangular_projection(64, 32), make_cylinder_projection(64, 64, 3.0, -2.0, 2.0),
+        make_cube_projection(16, CubeLayout::strip), make_dome_projection(64, lens)}) {
+    const Picture picture = EyeRenderer(Backend::cpu).render(eye_at(0.0, 1e6), projection, white_sky(), settings);
+    // The middle of the top row, next to a pole, an edge or the rim.
+    const std::size_t at = 4 * static_cast<std::size_t>(projection.width_px / 2 + projection.width_px);
+    EXPECT_NEAR(picture.rgba[at + 1], srgb_decoded(middle.y), 0.02F) << static_cast<int>(projection.kind);
+  }
 }
 
 Show stereo_show(const std::string& layout, double baseline) {

@@ -221,6 +221,30 @@ TEST_F(FramePlans, HoldForEveryLens) {
   }
 }
 
+TEST_F(FramePlans, HoldForEveryProjection) {
+  for (const bool gather : {false, true}) {
+    Show show = plain_show();
+    for (const Effect& effect : effects()) {
+      effect.add(show);
+    }
+    show.sky.star_method = gather ? StarMethod::gather : StarMethod::inverse;
+    for (const ViewProjection projection :
+         {ViewProjection::equirect, ViewProjection::cylinder, ViewProjection::pinhole}) {
+      SCOPED_TRACE(static_cast<int>(projection));
+      show.view.projection = projection;
+      show.view.field_of_view_deg = usual_field_of_view_deg(projection);
+      expect_as_planned(show, request());
+    }
+    show.view.projection = ViewProjection::cube;
+    for (const CubeFiles files : {CubeFiles::cross, CubeFiles::strip, CubeFiles::faces}) {
+      SCOPED_TRACE(static_cast<int>(files));
+      show.view.cube_files = files;
+      show.view.size_px = files == CubeFiles::faces ? 24 : 96;
+      expect_as_planned(show, request());
+    }
+  }
+}
+
 TEST_F(FramePlans, HoldForEveryView) {
   for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order,
                               ViewMode::frequency_ratio, ViewMode::magnification}) {

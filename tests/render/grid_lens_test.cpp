@@ -7,6 +7,7 @@
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
 #include "render/frame/show_renderer.h"
 #include "tests/support/baked_show.h"
 #include "tests/support/folder_test.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/projection/pixel_measure.h"
 #include "tests/render/ray_mesh.h"
 #include "tests/render/star_cameras.h"
 

@@ -145,5 +145,10 @@ TEST(FrameNames, CountFromOneAndSortIntoFoldersOfTenThousand) {
   EXPECT_EQ(frame_path("show", 10'000, 20'000, FramePart::whole, "png"), "show_010001_020,000/show_010001.png");
 }
 
+TEST(FrameNames, OfACubesFacesEndInOpenGlsNames) {
+  EXPECT_EQ(frame_path("show", 0, 900, FramePart::whole, "png", CubeFace::right), "show_000001_px.png");
+  EXPECT_EQ(frame_path("show", 0, 900, FramePart::left, "exr", CubeFace::front), "L/show_000001_pz.exr");
+}
+
 }  // namespace
 }  // namespace ergodome

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "content/show_reader.h"
+#include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"
 #include "kernels/sky/point_sample.h"
 #include "render/frame/show_renderer.h"

@@ -6,10 +6,10 @@
 
 #include "render/lens/grid_builder.h"
 #include "render/stars/star_pass.h"
+#include "tests/support/pi.h"
 
 namespace ergodome::test {
 
-inline constexpr double pi = 3.14159265358979323846;
 //! A pixel of a 4096² dome.
 inline constexpr double fine_pixel = pi / 4096;
 

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "kernels/geodesic/closed_form.h"
+#include "kernels/projection/make_projection.h"
+#include "kernels/projection/pixel_measure.h"
 #include "tests/render/lens_about.h"
 #include "tests/render/star_cameras.h"
 #include "tests/support/sanitized.h"

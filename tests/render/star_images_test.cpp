@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/projection/make_projection.h"
 #include "tests/render/exact_sky.h"
 #include "tests/render/ray_mesh.h"
 #include "tests/render/star_cameras.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/dual.h"
+#include "kernels/projection/make_projection.h"
 #include "render/stars/star_splat.h"
 #include "tests/render/exact_sky.h"
 #include "tests/render/star_cameras.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "kernels/projection/make_projection.h"
 #include "tests/render/star_cameras.h"
 
 namespace ergodome {
@@ -86,21 +87,6 @@ TEST(StarSplat, BlocksOfRowsMakeTheWholePicture) {
     splat_stars(images, eye, projection, {0.7, 1.0F}, row, std::min(51, 256 - row), parts.data() + 4L * 512 * row);
   }
   EXPECT_EQ(whole, parts);
-}
-
-TEST(Projection, PixelFromDirectionIsTheInverse) {
-  for (const Projection& projection : {make_dome_projection(500, pi, 0.5), make_equirectangular_projection(600, 300),
-                                       make_pinhole_projection(640, 360, 1.2)}) {
-    for (double x = 3.3; x < projection.width_px; x += 41.0) {
-      for (double y = 2.1; y < projection.height_px; y += 37.0) {
-        double back_x = 0.0;
-        double back_y = 0.0;
-        ASSERT_TRUE(pixel_from_direction(projection, direction_from_pixel(projection, x, y), back_x, back_y));
-        EXPECT_NEAR(back_x, x, 1e-9);
-        EXPECT_NEAR(back_y, y, 1e-9);
-      }
-    }
-  }
 }
 
 }  // namespace
