@@ -18,7 +18,7 @@ void insert_lens(toml::table& table, const Lens& lens) {
                                         {"right_deg", frustum->right_deg},
                                         {"up_deg", frustum->up_deg},
                                         {"down_deg", frustum->down_deg}});
-  } else if (const auto* const fisheye = std::get_if<FisheyeLens>(&lens)) {
+  } else if (const auto* const fisheye = std::get_if<ProjectorFisheye>(&lens)) {
     toml::table each{{"fov_deg", fisheye->field_of_view_deg},
                      {"offset", toml::array{fisheye->offset_x, fisheye->offset_y}}};
     if (fisheye->polynomial.empty()) {

@@ -8,7 +8,7 @@
 namespace ergodome {
 
 //! A fisheye lens: radius as an odd polynomial of the angle from the axis, or proportional to it.
-struct FisheyeLens {
+struct ProjectorFisheye {
   double field_of_view_deg = 180.0;  //!< full angle across the image circle
   double circle = 1.0;  //!< diameter of the image circle, in heights of the raster; for lenses without a polynomial
   std::vector<double>
@@ -18,7 +18,7 @@ struct FisheyeLens {
 };
 
 //! Lenses: none (the warp tells all), flat, or fisheye.
-using Lens = std::variant<std::monostate, Frustum, FisheyeLens>;
+using Lens = std::variant<std::monostate, Frustum, ProjectorFisheye>;
 
 //! How far from the axis a polynomial f1 t + f3 t^3 + ... grows, so that each angle has a radius of its own [rad]; up to π.
 double growing_angle(const std::vector<double>& polynomial);

@@ -82,7 +82,7 @@ ProjectorPose pose_of(const MpcdiRegion& region) {
 Lens lens_of(const MpcdiRegion& region) {
   if (region.fisheye) {
     constexpr double degrees = 180.0 / 3.14159265358979323846;
-    FisheyeLens lens;
+    ProjectorFisheye lens;
     lens.polynomial.assign(std::begin(region.fisheye->coefficients), std::end(region.fisheye->coefficients));
     lens.field_of_view_deg = std::max(1.0, 2.0 * degrees * growing_angle(lens.polynomial));
     lens.offset_x = region.fisheye->horizontal_offset;

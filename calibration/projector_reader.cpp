@@ -81,8 +81,8 @@ class ProjectorReader {
     return frustum;
   }
 
-  static FisheyeLens read_fisheye(TomlTable& table) {
-    FisheyeLens lens;
+  static ProjectorFisheye read_fisheye(TomlTable& table) {
+    ProjectorFisheye lens;
     lens.field_of_view_deg = table.number("fov_deg", lens.field_of_view_deg, 1.0, 360.0);
     lens.circle = table.number("circle", lens.circle, 0.01, 100.0);
     lens.polynomial = table.numbers("polynomial", 1, 4, -1e6, 1e6);

@@ -19,8 +19,9 @@ struct MeasurePatch {
       T v;
       for (int i = 0; i < lanes; ++i) {
         const int sample = first + i < samples ? first + i : samples - 1;
-        set_lane(u, i, static_cast<float>(sample % side) / (side - 1));
-        set_lane(v, i, static_cast<float>(sample / side) / (side - 1));
+        const int row = sample / side;
+        set_lane(u, i, static_cast<float>(sample - side * row) / (side - 1));
+        set_lane(v, i, static_cast<float>(row) / (side - 1));
       }
       const Vector3<T> apart = measure(u, v, sums) - middle;
       sums.chord_square = maximum(sums.chord_square, dot(apart, apart));

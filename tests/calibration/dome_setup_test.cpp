@@ -90,8 +90,8 @@ void expect_north(const ProjectorSetup& north) {
 }
 
 void expect_mirror(const ProjectorSetup& mirror) {
-  ASSERT_TRUE(std::holds_alternative<FisheyeLens>(mirror.lens));
-  const FisheyeLens& lens = std::get<FisheyeLens>(mirror.lens);
+  ASSERT_TRUE(std::holds_alternative<ProjectorFisheye>(mirror.lens));
+  const ProjectorFisheye& lens = std::get<ProjectorFisheye>(mirror.lens);
   EXPECT_EQ(lens.field_of_view_deg, 160.0);
   EXPECT_THAT(lens.polynomial, testing::ElementsAre(0.6, -0.01));
   EXPECT_EQ(lens.offset_y, -0.2);
@@ -126,7 +126,7 @@ TEST(DomeSetup, LeavesOutWhatHasACustomaryValue) {
   expect_place(setup.projectors[0].gain, 1, 1, 1);
   expect_place(setup.projectors[0].black_level_lift, 0, 0, 0);
   EXPECT_FALSE(setup.projectors[0].warp);
-  EXPECT_EQ(std::get<FisheyeLens>(setup.projectors[0].lens).circle, 1.0);
+  EXPECT_EQ(std::get<ProjectorFisheye>(setup.projectors[0].lens).circle, 1.0);
 }
 
 TEST(DomeSetup, FormatOfAWarpIsToldByItsEnding) {

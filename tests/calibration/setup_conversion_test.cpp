@@ -79,7 +79,7 @@ TEST_F(SetupConversion, PoseOfACalibrationStandsInForAMissingLens) {
 TEST_F(SetupConversion, LensOfTheSetupComesBeforeThatOfACalibration) {
   write("a.mpcdi.xml", lamps_xml);
   const LoadedProjector projector = loaded("warp = \"a.mpcdi.xml\"\nfisheye = { fov_deg = 170 }\n");
-  EXPECT_EQ(std::get<FisheyeLens>(projector.lens).field_of_view_deg, 170.0);
+  EXPECT_EQ(std::get<ProjectorFisheye>(projector.lens).field_of_view_deg, 170.0);
   EXPECT_EQ(projector.position_m.y, 0.0);
 }
 
@@ -146,7 +146,7 @@ TEST(FisheyeOfACalibration, ReachesAsFarAsItGrows) {
   // r = t - t^3 / 3 has its greatest radius at 1 rad.
   MpcdiRegion region;
   region.fisheye = MpcdiFisheye{0.1, 0.2, {1.0, -1.0 / 3.0, 0.0, 0.0}, 1.0, 0.0};
-  const FisheyeLens lens = std::get<FisheyeLens>(lens_of(region));
+  const ProjectorFisheye lens = std::get<ProjectorFisheye>(lens_of(region));
   EXPECT_NEAR(lens.field_of_view_deg, 2.0 * 57.29577951, 0.21);
   EXPECT_EQ(lens.offset_y, 0.2);
 }
