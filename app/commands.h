@@ -13,5 +13,6 @@ void add_bake_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_catalogue_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
+void add_calibrate_command(CLI::App& app);
 
 }  // namespace ergodome

@@ -66,7 +66,8 @@ DomeSetup ring_of(int count, double half_width_deg, double up_deg, double pitch_
   setup.tilt_deg = 15.0;
   const auto add = [&](const Vector3<double>& place, const Orientation& orientation, const Frustum& frustum) {
     ProjectorSetup projector;
-    projector.name = "p" + std::to_string(setup.projectors.size());
+    projector.name = "p";
+    projector.name += std::to_string(setup.projectors.size());
     projector.position_m = place;
     projector.orientation = orientation;
     projector.lens = frustum;

@@ -1,0 +1,130 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/progress.h"
+#include "calibration/bourke_mesh.h"
+#include "calibration/dome_blend.h"
+#include "calibration/dome_setup.h"
+#include "calibration/mpcdi_writer.h"
+#include "calibration/setup_conversion.h"
+#include "content/files/atomic_file.h"
+
+namespace ergodome {
+
+namespace {
+
+struct CalibrateOptions {
+  std::string setup;
+  std::string out;
+  std::string mpcdi;
+  int master_px = 4096;
+  double tolerance_px = 0.25;
+  BlendSettings blend;
+};
+
+//! A file's name for a projector, whatever the setup calls it: its number, and what of its name is plain.
+std::string file_name(std::size_t number, const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    plain += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+  }
+  return fmt::format("{}_{}", number + 1, plain);
+}
+
+//! A file that the old setup names, as the new one in another folder has to.
+std::string moved(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to) {
+  return file.empty() ? file : std::filesystem::relative(from / file, to).string();
+}
+
+//! Part of the dome's screen, as seen from its middle, that a projector lights.
+double lit_part(const ProjectorOptics& projector, const DomeScreen& screen) {
+  constexpr int places = 4000;
+  int lit = 0;
+  int all = 0;
+  for (int i = 0; i < places; ++i) {
+    const double up = 1.0 - 2.0 * (i + 0.5) / places;
+    const double across = std::sqrt(1.0 - up * up);
+    const double azimuth = 2.39996322972865332 * i;
+    const Vector3<double> point =
+        projector.dome_radius_m() * Vector3<double>{across * std::sin(azimuth), up, -across * std::cos(azimuth)};
+    double u = 0.0;
+    double v = 0.0;
+    if (master_place(screen, point, u, v)) {
+      ++all;
+      lit += projector.raster_place(point) ? 1 : 0;
+    }
+  }
+  return static_cast<double>(lit) / all;
+}
+
+void run(const CalibrateOptions& options) {
+  DomeSetup setup = read_dome_setup(options.setup);
+  const DomeScreen screen = {setup.tilt_deg, 180.0};
+  std::vector<ProjectorOptics> projectors;
+  for (const ProjectorSetup& projector : setup.projectors) {
+    projectors.emplace_back(setup, projector);
+  }
+  const DomeBlend blend(projectors, screen, options.blend);
+  const std::filesystem::path out = options.out;
+  std::filesystem::create_directories(out);
+  Progress progress("warps and masks", static_cast<long>(projectors.size()));
+  for (std::size_t i = 0; i < projectors.size(); ++i) {
+    ProjectorSetup& projector = setup.projectors[i];
+    const WarpMesh warp = dome_warp(projectors[i], screen, options.master_px, options.tolerance_px);
+    const std::string name = file_name(i, projector.name);
+    write_text_atomically(out / (name + ".data"),
+                          to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px));
+    write_text_atomically(out / (name + "_blend.png"),
+                          to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"));
+    projector.warp.emplace();
+    projector.warp->file = name + ".data";
+    projector.blend_mask = name + "_blend.png";
+    projector.blend_mask_gamma = 1.0;
+    projector.black_level_mask = moved(projector.black_level_mask, setup.folder, out);
+    fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows,
+               100.0 * lit_part(projectors[i], screen));
+    progress.advance_to(static_cast<long>(i) + 1);
+  }
+  setup.folder = out;
+  const std::filesystem::path file = out / std::filesystem::path(options.setup).filename();
+  write_dome_setup(file, setup);
+  fmt::print("written to {}\n", file.string());
+  if (!options.mpcdi.empty()) {
+    write_mpcdi(options.mpcdi,
+                mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr)))));
+    fmt::print("written to {}\n", options.mpcdi);
+  }
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("calibrate", "Compute warps and blend masks of a dome's projectors from where they stand");
+  auto options = std::make_shared<CalibrateOptions>();
+  command->add_option("setup", options->setup, "dome setup (.toml) with a lens for each projector")->required();
+  command
+      ->add_option("--out", options->out,
+                   "folder for warps (Bourke's meshes), masks (PNG), and a setup that names them")
+      ->required();
+  command->add_option("--mpcdi", options->mpcdi, "write the same as an MPCDI calibration, too");
+  command->add_option("--size", options->master_px, "width of the domemaster in pixels")->check(CLI::Range(64, 16'384));
+  command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
+      ->check(CLI::Range(0.01, 10.0));
+  command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
+      ->check(CLI::Range(0.5, 8.0));
+  command
+      ->add_option("--evenness", options->blend.evenness,
+                   "1 evens out what is spread over more of the dome, 0 leaves it")
+      ->check(CLI::Range(0.0, 1.0));
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

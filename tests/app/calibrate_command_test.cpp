@@ -1,0 +1,64 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "calibration/mpcdi_reader.h"
+#include "calibration/projector_files.h"
+#include "tests/app/command_line.h"
+
+namespace ergodome {
+namespace {
+
+using test::CommandLine;
+using testing::HasSubstr;
+
+constexpr const char* two_projectors =
+    "[dome]\nradius_m = 6\ntilt_deg = 10\n"
+    "[[projector]]\nname = \"left / one\"\nposition_m = [-1, 0, 0]\nyaw_deg = 40\npitch_deg = 40\n"
+    "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [64, 48]\n"
+    "window_px = [0, 0]\n"
+    "[[projector]]\nname = \"right\"\nposition_m = [1, 0, 0]\nyaw_deg = -40\npitch_deg = 40\n"
+    "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [64, 48]\n"
+    "window_px = [64, 0]\n";
+
+class CalibrateCommand : public CommandLine {};
+
+TEST_F(CalibrateCommand, WritesASetupWhoseProjectorsHaveWarpsAndMasks) {
+  write("dome.toml", two_projectors);
+  ASSERT_EQ(run("calibrate dome.toml --out made --size 512"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("left / one"));
+  const DomeSetup setup = read_dome_setup(folder_ / "made" / "dome.toml");
+  ASSERT_EQ(setup.projectors.size(), 2U);
+  for (const ProjectorSetup& projector : setup.projectors) {
+    const LoadedProjector files = load_projector(setup, projector);
+    EXPECT_TRUE(std::holds_alternative<WarpMesh>(files.warp));
+    ASSERT_TRUE(files.blend);
+    EXPECT_EQ(files.blend->map.width, 64);
+  }
+}
+
+TEST_F(CalibrateCommand, WritesAnMpcdiCalibrationOfTheSame) {
+  write("dome.toml", two_projectors);
+  ASSERT_EQ(run("calibrate dome.toml --out made --size 512 --mpcdi made.mpcdi"), 0) << output_;
+  const Mpcdi mpcdi = read_mpcdi(folder_ / "made.mpcdi");
+  EXPECT_EQ(mpcdi.profile, MpcdiProfile::media_2d);
+}
+
+TEST_F(CalibrateCommand, RefusesASetupThatItCannotCompute) {
+  write("lensless.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\nresolution_px = [64, 48]\nwarp = \"a.data\"\n");
+  write("a.data", "2\n2 2\n-1 -1 0 0 1\n1 -1 1 0 1\n-1 1 0 1 1\n1 1 1 1 1\n");
+  write("away.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\nresolution_px = [64, 48]\npitch_deg = -80\n"
+        "frustum = { left_deg = -10, right_deg = 10, up_deg = 5, down_deg = -5 }\n");
+  for (const char* words : {"calibrate", "calibrate nothing.toml --out made", "calibrate lensless.toml --out made",
+                            "calibrate away.toml --out made", "calibrate away.toml --out made --size 1",
+                            "calibrate away.toml --out made --evenness 2", "calibrate away.toml"}) {
+    EXPECT_NE(run(words), 0) << words;
+    EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made" / "lensless.toml"));
+}
+
+}  // namespace
+}  // namespace ergodome
