@@ -53,18 +53,21 @@ WarpMesh mesh_of(const ProjectorOptics& projector, const Projection& master, int
   return mesh;
 }
 
-//! How far a mesh is off in the middles of its cells' sides and diagonals, where triangles are worst; of places on the dome, in parts of
-//! the master's width. `finer`: the mesh with all of these among its nodes.
-double worst_error(const WarpMesh& mesh, const WarpMesh& finer) {
+//! How far a mesh is off in the middles of its cells' sides and diagonals, where triangles are worst: of places on the dome, in the
+//! larger of the master's pixels and the projector's. `finer`: the mesh with all of these among its nodes.
+double worst_error_px(const WarpMesh& mesh, const WarpMesh& finer, int master_px, int raster_px) {
   double worst = 0.0;
+  const double cell_px = static_cast<double>(raster_px) / (mesh.columns - 1);
   for (int row = 0; row < finer.rows; ++row) {
     for (int column = 0; column < finer.columns; ++column) {
       const WarpNode& exact = finer.at(column, row);
       const WarpNode& before = mesh.at(column / 2, row / 2);
       const WarpNode& after = mesh.at((column + 1) / 2, (row + 1) / 2);
       if (exact.valid && before.valid && after.valid && rim_part(exact.u, exact.v) <= 1.0) {
-        worst = std::max(worst, static_cast<double>(std::hypot(0.5F * (before.u + after.u) - exact.u,
-                                                               0.5F * (before.v + after.v) - exact.v)));
+        const auto apart = [](float u, float v) { return static_cast<double>(std::hypot(u, v)); };
+        const double error = apart(0.5F * (before.u + after.u) - exact.u, 0.5F * (before.v + after.v) - exact.v);
+        const double pixel = std::max(1.0 / master_px, apart(after.u - before.u, after.v - before.v) / cell_px);
+        worst = std::max(worst, error / pixel);
       }
     }
   }
@@ -83,7 +86,7 @@ WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, i
   WarpMesh mesh = mesh_of(projector, master, coarsest);
   while (mesh.columns < finest) {
     WarpMesh finer = mesh_of(projector, master, 2 * mesh.columns - 1);
-    const bool good = worst_error(mesh, finer) * master_px <= tolerance_px;
+    const bool good = worst_error_px(mesh, finer, master_px, projector.longer_side_px()) <= tolerance_px;
     if (good) {
       break;
     }

@@ -16,8 +16,9 @@ struct DomeScreen {
 bool master_place(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
 
 //! The warp by which a projector shows a domemaster of `master_px` in place: a mesh that reaches from rim to rim of the raster, as coarse as
-//! `tolerance_px` of the master allows, though no finer than 1,025 nodes a side. Nodes just beyond the dome's rim are there, so
-//! that the rim is; those far beyond are not drawn. Intensities are 1. Throws Error where the projector lights no part of the dome.
+//! `tolerance_px` allows, though no finer than 1,025 nodes a side: pixels of the master, or of the projector where those are
+//! larger. Nodes just beyond the dome's rim are there, so that the rim is; those far beyond are not drawn. Intensities are 1. Throws
+//! Error where the projector lights no part of the dome.
 WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, int master_px, double tolerance_px);
 
 }  // namespace ergodome

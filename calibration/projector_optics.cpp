@@ -36,6 +36,7 @@ ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& p
       position_m_(projector.position_m),
       axes_(axes_of(projector.orientation)),
       aspect_(static_cast<double>(projector.width_px) / projector.height_px),
+      longer_side_px_(std::max(projector.width_px, projector.height_px)),
       mirror_(projector.mirror) {
   if (const auto* const flat = std::get_if<Frustum>(&projector.lens)) {
     frustum_ = *flat;

@@ -35,6 +35,7 @@ class ProjectorOptics {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] double dome_radius_m() const { return dome_radius_m_; }
+  [[nodiscard]] int longer_side_px() const { return longer_side_px_; }
 
  private:
   [[nodiscard]] Vector3<double> lens_direction(const RasterPlace& place) const;
@@ -48,7 +49,8 @@ class ProjectorOptics {
   double dome_radius_m_;
   Vector3<double> position_m_;
   ProjectorAxes axes_;
-  double aspect_;  //!< of the raster, width over height
+  double aspect_;       //!< of the raster, width over height
+  int longer_side_px_;  //!< of the raster
   std::optional<SphericalMirror> mirror_;
   Frustum frustum_;
   std::optional<ProjectorFisheye> fisheye_;

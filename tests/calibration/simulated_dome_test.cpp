@@ -103,7 +103,7 @@ class SimulatedDome : public FolderTest {
       ProjectorSetup& projector = setup.projectors[i];
       const double aspect = static_cast<double>(projector.width_px) / projector.height_px;
       std::ofstream(folder_ / (projector.name + ".data"))
-          << to_bourke_mesh(dome_warp(optics[i], screen, master_px, 0.25), aspect);
+          << to_bourke_mesh(dome_warp(optics[i], screen, master_px, 0.1), aspect);
       std::ofstream(folder_ / (projector.name + ".png"), std::ios::binary)
           << to_png(blend.mask(i, projector.width_px, projector.height_px), projector.name);
       projector.warp.emplace();
