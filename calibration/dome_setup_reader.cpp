@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{4} << 20U;
+constexpr std::size_t largest_mib = 4;
 constexpr std::size_t most_projectors = 64;
 
 void read_dome(TomlTable& root, const std::string& file, DomeSetup& setup) {
@@ -79,16 +79,7 @@ void check_places(const TomlTable& table, const ProjectorSetup& projector, doubl
 }  // namespace
 
 DomeSetup parse_dome_setup(std::string_view text, const std::string& file, NamedFiles named_files) {
-  if (text.size() > largest_file) {
-    throw Error(file, "is larger than 4 MiB", "a dome setup is a short text file");
-  }
-  toml::table parsed;
-  try {
-    parsed = toml::parse(text, file);
-  } catch (const toml::parse_error& problem) {
-    throw Error(fmt::format("{}:{}", file, problem.source().begin.line), std::string(problem.description()),
-                "mend the TOML there");
-  }
+  const toml::table parsed = parse_toml(text, file, largest_mib, "a dome setup");
   DomeSetup setup;
   setup.folder = std::filesystem::path(file).parent_path();
   TomlTable root(parsed, file, "");
@@ -112,8 +103,8 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
 }
 
 DomeSetup read_dome_setup(const std::filesystem::path& path) {
-  return parse_dome_setup(read_whole_file(path, largest_file, "give the path of a dome setup (.toml)"), path.string(),
-                          NamedFiles::must_exist);
+  return parse_dome_setup(read_whole_file(path, largest_mib << 20U, "give the path of a dome setup (.toml)"),
+                          path.string(), NamedFiles::must_exist);
 }
 
 }  // namespace ergodome

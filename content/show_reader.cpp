@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double degree = pi / 180.0;
 constexpr double largest_angle_deg = 1e9;
-constexpr std::uintmax_t largest_file = 16U << 20U;
+constexpr std::size_t largest_mib = 16;
 constexpr std::size_t most_keys = 100'000;
 
 Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
@@ -202,16 +202,7 @@ void note_lines(const toml::table& table, const std::string& path, std::map<std:
 }  // namespace
 
 Show parse_show(std::string_view text, const std::string& file) {
-  if (text.size() > largest_file) {
-    throw Error(file, "is larger than 16 MiB", "a show is a short text file");
-  }
-  toml::table parsed;
-  try {
-    parsed = toml::parse(text, file);
-  } catch (const toml::parse_error& problem) {
-    throw Error(fmt::format("{}:{}", file, problem.source().begin.line), std::string(problem.description()),
-                "mend the TOML there");
-  }
+  const toml::table parsed = parse_toml(text, file, largest_mib, "a show");
   Show show;
   note_lines(parsed, "", show.lines);
   const std::filesystem::path path(file);
@@ -231,7 +222,7 @@ Show read_show(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", "give the path of a show (.toml)");
   }
-  if (std::filesystem::file_size(path, problem) > largest_file || problem) {
+  if (std::filesystem::file_size(path, problem) > (largest_mib << 20U) || problem) {
     throw Error(path.string(), "is larger than 16 MiB", "a show is a short text file");
   }
   std::ifstream file(path, std::ios::binary);

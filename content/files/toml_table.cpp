@@ -191,4 +191,16 @@ void TomlTable::refuse_unknown_keys() const {
   }
 }
 
+toml::table parse_toml(std::string_view text, const std::string& file, std::size_t largest_mib, std::string_view kind) {
+  if (text.size() > (largest_mib << 20U)) {
+    throw Error(file, fmt::format("is larger than {} MiB", largest_mib), fmt::format("{} is a short text file", kind));
+  }
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& problem) {
+    throw Error(fmt::format("{}:{}", file, problem.source().begin.line), std::string(problem.description()),
+                "mend the TOML there");
+  }
+}
+
 }  // namespace ergodome
