@@ -15,6 +15,7 @@
 #include "calibration/mpcdi_writer.h"
 #include "calibration/setup_conversion.h"
 #include "content/files/atomic_file.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -64,7 +65,18 @@ double lit_part(const ProjectorOptics& projector, const DomeScreen& screen) {
   return static_cast<double>(lit) / all;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem || !std::filesystem::is_directory(folder)) {
+    throw Error(folder.string(), "is not a folder and cannot be made one", "choose another --out");
+  }
+}
+
 void run(const CalibrateOptions& options) {
+  if (std::isnan(options.tolerance_px) || std::isnan(options.blend.softness) || std::isnan(options.blend.evenness)) {
+    throw Error("calibrate", "an option is not a number", "give numbers to --tolerance, --softness and --evenness");
+  }
   DomeSetup setup = read_dome_setup(options.setup);
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> projectors;
@@ -73,7 +85,7 @@ void run(const CalibrateOptions& options) {
   }
   const DomeBlend blend(projectors, screen, options.blend);
   const std::filesystem::path out = options.out;
-  std::filesystem::create_directories(out);
+  make_folder(out);
   Progress progress("warps and masks", static_cast<long>(projectors.size()));
   for (std::size_t i = 0; i < projectors.size(); ++i) {
     ProjectorSetup& projector = setup.projectors[i];

@@ -53,7 +53,8 @@ TEST_F(CalibrateCommand, RefusesASetupThatItCannotCompute) {
         "frustum = { left_deg = -10, right_deg = 10, up_deg = 5, down_deg = -5 }\n");
   for (const char* words : {"calibrate", "calibrate nothing.toml --out made", "calibrate lensless.toml --out made",
                             "calibrate away.toml --out made", "calibrate away.toml --out made --size 1",
-                            "calibrate away.toml --out made --evenness 2", "calibrate away.toml"}) {
+                            "calibrate away.toml --out made --evenness 2", "calibrate away.toml",
+                            "calibrate away.toml --out away.toml", "calibrate away.toml --out made --tolerance nan"}) {
     EXPECT_NE(run(words), 0) << words;
     EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
   }
