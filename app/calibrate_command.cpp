@@ -65,14 +65,6 @@ double lit_part(const ProjectorOptics& projector, const DomeScreen& screen) {
   return static_cast<double>(lit) / all;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem || !std::filesystem::is_directory(folder)) {
-    throw Error(folder.string(), "is not a folder and cannot be made one", "choose another --out");
-  }
-}
-
 void run(const CalibrateOptions& options) {
   if (std::isnan(options.tolerance_px) || std::isnan(options.blend.softness) || std::isnan(options.blend.evenness)) {
     throw Error("calibrate", "an option is not a number", "give numbers to --tolerance, --softness and --evenness");

@@ -9,6 +9,7 @@
 #include "app/lens_options.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/color_bar.h"
@@ -63,14 +64,6 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
     throw Error("--frames " + text, "ends before it begins", "write FIRST:LAST");
   }
   return {first - 1, last - 1};
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    throw Error(folder.string(), "cannot be made: " + problem.message(), "choose another folder with --out");
-  }
 }
 
 FrameMetadata metadata_of(const Show& show, double time_s, const FrameImage& image) {

@@ -60,4 +60,12 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
   });
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    throw Error(folder.string(), "cannot be made: " + problem.message(), "choose another folder with --out");
+  }
+}
+
 }  // namespace ergodome

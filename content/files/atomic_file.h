@@ -14,4 +14,7 @@ void write_atomically(const std::filesystem::path& path,
 //! The same for text.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
+//! Makes a folder, with those above it, where there is none. Throws Error, which advises another --out, where that cannot be.
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace ergodome
