@@ -47,8 +47,6 @@ double shadow_width_deg(const Show& show, double time_s) {
 nlohmann::json facts_of(const Show& show) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
-  constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
-                                     "anaglyph", "dubois",       "rows",       "quad_buffer"};
   nlohmann::json facts;
   facts["title"] = show.title;
   facts["duration_s"] = show.duration_s;
@@ -59,7 +57,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["sky_map"] = show.sky.map;
   facts["projection"] = projections[static_cast<int>(show.view.projection)];
   facts["size_px"] = show.view.size_px;
-  facts["stereo"] = layouts[static_cast<int>(show.stereo.layout)];
+  facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
   facts["baseline"] = show.stereo.baseline;
   facts["budget_px"] = show.quality.budget_px;
   facts["not_drawn_yet"] = missing_features(show);

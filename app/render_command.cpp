@@ -7,7 +7,10 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/lens_options.h"
+#include "app/movie.h"
+#include "app/pattern_frames.h"
 #include "app/progress.h"
+#include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
@@ -15,6 +18,7 @@
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
+#include "render/patterns/test_pattern.h"
 
 namespace ergodome {
 
@@ -30,9 +34,14 @@ struct RenderOptions {
   bool from_outside = false;
   std::string backend = "auto";
   std::string format = "png";
+  std::string compression;
+  bool alpha = false;
+  double frame_rate_hz = 0.0;
+  std::string movie;
   std::string view = "sky";
   LensOptions lens;
   bool resume = false;
+  std::string pattern;
 };
 
 //! First and last frame, counted from 0, of "A:B", "A:" , ":B" or "A", which count from 1.
@@ -83,12 +92,16 @@ FrameMetadata metadata_of(const Show& show, double time_s, const FrameImage& ima
           {"version", ERGODOME_VERSION}};
 }
 
+FrameFormat format_of(const RenderOptions& options) {
+  return frame_format(options.format, options.compression, options.alpha);
+}
+
 //! Renders and writes the frames of one run.
 class FrameWriter {
  public:
   FrameWriter(const RenderOptions& options, const Show& show)
       : options_(options),
-        format_(options.format == "exr" ? ImageFormat::exr : ImageFormat::png),
+        format_(format_of(options)),
         choice_{view_mode(options.view), options.size_px},
         backend_(choose_backend(options.backend)),
         renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {}
@@ -109,14 +122,41 @@ class FrameWriter {
     ++written_;
   }
 
+  //! Puts the frames first to last together as films: one, or one for each eye that has files of its own.
+  void write_movies(int first, int last) const {
+    const Show& show = renderer_.show();
+    const std::filesystem::path file = options_.movie;
+    const bool separate = show.stereo.layout == StereoLayout::separate;
+    const std::vector<FramePart> parts =
+        separate ? std::vector<FramePart>{FramePart::left, FramePart::right} : std::vector<FramePart>{FramePart::whole};
+    for (const FramePart part : parts) {
+      Movie movie;
+      movie.file = file.parent_path() / (file.stem().string() + (separate ? "_" : "") + eye_folder(part).string() +
+                                         file.extension().string());
+      movie.frame_rate_hz = show.frame_rate_hz;
+      movie.width_px = eye_width_px() * (show.stereo.layout == StereoLayout::side_by_side ? 2 : 1);
+      for (int frame = first; frame <= last; ++frame) {
+        movie.pictures.push_back(path_of(frame, part, std::nullopt));
+      }
+      write_movie(movie);
+      fmt::print("written to {}\n", movie.file.string());
+    }
+  }
+
+  void write_facts() const { write_sequence_facts(options_.out, renderer_.show(), format_, eye_width_px()); }
+
   [[nodiscard]] int written() const { return written_; }
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
  private:
+  [[nodiscard]] int eye_width_px() const {
+    return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px;
+  }
+
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const {
-    return std::filesystem::path(options_.out) /
-           frame_path(renderer_.show().name, frame, frame_count(renderer_.show()), part, options_.format, face);
+    return std::filesystem::path(options_.out) / frame_path(renderer_.show().name, frame, frame_count(renderer_.show()),
+                                                            part, file_ending(format_.image), face);
   }
 
   [[nodiscard]] bool is_there(int frame) const {
@@ -129,7 +169,7 @@ class FrameWriter {
 
   [[nodiscard]] bool is_there(int frame, FramePart part) const {
     const Show& show = renderer_.show();
-    const Projection eye = make_projection(show.view, choice_.size_px > 0 ? choice_.size_px : show.view.size_px, 0.0);
+    const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
     const int width_px = show.stereo.layout == StereoLayout::side_by_side ? 2 * eye.width_px : eye.width_px;
     const int height_px = show.stereo.layout == StereoLayout::top_bottom ? 2 * eye.height_px : eye.height_px;
     if (!has_face_files(show.view)) {
@@ -144,7 +184,7 @@ class FrameWriter {
   }
 
   const RenderOptions& options_;
-  ImageFormat format_;
+  FrameFormat format_;
   ViewChoice choice_;
   Backend backend_;
   ShowRenderer renderer_;
@@ -152,11 +192,43 @@ class FrameWriter {
   long unresolved_ = 0;
 };
 
-void run(const RenderOptions& options) {
-  Show show = load_show(options.show);
+//! The show, or for patterns without one a dome of 180°, with what the command line says instead.
+Show chosen_show(const RenderOptions& options) {
+  if (options.show.empty() && options.pattern.empty()) {
+    throw Error("render", "needs a show, or --pattern", "name a show file or a built-in show");
+  }
+  Show show = options.show.empty() ? Show{} : load_show(options.show);
   override_view(show, options.projection, options.stereo);
   show.view.from_outside = show.view.from_outside || options.from_outside;
+  if (options.frame_rate_hz > 0.0) {
+    show.frame_rate_hz = options.frame_rate_hz;
+  }
+  return show;
+}
+
+//! Throws Error where no film could be made of the frames, before any is rendered.
+void require_movie(const RenderOptions& options, const Show& show) {
+  if (options.movie.empty()) {
+    return;
+  }
+  if (options.format == "exr") {
+    throw Error("--movie " + options.movie, "is not made of linear light", "choose --format png, png16 or tiff");
+  }
+  if (has_face_files(show.view)) {
+    throw Error("--movie " + options.movie, "is not made of a cube's single faces", "choose cube_layout = \"cross\"");
+  }
+  require_movie_encoder(options.movie);
+}
+
+void run(const RenderOptions& options) {
+  const Show show = chosen_show(options);
+  if (!options.pattern.empty()) {
+    const int files = write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
+    fmt::print("{} files in {}\n", files, options.out);
+    return;
+  }
   require_features(show);
+  require_movie(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   make_folder(options.out);
   FrameWriter writer(options, show);
@@ -170,7 +242,11 @@ void run(const RenderOptions& options) {
       progress.advance_to(frame - first + 1);
     }
   }
+  writer.write_facts();
   fmt::print("{} frames in {}\n", writer.written(), options.out);
+  if (!options.movie.empty()) {
+    writer.write_movies(first, last);
+  }
   if (const auto streamed = writer.stream_statistics()) {
     print_statistics(*streamed);
   }
@@ -179,12 +255,19 @@ void run(const RenderOptions& options) {
   }
 }
 
+//! What --pattern takes.
+std::vector<std::string> pattern_choices() {
+  std::vector<std::string> choices = test_pattern_names();
+  choices.emplace_back("all");
+  return choices;
+}
+
 }  // namespace
 
 void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a display");
-  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
+  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show");
   command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
   command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1 (default: all)");
   command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
@@ -198,13 +281,21 @@ void add_render_command(CLI::App& app) {
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  command->add_option("--format", options->format, "png or exr")
-      ->check(CLI::IsMember({"png", "exr"}))
+  command->add_option("--format", options->format, "png (8 bits), png16, tiff (16 bits) or exr (linear light)")
+      ->check(CLI::IsMember(image_format_names()))
       ->capture_default_str();
+  command->add_option("--compression", options->compression, "of EXR: zip (default), none, or dwaa, which is lossy")
+      ->check(CLI::IsMember(exr_compression_names()));
+  command->add_flag("--alpha", options->alpha, "a fourth channel: what the image covers, a dome's circle for instance");
+  command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's")
+      ->check(CLI::Range(0.1, 1000.0));
+  command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv");
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
   add_lens_options(*command, options->lens);
+  command->add_option("--pattern", options->pattern, "a test pattern, or all of them, instead of the show's frames")
+      ->check(CLI::IsMember(pattern_choices()));
   command->add_flag("--resume", options->resume, "skip frames that are there and complete");
   command->callback([options] { run(*options); });
 }

@@ -132,6 +132,9 @@ struct ViewSettings {
 };
 
 enum class StereoLayout { mono, side_by_side, top_bottom, separate, multiview, anaglyph, dubois, rows, quad_buffer };
+inline constexpr std::array stereo_layout_names = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
+                                                   "anaglyph", "dubois",       "rows",       "quad_buffer"};
+
 enum class StereoModel { physical, flat, omni };
 
 struct StereoSettings {

@@ -28,37 +28,88 @@ std::vector<float> bounded_rgb(const Picture& picture) {
   return rgb;
 }
 
-OIIO::ImageSpec make_spec(ImageFormat format, const Picture& picture, const FrameMetadata& metadata) {
-  OIIO::ImageSpec spec(picture.width, picture.height, 3,
-                       format == ImageFormat::png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::HALF);
+const char* plugin_of(ImageFormat format) {
+  return format == ImageFormat::exr ? "openexr" : format == ImageFormat::tiff ? "tiff" : "png";
+}
+
+OIIO::TypeDesc type_of(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::exr:
+      return OIIO::TypeDesc::HALF;
+    case ImageFormat::png:
+      return OIIO::TypeDesc::UINT8;
+    default:
+      return OIIO::TypeDesc::UINT16;
+  }
+}
+
+OIIO::ImageSpec make_spec(const FrameFormat& format, const Picture& picture, const FrameMetadata& metadata) {
+  constexpr const char* compressions[] = {"zip", "none", "dwaa"};
+  OIIO::ImageSpec spec(picture.width, picture.height, format.alpha ? 4 : 3, type_of(format.image));
   spec.attribute("Software", "Ergodome " ERGODOME_VERSION);
   for (const auto& [name, value] : metadata) {
     spec.attribute("ergodome:" + name, value);
   }
-  if (format == ImageFormat::exr) {
-    spec.attribute("compression", "zip");
+  if (format.image == ImageFormat::exr) {
+    spec.attribute("compression", compressions[static_cast<int>(format.compression)]);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), rec709);
+    return spec;
+  }
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  if (format.image == ImageFormat::tiff) {
+    spec.attribute("compression", "zip");
+    // TIFF has no place for facts of others: they stand in its description.
+    std::string description;
+    for (const auto& [name, value] : metadata) {
+      description += name + '=' + value + '\n';
+    }
+    spec.attribute("ImageDescription", description);
   } else {
-    spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("png:compressionLevel", 4);
   }
   return spec;
 }
 
+//! Rows of a picture for a file, with the coverage where there is an alpha channel.
+template <class Value>
+std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& format, const Picture& picture,
+                              float most) {
+  if (!format.alpha) {
+    return rgb;
+  }
+  const std::vector<float> coverage = coverage_of(picture);
+  std::vector<Value> rgba;
+  rgba.reserve(rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i < coverage.size(); ++i) {
+    rgba.insert(rgba.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * i),
+                rgb.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
+    rgba.push_back(static_cast<Value>(most * coverage[i] + (most > 1.0F ? 0.5F : 0.0F)));
+  }
+  return rgba;
+}
+
+bool write_pixels(OIIO::ImageOutput& output, const FrameFormat& format, const Picture& picture) {
+  switch (format.image) {
+    case ImageFormat::exr:
+      return output.write_image(OIIO::TypeDesc::FLOAT, with_alpha(bounded_rgb(picture), format, picture, 1.0F).data());
+    case ImageFormat::png:
+      return output.write_image(OIIO::TypeDesc::UINT8,
+                                with_alpha(tone_mapped(picture), format, picture, 255.0F).data());
+    default:
+      return output.write_image(OIIO::TypeDesc::UINT16,
+                                with_alpha(tone_mapped_finely(picture), format, picture, 65535.0F).data());
+  }
+}
+
 }  // namespace
 
-void write_picture(const std::filesystem::path& path, ImageFormat format, const Picture& picture,
+void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
                    const FrameMetadata& metadata) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = OIIO::ImageOutput::create(format == ImageFormat::png ? "png" : "exr");
-    const bool opened = output && output->open(partial.string(), make_spec(format, picture, metadata));
-    bool written = false;
-    if (opened && format == ImageFormat::png) {
-      written = output->write_image(OIIO::TypeDesc::UINT8, tone_mapped(picture).data());
-    } else if (opened) {
-      written = output->write_image(OIIO::TypeDesc::FLOAT, bounded_rgb(picture).data());
-    }
+    const auto output = OIIO::ImageOutput::create(plugin_of(format.image));
+    const bool written = output && output->open(partial.string(), make_spec(format, picture, metadata)) &&
+                         write_pixels(*output, format, picture);
     // Closing flushes, so it can fail too.
     if (!written || !output->close() || !is_complete_image(partial, picture.width, picture.height)) {
       const std::string reason =

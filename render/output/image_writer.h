@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "render/frame/eye_renderer.h"
+#include "render/output/frame_format.h"
 
 namespace ergodome {
-
-enum class ImageFormat { png, exr };
 
 //! Facts about a frame that its file carries, name and value.
 using FrameMetadata = std::vector<std::pair<std::string, std::string>>;
 
-//! Writes a picture: PNG with 8 bits, tone-mapped, sRGB; or EXR with half floats, linear light, Rec. 709 chromaticities, lossless
-//! compression. The file is there whole or not at all; Error says why not (a full disk, a folder without permission).
-void write_picture(const std::filesystem::path& path, ImageFormat format, const Picture& picture,
+//! Writes a picture. What a display shows is tone-mapped sRGB with 8 or 16 bits, lossless; EXR has half floats, linear light and Rec. 709
+//! chromaticities. With alpha, EXR and TIFF hold light times alpha, as both formats have it; PNG's own rule is light that is not.
+//! The file is there whole or not at all; Error says why not (a full disk, a folder without permission).
+void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
                    const FrameMetadata& metadata);
 
 //! Writes display-referred RGB bytes, the top row first, as a PNG; whole or not at all.

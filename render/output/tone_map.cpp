@@ -27,26 +27,48 @@ const std::array<std::uint8_t, table_size>& encoding_table() {
   return table;
 }
 
-}  // namespace
+//! Light of a channel as the display has it, 0 to 1; NaN becomes black, because the comparison is false for it.
+float display_light(const Picture& picture, std::size_t index) {
+  const float light = picture.rgba[index];
+  const float shown = picture.heat_range.has_value() ? light : toned(picture.tone, light);
+  return shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
+}
 
-std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
-  const auto& table = encoding_table();
-  const bool heat_map = picture.heat_range.has_value();
-  std::vector<std::uint8_t> bytes(3 * static_cast<std::size_t>(picture.width) *
-                                  static_cast<std::size_t>(picture.height));
+//! Three values a pixel, each what `encoded` makes of the display's light.
+template <class Value, class Encode>
+std::vector<Value> display_values(const Picture& picture, const Encode& encoded) {
+  std::vector<Value> values(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
   parallel_for(picture.height, 16, [&](int begin, int end) {
     for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(picture.width);
          i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const float light = picture.rgba[4 * i + c];
-        const float shown = heat_map ? light : toned(picture.tone, light);
-        // The comparison is false for NaN, which becomes black.
-        const float clamped = shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
-        bytes[3 * i + c] = table[static_cast<std::size_t>(std::lrint(clamped * (table_size - 1)))];
+        values[3 * i + c] = encoded(display_light(picture, 4 * i + c));
       }
     }
   });
-  return bytes;
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
+  const auto& table = encoding_table();
+  return display_values<std::uint8_t>(
+      picture, [&](float light) { return table[static_cast<std::size_t>(std::lrint(light * (table_size - 1)))]; });
+}
+
+std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture) {
+  return display_values<std::uint16_t>(picture, [](float light) {
+    return static_cast<std::uint16_t>(std::lrint(65535.0F * std::min(srgb_encoded(light), 1.0F)));
+  });
+}
+
+std::vector<float> coverage_of(const Picture& picture) {
+  std::vector<float> coverage(picture.rgba.size() / 4);
+  for (std::size_t i = 0; i < coverage.size(); ++i) {
+    coverage[i] = std::clamp(picture.rgba[4 * i + 3], 0.0F, 1.0F);
+  }
+  return coverage;
 }
 
 }  // namespace ergodome

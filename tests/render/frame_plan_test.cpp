@@ -53,7 +53,7 @@ class FramePlans : public test::FolderTest {
     map.width = map_width_px;
     map.height = map_width_px / 2;
     map.rgba.assign(4UL * map_width_px * map_width_px / 2, 0.25F);
-    write_picture(folder_ / "sky.exr", ImageFormat::exr, map, {});
+    write_picture(folder_ / "sky.exr", {ImageFormat::exr}, map, {});
   }
 
   [[nodiscard]] Show plain_show() const {

@@ -41,7 +41,7 @@ TEST_F(Output, ExrKeepsLinearLightChromaticitiesAndFacts) {
   Picture picture = ramp();
   picture.rgba[0] = std::numeric_limits<float>::quiet_NaN();
   picture.rgba[4] = 1e9F;
-  write_picture(folder_ / "a.exr", ImageFormat::exr, picture, {{"spin", "0.999"}, {"observer", "zamo"}});
+  write_picture(folder_ / "a.exr", {ImageFormat::exr}, picture, {{"spin", "0.999"}, {"observer", "zamo"}});
   auto input = OIIO::ImageInput::open((folder_ / "a.exr").string());
   ASSERT_TRUE(input);
   EXPECT_EQ(input->spec().format, OIIO::TypeDesc::HALF);
@@ -57,7 +57,7 @@ TEST_F(Output, ExrKeepsLinearLightChromaticitiesAndFacts) {
 }
 
 TEST_F(Output, PngIsToneMappedSrgbWithFacts) {
-  write_picture(folder_ / "a.png", ImageFormat::png, ramp(), {{"show", "A show"}});
+  write_picture(folder_ / "a.png", {ImageFormat::png}, ramp(), {{"show", "A show"}});
   auto input = OIIO::ImageInput::open((folder_ / "a.png").string());
   ASSERT_TRUE(input);
   EXPECT_EQ(input->spec().format, OIIO::TypeDesc::UINT8);
@@ -83,7 +83,7 @@ TEST_F(Output, ToneMapKeepsDarkLightEncodesSrgbAndNeverClipsHard) {
 TEST_F(Output, CompleteImagesAreToldFromTornOnes) {
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::exr}) {
     const fs::path path = folder_ / (format == ImageFormat::png ? "a.png" : "a.exr");
-    write_picture(path, format, ramp(), {});
+    write_picture(path, {format}, ramp(), {});
     EXPECT_TRUE(is_complete_image(path, 64, 32));
     EXPECT_FALSE(is_complete_image(path, 64, 33));
     fs::resize_file(path, fs::file_size(path) * 2 / 3);
@@ -93,21 +93,21 @@ TEST_F(Output, CompleteImagesAreToldFromTornOnes) {
 }
 
 TEST_F(Output, FullDiskIsOneErrorAndLeavesEarlierFramesAlone) {
-  write_picture(folder_ / "first.exr", ImageFormat::exr, ramp(), {});
+  write_picture(folder_ / "first.exr", {ImageFormat::exr}, ramp(), {});
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small = {4096, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  EXPECT_THROW(write_picture(folder_ / "second.exr", ImageFormat::exr, ramp(512, 512), {}), Error);
-  EXPECT_THROW(write_picture(folder_ / "second.png", ImageFormat::png, ramp(512, 512), {}), Error);
+  EXPECT_THROW(write_picture(folder_ / "second.exr", {ImageFormat::exr}, ramp(512, 512), {}), Error);
+  EXPECT_THROW(write_picture(folder_ / "second.png", {ImageFormat::png}, ramp(512, 512), {}), Error);
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_TRUE(is_complete_image(folder_ / "first.exr", 64, 32));
   EXPECT_EQ(files(), 1);
 }
 
 TEST_F(Output, FolderThatIsNotThereIsAnError) {
-  EXPECT_THROW(write_picture(folder_ / "no" / "a.png", ImageFormat::png, ramp(), {}), Error);
+  EXPECT_THROW(write_picture(folder_ / "no" / "a.png", {ImageFormat::png}, ramp(), {}), Error);
 }
 
 TEST(Caption, WritesIntoTheTopLeftCornerAlone) {

@@ -1,4 +1,4 @@
-#include "render/output/pattern_picture.h"
+#include "render/patterns/orientation_pattern.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ const float* light_at(const Picture& picture, int x, int y) {
 
 Letters letters_of(const Picture& picture, const char* text) {
   Letters letters;
-  for (const PatternLabel& label : pattern_labels()) {
+  for (const DomeLabel& label : orientation_labels()) {
     if (label.text != text) {
       continue;
     }

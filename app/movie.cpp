@@ -1,0 +1,214 @@
+#include "app/movie.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "app/interrupt.h"
+#include "content/files/atomic_file.h"
+#include "kernels/core/error.h"
+
+extern char** environ;  // NOLINT: POSIX's name
+
+namespace ergodome {
+
+namespace {
+
+constexpr const char* encoder = "ffmpeg";
+
+//! A running program that reads what is written to it, and writes what it has to say to a file.
+class Program {
+ public:
+  Program(const std::vector<std::string>& arguments, const std::filesystem::path& messages) {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) {
+      throw Error(encoder, std::string("cannot be started: ") + std::strerror(errno), "close other programs");
+    }
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    std::vector<char*> words;
+    for (const std::string& argument : arguments) {
+      words.push_back(const_cast<char*>(argument.c_str()));
+    }
+    words.push_back(nullptr);
+    const int problem = posix_spawnp(&process_, encoder, &actions, nullptr, words.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[0]);
+    input_ = ends[1];
+    if (problem != 0) {
+      ::close(input_);
+      throw Error(encoder, std::string("cannot be started: ") + std::strerror(problem),
+                  "install ffmpeg, or give the numbered frames to another encoder");
+    }
+  }
+  ~Program() { static_cast<void>(finish()); }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  //! False where it reads no more.
+  [[nodiscard]] bool write(const char* bytes, std::size_t count) const {
+    while (count > 0) {
+      const ssize_t written = ::write(input_, bytes, count);
+      if (written < 0 && errno == EINTR) {
+        continue;
+      }
+      if (written <= 0) {
+        return false;
+      }
+      bytes += written;
+      count -= static_cast<std::size_t>(written);
+    }
+    return true;
+  }
+
+  //! Ends its input, waits for it, and returns its exit status.
+  int finish() {
+    if (!status_) {
+      ::close(input_);
+      int status = 0;
+      while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+      }
+      status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    return *status_;
+  }
+
+ private:
+  pid_t process_ = 0;
+  int input_ = -1;
+  std::optional<int> status_;
+};
+
+//! A program that stops reading is an error to tell, not a signal to die of.
+class SignalsOfPipesIgnored {
+ public:
+  SignalsOfPipesIgnored() {
+    struct sigaction ignore {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &ignore, &before_);
+  }
+  ~SignalsOfPipesIgnored() { sigaction(SIGPIPE, &before_, nullptr); }
+  SignalsOfPipesIgnored(const SignalsOfPipesIgnored&) = delete;
+  SignalsOfPipesIgnored& operator=(const SignalsOfPipesIgnored&) = delete;
+
+ private:
+  struct sigaction before_ {};
+};
+
+std::string last_line(const std::filesystem::path& file) {
+  std::ifstream lines(file);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) {
+      last = line;
+    }
+  }
+  return last.empty() ? "nothing" : last.substr(0, 300);
+}
+
+//! Writes a file's bytes; false where the program reads no more.
+bool send(const std::filesystem::path& file, const Program& program) {
+  std::ifstream input(file, std::ios::binary);
+  if (!input) {
+    throw Error(file.string(), "cannot be read", "render it again");
+  }
+  std::vector<char> bytes(1 << 20);
+  while (input) {
+    input.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!program.write(bytes.data(), static_cast<std::size_t>(input.gcount()))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void encode(const Movie& movie, const std::filesystem::path& partial) {
+  std::filesystem::path messages = partial;
+  messages += ".log";
+  bool taken = true;
+  int status = 0;
+  std::string said;
+  {
+    Program program(movie_arguments(movie, partial), messages);
+    for (const std::filesystem::path& picture : movie.pictures) {
+      taken = taken && !interrupted() && send(picture, program);
+    }
+    status = program.finish();
+    said = last_line(messages);
+    std::error_code ignored;
+    std::filesystem::remove(messages, ignored);
+  }
+  if (interrupted()) {
+    throw Error(movie.file.string(), "was not finished", "the frames are there; go on with --resume");
+  }
+  if (!taken || status != 0) {
+    throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, said),
+                "the frames are there; try another ending (.mp4, .mov, .mkv) or another encoder");
+  }
+}
+
+}  // namespace
+
+void require_movie_encoder(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending != ".mp4" && ending != ".mov" && ending != ".mkv") {
+    throw Error("--movie " + file.string(), "does not end as a film's name does", "choose .mp4, .mov or .mkv");
+  }
+  Program program({encoder, "-version"}, "/dev/null");
+  if (program.finish() != 0) {
+    throw Error(encoder, "does not answer", "install ffmpeg, or leave out --movie and encode the frames elsewhere");
+  }
+}
+
+std::vector<std::string> movie_arguments(const Movie& movie, const std::filesystem::path& partial) {
+  // H.264's largest level ends at 8192 px, but decoders in hardware at 4096.
+  constexpr int widest_h264_px = 4096;
+  const std::string ending = movie.file.extension().string();
+  const std::string first = movie.pictures.empty() ? ".png" : movie.pictures.front().extension().string();
+  std::vector<std::string> words = {encoder,      "-hide_banner",
+                                    "-nostdin",   "-loglevel",
+                                    "error",      "-y",
+                                    "-f",         first == ".tif" ? "tiff_pipe" : "png_pipe",
+                                    "-framerate", fmt::format("{:.10g}", movie.frame_rate_hz),
+                                    "-i",         "pipe:0",
+                                    "-an"};
+  const auto add = [&](std::initializer_list<const char*> more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
+  // sRGB's primaries are BT.709's; the matrix must be said, or players guess by the size.
+  if (ending == ".mkv") {
+    add({"-c:v", "ffv1", "-level", "3", "-f", "matroska"});
+  } else {
+    add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=limited", "-colorspace", "bt709",
+         "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"});
+    if (ending == ".mov") {
+      add({"-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuv444p10le", "-f", "mov"});
+    } else if (movie.width_px > widest_h264_px) {
+      add({"-c:v", "libx265", "-crf", "14", "-preset", "medium", "-pix_fmt", "yuv420p", "-tag:v", "hvc1", "-movflags",
+           "+faststart", "-f", "mp4"});
+    } else {
+      add({"-c:v", "libx264", "-crf", "14", "-preset", "medium", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
+           "mp4"});
+    }
+  }
+  words.push_back(partial.string());
+  return words;
+}
+
+void write_movie(const Movie& movie) {
+  const SignalsOfPipesIgnored ignored;
+  write_atomically(movie.file, [&](const std::filesystem::path& partial) { encode(movie, partial); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,84 @@
+#include "app/sequence_facts.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/show_loading.h"
+#include "content/files/atomic_file.h"
+#include "render/frame/view_projection.h"
+#include "render/output/frame_names.h"
+
+namespace ergodome {
+
+namespace {
+
+using Facts = nlohmann::ordered_json;
+
+void add_view(const Show& show, int size_px, Facts& facts) {
+  constexpr const char* lenses[] = {"equidistant", "equisolid", "stereographic", "orthographic", "polynomial"};
+  const Projection projection = make_projection(show.view, size_px, 0.0);
+  facts["eye_width_px"] = projection.width_px;
+  facts["eye_height_px"] = projection.height_px;
+  facts["projection"] = projection_names()[static_cast<std::size_t>(show.view.projection)];
+  if (show.view.projection != ViewProjection::equirect && show.view.projection != ViewProjection::cube) {
+    facts["fov_deg"] = show.view.field_of_view_deg;
+  }
+  if (show.view.projection == ViewProjection::dome) {
+    facts["lens"] = lenses[static_cast<int>(show.view.lens)];
+    facts["tilt_deg"] = show.view.tilt_deg;
+    facts["front"] = "bottom of the picture";
+  }
+  facts["seen_from"] = show.view.from_outside ? "outside" : "inside";
+}
+
+void add_stereo(const Show& show, Facts& facts) {
+  facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
+  if (show.stereo.layout != StereoLayout::mono) {
+    facts["baseline_M"] = show.stereo.baseline;
+    facts["eyes_swapped"] = show.stereo.swap_eyes;
+  }
+}
+
+void add_format(const FrameFormat& format, Facts& facts) {
+  facts["format"] = image_format_names()[static_cast<std::size_t>(format.image)];
+  facts["bits"] = format.image == ImageFormat::png ? 8 : 16;
+  facts["alpha"] = format.alpha;
+  if (format.image == ImageFormat::exr) {
+    facts["compression"] = exr_compression_names()[static_cast<std::size_t>(format.compression)];
+    facts["colour"] = "linear light, Rec. 709 primaries, half floats";
+  } else {
+    facts["colour"] = "sRGB";
+  }
+}
+
+Facts facts_of(const Show& show, const FrameFormat& format, int size_px) {
+  Facts facts;
+  facts["title"] = show.title;
+  facts["made_by"] = "Ergodome " ERGODOME_VERSION;
+  facts["files"] =
+      frame_path(show.name, 0, frame_count(show), FramePart::whole, file_ending(format.image)).generic_string();
+  facts["frames"] = frame_count(show);
+  facts["first_frame"] = 1;
+  facts["frame_rate_hz"] = show.frame_rate_hz;
+  facts["duration_s"] = show.duration_s;
+  add_view(show, size_px, facts);
+  add_stereo(show, facts);
+  add_format(format, facts);
+  return facts;
+}
+
+}  // namespace
+
+void write_sequence_facts(const std::filesystem::path& folder, const Show& show, const FrameFormat& format,
+                          int size_px) {
+  const Facts facts = facts_of(show, format, size_px);
+  std::string text;
+  for (const auto& [name, value] : facts.items()) {
+    text += fmt::format("{}: {}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  write_text_atomically(folder / (show.name + ".json"), facts.dump(2) + "\n");
+  write_text_atomically(folder / (show.name + ".txt"), text);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,104 @@
+#include "render/patterns/pattern_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/image/color_map.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+bool is_screen(const Projection& projection) { return projection.kind == ProjectionKind::pinhole; }
+
+void put_angles(PatternPlace& place) {
+  const Vector3<double>& n = place.direction;
+  place.azimuth_deg = std::atan2(n.x, -n.z) / degree;
+  place.elevation_deg = std::atan2(n.y, std::hypot(n.x, n.z)) / degree;
+}
+
+}  // namespace
+
+PatternPlace pattern_place(const Projection& projection, double x_px, double y_px) {
+  PatternPlace place{};
+  place.x_px = x_px;
+  place.y_px = y_px;
+  place.direction = direction_from_pixel(projection, x_px, y_px);
+  put_angles(place);
+  if (is_screen(projection)) {
+    place.across = x_px / projection.width_px;
+    place.up = 1.0 - y_px / projection.height_px;
+  } else {
+    place.across = (place.azimuth_deg + 180.0) / 360.0;
+    place.up = std::abs(place.elevation_deg) / 90.0;
+  }
+  return place;
+}
+
+void dome_place(const Projection& projection, double across, double up, double& azimuth_deg, double& elevation_deg) {
+  if (is_screen(projection)) {
+    const PatternPlace place =
+        pattern_place(projection, across * projection.width_px, (1.0 - up) * projection.height_px);
+    azimuth_deg = place.azimuth_deg;
+    elevation_deg = place.elevation_deg;
+  } else {
+    azimuth_deg = 360.0 * across - 180.0;
+    elevation_deg = 90.0 * up;
+  }
+}
+
+double sheet_degrees(const Projection& projection, double part) {
+  return is_screen(projection) ? part * projection.height_px * pixel_angle(projection) / degree : 90.0 * part;
+}
+
+Picture draw_pattern(const Projection& projection, int samples, const PatternLight& light) {
+  Picture picture;
+  picture.width = projection.width_px;
+  picture.height = projection.height_px;
+  picture.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
+  picture.rgba.resize(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+  parallel_for(picture.height, 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        const auto coverage = static_cast<float>(image_coverage(projection, x + 0.5, y + 0.5));
+        if (!(coverage > 0.0F)) {
+          continue;
+        }
+        Vector3<float> sum = {0.0F, 0.0F, 0.0F};
+        for (int j = 0; j < samples; ++j) {
+          for (int i = 0; i < samples; ++i) {
+            sum = sum + light(pattern_place(projection, x + (i + 0.5) / samples, y + (j + 0.5) / samples));
+          }
+        }
+        const float scale = coverage / static_cast<float>(samples * samples);
+        const float rgba[4] = {scale * sum.x, scale * sum.y, scale * sum.z, coverage};
+        std::copy_n(rgba, 4, picture.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x));
+      }
+    }
+  });
+  return picture;
+}
+
+double line_at(double coordinate, double spacing, double per_px, double width_px) {
+  const double apart = std::abs(coordinate - spacing * std::round(coordinate / spacing));
+  return std::clamp(0.5 * width_px + 0.5 - apart / std::max(per_px, 1e-12), 0.0, 1.0);
+}
+
+DomeSteps dome_steps(const Projection& projection, const PatternPlace& place) {
+  const PixelSteps<double> steps = pixel_steps(projection, place.x_px, place.y_px);
+  const Vector3<double>& n = place.direction;
+  const double level = std::max(std::hypot(n.x, n.z), 1e-9);
+  const Vector3<double> up = {-n.x * n.y / level, level, -n.z * n.y / level};
+  const Vector3<double> right = {-n.z / level, 0.0, n.x / level};
+  const auto change_deg = [&](const Vector3<double>& way) {
+    return std::hypot(dot(way, steps.across), dot(way, steps.down)) / degree;
+  };
+  return {change_deg(up), change_deg(right) / level};
+}
+
+float light_of_value(double value) { return srgb_decoded(static_cast<float>(value / 255.0)); }
+
+}  // namespace ergodome

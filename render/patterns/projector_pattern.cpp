@@ -1,0 +1,64 @@
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/core/error.h"
+#include "render/patterns/test_pattern.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr float white[4] = {1.0F, 1.0F, 1.0F, 1.0F};
+constexpr float amber[4] = {1.0F, 0.6F, 0.05F, 1.0F};
+constexpr float dim[4] = {0.3F, 0.3F, 0.3F, 1.0F};
+
+void write(OIIO::ImageBuf& image, int x, int y, const std::string& text, int font_px, const float (&colour)[4]) {
+  using Algorithm = OIIO::ImageBufAlgo::TextAlignX;
+  OIIO::ImageBufAlgo::render_text(image, x, y, text, std::max(font_px, 1), "DejaVuSans", colour, Algorithm::Center,
+                                  OIIO::ImageBufAlgo::TextAlignY::Center, 0);
+}
+
+//! A circle as its pixels: those whose middle is within half a pixel of it.
+void draw_circle(Picture& picture, double radius_px) {
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const double from_middle = std::hypot(x + 0.5 - 0.5 * picture.width, y + 0.5 - 0.5 * picture.height);
+      if (std::abs(from_middle - radius_px) < 0.75) {
+        std::copy_n(dim, 4, picture.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Picture draw_projector_number(int number, const std::string& name, int width_px, int height_px) {
+  constexpr int largest_px = 16'384;
+  if (width_px < 1 || height_px < 1 || width_px > largest_px || height_px > largest_px) {
+    throw Error(name, fmt::format("has a raster of {} x {} pixels", width_px, height_px),
+                fmt::format("choose from 1 to {}", largest_px));
+  }
+  Picture picture;
+  picture.width = width_px;
+  picture.height = height_px;
+  picture.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
+  picture.rgba.resize(4 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px));
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+    picture.rgba[i] = i % 4 == 3 ? 1.0F : 0.01F;
+  }
+  const int small = std::min(width_px, height_px);
+  draw_circle(picture, 0.45 * small);
+  OIIO::ImageBuf image(OIIO::ImageSpec(width_px, height_px, 4, OIIO::TypeDesc::FLOAT), picture.rgba.data());
+  OIIO::ImageBufAlgo::render_line(image, 0, 0, width_px - 1, height_px - 1, dim);
+  OIIO::ImageBufAlgo::render_line(image, 0, height_px - 1, width_px - 1, 0, dim);
+  OIIO::ImageBufAlgo::render_box(image, 0, 0, width_px - 1, height_px - 1, white);
+  write(image, width_px / 2, height_px / 2, fmt::format("{}", number), small / 3, white);
+  write(image, width_px / 2, height_px / 2 + small / 4, name, small / 16, amber);
+  write(image, width_px / 2, height_px / 2 + small / 3, fmt::format("{} x {}", width_px, height_px), small / 24, amber);
+  return picture;
+}
+
+}  // namespace ergodome
