@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <bit>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -15,6 +16,7 @@
 #include "app/interrupt.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
+#include "render/output/image_reader.h"
 
 extern char** environ;  // NOLINT: POSIX's name
 
@@ -106,6 +108,15 @@ class SignalsOfPipesIgnored {
   struct sigaction before_ {};
 };
 
+//! Removes a file in the end, whatever happens.
+struct FileRemoved {
+  std::filesystem::path file;
+  ~FileRemoved() {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+  }
+};
+
 std::string last_line(const std::filesystem::path& file) {
   std::ifstream lines(file);
   std::string last;
@@ -117,38 +128,30 @@ std::string last_line(const std::filesystem::path& file) {
   return last.empty() ? "nothing" : last.substr(0, 300);
 }
 
-//! Writes a file's bytes; false where the program reads no more.
-bool send(const std::filesystem::path& file, const Program& program) {
-  std::ifstream input(file, std::ios::binary);
-  if (!input) {
-    throw Error(file.string(), "cannot be read", "render it again");
+//! Writes a picture's pixels; false where the program reads no more.
+bool send(const std::filesystem::path& file, const DisplayPixels& size, const Program& program) {
+  const DisplayPixels pixels = read_display_pixels(file);
+  if (pixels.width != size.width || pixels.height != size.height) {
+    throw Error(file.string(),
+                fmt::format("has {} x {} pixels, the first picture {} x {}", pixels.width, pixels.height, size.width,
+                            size.height),
+                "render the frames again, without --resume");
   }
-  std::vector<char> bytes(1 << 20);
-  while (input) {
-    input.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!program.write(bytes.data(), static_cast<std::size_t>(input.gcount()))) {
-      return false;
-    }
-  }
-  return true;
+  return program.write(reinterpret_cast<const char*>(pixels.rgb.data()), 2 * pixels.rgb.size());
 }
 
 void encode(const Movie& movie, const std::filesystem::path& partial) {
   std::filesystem::path messages = partial;
   messages += ".log";
+  const DisplayPixels size = image_size(movie.pictures.front());
+  Program program(movie_arguments(movie, size.width, size.height, partial), messages);
+  const FileRemoved after = {messages};
   bool taken = true;
-  int status = 0;
-  std::string said;
-  {
-    Program program(movie_arguments(movie, partial), messages);
-    for (const std::filesystem::path& picture : movie.pictures) {
-      taken = taken && !interrupted() && send(picture, program);
-    }
-    status = program.finish();
-    said = last_line(messages);
-    std::error_code ignored;
-    std::filesystem::remove(messages, ignored);
+  for (const std::filesystem::path& picture : movie.pictures) {
+    taken = taken && !interrupted() && send(picture, size, program);
   }
+  const int status = program.finish();
+  const std::string said = last_line(messages);
   if (interrupted()) {
     throw Error(movie.file.string(), "was not finished", "the frames are there; go on with --resume");
   }
@@ -171,21 +174,19 @@ void require_movie_encoder(const std::filesystem::path& file) {
   }
 }
 
-std::vector<std::string> movie_arguments(const Movie& movie, const std::filesystem::path& partial) {
+std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int height_px,
+                                         const std::filesystem::path& partial) {
   // H.264's largest level ends at 8192 px, but decoders in hardware at 4096.
   constexpr int widest_h264_px = 4096;
   const std::string ending = movie.file.extension().string();
-  const std::string first = movie.pictures.empty() ? ".png" : movie.pictures.front().extension().string();
-  std::vector<std::string> words = {encoder,      "-hide_banner",
-                                    "-nostdin",   "-loglevel",
-                                    "error",      "-y",
-                                    "-f",         first == ".tif" ? "tiff_pipe" : "png_pipe",
-                                    "-framerate", fmt::format("{:.10g}", movie.frame_rate_hz),
-                                    "-i",         "pipe:0",
-                                    "-an"};
+  std::vector<std::string> words = {encoder, "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
   const auto add = [&](std::initializer_list<const char*> more) {
     words.insert(words.end(), more.begin(), more.end());
   };
+  const std::string size = fmt::format("{}x{}", width_px, height_px);
+  const std::string rate = fmt::format("{:.10g}", movie.frame_rate_hz);
+  add({"-f", "rawvideo", "-pix_fmt", std::endian::native == std::endian::little ? "rgb48le" : "rgb48be", "-s",
+       size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0", "-an"});
   // sRGB's primaries are BT.709's; the matrix must be said, or players guess by the size.
   if (ending == ".mkv") {
     add({"-c:v", "ffv1", "-level", "3", "-f", "matroska"});
@@ -194,7 +195,7 @@ std::vector<std::string> movie_arguments(const Movie& movie, const std::filesyst
          "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"});
     if (ending == ".mov") {
       add({"-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuv444p10le", "-f", "mov"});
-    } else if (movie.width_px > widest_h264_px) {
+    } else if (width_px > widest_h264_px) {
       add({"-c:v", "libx265", "-crf", "14", "-preset", "medium", "-pix_fmt", "yuv420p", "-tag:v", "hvc1", "-movflags",
            "+faststart", "-f", "mp4"});
     } else {

@@ -134,7 +134,6 @@ class FrameWriter {
       movie.file = file.parent_path() / (file.stem().string() + (separate ? "_" : "") + eye_folder(part).string() +
                                          file.extension().string());
       movie.frame_rate_hz = show.frame_rate_hz;
-      movie.width_px = eye_width_px() * (show.stereo.layout == StereoLayout::side_by_side ? 2 : 1);
       for (int frame = first; frame <= last; ++frame) {
         movie.pictures.push_back(path_of(frame, part, std::nullopt));
       }
