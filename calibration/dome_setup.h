@@ -60,7 +60,8 @@ struct ProjectorSetup {
 
 struct DomeSetup {
   double radius_m = 5.0;
-  double tilt_deg = 0.0;  //!< how far the dome's top leans to the front
+  double tilt_deg = 0.0;      //!< how far the dome's top leans to the front
+  double rotation_deg = 0.0;  //!< how far the picture is turned to the right about the dome's own axis
   Vector3<double> viewer_m{0.0, 0.0, 0.0};
   std::vector<ProjectorSetup> projectors;
   std::filesystem::path folder;  //!< of the setup's file; files that it names are sought from there

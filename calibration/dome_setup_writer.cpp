@@ -4,7 +4,6 @@
 
 #include "calibration/dome_setup.h"
 #include "content/files/atomic_file.h"
-#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -84,23 +83,6 @@ toml::table projector_of(const ProjectorSetup& projector) {
   return table;
 }
 
-//! Keeps the older file of a name beside it.
-void keep_older(const std::filesystem::path& path) {
-  std::error_code problem;
-  if (!std::filesystem::exists(path, problem)) {
-    return;
-  }
-  std::filesystem::path kept = path;
-  kept += ".bak";
-  write_atomically(kept, [&](const std::filesystem::path& partial) {
-    std::error_code failed;
-    std::filesystem::copy_file(path, partial, std::filesystem::copy_options::overwrite_existing, failed);
-    if (failed) {
-      throw Error(kept.string(), "cannot be written: " + failed.message(), "check the folder and its permissions");
-    }
-  });
-}
-
 }  // namespace
 
 std::string to_toml(const DomeSetup& setup) {
@@ -108,9 +90,11 @@ std::string to_toml(const DomeSetup& setup) {
   for (const ProjectorSetup& projector : setup.projectors) {
     projectors.push_back(projector_of(projector));
   }
-  const toml::table root{{"dome", toml::table{{"radius_m", setup.radius_m}, {"tilt_deg", setup.tilt_deg}}},
-                         {"viewer", toml::table{{"position_m", list_of(setup.viewer_m)}}},
-                         {"projector", std::move(projectors)}};
+  const toml::table root{
+      {"dome",
+       toml::table{{"radius_m", setup.radius_m}, {"tilt_deg", setup.tilt_deg}, {"rotation_deg", setup.rotation_deg}}},
+      {"viewer", toml::table{{"position_m", list_of(setup.viewer_m)}}},
+      {"projector", std::move(projectors)}};
   std::ostringstream text;
   text << root << '\n';
   return text.str();

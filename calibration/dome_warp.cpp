@@ -81,6 +81,11 @@ bool master_place(const DomeScreen& screen, const Vector3<double>& point, double
   return pixel_from_direction(master_of(screen), inverse * point, u, v) && rim_part(u, v) <= 1.0;
 }
 
+bool master_place_near_rim(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v) {
+  const double inverse = 1.0 / std::sqrt(dot(point, point));
+  return pixel_from_direction(master_of(screen), inverse * point, u, v) && rim_part(u, v) < beyond_rim;
+}
+
 WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, int master_px, double tolerance_px) {
   const Projection master = master_of(screen);
   WarpMesh mesh = mesh_of(projector, master, coarsest);

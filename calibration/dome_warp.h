@@ -15,6 +15,9 @@ struct DomeScreen {
 //! The place in the domemaster of a point of the dome's sphere: u to the right, v down, 0 to 1. False beyond the circle's rim.
 bool master_place(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
 
+//! The same for nodes of meshes, up to a quarter of the radius beyond the rim: cells across it need them.
+bool master_place_near_rim(const DomeScreen& screen, const Vector3<double>& point, double& u, double& v);
+
 //! The warp by which a projector shows a domemaster of `master_px` in place: a mesh that reaches from rim to rim of the raster, as coarse as
 //! `tolerance_px` allows, though no finer than 1,025 nodes a side: pixels of the master, or of the projector where those are
 //! larger. Nodes just beyond the dome's rim are there, so that the rim is; those far beyond are not drawn. Intensities are 1. Throws

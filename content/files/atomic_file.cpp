@@ -60,6 +60,22 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
   });
 }
 
+void keep_older(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (!std::filesystem::exists(path, problem)) {
+    return;
+  }
+  std::filesystem::path kept = path;
+  kept += ".bak";
+  write_atomically(kept, [&](const std::filesystem::path& partial) {
+    std::error_code failed;
+    std::filesystem::copy_file(path, partial, std::filesystem::copy_options::overwrite_existing, failed);
+    if (failed) {
+      throw Error(kept.string(), "cannot be written: " + failed.message(), "check the folder and its permissions");
+    }
+  });
+}
+
 void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);

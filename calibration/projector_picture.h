@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibration/corner_offsets.h"
+#include "calibration/dome_setup.h"
+#include "calibration/projector_files.h"
+
+namespace ergodome {
+
+//! All that makes a projector's picture out of a domemaster, whatever files it came from.
+struct ProjectorPicture {
+  std::string name;
+  int width_px = 0;
+  int height_px = 0;
+  WarpMesh warp;          //!< places of the domemaster (180°, front at the bottom) over the raster
+  CornerOffsets corners;  //!< by which warp and masks are yet to be moved
+  BlendMap blend;         //!< linear factors of the light; width 0: none
+  BlendMap black_level;   //!< linear parts of the lift; width 0: all of it everywhere
+  Vector3<double> black_level_lift{};
+  Vector3<double> gain{1.0, 1.0, 1.0};
+  double gamma = 2.2;
+};
+
+//! The warp of a projector that shows a domemaster, turned by the setup's rotation: its own, or that of its surface or lens, or where it
+//! has none computed from its place. Throws Error, naming the projector, where nothing tells it, and where a warp shows no part of the
+//! master.
+WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded);
+
+//! The pictures of all projectors of a setup. Where all of them have a lens, those without a warp and a mask get the mask of calibration/
+//! dome_blend.h. Throws Error for what load_projector and master_warp refuse, and for a setup without projectors.
+std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup);
+
+//! Width of a domemaster [px] whose pixels are no larger than the projectors' are on it, but for the finest twentieth of these; a multiple of
+//! 64, 256 to 8192.
+int enough_master_px(const std::vector<ProjectorPicture>& pictures);
+
+}  // namespace ergodome
