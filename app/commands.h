@@ -14,5 +14,6 @@ void add_inspect_command(CLI::App& app);
 void add_catalogue_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_calibrate_command(CLI::App& app);
+void add_convert_command(CLI::App& app);
 
 }  // namespace ergodome

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/inspect_setup.h"
 #include "app/inspect_trajectory.h"
 #include "app/show_loading.h"
 #include "content/camera_path.h"
@@ -163,6 +164,15 @@ void run(const InspectOptions& options) {
   if (is_trajectory(options.file)) {
     return run_for_trajectory(options);
   }
+  if (is_dome_setup(options.file)) {
+    const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
+    if (options.json) {
+      fmt::print("{}\n", facts.dump(2));
+    } else {
+      print_setup(facts);
+    }
+    return;
+  }
   const bool is_image =
       std::filesystem::path(options.file).has_extension() && std::filesystem::path(options.file).extension() != ".toml";
   nlohmann::json facts;
@@ -193,13 +203,15 @@ void run(const InspectOptions& options) {
 
 void add_inspect_command(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show, a trajectory or a sky map");
+  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show, a trajectory, a dome setup or a sky map");
   command
-      ->add_option("file", options->file,
-                   "show (.toml or the name of a built-in one), trajectory, or equirectangular image")
+      ->add_option(
+          "file", options->file,
+          "show (.toml or the name of a built-in one), trajectory, dome setup (.toml), or equirectangular image")
       ->required();
-  command->add_option("--picture", options->picture,
-                      "draw the lens grid of the show's camera, or of a trajectory's station, to this PNG");
+  command->add_option(
+      "--picture", options->picture,
+      "draw the lens grid of the show's camera or of a trajectory's station, or a dome's projectors, to this PNG");
   command->add_option("--time", options->time_s, "with --picture: show time [s]")->capture_default_str();
   command->add_option("--size", options->size_px, "with --picture: its width in pixels")
       ->check(CLI::Range(16, 8192))

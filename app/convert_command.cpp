@@ -1,0 +1,140 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/projector_folder.h"
+#include "calibration/bourke_mesh.h"
+#include "calibration/mpcdi_reader.h"
+#include "calibration/mpcdi_writer.h"
+#include "calibration/setup_conversion.h"
+#include "calibration/warp_conversion.h"
+#include "content/files/atomic_file.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+struct ConvertOptions {
+  std::string from;
+  std::string to;
+  double radius_m = 5.0;
+  double aspect = 16.0 / 9.0;
+  std::pair<int, int> size{0, 0};
+};
+
+//! What a file is, by its ending; a name without one is a folder.
+enum class FileKind { setup, mpcdi, bourke, map, folder, other };
+
+FileKind kind_of(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".toml") {
+    return FileKind::setup;
+  }
+  if (ending == ".mpcdi" || ending == ".xml") {
+    return FileKind::mpcdi;
+  }
+  if (ending == ".data") {
+    return FileKind::bourke;
+  }
+  if (ending == ".pfm") {
+    return FileKind::map;
+  }
+  return ending.empty() ? FileKind::folder : FileKind::other;
+}
+
+void convert_setup(const ConvertOptions& options, const DomeSetup& setup) {
+  const std::filesystem::path to = options.to;
+  if (kind_of(to) == FileKind::folder) {
+    const std::filesystem::path name = std::filesystem::path(options.from).stem().string() + ".toml";
+    fmt::print("written to {}\n", write_projector_folder(to, name, setup, projector_pictures(setup)).string());
+    return;
+  }
+  const auto now = fmt::gmtime(std::time(nullptr));
+  write_mpcdi(to, mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now)));
+  fmt::print("written to {}\n", to.string());
+}
+
+void convert_mpcdi(const ConvertOptions& options) {
+  const std::filesystem::path to = options.to;
+  const std::filesystem::path from = options.from;
+  const Mpcdi mpcdi = read_mpcdi(from);
+  for (const std::string& what : mpcdi.left_out) {
+    fmt::print(stderr, "ergodome: {}: passed over {}\n", from.string(), what);
+  }
+  const std::filesystem::path folder = kind_of(to) == FileKind::folder ? from.parent_path() : to.parent_path();
+  const std::filesystem::path beside = folder.empty() ? "." : folder;
+  DomeSetup setup = setup_from_mpcdi(mpcdi, std::filesystem::relative(from, beside).string(), options.radius_m);
+  setup.folder = beside;
+  if (kind_of(to) == FileKind::folder) {
+    return convert_setup(options, setup);
+  }
+  write_dome_setup(to, setup);
+  fmt::print("written to {}\n", to.string());
+}
+
+void convert_mesh(const ConvertOptions& options) {
+  const std::filesystem::path from = options.from;
+  const WarpMesh mesh =
+      kind_of(from) == FileKind::bourke
+          ? read_bourke_mesh(from, options.aspect)
+          : with_rim(warp_from_map(read_float_map(from, RowOrder::bottom_up), TextureDirection::downwards));
+  if (kind_of(options.to) == FileKind::bourke) {
+    write_text_atomically(options.to, to_bourke_mesh(mesh, options.aspect));
+  } else {
+    const int columns = options.size.first > 0 ? options.size.first : mesh.columns;
+    const int rows = options.size.second > 0 ? options.size.second : mesh.rows;
+    check_mesh_size(columns, rows, "--size");
+    const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
+    write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
+  }
+  fmt::print("written to {}\n", options.to);
+}
+
+void run(const ConvertOptions& options) {
+  const FileKind from = kind_of(options.from);
+  const FileKind to = kind_of(options.to);
+  if (from == FileKind::setup && (to == FileKind::mpcdi || to == FileKind::folder)) {
+    return convert_setup(options, read_dome_setup(options.from));
+  }
+  if (from == FileKind::mpcdi && (to == FileKind::setup || to == FileKind::folder)) {
+    return convert_mpcdi(options);
+  }
+  const auto is_mesh = [](FileKind kind) { return kind == FileKind::bourke || kind == FileKind::map; };
+  if (is_mesh(from) && is_mesh(to)) {
+    return convert_mesh(options);
+  }
+  throw Error("convert", fmt::format("cannot make \"{}\" of \"{}\"", options.to, options.from),
+              "a setup (.toml) becomes .mpcdi or a folder, MPCDI (.mpcdi, .xml) a setup or a folder, "
+              "a mesh (.data, .pfm) the other kind of mesh");
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app) {
+  auto options = std::make_shared<ConvertOptions>();
+  auto* command = app.add_subcommand("convert", "Convert dome setups, MPCDI calibrations and warp meshes");
+  command->add_option("from", options->from, "dome setup (.toml), MPCDI (.mpcdi, .xml), mesh (.data, .pfm)")
+      ->required();
+  command
+      ->add_option("to", options->to,
+                   "of a setup: .mpcdi, or a folder for Bourke's meshes and masks; of MPCDI: a setup or such a folder; "
+                   "of a mesh: .data or .pfm")
+      ->required();
+  command->add_option("--radius", options->radius_m, "the dome's [m], which MPCDI does not tell")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  command->add_option("--aspect", options->aspect, "width over height of the raster that a .data mesh is for")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "columns and rows of a .pfm (default: the mesh's own)")
+      ->delimiter('x')
+      ->type_name("WxH");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,91 @@
+#include "app/inspect_setup.h"
+
+#include <fmt/format.h>
+
+#include "calibration/projector_picture.h"
+#include "content/files/toml_table.h"
+#include "content/files/whole_file.h"
+#include "render/output/image_writer.h"
+#include "render/patterns/setup_picture.h"
+
+namespace ergodome {
+
+namespace {
+
+const char* lens_word(const Lens& lens) {
+  constexpr const char* words[] = {"none", "frustum", "fisheye"};
+  return words[lens.index()];
+}
+
+nlohmann::json facts_of(const ProjectorSetup& projector, const ProjectorPicture& picture, double lit_part) {
+  nlohmann::json facts = {{"name", projector.name},
+                          {"width_px", projector.width_px},
+                          {"height_px", projector.height_px},
+                          {"lens", lens_word(projector.lens)},
+                          {"warp", projector.warp ? projector.warp->file : "from geometry"},
+                          {"columns", picture.warp.columns},
+                          {"rows", picture.warp.rows},
+                          {"blend_mask", picture.blend.width > 0},
+                          {"gamma", projector.gamma},
+                          {"lit_part", lit_part}};
+  if (projector.output.monitor) {
+    facts["monitor"] = *projector.output.monitor;
+  } else {
+    facts["window_px"] = {projector.output.window_x_px, projector.output.window_y_px};
+  }
+  return facts;
+}
+
+}  // namespace
+
+bool is_dome_setup(const std::string& file) {
+  if (!file.ends_with(".toml")) {
+    return false;
+  }
+  try {
+    const toml::table table = parse_toml(read_whole_file(file, std::size_t{4} << 20U, ""), file, 4, "dome setup");
+    return table.contains("projector") || table.contains("dome");
+  } catch (const std::exception&) {
+    // Whatever is wrong, the reader of shows says it.
+    return false;
+  }
+}
+
+nlohmann::json inspect_setup(const std::string& file, const std::string& picture, int size_px) {
+  const DomeSetup setup = read_dome_setup(file);
+  const std::vector<ProjectorPicture> pictures = projector_pictures(setup);
+  const std::vector<double> lit = lit_parts(pictures);
+  nlohmann::json facts = {{"radius_m", setup.radius_m},
+                          {"tilt_deg", setup.tilt_deg},
+                          {"rotation_deg", setup.rotation_deg},
+                          {"enough_master_px", enough_master_px(pictures)},
+                          {"dark_part", lit.back()}};
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    facts["projectors"].push_back(facts_of(setup.projectors[i], pictures[i], lit[i]));
+  }
+  if (!picture.empty()) {
+    write_picture(picture, {}, draw_setup(pictures, size_px), {});
+  }
+  return facts;
+}
+
+void print_setup(const nlohmann::json& facts) {
+  for (const char* name : {"radius_m", "tilt_deg", "rotation_deg", "enough_master_px"}) {
+    fmt::print("{:<18}{}\n", name, facts[name].dump());
+  }
+  fmt::print("\n{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>8}  {}\n", "", "projector", "raster", "lens", "warp", "mask",
+             "of dome", "warp from");
+  int number = 0;
+  for (const auto& projector : facts["projectors"]) {
+    fmt::print("{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>6.1f} %  {}\n", ++number,
+               projector["name"].get<std::string>(),
+               fmt::format("{} x {}", projector["width_px"].get<int>(), projector["height_px"].get<int>()),
+               projector["lens"].get<std::string>(),
+               fmt::format("{} x {}", projector["columns"].get<int>(), projector["rows"].get<int>()),
+               projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
+               projector["warp"].get<std::string>());
+  }
+  fmt::print("{:.1f} % of the dome are lit by none\n", 100.0 * facts["dark_part"].get<double>());
+}
+
+}  // namespace ergodome

@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "calibration/projector_picture.h"
+#include "calibration/warp_conversion.h"
+#include "render/output/image_writer.h"
+#include "tests/app/command_line.h"
+
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CommandLine;
+using testing::HasSubstr;
+
+constexpr const char* two_projectors =
+    "[dome]\nradius_m = 6\nrotation_deg = 20\n"
+    "[[projector]]\nname = \"left / one\"\nposition_m = [-1, 0, 0]\nyaw_deg = 40\npitch_deg = 40\n"
+    "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [64, 48]\n"
+    "window_px = [0, 0]\nblack_level_lift = 0.02\n"
+    "[[projector]]\nname = \"right\"\nposition_m = [1, 0, 0]\nyaw_deg = -40\npitch_deg = 40\n"
+    "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [64, 48]\n"
+    "window_px = [64, 0]\n";
+
+class ConvertCommand : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    write("dome.toml", two_projectors);
+  }
+  [[nodiscard]] std::vector<ProjectorPicture> pictures_of(const char* setup) const {
+    return projector_pictures(read_dome_setup(folder_ / setup));
+  }
+};
+
+//! The largest distance between the places of the master that two warps show, over the middles of pixels that both draw.
+double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
+  const WarpMesh fine_a = resampled_warp(a, 64, 48);
+  const WarpMesh fine_b = resampled_warp(b, 64, 48);
+  double farthest = 0.0;
+  int both = 0;
+  for (std::size_t i = 0; i < fine_a.nodes.size(); ++i) {
+    if (fine_a.nodes[i].valid && fine_b.nodes[i].valid) {
+      ++both;
+      farthest = std::max(farthest, std::hypot(static_cast<double>(fine_a.nodes[i].u - fine_b.nodes[i].u),
+                                               static_cast<double>(fine_a.nodes[i].v - fine_b.nodes[i].v)));
+    }
+  }
+  EXPECT_GT(both, 64 * 48 / 2);
+  return farthest;
+}
+
+TEST_F(ConvertCommand, AFolderOfMeshesShowsWhatTheSetupShows) {
+  ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
+  const auto before = pictures_of("dome.toml");
+  const auto after = pictures_of("made/dome.toml");
+  ASSERT_EQ(after.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(farthest_apart(before[i].warp, after[i].warp), 1e-5);
+    EXPECT_EQ(after[i].black_level_lift.x, before[i].black_level_lift.x);
+    for (std::size_t k = 0; k < before[i].blend.values.size(); ++k) {
+      ASSERT_NEAR(after[i].blend.values[k], before[i].blend.values[k], 2e-5F) << k;
+    }
+  }
+}
+
+TEST_F(ConvertCommand, MpcdiAndBackShowsTheSame) {
+  ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
+  ASSERT_EQ(run("convert made/dome.toml dome.mpcdi"), 0) << output_;
+  ASSERT_EQ(run("convert dome.mpcdi sub/../again.toml --radius 6"), 1) << "there is no folder sub";
+  ASSERT_EQ(run("convert dome.mpcdi again.toml --radius 6"), 0) << output_;
+  const auto before = pictures_of("dome.toml");
+  const auto after = pictures_of("again.toml");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(farthest_apart(before[i].warp, after[i].warp), 1e-5);
+  }
+}
+
+TEST_F(ConvertCommand, MpcdiBecomesAFolderOfMeshes) {
+  ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
+  ASSERT_EQ(run("convert made/dome.toml dome.mpcdi"), 0) << output_;
+  ASSERT_EQ(run("convert dome.mpcdi again"), 0) << output_;
+  EXPECT_LT(farthest_apart(pictures_of("dome.toml")[1].warp, pictures_of("again/dome.toml")[1].warp), 1e-5);
+  EXPECT_NEAR(pictures_of("again/dome.toml")[0].black_level_lift.x, 0.02, 1e-4);
+}
+
+TEST_F(ConvertCommand, MeshesBecomeMapsAndMapsMeshes) {
+  write("a.data",
+        "2\n3 2\n-1.5 -1 0.1 0.2 1\n0 -1 0.5 0.2 1\n1.5 -1 0.9 0.2 1\n"
+        "-1.5 1 0.1 0.8 1\n0 1 0.5 0.8 1\n1.5 1 0.9 0.8 1\n");
+  ASSERT_EQ(run("convert a.data a.pfm --aspect 1.5 --size 20x10"), 0) << output_;
+  ASSERT_EQ(run("convert a.pfm b.data --aspect 1.5"), 0) << output_;
+  ASSERT_EQ(run("convert b.data c.pfm --aspect 1.5 --size 20x10"), 0) << output_;
+  EXPECT_EQ(fs::file_size(folder_ / "c.pfm"), fs::file_size(folder_ / "a.pfm"));
+}
+
+TEST_F(ConvertCommand, SaysWhatItCannotMake) {
+  for (const char* words : {"convert dome.toml a.png", "convert a.png b.pfm", "convert dome.toml b.toml",
+                            "convert absent.toml made", "convert absent.mpcdi made", "convert absent.data a.pfm",
+                            "convert dome.toml", "convert dome.toml made --aspect 0"}) {
+    EXPECT_NE(run(words), 0) << words;
+    EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "made"));
+}
+
+TEST_F(CommandLine, InspectTellsHowMuchOfTheDomeAProjectorLights) {
+  // From the middle, straight up, the frustum of a cube's face: a third of the half sphere.
+  write("dome.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\npitch_deg = 90\n"
+        "frustum = { left_deg = -45, right_deg = 45, up_deg = 45, down_deg = -45 }\nresolution_px = [256, 256]\n"
+        "window_px = [0, 0]\n");
+  ASSERT_EQ(run("inspect dome.toml --picture dome.png --size 200"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("33.3 %  from geometry"));
+  EXPECT_THAT(output_, HasSubstr("66.7 % of the dome are lit by none"));
+  EXPECT_TRUE(is_complete_image(folder_ / "dome.png", 200, 200));
+}
+
+TEST_F(CommandLine, InspectRefusesASetupWhoseFilesAreAbsent) {
+  write("dome.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\nresolution_px = [256, 256]\nwarp = \"absent.data\"\n");
+  EXPECT_EQ(run("inspect dome.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("absent.data"));
+}
+
+}  // namespace
+}  // namespace ergodome
