@@ -62,7 +62,7 @@ OIIO::ImageSpec make_spec(const FrameFormat& format, const Picture& picture, con
     // TIFF has no place for facts of others: they stand in its description.
     std::string description;
     for (const auto& [name, value] : metadata) {
-      description += name + '=' + value + '\n';
+      description.append(name).append("=").append(value).append("\n");
     }
     spec.attribute("ImageDescription", description);
   } else {

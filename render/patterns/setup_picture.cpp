@@ -100,6 +100,7 @@ Vector3<float> grid_on_black(const Projection& projection, const PatternPlace& p
 
 std::vector<WarpMesh> rasters_of(const std::vector<ProjectorPicture>& pictures, int size_px) {
   std::vector<WarpMesh> rasters;
+  rasters.reserve(pictures.size());
   for (const ProjectorPicture& picture : pictures) {
     rasters.push_back(raster_of_master(picture, size_px));
   }

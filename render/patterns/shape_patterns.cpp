@@ -36,6 +36,7 @@ double polar_light(const Projection& projection, const PatternPlace& place) {
 
 std::vector<DomeLabel> polar_labels() {
   std::vector<DomeLabel> labels;
+  labels.reserve(128);
   constexpr const char* compass[] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   for (int i = 0; i < 8; ++i) {
     labels.push_back({compass[i], 45.0 * i, 6.0, i % 2 == 0 ? 6.0 : 3.5, amber});

@@ -11,6 +11,7 @@
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/sanitized.h"
 
 // Counters hold pictures to their plan: what it does not name is not done.
 namespace ergodome {
@@ -180,8 +181,10 @@ TEST_F(FramePlans, HoldForEveryEffectAlone) {
 }
 
 TEST_F(FramePlans, HoldForEveryPairOfEffects) {
+  // Sanitizers see the same code in a few of the pairs.
+  constexpr std::size_t stride = test::sanitized ? 6 : 1;
   for (std::size_t i = 0; i < effects().size(); ++i) {
-    for (std::size_t k = i + 1; k < effects().size(); ++k) {
+    for (std::size_t k = i + 1; k < effects().size(); k += stride) {
       SCOPED_TRACE(std::string(effects()[i].name) + " and " + effects()[k].name);
       Show show = plain_show();
       effects()[i].add(show);
