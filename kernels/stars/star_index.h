@@ -10,7 +10,6 @@ inline constexpr int star_level_limit = 6;
 
 //! Cells of one size: cones of the sky that hold them.
 struct StarIndexLevel {
-  int count;
   const float* axis[3];    //!< unit vectors
   const float* sine;       //!< of the half angles
   const float* brightest;  //!< greatest illuminance inside [lx]; negative without stars

@@ -13,6 +13,7 @@ template <class T>
 struct SearchStars {
   using Mask = MaskOf<T>;
   static constexpr int lanes = RealTraits<T>::lane_count;
+  static_assert(lanes <= star_index_padding);
 
   const StarSearchBatch& batch;
 

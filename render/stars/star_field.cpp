@@ -185,10 +185,8 @@ StarIndex StarField::index() const {
   index.level_count = static_cast<int>(levels_.size());
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     const Level& level = levels_[i];
-    index.level[i] = {static_cast<int>(level.sine.size()) - star_index_padding,
-                      {level.axis[0].data(), level.axis[1].data(), level.axis[2].data()},
-                      level.sine.data(),
-                      level.brightest.data()};
+    index.level[i] = {
+        {level.axis[0].data(), level.axis[1].data(), level.axis[2].data()}, level.sine.data(), level.brightest.data()};
   }
   index.first = first_.data();
   for (int part = 0; part < 3; ++part) {
