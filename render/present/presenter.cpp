@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "kernels/core/error.h"
 #include "render/present/cuda_interop.h"
+#include "render/present/gl_program.h"
 
 namespace ergodome {
 
@@ -24,37 +24,11 @@ struct Presenter::State {
 
 namespace {
 
-constexpr const char* vertex_source = R"(#version 450 core
-out vec2 place;
-void main() {
-  // One triangle that covers the viewport.
-  place = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
-  gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
-constexpr const char* fragment_source = R"(#version 450 core
+constexpr const char* fragment_source = R"(
 in vec2 place;
 out vec4 colour;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
-layout(location = 1) uniform int curve;
-layout(location = 2) uniform vec3 tone;  // gain, white, gamma
-vec3 toned(vec3 light) {
-  vec3 x = tone.x * light;
-  if (curve == 1) {
-    return x * (1.0 + x / (tone.y * tone.y)) / (1.0 + x);
-  }
-  if (curve == 2) {
-    x = min(x, 1e4);
-    return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-  }
-  if (curve == 3) {
-    return pow(x, vec3(1.0 / tone.z));
-  }
-  const float knee = 0.8;
-  return mix(x, 1.0 - (1.0 - knee) * exp(-(x - knee) / (1.0 - knee)), greaterThan(x, vec3(knee)));
-}
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
@@ -65,44 +39,11 @@ void main() {
 }
 )";
 
-GLuint compiled(GLenum kind, const char* source) {
-  const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &source, nullptr);
-  glCompileShader(shader);
-  GLint good = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good == GL_FALSE) {
-    char log[1024] = {};
-    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-    throw Error("OpenGL", std::string("the driver refuses a shader: ") + log, "update the graphics driver");
-  }
-  return shader;
-}
-
-GLuint linked_program() {
-  const GLuint vertex = compiled(GL_VERTEX_SHADER, vertex_source);
-  const GLuint fragment = compiled(GL_FRAGMENT_SHADER, fragment_source);
-  const GLuint program = glCreateProgram();
-  glAttachShader(program, vertex);
-  glAttachShader(program, fragment);
-  glLinkProgram(program);
-  glDeleteShader(vertex);
-  glDeleteShader(fragment);
-  GLint good = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &good);
-  if (good == GL_FALSE) {
-    throw Error("OpenGL", "the driver cannot link the shaders", "update the graphics driver");
-  }
-  return program;
-}
-
 }  // namespace
 
 Presenter::Presenter() : state_(std::make_unique<State>()) {
-  if (epoxy_gl_version() < 45) {
-    throw Error("OpenGL", "the driver has no OpenGL 4.5", "update the graphics driver");
-  }
-  state_->program = linked_program();
+  require_gl_45();
+  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + fragment_source);
   glCreateVertexArrays(1, &state_->vertex_array);
 }
 
@@ -146,6 +87,10 @@ void Presenter::upload_from_device(const float* rgba, int width, int height, boo
   state_->link->copy_from_device(rgba);
 }
 
+PresentedPicture Presenter::shown() const {
+  return {state_->texture, state_->width, state_->height, state_->heat_map, state_->tone};
+}
+
 void Presenter::draw(int framebuffer_width, int framebuffer_height) {
   glViewport(0, 0, framebuffer_width, framebuffer_height);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
@@ -160,8 +105,7 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height) {
   glViewport((framebuffer_width - width) / 2, (framebuffer_height - height) / 2, width, height);
   glUseProgram(state_->program);
   glUniform1i(0, state_->heat_map ? 1 : 0);
-  glUniform1i(1, static_cast<int>(state_->tone.curve));
-  glUniform3f(2, state_->tone.gain, state_->tone.white, state_->tone.gamma);
+  set_tone(state_->tone);
   glBindTextureUnit(0, state_->texture);
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -8,6 +8,15 @@
 
 namespace ergodome {
 
+//! A picture that is on the GPU: linear light, RGBA32F, its first row the top.
+struct PresentedPicture {
+  unsigned texture = 0;  //!< 0: none yet
+  int width = 0;
+  int height = 0;
+  bool heat_map = false;  //!< colours already, to which no tone is given
+  Tone tone;
+};
+
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on the GPU, and fills the window with it,
 //! black bars where the shapes differ. The shader computes what render/output/tone_map.h computes.
 class Presenter {
@@ -23,6 +32,9 @@ class Presenter {
 
   //! Hands over a picture from CUDA device memory (four floats a pixel), without a way through the host.
   void upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone);
+
+  //! The picture that was handed over last. The texture is the presenter's, and valid until the next one.
+  [[nodiscard]] PresentedPicture shown() const;
 
   //! Draws the picture into the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height);

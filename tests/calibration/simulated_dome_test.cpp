@@ -1,16 +1,15 @@
+#include "tests/support/simulated_dome.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "calibration/bourke_mesh.h"
 #include "calibration/dome_blend.h"
 #include "calibration/mpcdi_writer.h"
 #include "calibration/projector_files.h"
 #include "calibration/setup_conversion.h"
 #include "kernels/core/error.h"
 #include "tests/support/folder_test.h"
-#include "tests/support/pi.h"
 
 namespace ergodome {
 namespace {
@@ -59,58 +58,11 @@ Frame frame_of(const DomeSetup& setup, const ProjectorSetup& projector) {
   return frame;
 }
 
-//! A dome of 7 m with projectors about its middle that look outwards, and one that looks up if `cap`.
-DomeSetup ring_of(int count, double half_width_deg, double up_deg, double pitch_deg, bool cap, int raster_px) {
-  DomeSetup setup;
-  setup.radius_m = 7.0;
-  setup.tilt_deg = 15.0;
-  const auto add = [&](const Vector3<double>& place, const Orientation& orientation, const Frustum& frustum) {
-    ProjectorSetup projector;
-    projector.name = "p";
-    projector.name += std::to_string(setup.projectors.size());
-    projector.position_m = place;
-    projector.orientation = orientation;
-    projector.lens = frustum;
-    projector.width_px = raster_px;
-    projector.height_px = raster_px * 5 / 8;
-    projector.output.window_x_px = raster_px * static_cast<int>(setup.projectors.size());
-    setup.projectors.push_back(projector);
-  };
-  for (int i = 0; i < count; ++i) {
-    const double yaw = 2.0 * pi * i / count;
-    add({-0.8 * std::sin(yaw), 0.1 * i, 0.8 * std::cos(yaw)}, {360.0 * i / count, pitch_deg, 3.0 * i - 4.0},
-        Frustum{-half_width_deg, half_width_deg, up_deg, -62.0});
-  }
-  if (cap) {
-    add({0.2, 0.3, 0.1}, {20.0, 83.0, 0.0}, Frustum{-52.0, 54.0, 50.0, -50.0});
-  }
-  return setup;
-}
-
 //! Throws frames onto the dome and looks at what is there.
 class SimulatedDome : public FolderTest {
  protected:
-  //! Computes warps and masks of a setup and writes them, as Bourke's meshes and PNG.
-  [[nodiscard]] DomeSetup calibrated(DomeSetup setup) const {
-    setup.folder = folder_;
-    const DomeScreen screen = {setup.tilt_deg, 180.0};
-    std::vector<ProjectorOptics> optics;
-    for (const ProjectorSetup& projector : setup.projectors) {
-      optics.emplace_back(setup, projector);
-    }
-    const DomeBlend blend(optics, screen, {});
-    for (std::size_t i = 0; i < optics.size(); ++i) {
-      ProjectorSetup& projector = setup.projectors[i];
-      const double aspect = static_cast<double>(projector.width_px) / projector.height_px;
-      std::ofstream(folder_ / (projector.name + ".data"))
-          << to_bourke_mesh(dome_warp(optics[i], screen, master_px, 0.1), aspect);
-      std::ofstream(folder_ / (projector.name + ".png"), std::ios::binary)
-          << to_png(blend.mask(i, projector.width_px, projector.height_px), projector.name);
-      projector.warp.emplace();
-      projector.warp->file = projector.name + ".data";
-      projector.blend_mask = projector.name + ".png";
-    }
-    return setup;
+  [[nodiscard]] DomeSetup calibrated(const DomeSetup& setup) const {
+    return calibrated_in(folder_, setup, {master_px, 0.1});
   }
 
   //! The same after a way through an MPCDI archive.
@@ -142,15 +94,7 @@ class SimulatedDome : public FolderTest {
     int overlaps = 0;
     constexpr int places = 20'000;
     for (int i = 0; i < places; ++i) {
-      // Evenly over the hemisphere, but for the last half degree at its rim.
-      const double up = 1.0 - (1.0 - std::sin(0.5 * pi / 180.0)) * (i + 0.5) / places;
-      const double azimuth = 2.39996322972865332 * i;
-      const double across = std::sqrt(1.0 - up * up);
-      const double tilt = optics.tilt_deg * pi / 180.0;
-      const Vector3<double> own = {across * std::sin(azimuth), up, -across * std::cos(azimuth)};
-      const Vector3<double> point =
-          optics.radius_m * Vector3<double>{own.x, std::cos(tilt) * own.y + std::sin(tilt) * own.z,
-                                            std::cos(tilt) * own.z - std::sin(tilt) * own.y};
+      const Vector3<double> point = dome_point(optics, i, places);
       double u = 0.0;
       double v = 0.0;
       ASSERT_TRUE(master_place({optics.tilt_deg, 180.0}, point, u, v));
@@ -179,10 +123,6 @@ class SimulatedDome : public FolderTest {
     EXPECT_LT(most / least, 1.01);
   }
 };
-
-DomeSetup three(int raster_px) { return ring_of(3, 74.0, 68.0, 42.0, false, raster_px); }
-
-DomeSetup six(int raster_px) { return ring_of(5, 56.0, 38.0, 30.0, true, raster_px); }
 
 TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   const DomeSetup setup = calibrated(three(640));

@@ -7,13 +7,10 @@
 #include "render/output/tone_map.h"
 #include "render/present/headless_context.h"
 #include "render/present/presenter.h"
+#include "tests/support/gl_driver.h"
 
-namespace {
-bool driver_was_loaded = false;
-}  // namespace
-
-// Drivers keep memory, and are unloaded before the leak checker could tell whose it is: no report where one was at work.
-extern "C" int __lsan_is_turned_off() { return driver_was_loaded ? 1 : 0; }  // NOLINT: the checker's name
+// No report of leaks where a driver was at work.
+extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }  // NOLINT: the checker's name
 
 namespace ergodome {
 namespace {
@@ -23,7 +20,7 @@ class Present : public testing::Test {
  protected:
   void SetUp() override {
     try {
-      driver_was_loaded = true;
+      test::driver_was_loaded = true;
       context_ = std::make_unique<HeadlessContext>();
     } catch (const Error& problem) {
       GTEST_SKIP() << problem.what();

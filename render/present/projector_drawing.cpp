@@ -1,0 +1,209 @@
+#include "render/present/projector_drawing.h"
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/present/gl_program.h"
+
+namespace ergodome {
+
+struct ProjectorDrawing::State {
+  GLuint program = 0;
+  GLuint vertex_array = 0;
+  GLuint vertices = 0;
+  GLuint indices = 0;
+  GLsizei index_count = 0;
+  GLuint blend = 0;
+  GLuint black_level = 0;
+  Vector3<float> lift{};
+  Vector3<float> gain{};
+  float gamma = 2.2F;
+};
+
+namespace {
+
+constexpr const char* vertex_source = R"(#version 450 core
+layout(location = 0) in vec2 place;   // on the raster, y down
+layout(location = 1) in vec2 source;  // in the master, its top at 0
+layout(location = 2) in vec2 mask;    // in the masks
+layout(location = 3) in float factor;
+out vec2 source_place;
+out vec2 mask_place;
+out float intensity;
+void main() {
+  source_place = source;
+  mask_place = mask;
+  intensity = factor;
+  gl_Position = vec4(2.0 * place.x - 1.0, 1.0 - 2.0 * place.y, 0.0, 1.0);
+}
+)";
+
+constexpr const char* fragment_source = R"(#version 450 core
+in vec2 source_place;
+in vec2 mask_place;
+in float intensity;
+out vec4 colour;
+layout(binding = 0) uniform sampler2D master;  // toned, linear
+layout(binding = 1) uniform sampler2D blend;
+layout(binding = 2) uniform sampler2D black_level;
+layout(location = 0) uniform vec3 lift;
+layout(location = 1) uniform vec3 gain;
+layout(location = 2) uniform float gamma;
+void main() {
+  vec3 light = texture(master, source_place).rgb;
+  // The master's rim is not smeared over what lies beyond it.
+  light *= float(all(greaterThanEqual(source_place, vec2(0.0))) && all(lessThanEqual(source_place, vec2(1.0))));
+  // As projector_light.h has it.
+  vec3 blended = light * intensity * texture(blend, mask_place).rgb;
+  vec3 beta = lift * texture(black_level, mask_place).rgb;
+  vec3 lifted = blended * (1.0 - beta) + beta;
+  colour = vec4(pow(clamp(gain * lifted, 0.0, 1.0), vec3(1.0 / gamma)), 1.0);
+}
+)";
+
+struct Vertex {
+  float place[2];
+  float source[2];
+  float mask[2];
+  float factor;
+};
+
+Vector3<float> converted(const Vector3<double>& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+//! A mask as a texture, filtered in linear light; white where there is none.
+GLuint mask_texture(const BlendMap& map) {
+  static const BlendMap white = {1, 1, 1, 8, {1.0F}};
+  const BlendMap& shown = map.width > 0 ? map : white;
+  const bool grey = shown.channels == 1;
+  GLuint texture = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+  glTextureStorage2D(texture, 1, grey ? GL_R32F : GL_RGB32F, shown.width, shown.height);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTextureSubImage2D(texture, 0, 0, 0, shown.width, shown.height, grey ? GL_RED : GL_RGB, GL_FLOAT,
+                      shown.values.data());
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  if (grey) {
+    constexpr GLint everywhere[] = {GL_RED, GL_RED, GL_RED, GL_ONE};
+    glTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, everywhere);
+  }
+  return texture;
+}
+
+//! The whole raster without light, so that it is lifted where the warp is not drawn; then the nodes.
+std::vector<Vertex> vertices_of(const WarpMesh& warp, const CornerOffsets& corners) {
+  std::vector<Vertex> vertices;
+  vertices.reserve(warp.nodes.size() + 4);
+  for (const auto& [x, y] : {std::array{0.0, 0.0}, std::array{1.0, 0.0}, std::array{1.0, 1.0}, std::array{0.0, 1.0}}) {
+    const RasterPlace mask = moved_back(corners, {x, y});
+    vertices.push_back({{static_cast<float>(x), static_cast<float>(y)},
+                        {0.5F, 0.5F},
+                        {static_cast<float>(mask.x), static_cast<float>(mask.y)},
+                        0.0F});
+  }
+  for (const WarpNode& node : warp.nodes) {
+    const RasterPlace place = moved_place(corners, RasterPlace{node.x, node.y});
+    vertices.push_back({{static_cast<float>(place.x), static_cast<float>(place.y)},
+                        {node.u, node.v},
+                        {node.x, node.y},
+                        node.intensity});
+  }
+  return vertices;
+}
+
+//! Cells as two triangles each, cut as resampled_warp cuts them; those with a corner that is not valid are left out.
+std::vector<std::uint32_t> indices_of(const WarpMesh& warp) {
+  std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
+  const int cells = warp.topology == MeshTopology::polar ? warp.columns : warp.columns - 1;
+  for (int row = 0; row + 1 < warp.rows; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      const int right = (column + 1) % warp.columns;
+      if (!warp.at(column, row).valid || !warp.at(right, row).valid || !warp.at(right, row + 1).valid ||
+          !warp.at(column, row + 1).valid) {
+        continue;
+      }
+      const auto index = [&](int i, int j) { return static_cast<std::uint32_t>(4 + j * warp.columns + i); };
+      indices.insert(indices.end(), {index(column, row), index(right, row), index(right, row + 1), index(column, row),
+                                     index(right, row + 1), index(column, row + 1)});
+    }
+  }
+  return indices;
+}
+
+void set_attribute(GLuint vertex_array, GLuint attribute, int size, std::size_t offset) {
+  glEnableVertexArrayAttrib(vertex_array, attribute);
+  glVertexArrayAttribFormat(vertex_array, attribute, size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+  glVertexArrayAttribBinding(vertex_array, attribute, 0);
+}
+
+}  // namespace
+
+ProjectorDrawing::ProjectorDrawing(const ProjectorPicture& picture) : state_(std::make_unique<State>()) {
+  require_gl_45();
+  state_->program = linked_program(vertex_source, fragment_source);
+  glCreateVertexArrays(1, &state_->vertex_array);
+  set_attribute(state_->vertex_array, 0, 2, offsetof(Vertex, place));
+  set_attribute(state_->vertex_array, 1, 2, offsetof(Vertex, source));
+  set_attribute(state_->vertex_array, 2, 2, offsetof(Vertex, mask));
+  set_attribute(state_->vertex_array, 3, 1, offsetof(Vertex, factor));
+  state_->blend = mask_texture(picture.blend);
+  state_->black_level = mask_texture(picture.black_level);
+  set_warp(picture.warp, picture.corners);
+  set_colour(picture);
+}
+
+ProjectorDrawing::~ProjectorDrawing() {
+  const GLuint textures[] = {state_->blend, state_->black_level};
+  glDeleteTextures(2, textures);
+  const GLuint buffers[] = {state_->vertices, state_->indices};
+  glDeleteBuffers(2, buffers);
+  glDeleteVertexArrays(1, &state_->vertex_array);
+  glDeleteProgram(state_->program);
+}
+
+void ProjectorDrawing::set_warp(const WarpMesh& warp, const CornerOffsets& corners) {
+  const std::vector<Vertex> vertices = vertices_of(warp, corners);
+  const std::vector<std::uint32_t> indices = indices_of(warp);
+  const GLuint before[] = {state_->vertices, state_->indices};
+  glDeleteBuffers(2, before);
+  glCreateBuffers(1, &state_->vertices);
+  glCreateBuffers(1, &state_->indices);
+  glNamedBufferStorage(state_->vertices, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), 0);
+  glNamedBufferStorage(state_->indices, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+                       0);
+  glVertexArrayVertexBuffer(state_->vertex_array, 0, state_->vertices, 0, sizeof(Vertex));
+  glVertexArrayElementBuffer(state_->vertex_array, state_->indices);
+  state_->index_count = static_cast<GLsizei>(indices.size());
+}
+
+void ProjectorDrawing::set_colour(const ProjectorPicture& picture) {
+  state_->lift = converted(picture.black_level_lift);
+  state_->gain = converted(picture.gain);
+  state_->gamma = static_cast<float>(picture.gamma);
+}
+
+void ProjectorDrawing::draw(const DisplayLight& light, int framebuffer_width, int framebuffer_height) {
+  glViewport(0, 0, framebuffer_width, framebuffer_height);
+  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  if (framebuffer_width <= 0 || framebuffer_height <= 0 || !light.use(0)) {
+    return;
+  }
+  glUseProgram(state_->program);
+  glUniform3f(0, state_->lift.x, state_->lift.y, state_->lift.z);
+  glUniform3f(1, state_->gain.x, state_->gain.y, state_->gain.z);
+  glUniform1f(2, state_->gamma);
+  glBindTextureUnit(1, state_->blend);
+  glBindTextureUnit(2, state_->black_level);
+  glBindVertexArray(state_->vertex_array);
+  glDrawElements(GL_TRIANGLES, state_->index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,327 @@
+#include "render/present/projector_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "calibration/warp_conversion.h"
+#include "kernels/core/error.h"
+#include "render/present/headless_projectors.h"
+#include "render/present/projector_light.h"
+#include "tests/support/folder_test.h"
+#include "tests/support/gl_driver.h"
+#include "tests/support/sanitized.h"
+#include "tests/support/simulated_dome.h"
+
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the dome of these tests
+
+//! The projectors' pictures as EGL draws them; skipped where there is no driver.
+class ProjectorFrames : public FolderTest {
+ protected:
+  void open(const std::vector<ProjectorPicture>& pictures) {
+    try {
+      driver_was_loaded = true;
+      projectors_ = std::make_unique<HeadlessProjectors>(pictures);
+    } catch (const Error& problem) {
+      GTEST_SKIP() << problem.what();
+    }
+  }
+
+  std::unique_ptr<HeadlessProjectors> projectors_;
+};
+
+//! A master of any light, smooth enough to be read between its pixels.
+Picture master_of(int size, const std::function<Vector3<float>(double u, double v)>& light) {
+  Picture picture;
+  picture.width = size;
+  picture.height = size;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const Vector3<float> c = light((x + 0.5) / size, (y + 0.5) / size);
+      picture.rgba.insert(picture.rgba.end(), {c.x, c.y, c.z, 1.0F});
+    }
+  }
+  return picture;
+}
+
+Vector3<float> soft_colours(double u, double v) {
+  return {static_cast<float>(0.4 + 0.3 * std::sin(5.0 * u)), static_cast<float>(0.5 + 0.4 * std::cos(6.0 * v)),
+          static_cast<float>(0.1 + 2.0 * u * v)};
+}
+
+//! The light of soft_colours between the pixels of a picture.
+float channel_of(const Vector3<float>& colour, int channel) {
+  return channel == 0 ? colour.x : channel == 1 ? colour.y : colour.z;
+}
+
+//! A curved warp over most of a small raster, with intensities, a hole, coloured masks and all the rest.
+ProjectorPicture curved_picture() {
+  ProjectorPicture picture;
+  picture.name = "curved";
+  picture.width_px = 90;
+  picture.height_px = 60;
+  picture.warp.columns = 9;
+  picture.warp.rows = 7;
+  for (int row = 0; row < 7; ++row) {
+    for (int column = 0; column < 9; ++column) {
+      const auto x = static_cast<float>(column / 8.0);
+      const auto y = static_cast<float>(row / 6.0);
+      const bool hole = row == 2 && column == 6;
+      picture.warp.nodes.push_back({x * 1.1F - 0.03F, y * 0.95F + 0.04F * x, 0.2F + 0.5F * x + 0.1F * y * y,
+                                    0.8F - 0.5F * y + 0.1F * x * y, 0.6F + 0.4F * x, !hole});
+    }
+  }
+  picture.blend = {5, 4, 3, 16, {}};
+  for (int i = 0; i < 60; ++i) {
+    picture.blend.values.push_back(0.4F + 0.01F * static_cast<float>(i));
+  }
+  picture.black_level = {2, 2, 1, 8, {0.2F, 1.0F, 0.6F, 0.9F}};
+  picture.black_level_lift = {0.02, 0.05, 0.01};
+  picture.gain = {1.0, 0.9, 1.3};
+  picture.gamma = 1.9;
+  return picture;
+}
+
+//! A mask's channel between its samples.
+float mask_at(const BlendMap& mask, double x, double y, int channel) {
+  const double column = std::clamp(x * mask.width - 0.5, 0.0, mask.width - 1.0);
+  const double row = std::clamp(y * mask.height - 0.5, 0.0, mask.height - 1.0);
+  const int left = std::min(static_cast<int>(column), mask.width - 2);
+  const int top = std::min(static_cast<int>(row), mask.height - 2);
+  const auto at = [&](int i, int j) {
+    const int one = mask.channels == 1 ? 0 : channel;
+    return static_cast<double>(mask.values[static_cast<std::size_t>(mask.channels * (j * mask.width + i) + one)]);
+  };
+  return static_cast<float>(std::lerp(std::lerp(at(left, top), at(left + 1, top), column - left),
+                                      std::lerp(at(left, top + 1), at(left + 1, top + 1), column - left), row - top));
+}
+
+TEST_F(ProjectorFrames, AreWhatTheFormulaSays) {
+  const ProjectorPicture picture = curved_picture();
+  ASSERT_NO_FATAL_FAILURE(open({picture}));
+  if (!projectors_) {
+    return;
+  }
+  Picture master = master_of(64, soft_colours);
+  master.tone = {ToneCurve::reinhard, 1.5F, 3.0F, 2.2F};
+  projectors_->show(master);
+  const auto shown = projectors_->frame(0);
+  const WarpMesh warp = resampled_warp(picture.warp, picture.width_px, picture.height_px);
+  int wrong = 0;
+  int drawn = 0;
+  for (int y = 0; y < picture.height_px; ++y) {
+    for (int x = 0; x < picture.width_px; ++x) {
+      const WarpNode& node = warp.at(x, y);
+      const double across = fill_position(x, picture.width_px);
+      const double down = fill_position(y, picture.height_px);
+      drawn += node.valid ? 1 : 0;
+      for (int c = 0; c < 3; ++c) {
+        const float light =
+            node.valid ? std::min(toned(master.tone, channel_of(soft_colours(node.u, node.v), c)), 1.0F) : 0.0F;
+        const double lift = c == 0 ? 0.02 : c == 1 ? 0.05 : 0.01;
+        const ProjectorColour colour = {node.intensity * mask_at(picture.blend, across, down, c),
+                                        static_cast<float>(lift) * mask_at(picture.black_level, across, down, c),
+                                        c == 0   ? 1.0F
+                                        : c == 1 ? 0.9F
+                                                 : 1.3F,
+                                        1.9F};
+        const double expected = 255.0 * projector_value(colour, light);
+        const int byte = shown[static_cast<std::size_t>(3 * (y * picture.width_px + x) + c)];
+        wrong += std::abs(byte - expected) > 2.0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(drawn, 3500);
+  // Masks go with the warp's places, which is not where pixels are for nodes off the lattice; pixels on the rims of the hole and of the
+  // mesh may fall to either side.
+  EXPECT_LT(wrong, 3 * 60);
+}
+
+TEST_F(ProjectorFrames, LiftBlacksWhereNothingIsDrawn) {
+  ProjectorPicture picture = curved_picture();
+  picture.black_level = {};
+  picture.gain = {1.0, 1.0, 1.0};
+  for (WarpNode& node : picture.warp.nodes) {
+    node.x = 0.5F * node.x;
+  }
+  ASSERT_NO_FATAL_FAILURE(open({picture}));
+  if (!projectors_) {
+    return;
+  }
+  projectors_->show(master_of(16, soft_colours));
+  const auto shown = projectors_->frame(0);
+  const std::size_t right = 3 * static_cast<std::size_t>(30 * picture.width_px + 80);
+  EXPECT_NEAR(shown[right], 255.0 * std::pow(0.02, 1.0 / 1.9), 1.0);
+  EXPECT_NEAR(shown[right + 1], 255.0 * std::pow(0.05, 1.0 / 1.9), 1.0);
+}
+
+TEST_F(ProjectorFrames, CornersTakeThePictureAlong) {
+  ProjectorPicture picture = curved_picture();
+  picture.warp = {};
+  picture.warp.columns = 2;
+  picture.warp.rows = 2;
+  picture.warp.nodes = {{0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 1, 1, 1}};
+  picture.black_level_lift = {};
+  picture.corners.right = {0.1, 0.1, 0.1, 0.1};
+  ASSERT_NO_FATAL_FAILURE(open({picture}));
+  if (!projectors_) {
+    return;
+  }
+  projectors_->show(master_of(64, [](double, double) { return Vector3<float>{0.5F, 0.5F, 0.5F}; }));
+  const auto shown = projectors_->frame(0);
+  const auto red = [&](int x) { return shown[3 * static_cast<std::size_t>(30 * picture.width_px + x)]; };
+  EXPECT_EQ(red(8), 0);
+  EXPECT_GT(red(9), 60);
+  EXPECT_GT(red(89), 60);
+}
+
+TEST_F(ProjectorFrames, WhatIsDrawnSmallIsAveraged) {
+  // Fine stripes, fifteen master pixels to one of the projector: grey, not a pattern of its own.
+  ProjectorPicture picture = curved_picture();
+  picture.warp = {};
+  picture.warp.columns = 2;
+  picture.warp.rows = 2;
+  picture.warp.nodes = {{0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 1, 1, 1}};
+  picture.blend = {};
+  picture.black_level_lift = {};
+  picture.gain = {1.0, 1.0, 1.0};
+  ASSERT_NO_FATAL_FAILURE(open({picture}));
+  if (!projectors_) {
+    return;
+  }
+  const int size = 1024;
+  Picture master = master_of(size, [](double u, double) {
+    const float light = static_cast<int>(u * size) % 2 == 0 ? 0.0F : 0.8F;
+    return Vector3<float>{light, light, light};
+  });
+  projectors_->show(master);
+  const auto shown = projectors_->frame(0);
+  const double expected = 255.0 * std::pow(0.4, 1.0 / 1.9);
+  for (int x = 5; x < 85; ++x) {
+    EXPECT_NEAR(shown[3 * static_cast<std::size_t>(30 * picture.width_px + x)], expected, 4.0) << x;
+  }
+}
+
+//! A projector's frame as light on its raster.
+struct ThrownFrame {
+  int width;
+  int height;
+  std::vector<std::uint8_t> rgb;
+  double gamma;
+
+  //! Between pixels' middles, in linear light, as a lens throws them.
+  [[nodiscard]] double light(const RasterPlace& place, int channel) const {
+    const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
+    const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
+    const int column = static_cast<int>(x);
+    const int row = static_cast<int>(y);
+    const auto at = [&](int i, int j) {
+      return std::pow(rgb[static_cast<std::size_t>(3 * (j * width + i) + channel)] / 255.0, gamma);
+    };
+    return std::lerp(std::lerp(at(column, row), at(column + 1, row), x - column),
+                     std::lerp(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
+  }
+};
+
+//! What eight bits may take from or add to light of a projector.
+double rounding_of(double light, double gamma) {
+  return 0.55 / 255.0 * gamma * std::pow(std::max(light, 1e-4), 1.0 - 1.0 / gamma);
+}
+
+constexpr int fringe_px = 48;
+constexpr double fringe_height = 0.3;
+
+//! Red: fringes across, green: fringes down, blue: even.
+Vector3<float> fringes(double u, double v) {
+  const auto wave = [](double at) {
+    return static_cast<float>(0.5 + fringe_height * std::sin(2.0 * pi * at * 1024.0 / fringe_px));
+  };
+  return {wave(u), wave(v), 0.5F};
+}
+
+//! What all projectors of a setup throw on a point: three colours, and how far eight bits may be off.
+struct PointLight {
+  double light[3] = {};
+  double rounding = 0.0;
+};
+
+class ThrownFrames : public ProjectorFrames {
+ protected:
+  void expect_master(const DomeSetup& setup) {
+    std::vector<ProjectorOptics> optics;
+    for (const ProjectorSetup& projector : setup.projectors) {
+      optics.emplace_back(setup, projector);
+    }
+    ASSERT_NO_FATAL_FAILURE(open(projector_pictures(setup)));
+    if (!projectors_) {
+      return;
+    }
+    projectors_->show(master_of(1024, fringes));
+    std::vector<ThrownFrame> frames;
+    for (std::size_t i = 0; i < optics.size(); ++i) {
+      const ProjectorSetup& projector = setup.projectors[i];
+      frames.push_back({projector.width_px, projector.height_px, projectors_->frame(i), projector.gamma});
+    }
+    constexpr int places = sanitized ? 2'000 : 20'000;
+    std::vector<PointLight> lights;
+    double even = 0.0;
+    for (int i = 0; i < places; ++i) {
+      lights.push_back(light_at(optics, frames, dome_point(setup, i, places)));
+      even += lights.back().light[2] / places;
+    }
+    const double scale = 0.5 / even;
+    double most_over = 0.0;
+    for (int i = 0; i < places; ++i) {
+      double u = 0.0;
+      double v = 0.0;
+      ASSERT_TRUE(master_place({setup.tilt_deg, 180.0}, dome_point(setup, i, places), u, v));
+      const Vector3<float> wanted = fringes(u, v);
+      const PointLight& found = lights[static_cast<std::size_t>(i)];
+      for (int c = 0; c < 3; ++c) {
+        const double slope = c < 2 ? fringe_height * 2.0 * pi / fringe_px : 0.0;
+        const double allowed = 0.01 * channel_of(wanted, c) + 0.5 * slope + scale * found.rounding;
+        most_over = std::max(most_over, std::abs(scale * found.light[c] - channel_of(wanted, c)) / allowed);
+      }
+    }
+    RecordProperty("worst_share_of_tolerance", std::to_string(most_over));
+    EXPECT_LT(most_over, 1.0);
+  }
+
+ private:
+  static PointLight light_at(const std::vector<ProjectorOptics>& optics, const std::vector<ThrownFrame>& frames,
+                             const Vector3<double>& point) {
+    PointLight sum;
+    for (std::size_t k = 0; k < optics.size(); ++k) {
+      const auto place = optics[k].raster_place(point);
+      if (!place) {
+        continue;
+      }
+      const double spread = optics[k].spread_m2(*place);
+      for (int c = 0; c < 3; ++c) {
+        sum.light[c] += frames[k].light(*place, c) / spread;
+      }
+      sum.rounding += rounding_of(frames[k].light(*place, 2), frames[k].gamma) / spread;
+    }
+    return sum;
+  }
+};
+
+TEST_F(ThrownFrames, OfThreeProjectorsShowTheMaster) {
+  expect_master(calibrated_in(folder_, three(1000), {1024, 0.1}));
+}
+
+TEST_F(ThrownFrames, OfSixProjectorsShowTheMaster) { expect_master(calibrated_in(folder_, six(800), {1024, 0.1})); }
+
+TEST_F(ThrownFrames, OfProjectorsWithoutFilesShowTheMaster) {
+  DomeSetup setup = three(1000);
+  setup.projectors[1].gamma = 1.8;
+  expect_master(setup);
+}
+
+}  // namespace
+}  // namespace ergodome
