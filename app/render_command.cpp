@@ -11,6 +11,7 @@
 #include "app/pattern_frames.h"
 #include "app/progress.h"
 #include "app/sequence_facts.h"
+#include "app/setup_show.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
@@ -39,6 +40,7 @@ struct RenderOptions {
   double frame_rate_hz = 0.0;
   std::string movie;
   std::string view = "sky";
+  std::string setup;
   LensOptions lens;
   bool resume = false;
   std::string pattern;
@@ -99,12 +101,20 @@ FrameFormat format_of(const RenderOptions& options) {
 //! Renders and writes the frames of one run.
 class FrameWriter {
  public:
-  FrameWriter(const RenderOptions& options, const Show& show)
+  //! `setup`: the dome whose projectors' frames are written instead of the master's.
+  FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup)
       : options_(options),
         format_(format_of(options)),
         choice_{view_mode(options.view), options.size_px},
         backend_(choose_backend(options.backend)),
-        renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {}
+        renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {
+    if (setup) {
+      const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
+      projectors_.emplace(*setup, pictures);
+      choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
+      fmt::print("domemasters of {} pixels for {} projectors\n", choice_.size_px, pictures.size());
+    }
+  }
 
   void write(int frame) {
     const Show& show = renderer_.show();
@@ -116,7 +126,11 @@ class FrameWriter {
       draw_color_bar(image.picture, choice_.mode);
       const std::filesystem::path path = path_of(frame, image.part, image.face);
       make_folder(path.parent_path());
-      write_picture(path, format_, image.picture, metadata_of(show, time_s, image));
+      if (projectors_) {
+        projectors_->write(path, image.picture);
+      } else {
+        write_picture(path, format_, image.picture, metadata_of(show, time_s, image));
+      }
       unresolved_ += image.picture.unresolved_pixels;
     }
     ++written_;
@@ -168,6 +182,9 @@ class FrameWriter {
 
   [[nodiscard]] bool is_there(int frame, FramePart part) const {
     const Show& show = renderer_.show();
+    if (projectors_) {
+      return projectors_->are_there(path_of(frame, part, std::nullopt));
+    }
     const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
     const int width_px = show.stereo.layout == StereoLayout::side_by_side ? 2 * eye.width_px : eye.width_px;
     const int height_px = show.stereo.layout == StereoLayout::top_bottom ? 2 * eye.height_px : eye.height_px;
@@ -187,6 +204,7 @@ class FrameWriter {
   ViewChoice choice_;
   Backend backend_;
   ShowRenderer renderer_;
+  std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
   long unresolved_ = 0;
 };
@@ -219,8 +237,29 @@ void require_movie(const RenderOptions& options, const Show& show) {
   require_movie_encoder(options.movie);
 }
 
+//! The dome whose projectors' frames are asked for, if any are.
+std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
+  if (options.setup.empty()) {
+    return std::nullopt;
+  }
+  if (options.format != "png" || options.alpha || !options.movie.empty()) {
+    throw Error("--setup " + options.setup, "writes the 8 bits that projectors are sent, as PNG alone",
+                "leave out --format, --alpha and --movie");
+  }
+  return read_dome_setup(options.setup);
+}
+
 void run(const RenderOptions& options) {
-  const Show show = chosen_show(options);
+  Show show = chosen_show(options);
+  const std::optional<DomeSetup> setup = chosen_setup(options);
+  if (setup) {
+    fit_to_setup(show, *setup);
+  }
+  if (!options.pattern.empty() && setup) {
+    const int files = write_pattern_frames(options.pattern, *setup, options.size_px, options.out);
+    fmt::print("{} files in {}\n", files, options.out);
+    return;
+  }
   if (!options.pattern.empty()) {
     const int files = write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
     fmt::print("{} files in {}\n", files, options.out);
@@ -230,7 +269,7 @@ void run(const RenderOptions& options) {
   require_movie(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   make_folder(options.out);
-  FrameWriter writer(options, show);
+  FrameWriter writer(options, show, setup);
   {
     Progress progress("rendering", last - first + 1);
     for (int frame = first; frame <= last; ++frame) {
@@ -241,7 +280,9 @@ void run(const RenderOptions& options) {
       progress.advance_to(frame - first + 1);
     }
   }
-  writer.write_facts();
+  if (!setup) {
+    writer.write_facts();
+  }
   fmt::print("{} frames in {}\n", writer.written(), options.out);
   if (!options.movie.empty()) {
     writer.write_movies(first, last);
@@ -295,6 +336,8 @@ void add_render_command(CLI::App& app) {
   add_lens_options(*command, options->lens);
   command->add_option("--pattern", options->pattern, "a test pattern, or all of them, instead of the show's frames")
       ->check(CLI::IsMember(pattern_choices()));
+  command->add_option("--setup", options->setup,
+                      "dome setup (.toml): write what each of its projectors shows, as NAME_000001_PROJECTOR.png");
   command->add_flag("--resume", options->resume, "skip frames that are there and complete");
   command->callback([options] { run(*options); });
 }

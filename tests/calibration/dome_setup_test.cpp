@@ -148,6 +148,13 @@ TEST(DomeSetup, KeysOfOtherFormatsAreErrors) {
   EXPECT_THAT(problem_of(least + "warp = { file = \"a.data\", rows = \"top_down\" }\n"), HasSubstr("warp.rows"));
 }
 
+TEST(DomeSetup, RotationIsReadAndWritten) {
+  std::string text = least;
+  text.replace(text.find("radius_m = 5\n"), 13, "radius_m = 5\nrotation_deg = -7.5\n");
+  EXPECT_EQ(parsed(text).rotation_deg, -7.5);
+  EXPECT_EQ(parsed(to_toml(parsed(text))).rotation_deg, -7.5);
+}
+
 TEST(DomeSetup, UnknownKeysAreErrorsThatNameTheNearest) {
   EXPECT_THAT(problem_with("pitch_deg", "picth_deg"),
               AllOf(HasSubstr("dome.toml:10"), HasSubstr("did you mean \"pitch_deg\"?")));

@@ -1,0 +1,110 @@
+#include "app/setup_show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "content/files/atomic_file.h"
+#include "kernels/core/error.h"
+#include "render/output/image_writer.h"
+#include "render/output/tone_map.h"
+#include "render/patterns/test_pattern.h"
+
+namespace ergodome {
+
+namespace {
+
+//! The setup's viewer in radii of the dome, in the axes of a view that is tilted by `tilt_deg`.
+Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
+  // Both tilts lean the dome's top to the front; what is fixed is the viewer's place in the dome.
+  const double angle = (tilt_deg - setup.tilt_deg) * 3.14159265358979323846 / 180.0;
+  const Vector3<double> upright = (1.0 / setup.radius_m) * setup.viewer_m;
+  return {upright.x, std::cos(angle) * upright.y + std::sin(angle) * upright.z,
+          std::cos(angle) * upright.z - std::sin(angle) * upright.y};
+}
+
+}  // namespace
+
+void fit_to_setup(Show& show, const DomeSetup& setup) {
+  if (show.stereo.layout != StereoLayout::mono && show.stereo.layout != StereoLayout::separate) {
+    throw Error(show.name, "puts both eyes into one picture, which projectors do not take apart",
+                "choose --stereo mono, or separate for frames of each eye");
+  }
+  ViewSettings view;
+  view.size_px = show.view.size_px;
+  view.tilt_deg = show.view.tilt_deg;
+  view.viewer = viewer_of(setup, view.tilt_deg);
+  show.view = view;
+}
+
+std::vector<std::string> plain_names(const DomeSetup& setup) {
+  std::vector<std::string> names;
+  for (const ProjectorSetup& projector : setup.projectors) {
+    std::string plain;
+    for (const char c : projector.name) {
+      plain += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+    }
+    const bool taken = std::ranges::find(names, plain) != names.end();
+    names.push_back(taken ? fmt::format("{}_{}", plain, names.size() + 1) : plain);
+  }
+  return names;
+}
+
+ProjectorFrames::ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures)
+    : projectors_(pictures) {
+  const std::vector<std::string> names = plain_names(setup);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    rasters_.push_back({names[i], pictures[i].width_px, pictures[i].height_px});
+  }
+}
+
+std::filesystem::path ProjectorFrames::path_of(const std::filesystem::path& frame, const Raster& raster) {
+  std::filesystem::path path = frame;
+  path.replace_filename(fmt::format("{}_{}.png", frame.stem().string(), raster.name));
+  return path;
+}
+
+void ProjectorFrames::write(const std::filesystem::path& frame, const Picture& master) {
+  projectors_.show(master);
+  for (std::size_t i = 0; i < rasters_.size(); ++i) {
+    write_png(path_of(frame, rasters_[i]), projectors_.frame(i), rasters_[i].width_px, rasters_[i].height_px);
+  }
+}
+
+Projection upright_master(const DomeSetup& setup, int size_px) {
+  Show show;
+  show.view.tilt_deg = setup.tilt_deg;
+  fit_to_setup(show, setup);
+  return make_projection(show.view, size_px, 0.0);
+}
+
+int write_pattern_frames(const std::string& pattern, const DomeSetup& setup, int size_px,
+                         const std::filesystem::path& out) {
+  const std::vector<ProjectorPicture> pictures = projector_pictures(setup);
+  ProjectorFrames frames(setup, pictures);
+  const Projection master = upright_master(setup, size_px > 0 ? size_px : enough_master_px(pictures));
+  const bool all = pattern == "all";
+  const std::vector<std::string> patterns = all ? test_pattern_names() : std::vector<std::string>{pattern};
+  make_folder(out);
+  for (const std::string& name : patterns) {
+    frames.write(out / (name + ".png"), draw_test_pattern(test_pattern(name), master));
+  }
+  const std::vector<std::string> names = plain_names(setup);
+  for (std::size_t i = 0; all && i < names.size(); ++i) {
+    const ProjectorPicture& raster = pictures[i];
+    const Picture sheet =
+        draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
+    write_png(out / fmt::format("number_{}.png", names[i]), tone_mapped(sheet), raster.width_px, raster.height_px);
+  }
+  return static_cast<int>(names.size() * (patterns.size() + (all ? 1 : 0)));
+}
+
+bool ProjectorFrames::are_there(const std::filesystem::path& frame) const {
+  return std::ranges::all_of(rasters_, [&](const Raster& raster) {
+    return is_complete_image(path_of(frame, raster), raster.width_px, raster.height_px);
+  });
+}
+
+}  // namespace ergodome

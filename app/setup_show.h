@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "calibration/dome_setup.h"
+#include "content/show.h"
+#include "render/present/headless_projectors.h"
+
+namespace ergodome {
+
+//! Makes a show's pictures the domemaster that warps of a setup look up: 180°, equidistant, uncut, from inside, right as seen from the
+//! setup's viewer. How far it is tilted stays the show's. Throws Error for layouts that put two eyes into one picture.
+void fit_to_setup(Show& show, const DomeSetup& setup);
+
+//! The projectors' names for files: what of them is plain, and different for each.
+std::vector<std::string> plain_names(const DomeSetup& setup);
+
+//! Writes what the projectors show of numbered frames, through EGL.
+class ProjectorFrames {
+ public:
+  //! Throws Error as HeadlessProjectors does.
+  ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures);
+
+  //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes FOLDER/NAME_000001_PROJECTOR.png).
+  void write(const std::filesystem::path& frame, const Picture& master);
+
+  //! Whether all of these files are there and complete.
+  [[nodiscard]] bool are_there(const std::filesystem::path& frame) const;
+
+ private:
+  struct Raster {
+    std::string name;
+    int width_px;
+    int height_px;
+  };
+  [[nodiscard]] static std::filesystem::path path_of(const std::filesystem::path& frame, const Raster& raster);
+
+  std::vector<Raster> rasters_;
+  HeadlessProjectors projectors_;
+};
+
+//! Writes what the projectors show of a test pattern, or of "all", to `out`: PATTERN_PROJECTOR.png, and with all of them a sheet with its
+//! number for each, number_PROJECTOR.png. Patterns stand upright in the dome as it is tilted. `size_px`: width of the domemaster; 0: enough.
+//! Returns how many files.
+int write_pattern_frames(const std::string& pattern, const DomeSetup& setup, int size_px,
+                         const std::filesystem::path& out);
+
+//! The projection of a setup's domemasters whose up is straight up.
+Projection upright_master(const DomeSetup& setup, int size_px);
+
+}  // namespace ergodome
