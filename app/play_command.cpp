@@ -5,6 +5,7 @@
 #include "app/lens_options.h"
 #include "app/player.h"
 #include "app/player_keys.h"
+#include "app/setup_show.h"
 #include "app/show_loading.h"
 
 namespace ergodome {
@@ -16,9 +17,22 @@ struct PlayArguments {
   std::string backend = "auto";
   std::string projection;
   std::string stereo;
+  std::string setup;
+  bool size_given = false;
   LensOptions lens;
   PlayOptions options;
 };
+
+//! Makes the show what the setup's projectors need.
+void play_on_projectors(PlayArguments& arguments, Show& show) {
+  PlayOptions& options = arguments.options;
+  options.setup = read_dome_setup(arguments.setup);
+  options.projectors = projector_pictures(*options.setup);
+  fit_to_setup(show, *options.setup);
+  if (!arguments.size_given) {
+    options.size_px = enough_master_px(options.projectors);
+  }
+}
 
 void run(PlayArguments arguments) {
   arguments.options.free_flight = arguments.options.free_flight || arguments.show.empty();
@@ -27,6 +41,9 @@ void run(PlayArguments arguments) {
   if (has_face_files(show.view)) {
     // A window has them in one picture.
     show.view.cube_files = CubeFiles::cross;
+  }
+  if (!arguments.setup.empty()) {
+    play_on_projectors(arguments, show);
   }
   require_features(show);
   const Backend backend = choose_backend(arguments.backend);
@@ -52,9 +69,13 @@ void add_play_command(CLI::App& app) {
   command->add_option("--stereo", arguments->stereo, "mono, side_by_side or top_bottom, instead of the show's")
       ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom"}));
   add_lens_options(*command, arguments->lens);
-  command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
-      ->check(CLI::Range(16, 8192))
-      ->capture_default_str();
+  const CLI::Option* const size =
+      command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
+          ->check(CLI::Range(16, 8192))
+          ->capture_default_str();
+  command->add_option("--setup", arguments->setup, "dome setup (.toml): a window for each of its projectors, too");
+  command->add_flag("--no-control", arguments->options.hide_control,
+                    "with --setup: the projectors' windows alone; keys work in them");
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
   command->add_flag("--times", arguments->options.times_shown,
                     "show the frame time and the lens in the picture (key I)");
@@ -63,7 +84,10 @@ void add_play_command(CLI::App& app) {
       ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")
       ->check(CLI::Range(0.0, 1e9));
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, size] {
+    arguments->size_given = size->count() > 0;
+    run(*arguments);
+  });
 }
 
 }  // namespace ergodome

@@ -10,6 +10,7 @@
 #include "app/interrupt.h"
 #include "app/lens_options.h"
 #include "app/player_keys.h"
+#include "app/setup_show.h"
 #include "render/output/caption.h"
 #include "render/output/image_writer.h"
 
@@ -36,12 +37,17 @@ int window_height(const Show& show, int size_px) {
 Player::Player(ShowRenderer& renderer, const PlayOptions& options)
     : renderer_(renderer),
       options_(options),
-      window_(std::min(window_width(renderer.show(), options.size_px), 1600),
-              std::min(window_height(renderer.show(), options.size_px), 1000), "Ergodome", options.full_screen),
+      window_(std::min(window_width(renderer.show(), options.size_px), options.setup ? 700 : 1600),
+              std::min(window_height(renderer.show(), options.size_px), options.setup ? 700 : 1000), "Ergodome",
+              options.full_screen),
       flight_(renderer.show()),
       flying_(options.free_flight),
       times_shown_(options.times_shown),
       field_of_view_deg_(renderer.show().view.field_of_view_deg) {
+  if (options_.setup) {
+    projectors_ =
+        std::make_unique<ProjectorWindows>(window_, *options_.setup, options_.projectors, options_.hide_control);
+  }
   if (renderer.backend() == Backend::cpu) {
     source_ = std::make_unique<FrameSource>(renderer);
   }
@@ -63,8 +69,8 @@ bool Player::moving() const { return changed_ || !held_keys_.empty() || (!flying
 
 void Player::run() {
   auto last = Clock::now();
-  while (!window_.closed() && !interrupted()) {
-    for (const WindowEvent& event : window_.events(0.004)) {
+  while (!closed() && !interrupted()) {
+    for (const WindowEvent& event : events()) {
       handle(event);
     }
     const auto now = Clock::now();
@@ -93,7 +99,21 @@ void Player::run() {
   }
 }
 
+bool Player::closed() const { return window_.closed() || (projectors_ && projectors_->closed()); }
+
+std::vector<WindowEvent> Player::events() {
+  std::vector<WindowEvent> all = window_.events(0.004);
+  if (projectors_) {
+    const std::vector<WindowEvent> others = projectors_->events();
+    all.insert(all.end(), others.begin(), others.end());
+  }
+  return all;
+}
+
 void Player::save_screenshot() {
+  if (projectors_) {
+    projectors_->save_screenshots(options_.screenshot, plain_names(*options_.setup));
+  }
   int width = 0;
   int height = 0;
   window_.framebuffer_size(width, height);
@@ -269,6 +289,12 @@ void Player::note_answer() {
 }
 
 void Player::draw() {
+  if (projectors_) {
+    projectors_->show(presenter_.shown());
+    if (!projectors_->control_shown()) {
+      return;
+    }
+  }
   int width = 0;
   int height = 0;
   window_.framebuffer_size(width, height);

@@ -9,6 +9,7 @@
 #include "app/flight.h"
 #include "app/frame_source.h"
 #include "render/present/presenter.h"
+#include "render/present/projector_windows.h"
 #include "render/present/window.h"
 
 namespace ergodome {
@@ -16,10 +17,13 @@ namespace ergodome {
 struct PlayOptions {
   bool full_screen = false;
   bool free_flight = false;
-  int size_px = 1024;        //!< width of one eye's image when the picture stands still
-  double for_seconds = 0.0;  //!< ends by itself this long after the first picture; 0: when it is closed
-  bool times_shown = false;  //!< writes the frame time and the lens into the picture
-  std::string screenshot;    //!< what the window showed last, as a PNG; empty: none
+  int size_px = 1024;                        //!< width of one eye's image when the picture stands still
+  double for_seconds = 0.0;                  //!< ends by itself this long after the first picture; 0: when it is closed
+  bool times_shown = false;                  //!< writes the frame time and the lens into the picture
+  std::string screenshot;                    //!< what the window showed last, as a PNG; empty: none
+  std::optional<DomeSetup> setup;            //!< of a dome whose projectors show the pictures, too
+  std::vector<ProjectorPicture> projectors;  //!< of the setup
+  bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
 };
 
 //! Plays a show, or flies through its scene, in a window.
@@ -49,6 +53,8 @@ class Player {
   void draw();
   void update_title();
   void save_screenshot();
+  [[nodiscard]] bool closed() const;
+  [[nodiscard]] std::vector<WindowEvent> events();
   [[nodiscard]] CameraPose current_pose() const;
   [[nodiscard]] ShowMoment moment() const;
   [[nodiscard]] bool moving() const;
@@ -57,6 +63,7 @@ class Player {
   PlayOptions options_;
   Window window_;
   Presenter presenter_;
+  std::unique_ptr<ProjectorWindows> projectors_;  //!< where there is a setup
   Flight flight_;
   std::unique_ptr<FrameSource> source_;
   std::set<int> held_keys_;

@@ -19,6 +19,7 @@ struct Presenter::State {
   int height = 0;
   bool heat_map = false;
   Tone tone;
+  long version = 0;
   std::unique_ptr<CudaTextureLink> link;
 };
 
@@ -72,6 +73,7 @@ void Presenter::resize(int width, int height) {
 
 void Presenter::upload(const Picture& picture) {
   resize(picture.width, picture.height);
+  ++state_->version;
   state_->heat_map = picture.heat_range.has_value();
   state_->tone = picture.tone;
   glTextureSubImage2D(state_->texture, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.rgba.data());
@@ -79,6 +81,7 @@ void Presenter::upload(const Picture& picture) {
 
 void Presenter::upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone) {
   resize(width, height);
+  ++state_->version;
   state_->heat_map = heat_map;
   state_->tone = tone;
   if (!state_->link) {
@@ -88,7 +91,7 @@ void Presenter::upload_from_device(const float* rgba, int width, int height, boo
 }
 
 PresentedPicture Presenter::shown() const {
-  return {state_->texture, state_->width, state_->height, state_->heat_map, state_->tone};
+  return {state_->texture, state_->width, state_->height, state_->heat_map, state_->tone, state_->version};
 }
 
 void Presenter::draw(int framebuffer_width, int framebuffer_height) {

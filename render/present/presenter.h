@@ -15,6 +15,7 @@ struct PresentedPicture {
   int height = 0;
   bool heat_map = false;  //!< colours already, to which no tone is given
   Tone tone;
+  long version = 0;  //!< another for each picture that was handed over
 };
 
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on the GPU, and fills the window with it,

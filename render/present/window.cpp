@@ -107,6 +107,27 @@ void Window::close() { glfwSetWindowShouldClose(state_->window, GLFW_TRUE); }
 
 bool Window::closed() const { return glfwWindowShouldClose(state_->window) == GLFW_TRUE; }
 
+void Window::hide() { glfwHideWindow(state_->window); }
+
+void Window::move_to_monitor(int monitor) {
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  if (monitor < 0 || monitor >= count) {
+    return;
+  }
+  int x = 0;
+  int y = 0;
+  glfwGetMonitorWorkarea(monitors[monitor], &x, &y, nullptr, nullptr);
+  constexpr int title_bar_px = 40;
+  glfwSetWindowPos(state_->window, x, y + title_bar_px);
+}
+
+void Window::make_current() { glfwMakeContextCurrent(state_->window); }
+
+void Window::swap_at_once() { glfwSwapInterval(0); }
+
+void* Window::handle() const { return state_->window; }
+
 void Window::framebuffer_size(int& width, int& height) const {
   glfwGetFramebufferSize(state_->window, &width, &height);
 }

@@ -35,6 +35,21 @@ class Window {
   void close();
   [[nodiscard]] bool closed() const;
 
+  //! Takes it off the screen; its context stays.
+  void hide();
+
+  //! Moves it to the top left of a monitor, counted from 0.
+  void move_to_monitor(int monitor);
+
+  //! Makes its context the current one, after another window's.
+  void make_current();
+
+  //! From now on swap() waits for no display: another window does.
+  void swap_at_once();
+
+  //! GLFW's window, for windows that share its context.
+  [[nodiscard]] void* handle() const;
+
   //! Size of the framebuffer in pixels; 0 x 0 while minimized.
   void framebuffer_size(int& width, int& height) const;
 

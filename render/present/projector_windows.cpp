@@ -1,0 +1,157 @@
+#include "render/present/projector_windows.h"
+
+#include <algorithm>
+
+#include "render/output/image_writer.h"
+#include "render/present/projector_drawing.h"
+#include "render/present/projector_window.h"
+#include "render/present/text_panel.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A projector's window and what is drawn in its context, which must be current when any of it goes.
+struct Screen {
+  std::unique_ptr<ProjectorWindow> window;
+  std::unique_ptr<ProjectorDrawing> drawing;
+  std::unique_ptr<TextPanel> panel;
+  std::unique_ptr<Presenter> raster;  //!< shown instead of the drawing while there is one
+};
+
+}  // namespace
+
+struct ProjectorWindows::State {
+  Window& control;
+  std::unique_ptr<DisplayLight> light;
+  std::vector<Screen> screens;
+  bool control_shown = true;
+  long version = -1;  //!< of the master whose light there is
+};
+
+ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
+                                   const std::vector<ProjectorPicture>& pictures, bool hide_control)
+    : state_(std::make_unique<State>(State{control, nullptr, {}})) {
+  require_monitors(setup);
+  const int monitor = free_monitor(setup);
+  state_->control_shown = !hide_control && monitor >= 0;
+  if (state_->control_shown) {
+    control.move_to_monitor(monitor);
+  } else {
+    control.hide();
+  }
+  control.make_current();
+  control.swap_at_once();
+  state_->light = std::make_unique<DisplayLight>();
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    Screen screen;
+    screen.window = std::make_unique<ProjectorWindow>(control, setup.projectors[i],
+                                                      i == 0 ? SwapTiming::in_step : SwapTiming::at_once);
+    screen.drawing = std::make_unique<ProjectorDrawing>(pictures[i]);
+    screen.panel = std::make_unique<TextPanel>();
+    state_->screens.push_back(std::move(screen));
+  }
+  control.make_current();
+}
+
+ProjectorWindows::~ProjectorWindows() {
+  for (Screen& screen : state_->screens) {
+    screen.window->make_current();
+    screen.raster.reset();
+    screen.panel.reset();
+    screen.drawing.reset();
+    screen.window.reset();
+  }
+  state_->control.make_current();
+  state_->light.reset();
+}
+
+void ProjectorWindows::draw(std::size_t projector) {
+  Screen& screen = state_->screens[projector];
+  screen.window->make_current();
+  int width = 0;
+  int height = 0;
+  screen.window->framebuffer_size(width, height);
+  if (screen.raster) {
+    screen.raster->draw(width, height);
+  } else {
+    screen.drawing->draw(*state_->light, width, height);
+  }
+  screen.panel->draw(width, height);
+}
+
+void ProjectorWindows::show(const PresentedPicture& master) {
+  state_->control.make_current();
+  if (master.version != state_->version) {
+    state_->light->update(master);
+    state_->version = master.version;
+  }
+  for (std::size_t i = 0; i < state_->screens.size(); ++i) {
+    draw(i);
+  }
+  // The first waits for its display; the others follow at once, in the time that displays in step all have from then on.
+  for (const Screen& screen : state_->screens) {
+    screen.window->make_current();
+    screen.window->swap();
+  }
+  state_->control.make_current();
+}
+
+void ProjectorWindows::change(std::size_t projector, const ProjectorPicture& picture) {
+  const Screen& screen = state_->screens[projector];
+  screen.window->make_current();
+  screen.drawing->set_warp(picture.warp, picture.corners);
+  screen.drawing->set_colour(picture);
+  state_->control.make_current();
+}
+
+void ProjectorWindows::set_text(std::size_t projector, const std::string& text) {
+  const Screen& screen = state_->screens[projector];
+  screen.window->make_current();
+  int width = 0;
+  int height = 0;
+  screen.window->framebuffer_size(width, height);
+  screen.panel->set(text, std::clamp(height / 30, 12, 48));
+  state_->control.make_current();
+}
+
+void ProjectorWindows::set_raster(std::size_t projector, const Picture* raster) {
+  Screen& screen = state_->screens[projector];
+  screen.window->make_current();
+  screen.raster.reset();
+  if (raster != nullptr) {
+    screen.raster = std::make_unique<Presenter>();
+    screen.raster->upload(*raster);
+  }
+  state_->control.make_current();
+}
+
+std::vector<WindowEvent> ProjectorWindows::events() {
+  std::vector<WindowEvent> all;
+  for (const Screen& screen : state_->screens) {
+    const std::vector<WindowEvent> some = screen.window->events();
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+bool ProjectorWindows::closed() const {
+  return std::ranges::any_of(state_->screens, [](const Screen& screen) { return screen.window->closed(); });
+}
+
+bool ProjectorWindows::control_shown() const { return state_->control_shown; }
+
+void ProjectorWindows::save_screenshots(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < state_->screens.size(); ++i) {
+    draw(i);
+    int width = 0;
+    int height = 0;
+    state_->screens[i].window->framebuffer_size(width, height);
+    std::filesystem::path path = file;
+    path.replace_filename(file.stem().string() + "_" + names[i] + ".png");
+    write_png(path, Presenter::read_back(width, height), width, height);
+  }
+  state_->control.make_current();
+}
+
+}  // namespace ergodome

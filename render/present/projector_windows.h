@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "calibration/projector_picture.h"
+#include "render/present/presenter.h"
+#include "render/present/window.h"
+
+namespace ergodome {
+
+//! The windows of a dome's projectors, which show one domemaster. It is on the GPU once, in the control window's context.
+class ProjectorWindows {
+ public:
+  //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills; without one, or with `hide_control`, it
+  //! is not seen. Throws Error where a monitor is missing or a window cannot be opened.
+  ProjectorWindows(Window& control, const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
+                   bool hide_control);
+  ~ProjectorWindows();
+  ProjectorWindows(const ProjectorWindows&) = delete;
+  ProjectorWindows& operator=(const ProjectorWindows&) = delete;
+
+  //! Draws a picture of the control window's presenter in all windows, then shows it in all of them, the first in step with its display.
+  void show(const PresentedPicture& master);
+
+  //! Takes over a projector's warp, corners and colours; its masks stay.
+  void change(std::size_t projector, const ProjectorPicture& picture);
+
+  //! Text over a projector's picture; none where it is empty.
+  void set_text(std::size_t projector, const std::string& text);
+
+  //! A raster of its own in place of a projector's part of the master; nothing where `raster` is null.
+  void set_raster(std::size_t projector, const Picture* raster);
+
+  //! What was done to the windows since the last call.
+  std::vector<WindowEvent> events();
+
+  //! Whether one of them was closed.
+  [[nodiscard]] bool closed() const;
+
+  //! Whether the control window is to be seen.
+  [[nodiscard]] bool control_shown() const;
+
+  //! Writes what the windows show as FILE_PROJECTOR.png for FILE.png. `names`: the projectors' for files.
+  void save_screenshots(const std::filesystem::path& file, const std::vector<std::string>& names);
+
+ private:
+  struct State;
+  void draw(std::size_t projector);
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace ergodome {
+
+//! Lines of text on a dark panel, drawn over what is in a framebuffer.
+class TextPanel {
+ public:
+  //! Needs the OpenGL context current in which it will draw, and keeps to it.
+  TextPanel();
+  ~TextPanel();
+  TextPanel(const TextPanel&) = delete;
+  TextPanel& operator=(const TextPanel&) = delete;
+
+  //! Takes over lines of text; none where it is empty, or where no font is installed.
+  void set(const std::string& text, int font_px);
+
+  //! Draws it into the middle of the bound framebuffer of the given size.
+  void draw(int framebuffer_width, int framebuffer_height);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ergodome
