@@ -1,14 +1,16 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <memory>
 
+#include "app/calibration_keys.h"
+#include "app/calibration_window.h"
 #include "app/commands.h"
 #include "app/progress.h"
+#include "app/projector_folder.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
@@ -28,16 +30,10 @@ struct CalibrateOptions {
   int master_px = 4096;
   double tolerance_px = 0.25;
   BlendSettings blend;
+  bool live = false;
+  bool size_given = false;
+  LiveOptions shown;  //!< with live
 };
-
-//! A file's name for a projector, whatever the setup calls it: its number, and what of its name is plain.
-std::string file_name(std::size_t number, const std::string& name) {
-  std::string plain;
-  for (const char c : name) {
-    plain += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-  }
-  return fmt::format("{}_{}", number + 1, plain);
-}
 
 //! A file that the old setup names, as the new one in another folder has to.
 std::string moved(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -65,7 +61,21 @@ double lit_part(const ProjectorOptics& projector, const DomeScreen& screen) {
   return static_cast<double>(lit) / all;
 }
 
+void run_live(const CalibrateOptions& options) {
+  LiveOptions live = options.shown;
+  live.setup = options.setup;
+  live.master_px = options.size_given ? options.master_px : 0;
+  CalibrationWindow(live).run();
+}
+
 void run(const CalibrateOptions& options) {
+  if (options.live) {
+    run_live(options);
+    return;
+  }
+  if (options.out.empty()) {
+    throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
+  }
   if (std::isnan(options.tolerance_px) || std::isnan(options.blend.softness) || std::isnan(options.blend.evenness)) {
     throw Error("calibrate", "an option is not a number", "give numbers to --tolerance, --softness and --evenness");
   }
@@ -82,7 +92,7 @@ void run(const CalibrateOptions& options) {
   for (std::size_t i = 0; i < projectors.size(); ++i) {
     ProjectorSetup& projector = setup.projectors[i];
     const WarpMesh warp = dome_warp(projectors[i], screen, options.master_px, options.tolerance_px);
-    const std::string name = file_name(i, projector.name);
+    const std::string name = projector_file_name(i, projector.name);
     write_text_atomically(out / (name + ".data"),
                           to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px));
     write_text_atomically(out / (name + "_blend.png"),
@@ -114,12 +124,11 @@ void add_calibrate_command(CLI::App& app) {
       app.add_subcommand("calibrate", "Compute warps and blend masks of a dome's projectors from where they stand");
   auto options = std::make_shared<CalibrateOptions>();
   command->add_option("setup", options->setup, "dome setup (.toml) with a lens for each projector")->required();
-  command
-      ->add_option("--out", options->out,
-                   "folder for warps (Bourke's meshes), masks (PNG), and a setup that names them")
-      ->required();
+  command->add_option("--out", options->out,
+                      "folder for warps (Bourke's meshes), masks (PNG), and a setup that names them");
   command->add_option("--mpcdi", options->mpcdi, "write the same as an MPCDI calibration, too");
-  command->add_option("--size", options->master_px, "width of the domemaster in pixels")->check(CLI::Range(64, 16'384));
+  const CLI::Option* const size = command->add_option("--size", options->master_px, "width of the domemaster in pixels")
+                                      ->check(CLI::Range(64, 16'384));
   command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
       ->check(CLI::Range(0.01, 10.0));
   command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
@@ -128,7 +137,18 @@ void add_calibrate_command(CLI::App& app) {
       ->add_option("--evenness", options->blend.evenness,
                    "1 evens out what is spread over more of the dome, 0 leaves it")
       ->check(CLI::Range(0.0, 1.0));
-  command->callback([options] { run(*options); });
+  command->add_flag("--live", options->live,
+                    "show test patterns on the projectors and adjust the setup by keys, instead of computing warps");
+  command->add_flag("--no-control", options->shown.hide_control, "with --live: the projectors' windows alone");
+  command->add_option("--for", options->shown.for_seconds, "with --live: end by itself after this many seconds")
+      ->check(CLI::Range(0.0, 1e9));
+  command->add_option("--screenshot", options->shown.screenshot,
+                      "with --live: write what the windows showed last as FILE_PROJECTOR.png for FILE.png");
+  command->footer(calibration_key_help());
+  command->callback([options, size] {
+    options->size_given = size->count() > 0;
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

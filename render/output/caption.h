@@ -21,4 +21,7 @@ struct TextImage {
 //! A line of text, cut out close around it; empty where no font is installed.
 TextImage text_image(const std::string& text, int font_px);
 
+//! Lines of text one below the other on common lines, with some room about them; empty where no font is installed.
+TextImage text_lines_image(const std::string& text, int font_px);
+
 }  // namespace ergodome

@@ -105,6 +105,13 @@ void ProjectorWindows::change(std::size_t projector, const ProjectorPicture& pic
   state_->control.make_current();
 }
 
+void ProjectorWindows::replace(std::size_t projector, const ProjectorPicture& picture) {
+  Screen& screen = state_->screens[projector];
+  screen.window->make_current();
+  screen.drawing = std::make_unique<ProjectorDrawing>(picture);
+  state_->control.make_current();
+}
+
 void ProjectorWindows::set_text(std::size_t projector, const std::string& text) {
   const Screen& screen = state_->screens[projector];
   screen.window->make_current();

@@ -28,6 +28,9 @@ class ProjectorWindows {
   //! Takes over a projector's warp, corners and colours; its masks stay.
   void change(std::size_t projector, const ProjectorPicture& picture);
 
+  //! Takes over a projector's picture with its masks.
+  void replace(std::size_t projector, const ProjectorPicture& picture);
+
   //! Text over a projector's picture; none where it is empty.
   void set_text(std::size_t projector, const std::string& text);
 

@@ -2,10 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
-#include <sstream>
 #include <utility>
-#include <vector>
 
 #include "render/output/caption.h"
 #include "render/present/gl_program.h"
@@ -33,30 +30,6 @@ void main() {
 }
 )";
 
-//! Lines one below the other, each as text_image draws it, with room about them.
-TextImage lines_image(const std::string& text, int font_px) {
-  const int line_px = font_px * 3 / 2;
-  const int margin_px = font_px / 2;
-  std::vector<TextImage> lines;
-  TextImage image{0, 2 * margin_px, {}};
-  std::stringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(text_image(line, font_px));
-    image.width = std::max(image.width, lines.back().width + 2 * margin_px);
-    image.height += line_px;
-  }
-  image.coverage.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const int top = margin_px + static_cast<int>(i) * line_px;
-    for (int y = 0; y < std::min(lines[i].height, line_px); ++y) {
-      const auto from = lines[i].coverage.begin() + static_cast<std::ptrdiff_t>(y) * lines[i].width;
-      std::copy_n(from, lines[i].width,
-                  image.coverage.begin() + static_cast<std::ptrdiff_t>(top + y) * image.width + margin_px);
-    }
-  }
-  return image;
-}
-
 }  // namespace
 
 TextPanel::TextPanel() : state_(std::make_unique<State>()) {
@@ -75,7 +48,7 @@ void TextPanel::set(const std::string& text, int font_px) {
     return;
   }
   state_->shown = {text, font_px};
-  const TextImage image = lines_image(text, font_px);
+  const TextImage image = text_lines_image(text, font_px);
   glDeleteTextures(1, &state_->texture);
   state_->texture = 0;
   state_->width = image.width;

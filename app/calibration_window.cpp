@@ -1,0 +1,200 @@
+#include "app/calibration_window.h"
+
+#include <fmt/format.h>
+
+#include "app/calibration_keys.h"
+#include "app/interrupt.h"
+#include "app/saved_calibration.h"
+#include "app/setup_show.h"
+#include "kernels/core/error.h"
+#include "render/output/image_writer.h"
+#include "render/patterns/test_pattern.h"
+
+namespace ergodome {
+
+namespace {
+
+//! After the patterns of the master comes a sheet with its number for each projector.
+int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; }
+
+std::vector<LoadedProjector> files_of(const DomeSetup& setup) {
+  std::vector<LoadedProjector> files;
+  for (const ProjectorSetup& projector : setup.projectors) {
+    files.push_back(load_projector(setup, projector));
+  }
+  return files;
+}
+
+}  // namespace
+
+CalibrationWindow::CalibrationWindow(const LiveOptions& options)
+    : options_(options),
+      state_(read_dome_setup(options.setup), pattern_count()),
+      files_(files_of(state_.setup())),
+      pictures_(projector_pictures(state_.setup())),
+      window_(700, 700, "Ergodome calibrate", false),
+      projectors_(window_, state_.setup(), pictures_, options.hide_control) {
+  if (options_.master_px <= 0) {
+    options_.master_px = enough_master_px(pictures_);
+  }
+  renew_master();
+  renew_text();
+}
+
+void CalibrationWindow::run() {
+  const auto start = Clock::now();
+  while (!window_.closed() && !projectors_.closed() && !interrupted()) {
+    for (const WindowEvent& event : window_.events(0.02)) {
+      handle(event);
+    }
+    for (const WindowEvent& event : projectors_.events()) {
+      handle(event);
+    }
+    repeat_held_key();
+    draw();
+    if (options_.for_seconds > 0.0 &&
+        std::chrono::duration<double>(Clock::now() - start).count() >= options_.for_seconds) {
+      break;
+    }
+  }
+  if (!options_.screenshot.empty()) {
+    projectors_.save_screenshots(options_.screenshot, plain_names(state_.setup()));
+  }
+  if (state_.unsaved()) {
+    fmt::print("changes were not saved\n");
+  }
+}
+
+void CalibrationWindow::handle(const WindowEvent& event) {
+  constexpr auto before_repeating = std::chrono::milliseconds(400);
+  if (event.kind == WindowEvent::Kind::key_down) {
+    held_key_ = event.key;
+    repeat_at_ = Clock::now() + before_repeating;
+    act(calibration_action_of(event.key));
+  } else if (event.kind == WindowEvent::Kind::key_up) {
+    held_key_.reset();
+  }
+}
+
+void CalibrationWindow::repeat_held_key() {
+  constexpr auto between = std::chrono::milliseconds(80);
+  const CalibrationAction action = held_key_ ? calibration_action_of(*held_key_) : CalibrationAction::none;
+  const bool repeats = action >= CalibrationAction::left && action <= CalibrationAction::downwards;
+  if (repeats && Clock::now() >= repeat_at_) {
+    repeat_at_ = Clock::now() + between;
+    act(action);
+  }
+}
+
+void CalibrationWindow::act(CalibrationAction action) {
+  if (action == CalibrationAction::quit) {
+    window_.close();
+  } else if (action == CalibrationAction::save) {
+    save();
+  } else {
+    message_.clear();
+    renew(state_.press(action));
+  }
+}
+
+void CalibrationWindow::save() {
+  try {
+    state_.note_saved(save_calibration(options_.setup, state_.setup(), state_.corners()));
+    message_ = "saved to " + options_.setup;
+    // What is shown from now on is what the files hold.
+    files_ = files_of(state_.setup());
+    pictures_ = projector_pictures(state_.setup());
+    for (std::size_t i = 0; i < pictures_.size(); ++i) {
+      projectors_.replace(i, pictures_[i]);
+    }
+  } catch (const Error& problem) {
+    // What was adjusted is still there, and can be saved once the reason is gone.
+    message_ = problem.what();
+  }
+  fmt::print("{}\n", message_);
+  renew_text();
+}
+
+void CalibrationWindow::renew(Renewal renewal) {
+  if (renewal == Renewal::nothing) {
+    return;
+  }
+  if (renewal <= Renewal::master) {
+    renew_master();
+  }
+  if (renewal <= Renewal::warps) {
+    renew_warps();
+  }
+  if (renewal <= Renewal::colours) {
+    renew_colours();
+  }
+  renew_text();
+}
+
+std::string CalibrationWindow::pattern_name() const {
+  const auto& names = test_pattern_names();
+  const auto pattern = static_cast<std::size_t>(state_.pattern());
+  return pattern < names.size() ? names[pattern] : "numbers of the projectors";
+}
+
+void CalibrationWindow::renew_master() {
+  const bool numbers = state_.pattern() + 1 == pattern_count();
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    if (numbers) {
+      const ProjectorPicture& raster = pictures_[i];
+      const Picture sheet =
+          draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
+      projectors_.set_raster(i, &sheet);
+    } else {
+      projectors_.set_raster(i, nullptr);
+    }
+  }
+  if (!numbers) {
+    presenter_.upload(draw_test_pattern(static_cast<TestPattern>(state_.pattern()),
+                                        upright_master(state_.setup(), options_.master_px)));
+  }
+}
+
+void CalibrationWindow::renew_warps() {
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    pictures_[i].warp = master_warp(state_.setup(), state_.setup().projectors[i], files_[i]);
+    pictures_[i].corners = state_.corners()[i];
+  }
+}
+
+void CalibrationWindow::renew_colours() {
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    const ProjectorSetup& projector = state_.setup().projectors[i];
+    pictures_[i].gamma = projector.gamma;
+    const Vector3<double>& lift = projector.black_level_lift;
+    pictures_[i].black_level_lift = dot(lift, lift) > 0.0 ? lift : files_[i].black_level_lift;
+    projectors_.change(i, pictures_[i]);
+  }
+}
+
+void CalibrationWindow::renew_text() {
+  const std::string adjusted =
+      state_.text() + "\npattern: " + pattern_name() + (message_.empty() ? "" : "\n" + message_);
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    const std::string other = fmt::format("{}: {}", i + 1, pictures_[i].name);
+    projectors_.set_text(i, !state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);
+  }
+  std::string title = "Ergodome calibrate  " + state_.text();
+  for (char& c : title) {
+    c = c == '\n' ? ' ' : c;
+  }
+  window_.set_title(title);
+}
+
+void CalibrationWindow::draw() {
+  projectors_.show(presenter_.shown());
+  if (projectors_.control_shown()) {
+    int width = 0;
+    int height = 0;
+    window_.framebuffer_size(width, height);
+    presenter_.draw(width, height);
+    window_.swap();
+  }
+}
+
+}  // namespace ergodome

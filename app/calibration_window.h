@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/live_calibration.h"
+#include "calibration/projector_picture.h"
+#include "render/present/presenter.h"
+#include "render/present/projector_windows.h"
+#include "render/present/window.h"
+
+namespace ergodome {
+
+struct LiveOptions {
+  std::string setup;  //!< file of the setup, which is also saved to
+  int master_px = 0;  //!< width of the test patterns' master; 0: enough for the projectors
+  bool hide_control = false;
+  double for_seconds = 0.0;  //!< ends by itself; 0: when it is closed
+  std::string screenshot;    //!< what the windows showed last, as FILE_PROJECTOR.png for FILE.png; empty: none
+};
+
+//! Shows test patterns on the projectors of a dome, and lets keys adjust its setup.
+class CalibrationWindow {
+ public:
+  //! Throws Error for what is wrong with the setup or its files, where there is no display, or a monitor is missing.
+  explicit CalibrationWindow(const LiveOptions& options);
+
+  //! Until it is closed.
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void handle(const WindowEvent& event);
+  void repeat_held_key();
+  void act(CalibrationAction action);
+  void save();
+  void renew(Renewal renewal);
+  void renew_master();
+  void renew_warps();
+  void renew_colours();
+  void renew_text();
+  void draw();
+  [[nodiscard]] std::string pattern_name() const;
+
+  LiveOptions options_;
+  LiveCalibration state_;
+  std::vector<LoadedProjector> files_;
+  std::vector<ProjectorPicture> pictures_;
+  Window window_;
+  Presenter presenter_;
+  ProjectorWindows projectors_;
+  std::string message_;  //!< of the last saving
+  std::optional<int> held_key_;
+  Clock::time_point repeat_at_;
+};
+
+}  // namespace ergodome

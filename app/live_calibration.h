@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "calibration/corner_offsets.h"
+#include "calibration/dome_setup.h"
+
+namespace ergodome {
+
+//! What a key does while a dome is being calibrated.
+enum class CalibrationAction {
+  none,
+  quit,
+  save,
+  next_pattern,
+  previous_pattern,
+  next_projector,
+  previous_projector,
+  finer,
+  coarser,
+  undo,
+  hide_text,
+  left,
+  right,
+  up,
+  down,
+  upwards,
+  downwards,
+  choose_tilt,
+  choose_rotation,
+  choose_viewer,
+  choose_top_left,
+  choose_top_right,
+  choose_bottom_right,
+  choose_bottom_left,
+  choose_gamma,
+  choose_black_level,
+};
+
+//! What can be changed, in the order of the actions that choose it. The first three are the dome's, the others a projector's.
+enum class Adjustable {
+  tilt,
+  rotation,
+  viewer,
+  top_left,
+  top_right,
+  bottom_right,
+  bottom_left,
+  gamma,
+  black_level,
+};
+
+//! What has to be made anew after an action, each with what comes after it in this list.
+enum class Renewal { master, warps, colours, text, nothing };
+
+//! A dome setup while a person adjusts it: what is chosen, what keys change, by how much, and how far. Knows neither windows nor files.
+class LiveCalibration {
+ public:
+  //! `patterns`: how many test patterns there are to go through.
+  LiveCalibration(DomeSetup setup, int patterns);
+
+  //! Does what a key asks for. Quitting and saving are the caller's: they change nothing here.
+  Renewal press(CalibrationAction action);
+
+  //! Takes over what was saved: the setup with warps that hold the corners, which then are none.
+  void note_saved(DomeSetup setup);
+
+  [[nodiscard]] const DomeSetup& setup() const { return setup_; }
+  [[nodiscard]] const std::vector<CornerOffsets>& corners() const { return corners_; }
+  [[nodiscard]] std::size_t projector() const { return projector_; }
+  [[nodiscard]] int pattern() const { return pattern_; }
+  [[nodiscard]] Adjustable adjustable() const { return adjustable_; }
+  [[nodiscard]] bool text_shown() const { return text_shown_; }
+
+  //! Whether anything differs from what was read or saved last.
+  [[nodiscard]] bool unsaved() const;
+
+  //! What is being changed, its value and its step, a line each.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  //! A step to the right, up the screen, and up the dome; each -1, 0 or 1.
+  struct Way {
+    int right = 0;
+    int up = 0;
+    int upwards = 0;
+  };
+
+  Renewal adjust(const Way& way);
+  Renewal adjust_viewer(const Way& way, double step_m);
+  Renewal adjust_corner(const Way& way, double step_px);
+  [[nodiscard]] double step() const;
+  [[nodiscard]] Corner corner() const;
+  [[nodiscard]] std::string value() const;
+  Renewal undo();
+
+  DomeSetup setup_;
+  DomeSetup saved_;
+  std::vector<CornerOffsets> corners_;
+  int patterns_;
+  std::size_t projector_ = 0;
+  int pattern_ = 0;
+  Adjustable adjustable_ = Adjustable::tilt;
+  int step_size_ = 1;  //!< 0 fine, 1 usual, 2 coarse
+  bool text_shown_ = true;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,85 @@
+#include "app/saved_calibration.h"
+
+#include <algorithm>
+
+#include "app/projector_folder.h"
+#include "calibration/bourke_mesh.h"
+#include "calibration/projector_picture.h"
+#include "content/files/atomic_file.h"
+
+namespace ergodome {
+
+namespace {
+
+void write_keeping_older(const std::filesystem::path& path, const std::string& bytes) {
+  keep_older(path);
+  write_text_atomically(path, bytes);
+}
+
+//! A mask where the corners take it, as a PNG beside the setup; its name.
+std::string write_mask(const std::filesystem::path& folder, const std::string& name, const CornerOffsets& corners,
+                       const BlendMap& mask) {
+  BlendMap moved = moved_mask(corners, mask);
+  moved.bit_depth = 16;
+  write_keeping_older(folder / name, to_png(moved, name));
+  return name;
+}
+
+void write_black_level(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
+                       ProjectorSetup& projector) {
+  // An MPCDI calibration's mask holds the light itself, and setups take no lift of 1: the rest goes into the mask.
+  constexpr double most_of_setups = 0.5;
+  const Vector3<double>& lift = picture.black_level_lift;
+  const double rest = std::max({1.0, lift.x / most_of_setups, lift.y / most_of_setups, lift.z / most_of_setups});
+  BlendMap mask = picture.black_level;
+  for (float& value : mask.values) {
+    value = std::min(value * static_cast<float>(rest), 1.0F);
+  }
+  projector.black_level_lift = (1.0 / rest) * lift;
+  projector.black_level_mask = write_mask(folder, name, picture.corners, mask);
+}
+
+}  // namespace
+
+DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& setup,
+                           const std::vector<CornerOffsets>& corners) {
+  DomeSetup saved = setup;
+  const bool moved = std::ranges::any_of(corners, [](const CornerOffsets& c) { return !c.none(); });
+  if (moved) {
+    // The rotation stays in the setup: warps are written without it.
+    DomeSetup unturned = setup;
+    unturned.rotation_deg = 0.0;
+    std::vector<ProjectorPicture> pictures = projector_pictures(unturned);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      ProjectorPicture& picture = pictures[i];
+      ProjectorSetup& projector = saved.projectors[i];
+      picture.corners = corners[i];
+      if (picture.corners.none()) {
+        continue;
+      }
+      const std::string name = projector_file_name(i, projector.name);
+      write_keeping_older(setup.folder / (name + ".data"),
+                          to_bourke_mesh(moved_warp(picture.corners, picture.warp),
+                                         static_cast<double>(picture.width_px) / picture.height_px));
+      projector.warp.emplace();
+      projector.warp->file = name + ".data";
+      if (picture.blend.width > 0) {
+        projector.blend_mask = write_mask(setup.folder, name + "_blend.png", picture.corners, picture.blend);
+        projector.blend_mask_gamma = 1.0;
+      }
+      if (picture.black_level.width > 0) {
+        write_black_level(setup.folder, name + "_black.png", picture, projector);
+      }
+    }
+  }
+  for (ProjectorSetup& projector : saved.projectors) {
+    // A mask without a lift means nothing, and setups with one are refused.
+    if (!(dot(projector.black_level_lift, projector.black_level_lift) > 0.0)) {
+      projector.black_level_mask.clear();
+    }
+  }
+  write_dome_setup(file, saved);
+  return saved;
+}
+
+}  // namespace ergodome
