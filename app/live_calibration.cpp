@@ -26,8 +26,8 @@ struct Quantity {
 };
 
 constexpr Quantity quantities[] = {
-    {"tilt of the dome", "°", 0.5},
-    {"rotation of the picture", "°", 0.5},
+    {"tilt of the dome", " deg", 0.5},
+    {"rotation of the picture", " deg", 0.5},
     {"viewer", " m", 0.1},
     {"top left corner", " px", 5.0},
     {"top right corner", " px", 5.0},
@@ -214,9 +214,9 @@ std::string LiveCalibration::value() const {
   const ProjectorSetup& projector = setup_.projectors[projector_];
   switch (adjustable_) {
     case Adjustable::tilt:
-      return fmt::format("{:.2f}°", setup_.tilt_deg);
+      return fmt::format("{:.2f} deg", setup_.tilt_deg);
     case Adjustable::rotation:
-      return fmt::format("{:.2f}° to the right", setup_.rotation_deg);
+      return fmt::format("{:.2f} deg to the right", setup_.rotation_deg);
     case Adjustable::viewer:
       return fmt::format("{:.2f} m right, {:.2f} m up, {:.2f} m back", setup_.viewer_m.x, setup_.viewer_m.y,
                          setup_.viewer_m.z);
