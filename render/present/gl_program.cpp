@@ -76,6 +76,12 @@ void set_tone(const Tone& tone) {
   glUniform3f(2, tone.gain, tone.white, tone.gamma);
 }
 
+bool draws_in_software() {
+  const auto* const name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name != nullptr ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
+}
+
 void require_gl_45() {
   if (epoxy_gl_version() < 45) {
     throw Error("OpenGL", "the driver has no OpenGL 4.5", "update the graphics driver");

@@ -20,6 +20,9 @@ unsigned linked_program(const std::string& vertex_source, const std::string& fra
 //! Sets the tone of the program in use, which has tone_source in it.
 void set_tone(const Tone& tone);
 
+//! Whether the current context is drawn by the processor, for lack of a GPU: Mesa's llvmpipe or softpipe.
+bool draws_in_software();
+
 //! Throws Error unless the current context is OpenGL 4.5.
 void require_gl_45();
 

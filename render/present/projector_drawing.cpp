@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "render/present/gl_program.h"
@@ -41,7 +42,8 @@ void main() {
 }
 )";
 
-constexpr const char* fragment_source = R"(#version 450 core
+//! HAS_BLEND and HAS_BLACK_LEVEL say which masks there are to look at.
+constexpr const char* fragment_source = R"(
 in vec2 source_place;
 in vec2 mask_place;
 in float intensity;
@@ -57,12 +59,23 @@ void main() {
   // The master's rim is not smeared over what lies beyond it.
   light *= float(all(greaterThanEqual(source_place, vec2(0.0))) && all(lessThanEqual(source_place, vec2(1.0))));
   // As projector_light.h has it.
-  vec3 blended = light * intensity * texture(blend, mask_place).rgb;
-  vec3 beta = lift * texture(black_level, mask_place).rgb;
+  vec3 blended = light * intensity;
+#ifdef HAS_BLEND
+  blended *= texture(blend, mask_place).rgb;
+#endif
+  vec3 beta = lift;
+#ifdef HAS_BLACK_LEVEL
+  beta *= texture(black_level, mask_place).rgb;
+#endif
   vec3 lifted = blended * (1.0 - beta) + beta;
   colour = vec4(pow(clamp(gain * lifted, 0.0, 1.0), vec3(1.0 / gamma)), 1.0);
 }
 )";
+
+std::string fragment_source_for(const ProjectorPicture& picture) {
+  return std::string("#version 450 core\n") + (picture.blend.width > 0 ? "#define HAS_BLEND\n" : "") +
+         (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "") + fragment_source;
+}
 
 struct Vertex {
   float place[2];
@@ -75,10 +88,11 @@ Vector3<float> converted(const Vector3<double>& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-//! A mask as a texture, filtered in linear light; white where there is none.
-GLuint mask_texture(const BlendMap& map) {
-  static const BlendMap white = {1, 1, 1, 8, {1.0F}};
-  const BlendMap& shown = map.width > 0 ? map : white;
+//! A mask as a texture, filtered in linear light; 0 where there is none.
+GLuint mask_texture(const BlendMap& shown) {
+  if (shown.width == 0) {
+    return 0;
+  }
   const bool grey = shown.channels == 1;
   GLuint texture = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &texture);
@@ -147,7 +161,7 @@ void set_attribute(GLuint vertex_array, GLuint attribute, int size, std::size_t 
 
 ProjectorDrawing::ProjectorDrawing(const ProjectorPicture& picture) : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(vertex_source, fragment_source);
+  state_->program = linked_program(vertex_source, fragment_source_for(picture));
   glCreateVertexArrays(1, &state_->vertex_array);
   set_attribute(state_->vertex_array, 0, 2, offsetof(Vertex, place));
   set_attribute(state_->vertex_array, 1, 2, offsetof(Vertex, source));

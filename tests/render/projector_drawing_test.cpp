@@ -315,9 +315,17 @@ TEST_F(ThrownFrames, OfThreeProjectorsShowTheMaster) {
   expect_master(calibrated_in(folder_, three(1000), {1024, 0.1}));
 }
 
-TEST_F(ThrownFrames, OfSixProjectorsShowTheMaster) { expect_master(calibrated_in(folder_, six(800), {1024, 0.1})); }
+TEST_F(ThrownFrames, OfSixProjectorsShowTheMaster) {
+  if (sanitized) {
+    GTEST_SKIP() << "the dome of three is enough";
+  }
+  expect_master(calibrated_in(folder_, six(700), {1024, 0.1}));
+}
 
 TEST_F(ThrownFrames, OfProjectorsWithoutFilesShowTheMaster) {
+  if (sanitized) {
+    GTEST_SKIP() << "the dome of three is enough";
+  }
   DomeSetup setup = three(1000);
   setup.projectors[1].gamma = 1.8;
   expect_master(setup);

@@ -1,0 +1,134 @@
+#include "tests/support/reference_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "content/show_reader.h"
+#include "kernels/core/error.h"
+#include "render/frame/show_renderer.h"
+#include "render/patterns/test_pattern.h"
+#include "render/present/headless_context.h"
+#include "render/present/headless_projectors.h"
+#include "render/present/offscreen_frame.h"
+#include "render/present/presenter.h"
+#include "tests/support/folder_test.h"
+#include "tests/support/gl_driver.h"
+#include "tests/support/simulated_dome.h"
+
+// What windows and projectors show, drawn through EGL, against references that were looked at.
+namespace ergodome {
+namespace {
+
+using test::expect_like_reference;
+using test::SeenFrame;
+
+//! A picture as a window of its size shows it; nothing where there is no driver.
+std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
+  try {
+    test::driver_was_loaded = true;
+    const HeadlessContext context;
+    const OffscreenFrame frame(picture.width, picture.height);
+    Presenter presenter;
+    presenter.upload(picture);
+    frame.bind();
+    presenter.draw(frame.width(), frame.height());
+    return SeenFrame{frame.width(), frame.height(), frame.read_back()};
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+//! Each layout by its name in shows. Add a line for a new one, and renew the references.
+class LayoutFrames : public test::FolderTest, public testing::WithParamInterface<const char*> {
+ protected:
+  //! A small sky in fields of four colours, with lines between them.
+  [[nodiscard]] std::string sky_map() const {
+    constexpr int width = 128;
+    constexpr int height = 64;
+    std::vector<std::uint8_t> rgb;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const bool line = x % 16 < 2 || y % 16 < 2;
+        const auto level = [&](int bit) {
+          return static_cast<std::uint8_t>(line ? 200 : ((x / 16 + 2 * (y / 16)) >> bit) % 2 == 0 ? 40 : 140);
+        };
+        rgb.insert(rgb.end(), {level(0), level(1), level(2)});
+      }
+    }
+    write_png(folder_ / "sky.png", rgb, width, height);
+    return (folder_ / "sky.png").string();
+  }
+};
+
+TEST_P(LayoutFrames, AreAsTheyWereLookedAt) {
+  const std::string layout = GetParam();
+  ShowRenderer renderer(
+      parse_show("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 6\n[sky]\nmap = \"" + sky_map() +
+                     "\"\n"
+                     "[view]\nprojection = \"dome\"\ntilt_deg = 45\nsize_px = 160\n"
+                     "[stereo]\nlayout = \"" +
+                     layout + "\"\nbaseline = 0.8\n",
+                 "layouts.toml"),
+      Backend::cpu, LensChoice::direct);
+  const Projection projection = make_projection(renderer.show().view, 160, 0.0);
+  const auto seen =
+      seen_in_a_window(renderer.render_window(camera_pose(renderer.show(), 0.0), projection, ViewMode::sky));
+  if (!seen) {
+    GTEST_SKIP() << "no OpenGL driver";
+  }
+  expect_like_reference("layout_" + layout, *seen);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames, testing::Values("mono", "side_by_side", "top_bottom", "separate"),
+                         [](const auto& layout) { return std::string(layout.param); });
+
+class PatternFrames : public testing::TestWithParam<std::string> {};
+
+TEST_P(PatternFrames, AreAsTheyWereLookedAt) {
+  ViewSettings view;
+  view.tilt_deg = 20.0;
+  const auto seen = seen_in_a_window(draw_test_pattern(test_pattern(GetParam()), make_projection(view, 320, 0.0)));
+  if (!seen) {
+    GTEST_SKIP() << "no OpenGL driver";
+  }
+  expect_like_reference("pattern_" + GetParam(), *seen);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, PatternFrames, testing::ValuesIn(test_pattern_names()),
+                         [](const auto& pattern) { return pattern.param; });
+
+TEST(NumberFrame, IsAsItWasLookedAt) {
+  const auto seen = seen_in_a_window(draw_projector_number(3, "south east", 320, 200));
+  if (!seen) {
+    GTEST_SKIP() << "no OpenGL driver";
+  }
+  expect_like_reference("projector_number", *seen);
+}
+
+//! A pattern on each of the three projectors of a dome.
+TEST(ProjectorReferences, AreAsTheyWereLookedAt) {
+  DomeSetup setup = test::three(320);
+  setup.projectors[2].black_level_lift = {0.02, 0.02, 0.02};
+  setup.projectors[1].gain = {1.0, 0.8, 0.6};
+  ViewSettings view;
+  view.tilt_deg = setup.tilt_deg;
+  const Picture master = draw_test_pattern(TestPattern::orientation, make_projection(view, 512, 0.0));
+  std::unique_ptr<HeadlessProjectors> projectors;
+  try {
+    test::driver_was_loaded = true;
+    projectors = std::make_unique<HeadlessProjectors>(projector_pictures(setup));
+  } catch (const Error& problem) {
+    GTEST_SKIP() << problem.what();
+  }
+  projectors->show(master);
+  SeenFrame row{320, 600, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto frame = projectors->frame(i);
+    row.rgb.insert(row.rgb.end(), frame.begin(), frame.end());
+  }
+  expect_like_reference("projectors", row);
+}
+
+}  // namespace
+}  // namespace ergodome
