@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "content/show_reader.h"
@@ -20,8 +21,12 @@
 namespace ergodome {
 namespace {
 
-using test::expect_like_reference;
 using test::SeenFrame;
+
+//! Compares a frame with the reference of that name.
+void expect_like(const std::string& name, const SeenFrame& frame) {
+  test::expect_like_reference(std::filesystem::path(ERGODOME_TEST_DATA_DIR) / "frames" / (name + ".png"), frame);
+}
 
 //! A picture as a window of its size shows it; nothing where there is no driver.
 std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
@@ -77,7 +82,7 @@ TEST_P(LayoutFrames, AreAsTheyWereLookedAt) {
   if (!seen) {
     GTEST_SKIP() << "no OpenGL driver";
   }
-  expect_like_reference("layout_" + layout, *seen);
+  expect_like("layout_" + layout, *seen);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames, testing::Values("mono", "side_by_side", "top_bottom", "separate"),
@@ -92,7 +97,7 @@ TEST_P(PatternFrames, AreAsTheyWereLookedAt) {
   if (!seen) {
     GTEST_SKIP() << "no OpenGL driver";
   }
-  expect_like_reference("pattern_" + GetParam(), *seen);
+  expect_like("pattern_" + GetParam(), *seen);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, PatternFrames, testing::ValuesIn(test_pattern_names()),
@@ -103,7 +108,7 @@ TEST(NumberFrame, IsAsItWasLookedAt) {
   if (!seen) {
     GTEST_SKIP() << "no OpenGL driver";
   }
-  expect_like_reference("projector_number", *seen);
+  expect_like("projector_number", *seen);
 }
 
 //! A pattern on each of the three projectors of a dome.
@@ -127,7 +132,7 @@ TEST(ProjectorReferences, AreAsTheyWereLookedAt) {
     const auto frame = projectors->frame(i);
     row.rgb.insert(row.rgb.end(), frame.begin(), frame.end());
   }
-  expect_like_reference("projectors", row);
+  expect_like("projectors", row);
 }
 
 }  // namespace

@@ -25,8 +25,7 @@ struct SeenFrame {
 
 //! Compares a frame with its reference as an eye would: a pixel may be off by a tenth of full where edges and letters lie (drivers and fonts
 //! round differently), but not one in fifty, and all of them together by a two-hundredth on average.
-inline void expect_like_reference(const std::string& name, const SeenFrame& frame) {
-  const std::filesystem::path path = std::filesystem::path(ERGODOME_TEST_DATA_DIR) / "frames" / (name + ".png");
+inline void expect_like_reference(const std::filesystem::path& path, const SeenFrame& frame) {
   const char* const renew = std::getenv("ERGODOME_RENEW_REFERENCES");
   if (renew != nullptr && std::string(renew) == "1") {
     std::filesystem::create_directories(path.parent_path());
