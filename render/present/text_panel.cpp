@@ -68,8 +68,8 @@ void TextPanel::draw(int framebuffer_width, int framebuffer_height) {
   if (state_->texture == 0) {
     return;
   }
-  glViewport((framebuffer_width - state_->width) / 2, (framebuffer_height - state_->height) / 2, state_->width,
-             state_->height);
+  const int top = framebuffer_height - framebuffer_height / 20;
+  glViewport((framebuffer_width - state_->width) / 2, top - state_->height, state_->width, state_->height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(state_->program);

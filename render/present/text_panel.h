@@ -17,7 +17,7 @@ class TextPanel {
   //! Takes over lines of text; none where it is empty, or where no font is installed.
   void set(const std::string& text, int font_px);
 
-  //! Draws it into the middle of the bound framebuffer of the given size.
+  //! Draws it near the top of the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height);
 
  private:
