@@ -28,7 +28,8 @@ TEST(CornerOffsets, EveryPlaceComesBack) {
   farthest.down = {-0.25, 0.25, -0.25, 0.25};
   for (const CornerOffsets& corners : {nudged, farthest}) {
     for (int i = 0; i <= 100; ++i) {
-      const RasterPlace place = {(i % 11) / 10.0, (i / 11) / 9.0};
+      const int row = i / 11;
+      const RasterPlace place = {(i % 11) / 10.0, row / 9.0};
       const RasterPlace there = moved_place(corners, place);
       const RasterPlace back = moved_back(corners, there);
       EXPECT_NEAR(back.x, place.x, 1e-9);

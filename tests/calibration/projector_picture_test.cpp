@@ -54,7 +54,8 @@ TEST(MasterWarp, OfASurfaceFindsThePlacesOfItsPoints) {
   for (int i = 0; i < 81; ++i) {
     // A patch about a direction up and to the front, at changing distances.
     const double x = 0.1 * (i % 9 - 4);
-    const double z = -0.7 + 0.1 * (i / 9 - 4);
+    const int row = i / 9;
+    const double z = -0.7 + 0.1 * (row - 4);
     const double far = 3.0 + 0.1 * i;
     surface.points.push_back({static_cast<float>(far * x), static_cast<float>(far), static_cast<float>(far * z)});
   }

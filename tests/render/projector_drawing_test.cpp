@@ -95,7 +95,8 @@ float mask_at(const BlendMap& mask, double x, double y, int channel) {
   const int top = std::min(static_cast<int>(row), mask.height - 2);
   const auto at = [&](int i, int j) {
     const int one = mask.channels == 1 ? 0 : channel;
-    return static_cast<double>(mask.values[static_cast<std::size_t>(mask.channels * (j * mask.width + i) + one)]);
+    const int value = mask.channels * (j * mask.width + i) + one;
+    return static_cast<double>(mask.values[static_cast<std::size_t>(value)]);
   };
   return static_cast<float>(std::lerp(std::lerp(at(left, top), at(left + 1, top), column - left),
                                       std::lerp(at(left, top + 1), at(left + 1, top + 1), column - left), row - top));
@@ -131,7 +132,8 @@ TEST_F(ProjectorFrames, AreWhatTheFormulaSays) {
                                                  : 1.3F,
                                         1.9F};
         const double expected = 255.0 * projector_value(colour, light);
-        const int byte = shown[static_cast<std::size_t>(3 * (y * picture.width_px + x) + c)];
+        const int index = 3 * (y * picture.width_px + x) + c;
+        const int byte = shown[static_cast<std::size_t>(index)];
         wrong += std::abs(byte - expected) > 2.0 ? 1 : 0;
       }
     }
@@ -221,7 +223,8 @@ struct ThrownFrame {
     const int column = static_cast<int>(x);
     const int row = static_cast<int>(y);
     const auto at = [&](int i, int j) {
-      return std::pow(rgb[static_cast<std::size_t>(3 * (j * width + i) + channel)] / 255.0, gamma);
+      const int index = 3 * (j * width + i) + channel;
+      return std::pow(rgb[static_cast<std::size_t>(index)] / 255.0, gamma);
     };
     return std::lerp(std::lerp(at(column, row), at(column + 1, row), x - column),
                      std::lerp(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
