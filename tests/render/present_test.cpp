@@ -10,7 +10,8 @@
 #include "tests/support/gl_driver.h"
 
 // No report of leaks where a driver was at work.
-extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }  // NOLINT: the checker's name
+// NOLINTNEXTLINE: the checker's name
+extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
 
 namespace ergodome {
 namespace {
