@@ -10,6 +10,7 @@ namespace ergodome {
 
 Picture render_for_window(ShowRenderer& renderer, const PictureRequest& request) {
   const Projection projection = make_projection(renderer.show().view, request.size_px, request.field_of_view_deg);
+  renderer.set_stereo(request.stereo);
   Picture picture = renderer.render_window(request.pose, projection, request.mode, request.moment);
   draw_color_bar(picture, request.mode);
   return picture;

@@ -17,6 +17,7 @@ struct PictureRequest {
   double field_of_view_deg = 0.0;
   int size_px = 0;      //!< width of one eye's image
   ShowMoment moment{};  //!< of a camera on the show's path
+  StereoSettings stereo{};
 };
 
 //! A finished picture and what it took.
@@ -52,7 +53,7 @@ class FrameSource {
   std::jthread thread_;
 };
 
-//! One picture as the show's stereo layout has it; `separate` eyes come side by side on a window.
+//! One picture as the request's stereo layout has it; eyes that it keeps apart come side by side on a window.
 Picture render_for_window(ShowRenderer& renderer, const PictureRequest& request);
 
 }  // namespace ergodome

@@ -59,6 +59,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["projection"] = projections[static_cast<int>(show.view.projection)];
   facts["size_px"] = show.view.size_px;
   facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
+  facts["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];
   facts["baseline"] = show.stereo.baseline;
   facts["budget_px"] = show.quality.budget_px;
   facts["not_drawn_yet"] = missing_features(show);

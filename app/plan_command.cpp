@@ -174,8 +174,8 @@ void add_plan_command(CLI::App& app) {
       ->add_option("--projection", options->projection,
                    "dome, equirect, cube, cylinder or pinhole, instead of the show's")
       ->check(CLI::IsMember(projection_names()));
-  command->add_option("--stereo", options->stereo, "mono, side_by_side, top_bottom or separate, instead of the show's")
-      ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom", "separate"}));
+  command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
+      ->check(CLI::IsMember(stereo_names()));
   command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))

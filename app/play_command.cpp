@@ -19,6 +19,7 @@ struct PlayArguments {
   std::string stereo;
   std::string setup;
   bool size_given = false;
+  bool tint_eyes = false;
   LensOptions lens;
   PlayOptions options;
 };
@@ -42,6 +43,7 @@ void run(PlayArguments arguments) {
     // A window has them in one picture.
     show.view.cube_files = CubeFiles::cross;
   }
+  show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
   if (!arguments.setup.empty()) {
     play_on_projectors(arguments, show);
   }
@@ -66,8 +68,9 @@ void add_play_command(CLI::App& app) {
       ->add_option("--projection", arguments->projection,
                    "dome, equirect, cube, cylinder or pinhole, instead of the show's")
       ->check(CLI::IsMember(projection_names()));
-  command->add_option("--stereo", arguments->stereo, "mono, side_by_side or top_bottom, instead of the show's")
-      ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom"}));
+  command->add_option("--stereo", arguments->stereo, "stereo layout, instead of the show's")
+      ->check(CLI::IsMember(stereo_names()));
+  command->add_flag("--tint-eyes", arguments->tint_eyes, "the left eye's picture reddish, the right one's cyan");
   add_lens_options(*command, arguments->lens);
   const CLI::Option* const size =
       command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")

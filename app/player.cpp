@@ -11,8 +11,10 @@
 #include "app/lens_options.h"
 #include "app/player_keys.h"
 #include "app/setup_show.h"
+#include "app/stereo_controls.h"
 #include "render/output/caption.h"
 #include "render/output/image_writer.h"
+#include "render/output/stereo_layout.h"
 
 namespace ergodome {
 
@@ -22,14 +24,14 @@ namespace {
 constexpr double moving_budget_ms = 70.0;
 constexpr int smallest_px = 192;
 
-int window_width(const Show& show, int size_px) {
-  return show.stereo.layout == StereoLayout::side_by_side || show.stereo.layout == StereoLayout::separate ? 2 * size_px
-                                                                                                          : size_px;
-}
-
-int window_height(const Show& show, int size_px) {
+//! Size of the picture of a window; eyes that layouts keep apart are side by side there, and those of quad_buffer fill it.
+ImageSize window_size(const Show& show, int size_px) {
   const Projection projection = make_projection(show.view, size_px, 0.0);
-  return show.stereo.layout == StereoLayout::top_bottom ? 2 * projection.height_px : projection.height_px;
+  const ImageSize eye = {projection.width_px, projection.height_px};
+  const StereoLayout layout = show.stereo.layout;
+  return layout == StereoLayout::quad_buffer
+             ? eye
+             : layout_size(keeps_eyes_apart(layout) ? StereoLayout::side_by_side : layout, eye);
 }
 
 }  // namespace
@@ -37,16 +39,23 @@ int window_height(const Show& show, int size_px) {
 Player::Player(ShowRenderer& renderer, const PlayOptions& options)
     : renderer_(renderer),
       options_(options),
-      window_(std::min(window_width(renderer.show(), options.size_px), options.setup ? 700 : 1600),
-              std::min(window_height(renderer.show(), options.size_px), options.setup ? 700 : 1000), "Ergodome",
-              options.full_screen),
+      window_(std::min(window_size(renderer.show(), options.size_px).width, options.setup ? 700 : 1600),
+              std::min(window_size(renderer.show(), options.size_px).height, options.setup ? 700 : 1000), "Ergodome", options.full_screen,
+              renderer.show().stereo.layout == StereoLayout::quad_buffer ? WindowBuffers::stereo
+                                                                         : WindowBuffers::plain),
       flight_(renderer.show()),
       flying_(options.free_flight),
       times_shown_(options.times_shown),
+      shown_stereo_(renderer.show().stereo),
+      stereo_(shown_stereo_),
       field_of_view_deg_(renderer.show().view.field_of_view_deg) {
   if (options_.setup) {
     projectors_ =
         std::make_unique<ProjectorWindows>(window_, *options_.setup, options_.projectors, options_.hide_control);
+  }
+  if (stereo_.layout == StereoLayout::quad_buffer && window_.buffers() == WindowBuffers::plain) {
+    fmt::print(stderr, "ergodome: this driver has no buffers for each eye; the eyes are side by side\n");
+    stereo_.layout = StereoLayout::side_by_side;
   }
   if (renderer.backend() == Backend::cpu) {
     source_ = std::make_unique<FrameSource>(renderer);
@@ -185,6 +194,9 @@ void Player::press(int key) {
       mode_ = static_cast<ViewMode>((static_cast<int>(mode_) + 1) % 6);
       break;
     default:
+      if (!projectors_) {  // what a dome's projectors show is one eye's
+        stereo_ = adjusted(stereo_, action_of(key), shown_stereo_, current_pose().r);
+      }
       break;
   }
 }
@@ -220,12 +232,13 @@ void Player::ask_for_picture() {
   }
   if (changed_) {
     refined_size_px_ = 0;
-    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment()});
+    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment(),
+                  stereo_});
     changed_ = false;
   } else if (refined_size_px_ > 0 && refined_size_px_ < options_.size_px && !moving()) {
     const int finer = std::min(2 * refined_size_px_, options_.size_px);
     refined_size_px_ = 0;
-    source_->ask({current_pose(), mode_, field_of_view_deg_, finer, moment()});
+    source_->ask({current_pose(), mode_, field_of_view_deg_, finer, moment(), stereo_});
   }
 }
 
@@ -267,7 +280,8 @@ void Player::show_on_device() {
   changed_ = false;
   const auto start = Clock::now();
   const Projection projection = make_projection(renderer_.show().view, options_.size_px, field_of_view_deg_);
-  if (renderer_.show().stereo.layout == StereoLayout::mono && !renderer_.finishes_pictures()) {
+  renderer_.set_stereo(stereo_);
+  if (eye_count(stereo_) < 2 && !renderer_.finishes_pictures()) {
     const float* rgba = renderer_.render_eye_in_place(current_pose(), 0.0, projection, mode_, moment(), &lens_);
     presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, mode_ != ViewMode::sky,
                                   tone_of(renderer_.show().tone));
@@ -298,7 +312,15 @@ void Player::draw() {
   int width = 0;
   int height = 0;
   window_.framebuffer_size(width, height);
-  presenter_.draw(width, height);
+  if (stereo_.layout == StereoLayout::quad_buffer) {
+    window_.draw_into(WindowEye::left);
+    presenter_.draw(width, height, PicturePart::left_half);
+    window_.draw_into(WindowEye::right);
+    presenter_.draw(width, height, PicturePart::right_half);
+  } else {
+    window_.draw_into(WindowEye::both);
+    presenter_.draw(width, height);
+  }
   window_.swap();
 }
 

@@ -73,6 +73,8 @@ class Player {
   bool changed_ = true;
   bool times_shown_ = false;  //!< in the picture, where a full screen has no title
   ViewMode mode_ = ViewMode::sky;
+  StereoSettings shown_stereo_;  //!< as the show has it
+  StereoSettings stereo_;
   double field_of_view_deg_ = 0.0;
   int moving_size_px_ = 256;  //!< what keeps ten pictures a second
   int refined_size_px_ = 0;   //!< width of the last picture of what stands still

@@ -28,6 +28,15 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_F, KeyAction::down, ""},
     {GLFW_KEY_W, KeyAction::in, "W S        towards the hole, away from it"},
     {GLFW_KEY_S, KeyAction::out, ""},
+    {GLFW_KEY_LEFT_BRACKET, KeyAction::baseline_smaller, "[ ]        eyes nearer to each other, farther apart"},
+    {GLFW_KEY_RIGHT_BRACKET, KeyAction::baseline_larger, ""},
+    {GLFW_KEY_BACKSPACE, KeyAction::baseline_reset, "Backspace  baseline and convergence as the show has them"},
+    {GLFW_KEY_COMMA, KeyAction::convergence_nearer, ", .        eyes converge nearer, farther, at infinity"},
+    {GLFW_KEY_PERIOD, KeyAction::convergence_farther, ""},
+    {GLFW_KEY_X, KeyAction::swap_eyes, "X          swap the eyes"},
+    {GLFW_KEY_T, KeyAction::tint_eyes, "T          tint the eyes: left reddish, right cyan"},
+    {GLFW_KEY_L, KeyAction::next_layout, "L          next stereo layout"},
+    {GLFW_KEY_M, KeyAction::next_model, "M          next stereo model: physical, flat, omni"},
 };
 
 }  // namespace

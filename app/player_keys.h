@@ -21,7 +21,16 @@ enum class KeyAction {
   up,
   down,
   in,
-  out
+  out,
+  baseline_smaller,
+  baseline_larger,
+  baseline_reset,
+  convergence_nearer,
+  convergence_farther,
+  swap_eyes,
+  tint_eyes,
+  next_layout,
+  next_model
 };
 
 //! The action of a key, by GLFW's number.

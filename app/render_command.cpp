@@ -19,6 +19,7 @@
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
+#include "render/output/stereo_layout.h"
 #include "render/patterns/test_pattern.h"
 
 namespace ergodome {
@@ -32,6 +33,7 @@ struct RenderOptions {
   int size_px = 0;
   std::string projection;
   std::string stereo;
+  bool tint_eyes = false;
   bool from_outside = false;
   std::string backend = "auto";
   std::string format = "png";
@@ -77,7 +79,7 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
   return {first - 1, last - 1};
 }
 
-FrameMetadata metadata_of(const Show& show, double time_s, const FrameImage& image) {
+FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::optional<CubeFace> face) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* parts[] = {"whole", "left", "right"};
   const CameraPose pose = camera_pose(show, time_s);
@@ -89,8 +91,9 @@ FrameMetadata metadata_of(const Show& show, double time_s, const FrameImage& ima
           {"observer", observers[static_cast<int>(show.camera.motion)]},
           {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
           {"from_outside", show.view.from_outside ? "true" : "false"},
-          {"part", parts[static_cast<int>(image.part)]},
-          {"face", image.face ? cube_face_name(*image.face) : "none"},
+          {"part", parts[static_cast<int>(part)]},
+          {"face", face ? cube_face_name(*face) : "none"},
+          {"stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]},
           {"version", ERGODOME_VERSION}};
 }
 
@@ -122,16 +125,25 @@ class FrameWriter {
       return;
     }
     const double time_s = frame_time_s(show, frame);
-    for (FrameImage& image : renderer_.render(time_s, choice_)) {
+    std::vector<FrameImage> images = renderer_.render(time_s, choice_);
+    for (FrameImage& image : images) {
       draw_color_bar(image.picture, choice_.mode);
-      const std::filesystem::path path = path_of(frame, image.part, image.face);
+      unresolved_ += image.picture.unresolved_pixels;
+    }
+    const bool views = show.stereo.layout == StereoLayout::multiview;
+    for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
+      const FrameImage& image = images[i];
+      const FramePart part = views ? FramePart::whole : image.part;
+      const std::filesystem::path path = path_of(frame, part, image.face);
       make_folder(path.parent_path());
+      const FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
       if (projectors_) {
         projectors_->write(path, image.picture);
+      } else if (views) {
+        write_views(path, format_, image.picture, images[i + 1].picture, metadata);
       } else {
-        write_picture(path, format_, image.picture, metadata_of(show, time_s, image));
+        write_picture(path, format_, image.picture, metadata);
       }
-      unresolved_ += image.picture.unresolved_pixels;
     }
     ++written_;
   }
@@ -186,13 +198,18 @@ class FrameWriter {
       return projectors_->are_there(path_of(frame, part, std::nullopt));
     }
     const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
-    const int width_px = show.stereo.layout == StereoLayout::side_by_side ? 2 * eye.width_px : eye.width_px;
-    const int height_px = show.stereo.layout == StereoLayout::top_bottom ? 2 * eye.height_px : eye.height_px;
-    if (!has_face_files(show.view)) {
-      return is_complete_image(path_of(frame, part, std::nullopt), width_px, height_px);
+    const bool faces = has_face_files(show.view);
+    const ImageSize size =
+        layout_size(show.stereo.layout, {faces ? eye.width_px / cube_faces : eye.width_px, eye.height_px});
+    const int parts = show.stereo.layout == StereoLayout::multiview ? 2 : 1;
+    const auto complete = [&](std::optional<CubeFace> face) {
+      return is_complete_image(path_of(frame, part, face), size.width, size.height, parts);
+    };
+    if (!faces) {
+      return complete(std::nullopt);
     }
     for (int face = 0; face < cube_faces; ++face) {
-      if (!is_complete_image(path_of(frame, part, static_cast<CubeFace>(face)), width_px / cube_faces, height_px)) {
+      if (!complete(static_cast<CubeFace>(face))) {
         return false;
       }
     }
@@ -209,6 +226,17 @@ class FrameWriter {
   long unresolved_ = 0;
 };
 
+//! Whether files can hold what the layout makes.
+void require_file_layout(const RenderOptions& options, const Show& show) {
+  if (show.stereo.layout == StereoLayout::multiview && options.format != "exr") {
+    throw Error("stereo layout multiview", "is two views in one EXR, which no other format holds", "add --format exr");
+  }
+  if (show.stereo.layout == StereoLayout::quad_buffer) {
+    throw Error("stereo layout quad_buffer", "is for a window with two buffers; files have none",
+                "choose another with --stereo, for instance side_by_side");
+  }
+}
+
 //! The show, or for patterns without one a dome of 180°, with what the command line says instead.
 Show chosen_show(const RenderOptions& options) {
   if (options.show.empty() && options.pattern.empty()) {
@@ -217,6 +245,7 @@ Show chosen_show(const RenderOptions& options) {
   Show show = options.show.empty() ? Show{} : load_show(options.show);
   override_view(show, options.projection, options.stereo);
   show.view.from_outside = show.view.from_outside || options.from_outside;
+  show.stereo.tint_eyes = show.stereo.tint_eyes || options.tint_eyes;
   if (options.frame_rate_hz > 0.0) {
     show.frame_rate_hz = options.frame_rate_hz;
   }
@@ -266,6 +295,7 @@ void run(const RenderOptions& options) {
     return;
   }
   require_features(show);
+  require_file_layout(options, show);
   require_movie(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   make_folder(options.out);
@@ -316,8 +346,9 @@ void add_render_command(CLI::App& app) {
                    "dome, equirect, cube, cylinder or pinhole, instead of the show's")
       ->check(CLI::IsMember(projection_names()));
   command->add_flag("--from-outside", options->from_outside, "the mirror image: a dome as it is seen from outside");
-  command->add_option("--stereo", options->stereo, "mono, side_by_side, top_bottom or separate, instead of the show's")
-      ->check(CLI::IsMember({"mono", "side_by_side", "top_bottom", "separate"}));
+  command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
+      ->check(CLI::IsMember(stereo_names()));
+  command->add_flag("--tint-eyes", options->tint_eyes, "the left eye's picture reddish, the right one's cyan");
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();

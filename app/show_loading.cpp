@@ -41,6 +41,8 @@ Show load_show(const std::string& name_or_path) {
               fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
 }
 
+std::vector<std::string> stereo_names() { return {stereo_layout_names.begin(), stereo_layout_names.end()}; }
+
 std::vector<std::string> projection_names() { return {"dome", "equirect", "cube", "cylinder", "pinhole"}; }
 
 void override_view(Show& show, const std::string& projection, const std::string& stereo) {
@@ -53,10 +55,8 @@ void override_view(Show& show, const std::string& projection, const std::string&
     }
   }
   if (!stereo.empty()) {
-    show.stereo.layout = stereo == "mono"           ? StereoLayout::mono
-                         : stereo == "side_by_side" ? StereoLayout::side_by_side
-                         : stereo == "top_bottom"   ? StereoLayout::top_bottom
-                                                    : StereoLayout::separate;
+    const auto name = std::ranges::find(stereo_layout_names, stereo);
+    show.stereo.layout = static_cast<StereoLayout>(name - stereo_layout_names.begin());
   }
 }
 

@@ -14,6 +14,9 @@ Show load_show(const std::string& name_or_path);
 //! The words for ViewProjection, in its order.
 std::vector<std::string> projection_names();
 
+//! The words for StereoLayout, in its order.
+std::vector<std::string> stereo_names();
+
 //! Puts the projection and stereo layout of the command line (empty: none) in place of the show's.
 void override_view(Show& show, const std::string& projection, const std::string& stereo);
 

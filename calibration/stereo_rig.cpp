@@ -25,7 +25,7 @@ Axes axes_at(double theta, double phi) {
 }  // namespace
 
 EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
-                   double offset, double least_r) {
+                   const Vector3<double>& offset, double least_r) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
   // Proper lengths to coordinate displacements: √(Δ/Σ) dr, r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
   const double scale[3] = {std::sqrt(std::max(f.delta, 0.0) / f.sigma), r / std::sqrt(f.sigma),
@@ -35,7 +35,9 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   for (int j = 0; j < 3; ++j) {
     place[j] = r * here.row[0][j];
     for (int i = 0; i < 3; ++i) {
-      place[j] += offset * frame_from_view[i][0] * scale[i] * here.row[i][j];
+      const double along = frame_from_view[i][0] * offset.x + frame_from_view[i][1] * offset.y +
+                           frame_from_view[i][2] * offset.z;
+      place[j] += along * scale[i] * here.row[i][j];
     }
   }
   EyeEvent eye{};

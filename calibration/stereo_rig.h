@@ -12,13 +12,12 @@ struct EyeEvent {
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in the eye's own (e_r, e_θ, e_φ)
 };
 
-//! Where an eye is that sits `offset` M to the right of the head (negative: to the left).
+//! Where an eye is that sits at `offset` [M] from the head, in the view's axes (x right, y up, z back).
 //!
-//! The offset is laid off along the view's right-hand axis: its proper length in the head's frame becomes a coordinate displacement
-//! through the metric, carried along a straight line of the Cartesian-like coordinates x = r sinθ cosφ, ..., so it works across the spin
+//! The offset's proper length in the head's frame becomes a coordinate displacement through the metric, carried along a straight line of the Cartesian-like coordinates x = r sinθ cosφ, ..., so it works across the spin
 //! axis and for any length. The eye's axes stay parallel to the head's in those coordinates. An eye that would come closer to the hole
 //! than `least_r` stays there. `frame_from_view` are the head's axes at (r, θ, φ).
 EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
-                   double offset, double least_r);
+                   const Vector3<double>& offset, double least_r);
 
 }  // namespace ergodome

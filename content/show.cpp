@@ -25,13 +25,17 @@ double frame_time_s(const Show& show, int frame) { return frame / show.frame_rat
 
 std::vector<std::string> missing_features(const Show& show) {
   std::vector<std::string> missing;
-  const StereoLayout layout = show.stereo.layout;
-  if (layout != StereoLayout::mono && layout != StereoLayout::side_by_side && layout != StereoLayout::top_bottom &&
-      layout != StereoLayout::separate) {
-    missing.emplace_back("of the stereo layouts mono, side_by_side, top_bottom and separate are there (stereo.layout)");
+  const StereoSettings& stereo = show.stereo;
+  if (eye_count(stereo) < 2) {
+    return missing;
   }
-  if (layout != StereoLayout::mono && show.stereo.model != StereoModel::physical) {
-    missing.emplace_back("of the stereo models physical is there (stereo.model)");
+  if (stereo.model == StereoModel::omni && !show.sky.stars.empty()) {
+    missing.emplace_back("stars are not drawn in the stereo model omni yet (stereo.model, sky.stars)");
+  }
+  const ViewProjection projection = show.view.projection;
+  const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;
+  if (stereo.convergence > 0.0 && stereo.model != StereoModel::omni && !converges) {
+    missing.emplace_back("eyes converge on domes and flat screens, and in the model omni (stereo.convergence)");
   }
   return missing;
 }

@@ -131,18 +131,55 @@ struct ViewSettings {
   std::optional<FrustumAngles> frustum;  //!< of a pinhole that is not symmetric, in place of field of view and aspect
 };
 
-enum class StereoLayout { mono, side_by_side, top_bottom, separate, multiview, anaglyph, dubois, rows, quad_buffer };
-inline constexpr std::array stereo_layout_names = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
-                                                   "anaglyph", "dubois",       "rows",       "quad_buffer"};
+//! How the pictures of two eyes become images (render/output/stereo_layout.h).
+enum class StereoLayout {
+  mono,
+  side_by_side,
+  top_bottom,
+  separate,
+  multiview,
+  anaglyph,
+  dubois,
+  rows,
+  quad_buffer,
+  half_side_by_side,
+  half_top_bottom
+};
+inline constexpr std::array stereo_layout_names = {"mono",        "side_by_side",      "top_bottom",     "separate",
+                                                   "multiview",   "anaglyph",          "dubois",         "rows",
+                                                   "quad_buffer", "half_side_by_side", "half_top_bottom"};
 
+//! Where the two eyes are: at events of their own; in the head's flat tangent space; or turning with the azimuth one looks at.
 enum class StereoModel { physical, flat, omni };
+inline constexpr std::array stereo_model_names = {"physical", "flat", "omni"};
 
 struct StereoSettings {
   StereoLayout layout = StereoLayout::mono;
   StereoModel model = StereoModel::physical;
-  double baseline = 0.0;  //!< distance of the eyes [M]
+  double baseline = 0.0;     //!< distance of the eyes [M]
+  double convergence = 0.0;  //!< distance at which both eyes see things at one place of the image [M]; 0: infinity
+  double fade_from_deg =
+      60.0;  //!< elevation, up and down, from which the baseline of StereoModel::omni gets smaller
+  double fade_to_deg = 90.0;  //!< and at which it is gone
+  double comfort_deg = 1.0;   //!< difference of disparities that a person fuses without effort
   bool swap_eyes = false;
+  bool tint_eyes = false;  //!< the left eye's picture turns red, the right one's cyan
+
+  bool operator==(const StereoSettings&) const = default;
 };
+
+//! How many eyes a frame is made for: the one place that decides it.
+constexpr int eye_count(const StereoSettings& stereo) { return stereo.layout == StereoLayout::mono ? 1 : 2; }
+
+//! How many times the model `flat` draws the head's picture: once for both eyes, unless they look through different frusta.
+constexpr int flat_pictures(const StereoSettings& stereo) {
+  return stereo.convergence > 0.0 && stereo.baseline > 0.0 ? 2 : 1;
+}
+
+//! How many pictures of a frame are drawn through a lens.
+constexpr int drawn_pictures(const StereoSettings& stereo) {
+  return eye_count(stereo) > 1 && stereo.model == StereoModel::flat ? flat_pictures(stereo) : eye_count(stereo);
+}
 
 //! How light becomes what a display shows; formulas in render/output/tone.h.
 enum class ToneCurve { shoulder, reinhard, filmic, gamma };

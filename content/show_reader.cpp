@@ -147,10 +147,25 @@ void read_stereo(const toml::table& table, const std::string& file, StereoSettin
   TomlTable reader(table, file, "stereo");
   stereo.layout = static_cast<StereoLayout>(reader.choice(
       "layout", 0,
-      {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows", "quad_buffer"}));
+      {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows", "quad_buffer",
+       "half_side_by_side", "half_top_bottom"}));
   stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
   stereo.baseline = reader.number("baseline", 0.0, 0.0, 1e6);
+  if (reader.has("convergence")) {
+    stereo.convergence = reader.number("convergence", 0.0, 1e-6, 1e9);
+  }
+  if (const toml::table* fade = reader.table("fade")) {
+    TomlTable angles(*fade, file, "stereo.fade");
+    stereo.fade_from_deg = angles.number("from_deg", stereo.fade_from_deg, 0.0, 90.0);
+    stereo.fade_to_deg = angles.number("to_deg", stereo.fade_to_deg, 0.0, 90.0);
+    if (!(stereo.fade_to_deg - stereo.fade_from_deg >= 1.0)) {
+      throw angles.error_at("to_deg", "does not lie above from_deg", "leave the baseline a degree or more to fade in");
+    }
+    angles.refuse_unknown_keys();
+  }
+  stereo.comfort_deg = reader.number("comfort_deg", stereo.comfort_deg, 1e-3, 180.0);
   stereo.swap_eyes = reader.boolean("swap_eyes", false);
+  stereo.tint_eyes = reader.boolean("tint_eyes", false);
   reader.refuse_unknown_keys();
 }
 

@@ -114,15 +114,26 @@ toml::table tone_of(const ToneSettings& tone) {
   return table;
 }
 
+toml::table stereo_of(const StereoSettings& stereo) {
+  toml::table table{{"layout", stereo_layout_names[static_cast<std::size_t>(stereo.layout)]},
+                    {"model", stereo_model_names[static_cast<std::size_t>(stereo.model)]},
+                    {"baseline", stereo.baseline},
+                    {"fade", toml::table{{"from_deg", stereo.fade_from_deg}, {"to_deg", stereo.fade_to_deg}}},
+                    {"comfort_deg", stereo.comfort_deg},
+                    {"swap_eyes", stereo.swap_eyes},
+                    {"tint_eyes", stereo.tint_eyes}};
+  if (stereo.convergence > 0.0) {
+    table.insert("convergence", stereo.convergence);
+  }
+  return table;
+}
+
 }  // namespace
 
 std::string to_toml(const Show& show) {
-  constexpr const char* layouts[] = {"mono",     "side_by_side", "top_bottom", "separate",   "multiview",
-                                     "anaglyph", "dubois",       "rows",       "quad_buffer"};
   constexpr const char* schemes[] = {"conforming", "quadtree"};
   constexpr const char* methods[] = {"inverse", "gather"};
   constexpr const char* filters[] = {"ewa", "point", "polygon"};
-  constexpr const char* models[] = {"physical", "flat", "omni"};
   const bool fitted = show.sky.shift == SkyShift::blackbody_fit;
   const toml::table root{{"title", show.title},
                          {"duration_s", show.duration_s},
@@ -141,10 +152,7 @@ std::string to_toml(const Show& show) {
                          {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
                          {"effects", effects_of(show.effects)},
                          {"view", view_of(show.view)},
-                         {"stereo", toml::table{{"layout", layouts[static_cast<int>(show.stereo.layout)]},
-                                                {"model", models[static_cast<int>(show.stereo.model)]},
-                                                {"baseline", show.stereo.baseline},
-                                                {"swap_eyes", show.stereo.swap_eyes}}},
+                         {"stereo", stereo_of(show.stereo)},
                          {"tone", tone_of(show.tone)},
                          {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                          {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};

@@ -11,6 +11,7 @@
 #include "kernels/stars/patch_search.h"
 #include "kernels/stars/star_images.h"
 #include "kernels/stars/star_index.h"
+#include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -23,6 +24,7 @@ struct KernelTable {
   void (*trace_rays_float)(const RayBatch<float>& batch, int begin, int end);
   void (*trace_rays_double)(const RayBatch<double>& batch, int begin, int end);
   void (*trace_pixels)(const PixelBatch& batch, int begin, int end);
+  void (*trace_omni_pixels)(const OmniBatch& batch, int begin, int end);
   void (*trace_nodes_float)(const NodeBatch<float>& batch, int begin, int end);
   void (*trace_nodes_double)(const NodeBatch<double>& batch, int begin, int end);
   void (*check_cells_float)(const CheckBatch<float>& batch, int begin, int end);

@@ -60,6 +60,17 @@ void trace_pixels(Backend backend, const PixelBatch& batch) {
   run_on_cpu(active_table().trace_pixels, batch, pixels, active_table().lanes_float);
 }
 
+void trace_omni_pixels(Backend backend, const OmniBatch& batch) {
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  static WorkCounter plain("trace_omni_pixels");
+  static WorkCounter with_footprints("trace_omni_pixels, footprints");
+  const WorkScope work(has_footprints(batch.pixels.out) ? with_footprints : plain, pixels);
+  if (backend == Backend::cuda) {
+    return trace_omni_pixels_cuda(batch);
+  }
+  run_on_cpu(active_table().trace_omni_pixels, batch, pixels, active_table().lanes_float);
+}
+
 void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
   static WorkCounter counter("trace_nodes");
   const WorkScope work(counter, batch.count);

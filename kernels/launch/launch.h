@@ -21,6 +21,9 @@ void trace_rays(Backend backend, const RayBatch<double>& batch);
 //! Traces the pixels of an image; see PixelBatch.
 void trace_pixels(Backend backend, const PixelBatch& batch);
 
+//! Traces the pixels of an image whose every pixel has its own camera; see OmniBatch.
+void trace_omni_pixels(Backend backend, const OmniBatch& batch);
+
 //! Traces nodes of a lens grid; see NodeBatch. In double on the CPU alone: fine grids are baked, not made in a frame's time.
 void trace_nodes(Backend backend, const NodeBatch<float>& batch);
 void trace_nodes(const NodeBatch<double>& batch);

@@ -1,5 +1,6 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
+#include "kernels/trace/trace_omni_pixels_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -34,6 +35,15 @@ void trace_pixels_cuda(const PixelBatch& batch) {
     launch_cuda("trace_pixels", count, TracePixels<float, true>{batch});
   } else {
     launch_cuda("trace_pixels", count, TracePixels<float, false>{batch});
+  }
+}
+
+void trace_omni_pixels_cuda(const OmniBatch& batch) {
+  const int count = batch.pixels.row_count * batch.pixels.projection.width_px;
+  if (has_footprints(batch.pixels.out)) {
+    launch_cuda("trace_omni_pixels", count, TraceOmniPixels<float, true>{batch});
+  } else {
+    launch_cuda("trace_omni_pixels", count, TraceOmniPixels<float, false>{batch});
   }
 }
 

@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -17,6 +18,7 @@ const char* find_cuda_unavailable_reason();
 void trace_rays_cuda(const RayBatch<float>& batch);
 void trace_rays_cuda(const RayBatch<double>& batch);
 void trace_pixels_cuda(const PixelBatch& batch);
+void trace_omni_pixels_cuda(const OmniBatch& batch);
 void trace_nodes_cuda(const NodeBatch<float>& batch);
 void check_cells_cuda(const CheckBatch<float>& batch);
 void look_up_pixels_cuda(const LookUpBatch& batch);

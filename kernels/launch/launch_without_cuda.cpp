@@ -17,6 +17,8 @@ void trace_rays_cuda(const RayBatch<double>&) { refuse(); }
 
 void trace_pixels_cuda(const PixelBatch&) { refuse(); }
 
+void trace_omni_pixels_cuda(const OmniBatch&) { refuse(); }
+
 void trace_nodes_cuda(const NodeBatch<float>&) { refuse(); }
 
 void check_cells_cuda(const CheckBatch<float>&) { refuse(); }

@@ -11,6 +11,7 @@
 #include "kernels/stars/patch_search_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
 #include "kernels/stars/star_index_kernel.h"
+#include "kernels/trace/trace_omni_pixels_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"
 
@@ -42,6 +43,14 @@ void trace_pixels(const PixelBatch& batch, int begin, int end) {
   }
 }
 
+void trace_omni_pixels(const OmniBatch& batch, int begin, int end) {
+  if (has_footprints(batch.pixels.out)) {
+    run<TraceOmniPixels<WidePack<float>, true>>(batch, begin, end);
+  } else {
+    run<TraceOmniPixels<WidePack<float>, false>>(batch, begin, end);
+  }
+}
+
 void look_up_pixels(const LookUpBatch& batch, int begin, int end) {
   if (has_footprints(batch.pixels.out)) {
     run<LookUpPixels<WidePack<float>, true>>(batch, begin, end);
@@ -59,6 +68,7 @@ const KernelTable& own_kernel_table() {
       &trace_rays<WidePack<float>>,
       &trace_rays<WidePack<double>>,
       &trace_pixels,
+      &trace_omni_pixels,
       &run<TraceNodes<WidePack<float>>, NodeBatch<float>>,
       &run<TraceNodes<WidePack<double>>, NodeBatch<double>>,
       &run<CheckCells<WidePack<float>>, CheckBatch<float>>,

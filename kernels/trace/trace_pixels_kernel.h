@@ -10,6 +10,36 @@ namespace ergodome::inline ERGO_TARGET {
 //! Order of the Taylor series of pictures: the cheapest at their tolerances.
 inline constexpr int picture_order = 10;
 
+//! Lanes whose direction, in the frame of the edge, may touch it.
+template <class T>
+ERGO_HD MaskOf<T> touches_edge(const PixelBatch& batch, const Vector3<Dual<T>>& n) {
+  const Vector3<float>& centre = batch.edge.centre;
+  const T cosine = n.x.value * centre.x + n.y.value * centre.y + n.z.value * centre.z;
+  return (cosine <= T(batch.edge_cosine_highest)) & (cosine >= T(batch.edge_cosine_lowest));
+}
+
+//! Writes what traced pixels have found.
+template <class T, class Ray>
+ERGO_HD void store_traced(const PixelBatch& batch, int first, const RayStart<Ray>& start, const RayEnd<Ray>& end,
+                          const T& steps, const MaskOf<T>& reached, const T& lit, const MaskOf<T>& wanted) {
+  using S = ScalarOf<T>;
+  const T zero(S(0));
+  const LensPixels& out = batch.out;
+  const int count = pixel_count(batch);
+  store_sky(batch, first, end.sky, reached);
+  store_lanes(out.coverage, first, count, lit);
+  store_lanes(out.frequency_ratio, first, count, S(1) / value_of(start.energy));
+  store_lanes(out.steps, first, count, steps);
+  const T unresolved = select(wanted, T(S(-1)), zero);
+  store_lanes(out.error_estimate, first, count, select(reached, value_of(end.error_estimate), unresolved));
+  const S a2 = batch.camera.spin * batch.camera.spin;
+  const T from = value_of(start.m.z);
+  const T to = value_of(end.sky.z);
+  const T mean_square = S(0.5) * (from * from + to * to);
+  const T sweep = safe_sqrt(value_of(start.polar_constant) + a2 * mean_square) * value_of(end.mino_time);
+  store_lanes(out.half_orbits, first, count, select(reached, sweep * S(0.31830988618), zero));
+}
+
 //! Traces the pixels of a batch; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints` compiles their
 //! derivatives in: a picture without pays nothing.
 template <class T, bool Footprints>
@@ -30,7 +60,7 @@ struct TracePixels {
     const T inside = image_coverage(batch.projection, x_px, y_px);
     Vector3<D> n = observed_direction(batch, x_px, y_px);
     T sky_lit = one;
-    if (cover_lanes(batch.edge, n, near_edge(n), x_px, y_px, sky_lit)) {
+    if (cover_lanes(batch.edge, n, touches_edge(batch, n), x_px, y_px, sky_lit)) {
       n = observed_direction(batch, x_px, y_px);
     }
 
@@ -45,33 +75,7 @@ struct TracePixels {
     MaskOf<T> reached = wanted;
     const RayEnd<Ray> end =
         trace_taylor<picture_order>(batch.camera.spin, start, wanted, batch.settings, steps, reached);
-    store(first, start, end, steps, reached, lit, wanted);
-  }
-
- private:
-  ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n) const {
-    const Vector3<float>& centre = batch.edge.centre;
-    const T cosine = n.x.value * centre.x + n.y.value * centre.y + n.z.value * centre.z;
-    return (cosine <= T(batch.edge_cosine_highest)) & (cosine >= T(batch.edge_cosine_lowest));
-  }
-
-  ERGO_HD void store(int first, const RayStart<Ray>& start, const RayEnd<Ray>& end, const T& steps,
-                     const MaskOf<T>& reached, const T& lit, const MaskOf<T>& wanted) const {
-    const T zero(S(0));
-    const LensPixels& out = batch.out;
-    const int count = pixel_count(batch);
-    store_sky(batch, first, end.sky, reached);
-    store_lanes(out.coverage, first, count, lit);
-    store_lanes(out.frequency_ratio, first, count, S(1) / value_of(start.energy));
-    store_lanes(out.steps, first, count, steps);
-    const T unresolved = select(wanted, T(S(-1)), zero);
-    store_lanes(out.error_estimate, first, count, select(reached, value_of(end.error_estimate), unresolved));
-    const S a2 = batch.camera.spin * batch.camera.spin;
-    const T from = value_of(start.m.z);
-    const T to = value_of(end.sky.z);
-    const T mean_square = S(0.5) * (from * from + to * to);
-    const T sweep = safe_sqrt(value_of(start.polar_constant) + a2 * mean_square) * value_of(end.mino_time);
-    store_lanes(out.half_orbits, first, count, select(reached, sweep * S(0.31830988618), zero));
+    store_traced<T>(batch, first, start, end, steps, reached, lit, wanted);
   }
 };
 

@@ -188,6 +188,15 @@ void EyeRenderer::draw_stars_in_place(const std::vector<StarPoint>& stars, const
   rgba_.write(picture.data(), picture.size());
 }
 
+void EyeRenderer::finish(Picture& picture, const Projection& projection, const PictureSettings& settings) {
+  if (settings.bloom) {
+    add_bloom(picture, projection, *settings.bloom);
+  }
+  if (settings.clear_outside) {
+    clear_outside(projection, picture);
+  }
+}
+
 Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                             const PictureSettings& settings) {
   Picture picture;
@@ -202,8 +211,10 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   const int block_rows = rows_of_a_block(projection.width_px, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
   ShadeBatch shade = prepare(projection, sky, settings, most);
-  const auto source = lenses_.choose(
-      {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
+  const auto chosen = settings.given == nullptr ? lenses_.choose({settings.lens, eye, projection, settings.mode,
+                                                                  settings.accuracy, settings.moment, settings.scheme})
+                                                : nullptr;
+  const LensSource* const source = settings.given != nullptr ? settings.given : chosen.get();
   picture.lens = source->name();
   picture.behind = source->behind();
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
@@ -221,12 +232,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
                                                [](float e) { return e < 0.0F; });
   }
-  if (settings.bloom) {
-    add_bloom(picture, projection, *settings.bloom);
-  }
-  if (settings.clear_outside) {
-    clear_outside(projection, picture);
-  }
+  finish(picture, projection, settings);
   return picture;
 }
 

@@ -21,6 +21,7 @@ struct PictureSettings {
   const PolygonFilter* polygons = nullptr;  //!< for SkyFilter::polygon, which needs it
   BlackbodyTable colours{};  //!< for SkyShift::blackbody_fit, in the backend's memory; the sky must be fitted
   float exposure = 1.0F;
+  const LensSource* given = nullptr;  //!< the lens itself, in place of what `lens` and `accuracy` ask for
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
   ShowMoment moment{};
@@ -67,6 +68,9 @@ class EyeRenderer {
 
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                  const PictureSettings& settings);
+
+  //! Spreads light and blackens what is outside the image as far as the settings say so: the end of render().
+  static void finish(Picture& picture, const Projection& projection, const PictureSettings& settings);
 
   //! The same in one piece that stays in the backend's memory until the next picture: four floats a pixel.
   //!

@@ -5,6 +5,11 @@
 #include <cmath>
 
 #include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/frame/shadow_mask.h"
+#include "render/lens/flat_shadow.h"
+#include "render/lens/omni_camera.h"
+#include "render/output/stereo_layout.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {
@@ -15,35 +20,29 @@ namespace {
 constexpr double longest_trail_step = 0.02;
 constexpr int most_trail_steps = 32;
 
-//! Both pictures in one: `columns` 2 side by side, 1 on top of each other.
-Picture joined(const Picture& first, const Picture& second, int columns) {
-  Picture whole;
-  whole.width = first.width * columns;
-  whole.height = first.height * (3 - columns);
-  whole.unresolved_pixels = first.unresolved_pixels + second.unresolved_pixels;
-  whole.heat_range = first.heat_range;
-  whole.lens = first.lens;
-  whole.rgba.resize(first.rgba.size() + second.rgba.size());
-  const std::size_t row = 4 * static_cast<std::size_t>(first.width);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(first.height); ++y) {
-    const std::size_t to = columns == 2 ? 2 * y * row : y * row;
-    const std::size_t second_to = columns == 2 ? to + row : (y + static_cast<std::size_t>(first.height)) * row;
-    std::copy_n(first.rgba.begin() + static_cast<long>(y * row), row, whole.rgba.begin() + static_cast<long>(to));
-    std::copy_n(second.rgba.begin() + static_cast<long>(y * row), row,
-                whole.rgba.begin() + static_cast<long>(second_to));
-  }
-  return whole;
-}
-
-std::vector<FrameImage> cut_into_faces(const std::vector<FrameImage>& strips, const Projection& projection) {
-  std::vector<FrameImage> images;
-  for (const FrameImage& strip : strips) {
-    auto faces = cube_face_pictures(strip.picture, projection);
+//! The pictures of eyes that a frame shows, cut into faces where each has a file: `faces[i][eye]`.
+std::vector<std::vector<Picture>> cut_into_faces(const std::vector<Picture>& eyes, const Projection& projection) {
+  std::vector<std::vector<Picture>> faces(cube_faces);
+  for (const Picture& eye : eyes) {
+    auto cut = cube_face_pictures(eye, projection);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      images.push_back({strip.part, std::move(faces[i]), static_cast<CubeFace>(i)});
+      faces[i].push_back(std::move(cut[i]));
     }
   }
-  return images;
+  return faces;
+}
+
+//! Adds the image, or the images, of two eyes or one.
+void add_images(std::vector<Picture> eyes, StereoLayout layout, std::optional<CubeFace> face,
+                std::vector<FrameImage>& images) {
+  if (eyes.size() < 2) {
+    images.push_back({FramePart::whole, std::move(eyes.front()), face});
+  } else if (keeps_eyes_apart(layout)) {
+    images.push_back({FramePart::left, std::move(eyes[0]), face});
+    images.push_back({FramePart::right, std::move(eyes[1]), face});
+  } else {
+    images.push_back({FramePart::whole, joined_eyes(eyes[0], eyes[1], layout), face});
+  }
 }
 
 }  // namespace
@@ -79,18 +78,18 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
   }
 }
 
-void ShowRenderer::expose(std::span<FrameImage> images, double clock_s) {
+void ShowRenderer::expose(std::span<Picture> eyes, double clock_s) {
   Tone tone = tone_of(show_.tone);
-  if (exposure_ && !images.front().picture.heat_range) {
+  if (exposure_ && !eyes.front().heat_range) {
     LightMeter meter;
-    for (const FrameImage& image : images) {
-      meter.add(image.picture);
+    for (const Picture& eye : eyes) {
+      meter.add(eye);
     }
     tone.gain *= static_cast<float>(std::exp2(exposure_->follow(meter.middle_light(), clock_s - last_clock_s_)));
     last_clock_s_ = clock_s;
   }
-  for (FrameImage& image : images) {
-    image.picture.tone = tone;
+  for (Picture& eye : eyes) {
+    eye.tone = tone;
   }
 }
 
@@ -152,41 +151,135 @@ const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double ey
                                    picture_settings(mode, moment, eye_offset), lens);
 }
 
-Picture ShowRenderer::render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
-                                       const ShowMoment& moment) {
-  if (show_.stereo.layout == StereoLayout::mono) {
-    return render_eye(pose, 0.0, projection, mode, moment);
+std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                               const ShowMoment& moment) {
+  const StereoSettings& stereo = show_.stereo;
+  std::vector<Picture> eyes;
+  if (eye_count(stereo) < 2) {
+    eyes.push_back(render_eye(pose, 0.0, projection, mode, moment));
+    return eyes;
   }
-  const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
-  const Picture left = render_eye(pose, -half, projection, mode, moment);
-  const Picture right = render_eye(pose, half, projection, mode, moment);
-  return joined(left, right, show_.stereo.layout == StereoLayout::top_bottom ? 1 : 2);
+  switch (stereo.model) {
+    case StereoModel::flat:
+      return render_flat_eyes(pose, projection, mode, moment);
+    case StereoModel::omni:
+      return render_omni_eyes(pose, projection, mode, moment);
+    case StereoModel::physical:
+      break;
+  }
+  for (const double side : {-0.5, 0.5}) {
+    const double offset = side * stereo.baseline;
+    eyes.push_back(render_eye(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment));
+  }
+  return eyes;
+}
+
+std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                                    const ShowMoment& moment) {
+  const StereoSettings& stereo = show_.stereo;
+  const EyeCamera head = eye_camera(show_, pose, 0.0);
+  const PictureSettings settings = picture_settings(mode, moment, 0.0);
+  // Light is spread when the shadow is before it.
+  PictureSettings sharp = settings;
+  sharp.bloom.reset();
+  sharp.clear_outside = false;
+  std::vector<Picture> eyes;
+  for (const double side : {-0.5, 0.5}) {
+    if (eyes.empty() || flat_pictures(stereo) > 1) {
+      const Projection own = converged_projection(projection, side * stereo.baseline, stereo.convergence);
+      eyes.push_back(renderer_.render(head, own, sky_.cube(), sharp));
+    } else {
+      eyes.push_back(eyes.front());
+      eyes.back().unresolved_pixels = 0;
+    }
+  }
+  std::optional<FlatShadow> shadow;
+  if (stereo.baseline > 0.0) {
+    shadow.emplace(head);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double offset = (i == 0 ? -0.5 : 0.5) * stereo.baseline;
+    const Projection own = converged_projection(projection, offset, stereo.convergence);
+    if (shadow) {
+      const std::vector<float> edge = shadow->eye_edge(offset);
+      mask_shadow(eyes[i], own, edge_view(shadow->chart(), shadow->head_edge()), edge_view(shadow->chart(), edge));
+    }
+    EyeRenderer::finish(eyes[i], own, settings);
+  }
+  return eyes;
+}
+
+std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                                    const ShowMoment& moment) {
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  const StereoSettings& stereo = show_.stereo;
+  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); };
+  const EyeCamera head = eye_at({0.0, 0.0, 0.0});
+  PictureSettings settings = picture_settings(mode, moment, 0.0);
+  const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
+  const OmniCamera cameras(backend(), eye_at,
+                           {0.5 * stereo.baseline, stereo.convergence, degree * stereo.fade_from_deg,
+                            degree * stereo.fade_to_deg, tolerance});
+  std::vector<Picture> eyes;
+  for (const double side : {-1.0, 1.0}) {
+    const OmniLens lens(backend(), cameras, side, eye_at, projection, settings.accuracy.tolerance_px);
+    settings.given = &lens;
+    eyes.push_back(renderer_.render(head, projection, sky_.cube(), settings));
+  }
+  return eyes;
+}
+
+void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, double clock_s) {
+  expose(eyes, clock_s);
+  if (eyes.size() == 2) {
+    if (show_.stereo.tint_eyes) {
+      tint_left_eye(eyes[0]);
+      tint_right_eye(eyes[1]);
+    }
+    if (show_.stereo.swap_eyes) {
+      std::swap(eyes[0], eyes[1]);
+    }
+  }
+}
+
+void ShowRenderer::set_stereo(const StereoSettings& stereo) {
+  if (stereo == show_.stereo) {
+    return;
+  }
+  Show changed = show_;
+  changed.stereo = stereo;
+  const std::vector<std::string> missing = missing_features(changed);
+  if (!missing.empty()) {
+    throw Error(show_.name, missing.front(), "choose something else");
+  }
+  show_.stereo = stereo;
 }
 
 Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                     const ShowMoment& moment) {
-  FrameImage image = {FramePart::whole, render_both_eyes(pose, projection, mode, moment)};
+  std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);
   // A visitor's eye follows by the clock on the wall, show or no show.
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  expose({&image, 1}, std::chrono::duration<double>(now).count());
-  return std::move(image.picture);
+  finish_eyes(eyes, std::chrono::duration<double>(now).count());
+  return eyes.size() < 2 ? std::move(eyes.front()) : joined_eyes(eyes[0], eyes[1], show_.stereo.layout);
 }
 
 std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
   const CameraPose pose = camera_pose(show_, time_s);
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
   const Projection projection = make_projection(show_.view, size_px, 0.0);
-  const ShowMoment moment = {time_s};
+  std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
+  finish_eyes(eyes, time_s);
   std::vector<FrameImage> images;
-  if (show_.stereo.layout != StereoLayout::separate) {
-    images.push_back({FramePart::whole, render_both_eyes(pose, projection, choice.mode, moment)});
-  } else {
-    const double half = (show_.stereo.swap_eyes ? -0.5 : 0.5) * show_.stereo.baseline;
-    images.push_back({FramePart::left, render_eye(pose, -half, projection, choice.mode, moment)});
-    images.push_back({FramePart::right, render_eye(pose, half, projection, choice.mode, moment)});
+  if (!has_face_files(show_.view)) {
+    add_images(std::move(eyes), show_.stereo.layout, std::nullopt, images);
+    return images;
   }
-  expose(images, time_s);
-  return has_face_files(show_.view) ? cut_into_faces(images, projection) : std::move(images);
+  std::vector<std::vector<Picture>> faces = cut_into_faces(eyes, projection);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    add_images(std::move(faces[i]), show_.stereo.layout, static_cast<CubeFace>(i), images);
+  }
+  return images;
 }
 
 }  // namespace ergodome

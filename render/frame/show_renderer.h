@@ -42,18 +42,14 @@ class ShowRenderer {
   ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
                std::shared_ptr<StationStream> stream = nullptr);
 
-  //! The images of one instant: one, two side by side or on top of each other in one, or two (stereo layout `separate`); six of each where
+  //! The images of one instant: one that the stereo layout makes of both eyes, or one of each where it keeps them apart; six of each where
   //! the faces of a cube have files of their own.
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
-  //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (`separate` side by side). `moment` says
+  //! The picture of a window for a head at a pose: one eye, or both as the stereo layout has them (where it keeps them apart, side by side). `moment` says
   //! when in the show that is, for a camera on its path. Exposure follows by the clock.
   Picture render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                         const ShowMoment& moment = {});
-
-  //! The same as it is, for a plain exposure.
-  Picture render_both_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
-                           const ShowMoment& moment = {});
 
   //! One eye's picture. `eye_offset` in M to the right of the head.
   Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
@@ -69,12 +65,29 @@ class ShowRenderer {
   //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom, spikes.
   [[nodiscard]] bool finishes_pictures() const { return frame_needs(show_, ViewMode::sky).finishes_pictures(); }
 
+  //! What a person may turn while the show plays. Throws Error for what cannot be drawn, and keeps the old.
+  void set_stereo(const StereoSettings& stereo);
+
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
  private:
+  //! One eye's picture, or both: left, right.
+  std::vector<Picture> render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                   const ShowMoment& moment);
+
+  //! Both eyes from one lens, the head's: what is infinitely far is where the head has it, and the shadow where flat space would.
+  std::vector<Picture> render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                        const ShowMoment& moment);
+  //! Both eyes, each direction of the view from a camera of its own.
+  std::vector<Picture> render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                        const ShowMoment& moment);
+
   //! Sets the tone of pictures that are shown together, at a time of some clock.
-  void expose(std::span<FrameImage> images, double clock_s);
+  void expose(std::span<Picture> eyes, double clock_s);
+
+  //! Exposes, tints and swaps as the show says.
+  void finish_eyes(std::vector<Picture>& eyes, double clock_s);
 
   //! The eyes while the shutter is open about a time of the show.
   [[nodiscard]] Shutter shutter_at(double time_s, double eye_offset) const;

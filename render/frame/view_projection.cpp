@@ -1,8 +1,11 @@
 #include "render/frame/view_projection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 
 namespace ergodome {
@@ -11,6 +14,8 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double largest_height_px = 16384.0;
+//! How far from its middle a dome may be seen from, in its radii.
+constexpr double nearest_convergence = 0.95;
 
 //! Height of a picture whose pixels are square.
 int height_for(int width_px, double width, double height) {
@@ -78,6 +83,26 @@ Projection make_projection(const ViewSettings& view, int width_px, double field_
   const double field_of_view = degree * (field_of_view_deg > 0.0 ? field_of_view_deg : view.field_of_view_deg);
   const Projection inside = inside_projection(view, width_px, field_of_view);
   return view.from_outside ? seen_from_outside(inside) : inside;
+}
+
+Projection converged_projection(const Projection& projection, double offset, double convergence) {
+  if (!(convergence > 0.0) || offset == 0.0) {
+    return projection;
+  }
+  Projection turned = projection;
+  const double slope = offset / convergence;
+  if (projection.kind == ProjectionKind::pinhole) {
+    turned.pinhole.middle_x -= slope;
+  } else if (projection.kind == ProjectionKind::dome_fisheye) {
+    turned.dome.viewer.x += slope;
+    turned.dome.off_centre = 1;
+    if (!(dot(turned.dome.viewer, turned.dome.viewer) < nearest_convergence * nearest_convergence)) {
+      throw Error("stereo.convergence", fmt::format("{:.6g} M is too near for eyes {:.6g} M apart on a dome", convergence,
+                                                    2.0 * std::abs(offset)),
+                  "choose more, or a smaller baseline");
+    }
+  }
+  return turned;
 }
 
 }  // namespace ergodome

@@ -17,4 +17,9 @@ inline bool has_face_files(const ViewSettings& view) {
 //! strip that they are cut from (cube_face_pictures), each of them as wide as was asked for.
 Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg);
 
+//! The image of an eye that sits `offset` M to the right of the head, so that what is `convergence` M away is at one place in both eyes'
+//! images: a frustum off its axis, onto a plane at that distance; a dome seen from beside its middle, which is a sphere of that radius.
+//! Other projections stay, and 0 stands for infinity. Throws Error where the eye would be at the dome's surface.
+Projection converged_projection(const Projection& projection, double offset, double convergence);
+
 }  // namespace ergodome

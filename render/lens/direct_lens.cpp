@@ -32,16 +32,20 @@ PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, doubl
   return batch;
 }
 
+void set_edge(PixelBatch& batch, const EdgeCurve& edge, const Projection& projection) {
+  const double pixel = largest_pixel_angle(projection);
+  const double inner = static_cast<double>(edge.smallest) - 2.0 * pixel;
+  const double outer = static_cast<double>(edge.largest) + 2.0 * pixel;
+  batch.edge = edge;
+  batch.edge_cosine_highest = inner > 0.0 ? static_cast<float>(std::cos(inner)) : 2.0F;
+  batch.edge_cosine_lowest = outer < pi ? static_cast<float>(std::cos(outer)) : -2.0F;
+}
+
 DirectLens::DirectLens(Backend backend, const EyeCamera& eye, const Projection& projection, double tolerance_px)
     : backend_(backend),
       edge_(backend, station_of(eye), edge_points),
       prototype_(pixel_batch(eye, projection, tolerance_px)) {
-  const double pixel = largest_pixel_angle(projection);
-  prototype_.edge = edge_.view();
-  const double inner = static_cast<double>(prototype_.edge.smallest) - 2.0 * pixel;
-  const double outer = static_cast<double>(prototype_.edge.largest) + 2.0 * pixel;
-  prototype_.edge_cosine_highest = inner > 0.0 ? static_cast<float>(std::cos(inner)) : 2.0F;
-  prototype_.edge_cosine_lowest = outer < pi ? static_cast<float>(std::cos(outer)) : -2.0F;
+  set_edge(prototype_, edge_.view(), projection);
 }
 
 void DirectLens::fill(int first_row, int row_count, const LensPixels& out) const {

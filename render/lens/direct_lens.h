@@ -11,6 +11,9 @@ namespace ergodome {
 //! traced pixel's direction that is accepted, as a displacement on the screen.
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px);
 
+//! Gives a batch the edge that its pixels are covered by, and the directions that may touch it.
+void set_edge(PixelBatch& batch, const EdgeCurve& edge, const Projection& projection);
+
 //! The exact lens: one light ray a pixel, with its footprint, and the coverage of the shadow's edge.
 class DirectLens : public LensSource {
  public:

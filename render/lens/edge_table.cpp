@@ -43,10 +43,11 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
 
 EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {
   const ShadowChart chart = make_shadow_chart(camera);
-  const std::vector<float> polar_angle = solve_edge(camera, chart, count);
-  curve_ = edge_view(chart, polar_angle);
-  polar_angle_ = Buffer<float>(backend, polar_angle, "shadow edge");
+  *this = EdgeTable(backend, chart, solve_edge(camera, chart, count));
 }
+
+EdgeTable::EdgeTable(Backend backend, const ShadowChart& chart, const std::vector<float>& polar_angle)
+    : curve_(edge_view(chart, polar_angle)), polar_angle_(backend, polar_angle, "shadow edge") {}
 
 EdgeCurve EdgeTable::view() const {
   EdgeCurve curve = curve_;

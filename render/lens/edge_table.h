@@ -26,6 +26,9 @@ class EdgeTable {
   //! Solves the edge at `count` position angles and puts it where the backend's kernels read it.
   EdgeTable(Backend backend, const CameraStation& camera, int count);
 
+  //! Takes an edge that was solved: polar angles at equal steps about a chart's centre [rad].
+  EdgeTable(Backend backend, const ShadowChart& chart, const std::vector<float>& polar_angle);
+
   //! The table as kernels read it; `polar_angle` points into this object.
   [[nodiscard]] EdgeCurve view() const;
 

@@ -28,7 +28,7 @@ void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
 
 }  // namespace
 
-EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset) {
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset) {
   const double horizon = horizon_radius(show.spin);
   if (!(pose.r > horizon)) {
     throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
@@ -42,7 +42,7 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset
   }
   // An eye that the baseline would put into the hole waits just outside.
   const EyeEvent event =
-      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, eye_offset, horizon + 1e-3 * (pose.r - horizon));
+      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, horizon + 1e-3 * (pose.r - horizon));
   EyeCamera eye{};
   eye.spin = show.spin;
   eye.r = event.r;

@@ -18,7 +18,13 @@ struct EyeCamera {
   double head_theta;             //!< [rad]
 };
 
-//! The head as an eye: the show's camera at a pose. Throws Error inside the horizon and where the observer would outrun light.
-EyeCamera eye_camera(const Show& show, const CameraPose& pose, double eye_offset);
+//! An eye of the show's camera at a pose, `offset` M from the head in the view's axes (x right, y up, z back). Throws Error inside the
+//! horizon and where the observer would outrun light.
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset);
+
+//! The same for an eye to the right of the head; 0 is the head itself.
+inline EyeCamera eye_camera(const Show& show, const CameraPose& pose, double to_the_right) {
+  return eye_camera(show, pose, {to_the_right, 0.0, 0.0});
+}
 
 }  // namespace ergodome

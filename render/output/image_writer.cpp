@@ -102,6 +102,30 @@ bool write_pixels(OIIO::ImageOutput& output, const FrameFormat& format, const Pi
   }
 }
 
+bool is_complete_part(OIIO::ImageInput& input, int part, int width, int height) {
+  if (!input.seek_subimage(part, 0)) {
+    return false;
+  }
+  const OIIO::ImageSpec& spec = input.spec();
+  if (spec.width != width || spec.height != height) {
+    return false;
+  }
+  std::vector<unsigned char> rows(spec.scanline_bytes(true) * 64);
+  for (int y = 0; y < height; y += 64) {
+    if (!input.read_scanlines(part, 0, spec.y + y, spec.y + std::min(y + 64, height), 0, 0, spec.nchannels,
+                              OIIO::TypeDesc::UNKNOWN, rows.data())) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Error cannot_be_written(const std::filesystem::path& path, const OIIO::ImageOutput* output) {
+  const std::string reason =
+      output != nullptr && output->has_error() ? output->geterror() : "the folder or the disk refuses it";
+  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the space left"};
+}
+
 }  // namespace
 
 void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
@@ -112,10 +136,29 @@ void write_picture(const std::filesystem::path& path, const FrameFormat& format,
                          write_pixels(*output, format, picture);
     // Closing flushes, so it can fail too.
     if (!written || !output->close() || !is_complete_image(partial, picture.width, picture.height)) {
-      const std::string reason =
-          output && output->has_error() ? output->geterror() : "the folder or the disk refuses it";
-      throw Error(path.string(), "cannot be written: " + reason,
-                  "check the folder, its permissions and the space left");
+      throw cannot_be_written(path, output.get());
+    }
+  });
+}
+
+void write_views(const std::filesystem::path& path, const FrameFormat& format, const Picture& left,
+                 const Picture& right, const FrameMetadata& metadata) {
+  OIIO::ImageSpec specs[] = {make_spec(format, left, metadata), make_spec(format, right, metadata)};
+  constexpr const char* views[] = {"left", "right"};
+  const Picture* pictures[] = {&left, &right};
+  for (int i = 0; i < 2; ++i) {
+    specs[i].attribute("oiio:subimagename", views[i]);
+    specs[i].attribute("view", views[i]);
+  }
+  write_atomically(path, [&](const std::filesystem::path& partial) {
+    const auto output = OIIO::ImageOutput::create("exr");
+    bool written = output && output->open(partial.string(), 2, specs);
+    for (int i = 0; i < 2 && written; ++i) {
+      written = (i == 0 || output->open(partial.string(), specs[i], OIIO::ImageOutput::AppendSubimage)) &&
+                write_pixels(*output, format, *pictures[i]);
+    }
+    if (!written || !output->close() || !is_complete_image(partial, left.width, left.height, 2)) {
+      throw cannot_be_written(path, output.get());
     }
   });
 }
@@ -132,7 +175,7 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
   });
 }
 
-bool is_complete_image(const std::filesystem::path& path, int width, int height) {
+bool is_complete_image(const std::filesystem::path& path, int width, int height, int parts) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
     return false;
@@ -142,14 +185,8 @@ bool is_complete_image(const std::filesystem::path& path, int width, int height)
     static_cast<void>(OIIO::geterror());  // takes the message away, so that nobody else finds it
     return false;
   }
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width != width || spec.height != height) {
-    return false;
-  }
-  std::vector<unsigned char> rows(spec.scanline_bytes(true) * 64);
-  for (int y = 0; y < height; y += 64) {
-    if (!input->read_scanlines(0, 0, spec.y + y, spec.y + std::min(y + 64, height), 0, 0, spec.nchannels,
-                               OIIO::TypeDesc::UNKNOWN, rows.data())) {
+  for (int part = 0; part < parts; ++part) {
+    if (!is_complete_part(*input, part, width, height)) {
       static_cast<void>(input->geterror());
       return false;
     }

@@ -20,10 +20,15 @@ using FrameMetadata = std::vector<std::pair<std::string, std::string>>;
 void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
                    const FrameMetadata& metadata);
 
+//! Writes the pictures of both eyes as the two parts of one EXR, named and viewed `left` and `right` as OpenEXR's multi-view convention has
+//! it (attributes `name` and `view`); otherwise as write_picture does.
+void write_views(const std::filesystem::path& path, const FrameFormat& format, const Picture& left,
+                 const Picture& right, const FrameMetadata& metadata);
+
 //! Writes display-referred RGB bytes, the top row first, as a PNG; whole or not at all.
 void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height);
 
-//! Whether a file is an image of this size that can be read to its last pixel.
-bool is_complete_image(const std::filesystem::path& path, int width, int height);
+//! Whether a file is an image of this size, of this many parts, that can be read to its last pixel.
+bool is_complete_image(const std::filesystem::path& path, int width, int height, int parts = 1);
 
 }  // namespace ergodome

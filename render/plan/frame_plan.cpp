@@ -24,7 +24,8 @@ class Planner {
     const Projection projection = make_projection(show.view, size_px, 0.0);
     plan_.width_px = projection.width_px;
     plan_.height_px = projection.height_px;
-    plan_.eyes = show.stereo.layout == StereoLayout::mono ? 1 : 2;
+    plan_.eyes = drawn_pictures(show.stereo);
+    shown_ = eye_count(show.stereo);
     pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
     block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
     blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
@@ -109,6 +110,9 @@ class Planner {
   }
 
   void plan_lens() {
+    if (plan_.eyes > 1 && show_.stereo.model == StereoModel::omni) {
+      return plan_omni();
+    }
     const double pixels = static_cast<double>(pixels_);
     const bool asked = request_.lens == LensChoice::live || request_.lens == LensChoice::streamed;
     const std::string quality = why("quality.budget_px");
@@ -142,6 +146,14 @@ class Planner {
     plan_.lens = "direct";
     pixel_pass(variant("trace_pixels"), reason);
     buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)), reason);
+  }
+
+  void plan_omni() {
+    plan_.lens = "direct";
+    pixel_pass(variant("trace_omni_pixels"), why("stereo.model"));
+    buffer("omni cameras", WorkMoment::picture, 0, why("stereo.model"));
+    buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)),
+           why("stereo.model"));
   }
 
   void plan_shading() {
@@ -216,16 +228,19 @@ class Planner {
   }
 
   void plan_light() {
+    if (shown_ > 1 && show_.stereo.model == StereoModel::flat && show_.stereo.baseline > 0.0) {
+      pass("trace_affine_distances", WorkMoment::picture, 1, 0, why("stereo.model"));
+      pass("mask_shadow", WorkMoment::picture, shown_, shown_ * pixels_, why("stereo.baseline"));
+    }
     if (needs_.bloom) {
-      pass("add_bloom", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, why("effects.bloom"));
+      pass("add_bloom", WorkMoment::picture, shown_, shown_ * pixels_, why("effects.bloom"));
     }
     if (needs_.clear_outside) {
-      pass("clear_outside", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_,
+      pass("clear_outside", WorkMoment::picture, shown_, shown_ * pixels_,
            why(needs_.bloom ? "effects.bloom" : "effects.diffraction"));
     }
     if (needs_.auto_exposure) {
-      const bool joined = show_.stereo.layout != StereoLayout::separate;
-      pass("meter_light", WorkMoment::picture, joined ? 1 : plan_.eyes, plan_.eyes * pixels_, why("tone.auto"));
+      pass("meter_light", WorkMoment::picture, shown_, shown_ * pixels_, why("tone.auto"));
     }
   }
 
@@ -239,6 +254,7 @@ class Planner {
   long gathered_pixels_ = 0;  //!< of all of them
   int block_rows_;
   int blocks_;
+  int shown_ = 1;  //!< eyes that see what is drawn
 };
 
 }  // namespace

@@ -30,12 +30,13 @@ in vec2 place;
 out vec4 colour;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
+layout(location = 3) uniform vec2 part;  // of the picture: where it begins, how wide it is
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
 void main() {
   // The picture's first row is its top.
-  vec3 light = max(texture(picture, vec2(place.x, 1.0 - place.y)).rgb, vec3(0.0));
+  vec3 light = max(texture(picture, vec2(part.x + part.y * place.x, 1.0 - place.y)).rgb, vec3(0.0));
   colour = vec4(encoded(clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
 }
 )";
@@ -94,21 +95,24 @@ PresentedPicture Presenter::shown() const {
   return {state_->texture, state_->width, state_->height, state_->heat_map, state_->tone, state_->version};
 }
 
-void Presenter::draw(int framebuffer_width, int framebuffer_height) {
+void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart part) {
   glViewport(0, 0, framebuffer_width, framebuffer_height);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
   if (state_->texture == 0 || framebuffer_width <= 0 || framebuffer_height <= 0) {
     return;
   }
-  const double scale = std::min(static_cast<double>(framebuffer_width) / state_->width,
+  const double share = part == PicturePart::whole ? 1.0 : 0.5;
+  const double part_width = share * state_->width;
+  const double scale = std::min(static_cast<double>(framebuffer_width) / part_width,
                                 static_cast<double>(framebuffer_height) / state_->height);
-  const int width = std::max(1, static_cast<int>(std::lround(scale * state_->width)));
+  const int width = std::max(1, static_cast<int>(std::lround(scale * part_width)));
   const int height = std::max(1, static_cast<int>(std::lround(scale * state_->height)));
   glViewport((framebuffer_width - width) / 2, (framebuffer_height - height) / 2, width, height);
   glUseProgram(state_->program);
   glUniform1i(0, state_->heat_map ? 1 : 0);
   set_tone(state_->tone);
+  glUniform2f(3, part == PicturePart::right_half ? 0.5F : 0.0F, static_cast<float>(share));
   glBindTextureUnit(0, state_->texture);
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);

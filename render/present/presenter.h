@@ -18,6 +18,9 @@ struct PresentedPicture {
   long version = 0;  //!< another for each picture that was handed over
 };
 
+//! What of a picture is drawn: halves are those of eyes side by side.
+enum class PicturePart { whole, left_half, right_half };
+
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on the GPU, and fills the window with it,
 //! black bars where the shapes differ. The shader computes what render/output/tone_map.h computes.
 class Presenter {
@@ -37,8 +40,8 @@ class Presenter {
   //! The picture that was handed over last. The texture is the presenter's, and valid until the next one.
   [[nodiscard]] PresentedPicture shown() const;
 
-  //! Draws the picture into the bound framebuffer of the given size.
-  void draw(int framebuffer_width, int framebuffer_height);
+  //! Draws the picture, or its left or right half, into the bound framebuffer of the given size.
+  void draw(int framebuffer_width, int framebuffer_height, PicturePart part = PicturePart::whole);
 
   //! The bound framebuffer's pixels, RGB bytes, the top row first.
   static std::vector<std::uint8_t> read_back(int width, int height);

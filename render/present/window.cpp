@@ -11,6 +11,7 @@ namespace ergodome {
 struct Window::State {
   GLFWwindow* window = nullptr;
   std::vector<WindowEvent> events;
+  WindowBuffers buffers = WindowBuffers::plain;
   bool dragging = false;
   double last_x = 0.0;
   double last_y = 0.0;
@@ -33,18 +34,29 @@ std::vector<WindowEvent>& events_of(GLFWwindow* window) {
 
 }  // namespace
 
-Window::Window(int width, int height, const std::string& title, bool full_screen) : state_(std::make_unique<State>()) {
+Window::Window(int width, int height, const std::string& title, bool full_screen, WindowBuffers buffers)
+    : state_(std::make_unique<State>()) {
   if (glfwInit() == GLFW_FALSE) {
     fail("there is no display");
   }
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_STEREO, buffers == WindowBuffers::stereo ? GLFW_TRUE : GLFW_FALSE);
   state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (state_->window == nullptr && buffers == WindowBuffers::stereo) {
+    // To GLFW it is a hard constraint.
+    glfwWindowHint(GLFW_STEREO, GLFW_FALSE);
+    state_->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  }
   if (state_->window == nullptr) {
     fail("cannot be opened");
   }
   glfwMakeContextCurrent(state_->window);
+  GLboolean has_eyes = GL_FALSE;
+  glGetBooleanv(GL_STEREO, &has_eyes);
+  state_->buffers =
+      buffers == WindowBuffers::stereo && has_eyes == GL_TRUE ? WindowBuffers::stereo : WindowBuffers::plain;
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(state_->window, &state_->events);
   glfwSetKeyCallback(state_->window, [](GLFWwindow* window, int key, int, int action, int) {
@@ -81,6 +93,12 @@ std::vector<WindowEvent> Window::events(double seconds) {
   std::vector<WindowEvent> since;
   since.swap(state_->events);
   return since;
+}
+
+WindowBuffers Window::buffers() const { return state_->buffers; }
+
+void Window::draw_into(WindowEye eye) {
+  glDrawBuffer(eye == WindowEye::left ? GL_BACK_LEFT : eye == WindowEye::right ? GL_BACK_RIGHT : GL_BACK);
 }
 
 void Window::swap() { glfwSwapBuffers(state_->window); }

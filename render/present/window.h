@@ -15,17 +15,30 @@ struct WindowEvent {
   double dy = 0.0;  //!< drag: pixels downwards; scroll: steps upwards
 };
 
+//! What windows are made of: one buffer for both eyes, or one for each where the driver has them (quad buffer).
+enum class WindowBuffers { plain, stereo };
+
+//! Which buffer of a window is drawn into.
+enum class WindowEye { both, left, right };
+
 //! A window with an OpenGL 4.5 core context, current on the thread that makes it.
 class Window {
  public:
-  //! Throws Error where there is no display or no OpenGL 4.5.
-  Window(int width, int height, const std::string& title, bool full_screen);
+  //! Throws Error where there is no display or no OpenGL 4.5. A driver without buffers for each eye makes a plain window.
+  Window(int width, int height, const std::string& title, bool full_screen,
+         WindowBuffers buffers = WindowBuffers::plain);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   //! Waits up to `seconds` for events and returns those that came.
   std::vector<WindowEvent> events(double seconds);
+
+  //! What the window was made of.
+  [[nodiscard]] WindowBuffers buffers() const;
+
+  //! Draw from here on into the buffer of an eye; `both` where the window is plain.
+  void draw_into(WindowEye eye);
 
   //! Shows what was drawn, in step with the display.
   void swap();

@@ -154,6 +154,36 @@ TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
   }
 }
 
+TEST_F(CommandLine, RenderWritesEveryStereoLayoutAndResumesIt) {
+  write("small.toml", small_show);
+  const auto expect_image = [&](const std::string& layout, const std::string& options, int width, int height) {
+    const std::string render = "render small.toml --frames 1 --backend cpu --out " + layout + " --stereo " + layout;
+    ASSERT_EQ(run(render + options), 0) << output_;
+    const std::string ending = layout == "multiview" ? "exr" : "png";
+    const int parts = layout == "multiview" ? 2 : 1;
+    EXPECT_TRUE(is_complete_image(folder_ / layout / ("small_000001." + ending), width, height, parts)) << layout;
+    ASSERT_EQ(run(render + options + " --resume"), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("0 frames")) << layout;
+  };
+  expect_image("multiview", " --format exr", 64, 64);
+  expect_image("top_bottom", "", 64, 128);
+  for (const char* layout : {"half_side_by_side", "half_top_bottom", "rows", "anaglyph", "dubois"}) {
+    expect_image(layout, "", 64, 64);
+  }
+}
+
+TEST_F(CommandLine, SwappingEyesSwapsTheirFiles) {
+  const std::string show = std::string(small_show) + "[stereo]\nlayout = \"separate\"\nbaseline = 1\n";
+  write("eyes.toml", show);
+  ASSERT_EQ(run("render eyes.toml --out plain --frames 1 --backend cpu"), 0) << output_;
+  write("eyes.toml", show + "swap_eyes = true\n");
+  ASSERT_EQ(run("render eyes.toml --out swapped --frames 1 --backend cpu"), 0) << output_;
+  const auto bytes = [&](const char* path) { return read_whole_file(folder_ / path, std::size_t{1} << 24U, "shrink it"); };
+  EXPECT_EQ(bytes("plain/L/eyes_000001.png"), bytes("swapped/R/eyes_000001.png"));
+  EXPECT_EQ(bytes("plain/R/eyes_000001.png"), bytes("swapped/L/eyes_000001.png"));
+  EXPECT_NE(bytes("plain/L/eyes_000001.png"), bytes("plain/R/eyes_000001.png"));
+}
+
 TEST_F(CommandLine, RenderHasCubesAndCylinders) {
   write("small.toml", small_show);
   ASSERT_EQ(run("render small.toml --out c --frames 1 --size 64 --projection cube --backend cpu"), 0) << output_;
@@ -185,9 +215,13 @@ TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   write("bad.toml", std::string(small_show) + "[planets]\n");
   EXPECT_EQ(run("render bad.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("bad.toml:13"));
-  write("rows.toml", std::string(small_show) + "[stereo]\nlayout = \"rows\"\n");
-  EXPECT_EQ(run("render rows.toml"), 1);
-  EXPECT_THAT(output_, HasSubstr("stereo.layout"));
+  write("near.toml", std::string(small_show) + "[stereo]\nlayout = \"rows\"\nconvergence = 5\n");
+  EXPECT_EQ(run("render near.toml --projection equirect"), 1);
+  EXPECT_THAT(output_, HasSubstr("stereo.convergence"));
+  EXPECT_EQ(run("render small.toml --stereo multiview"), 1);
+  EXPECT_THAT(output_, HasSubstr("--format exr"));
+  EXPECT_EQ(run("render small.toml --stereo quad_buffer"), 1);
+  EXPECT_THAT(output_, HasSubstr("--stereo"));
   write("map.toml", "[camera]\n[[camera.key]]\nr=9\n[sky]\nmap = \"absent.exr\"\n");
   EXPECT_EQ(run("render map.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("absent.exr"));

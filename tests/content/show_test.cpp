@@ -86,7 +86,7 @@ TEST(Show, WrittenAsTextReadsBackTheSame) {
   show.camera.velocity = {0.1, -0.2, 0.3};
   show.camera.keys.push_back({4.0, 20.0, 1.0, 7.0, {LookTarget::Kind::direction, {0.0, 1.0, 0.5}}, 0.1, -0.2, 0.3});
   show.effects.trails = TrailSettings{0.1};
-  show.stereo = {StereoLayout::anaglyph, StereoModel::omni, 0.5, true};
+  show.stereo = {StereoLayout::half_top_bottom, StereoModel::omni, 0.5, 12.0, 40.0, 80.0, 0.7, true, true};
   show.tone = {ToneCurve::gamma, -1.5, 8.0, 1.8, AutoExposureSettings{0.2, -2.0, 3.0, 0.5}};
   show.sky.filter = SkyFilter::polygon;
   show.sky.shift = SkyShift::blackbody_fit;
@@ -110,8 +110,7 @@ TEST(Show, WrittenAsTextReadsBackTheSame) {
   EXPECT_EQ(back.sky.shift, SkyShift::blackbody_fit);
   EXPECT_TRUE(back.sky.brightening);
   EXPECT_FALSE(back.effects.psf.has_value());
-  EXPECT_EQ(back.stereo.layout, StereoLayout::anaglyph);
-  EXPECT_TRUE(back.stereo.swap_eyes);
+  EXPECT_EQ(back.stereo, show.stereo);
 }
 
 TEST(Show, EveryBuiltInShowReadsAndCanBeDrawn) {
@@ -163,6 +162,9 @@ TEST(Show, RefusesWhatCannotBe) {
   EXPECT_THAT(problem_of(minimal + "[view]\nsize_px = 0\n"), HasSubstr("view.size_px"));
   EXPECT_THAT(problem_of(minimal + "[view]\nsize_px = 16385\n"), HasSubstr("view.size_px"));
   EXPECT_THAT(problem_of(minimal + "[stereo]\nbaseline = -1\n"), HasSubstr("stereo.baseline"));
+  EXPECT_THAT(problem_of(minimal + "[stereo]\nbaseline = nan\n"), HasSubstr("stereo.baseline"));
+  EXPECT_THAT(problem_of(minimal + "[stereo]\nconvergence = 0\n"), HasSubstr("stereo.convergence"));
+  EXPECT_THAT(problem_of(minimal + "[stereo]\nfade = { from_deg = 80, to_deg = 80 }\n"), HasSubstr("to_deg"));
   EXPECT_THAT(problem_of(minimal + "[effects]\nredshift = 1\n"), HasSubstr("neither true nor false"));
   EXPECT_THAT(problem_of("x = = 1\n"), HasSubstr("show.toml:1"));
   EXPECT_THAT(problem_of("camera = 4\n"), HasSubstr("is not a table"));

@@ -209,6 +209,24 @@ TEST_F(FramePlans, HoldForAllEffectsTogether) {
   }
 }
 
+TEST_F(FramePlans, HoldForEveryStereoModelAndLayout) {
+  for (const StereoModel model : {StereoModel::physical, StereoModel::flat, StereoModel::omni}) {
+    for (const StereoLayout layout : {StereoLayout::multiview, StereoLayout::dubois, StereoLayout::half_top_bottom}) {
+      for (const double convergence : {0.0, 10.0}) {
+        SCOPED_TRACE(stereo_model_names[static_cast<std::size_t>(model)]);
+        Show show = plain_show();
+        show.effects.bloom = BloomSettings{};
+        show.tone.automatic = AutoExposureSettings{};
+        show.stereo.layout = layout;
+        show.stereo.model = model;
+        show.stereo.baseline = 0.1;
+        show.stereo.convergence = convergence;
+        expect_as_planned(show, request());
+      }
+    }
+  }
+}
+
 TEST_F(FramePlans, HoldForEveryLens) {
   for (const LensChoice lens : {LensChoice::automatic, LensChoice::live, LensChoice::direct}) {
     for (const GridScheme scheme : {GridScheme::conforming, GridScheme::quadtree}) {

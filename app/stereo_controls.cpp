@@ -1,0 +1,81 @@
+#include "app/stereo_controls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace ergodome {
+
+namespace {
+
+constexpr double step = 1.25;
+constexpr double least_baseline = 1e-4;
+constexpr double most_baseline = 100.0;
+constexpr double nearest_convergence = 0.01;
+constexpr double farthest_convergence = 1000.0;
+
+constexpr std::array window_layouts = {
+    StereoLayout::mono,       StereoLayout::side_by_side,    StereoLayout::half_side_by_side,
+    StereoLayout::top_bottom, StereoLayout::half_top_bottom, StereoLayout::anaglyph,
+    StereoLayout::dubois,     StereoLayout::rows};
+
+StereoLayout after(StereoLayout layout) {
+  const auto here = std::ranges::find(window_layouts, layout);
+  const bool last = here == window_layouts.end() || here + 1 == window_layouts.end();
+  return last ? window_layouts.front() : *(here + 1);
+}
+
+}  // namespace
+
+StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const StereoSettings& shown, double r) {
+  StereoSettings made = stereo;
+  switch (action) {
+    case KeyAction::baseline_larger:
+      made.baseline = std::clamp(step * stereo.baseline, least_baseline * r, most_baseline * r);
+      break;
+    case KeyAction::baseline_smaller:
+      made.baseline = stereo.baseline / step < least_baseline * r ? 0.0 : stereo.baseline / step;
+      break;
+    case KeyAction::baseline_reset:
+      made.baseline = shown.baseline;
+      made.convergence = shown.convergence;
+      break;
+    case KeyAction::convergence_nearer:
+      made.convergence = stereo.convergence > 0.0 ? std::max(stereo.convergence / step, nearest_convergence * r)
+                                                  : farthest_convergence * r;
+      break;
+    case KeyAction::convergence_farther:
+      made.convergence = step * stereo.convergence > farthest_convergence * r ? 0.0 : step * stereo.convergence;
+      break;
+    case KeyAction::swap_eyes:
+      made.swap_eyes = !stereo.swap_eyes;
+      break;
+    case KeyAction::tint_eyes:
+      made.tint_eyes = !stereo.tint_eyes;
+      break;
+    case KeyAction::next_layout:
+      made.layout = after(stereo.layout);
+      break;
+    case KeyAction::next_model:
+      made.model = static_cast<StereoModel>((static_cast<std::size_t>(stereo.model) + 1) % stereo_model_names.size());
+      break;
+    default:
+      break;
+  }
+  return made;
+}
+
+std::string describe(const StereoSettings& stereo) {
+  if (eye_count(stereo) < 2) {
+    return "mono";
+  }
+  const std::string convergence =
+      stereo.convergence > 0.0 ? fmt::format("{:.4g} M", stereo.convergence) : std::string("infinity");
+  return fmt::format("{}, {}, baseline {:.4g} M, convergence {}{}",
+                     stereo_layout_names[static_cast<std::size_t>(stereo.layout)],
+                     stereo_model_names[static_cast<std::size_t>(stereo.model)], stereo.baseline, convergence,
+                     stereo.swap_eyes ? ", swapped" : "");
+}
+
+}  // namespace ergodome

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/player_keys.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+//! What a key makes of the stereo settings; `shown` are those of the show, `r` is the camera's [M]. Keys that have nothing to do with stereo
+//! change nothing.
+//!
+//! Baseline and convergence go in geometric steps of a quarter. The baseline goes from 0 over r / 10,000 to 100 r, the convergence from
+//! r / 100 to 1,000 r and then to infinity. Layouts are those that a window of one buffer shows.
+StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const StereoSettings& shown, double r);
+
+//! The settings in a line: layout, model, baseline, convergence, swapped.
+std::string describe(const StereoSettings& stereo);
+
+}  // namespace ergodome

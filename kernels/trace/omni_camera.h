@@ -1,0 +1,109 @@
+#pragma once
+
+#include "kernels/trace/trace_pixels.h"
+
+namespace ergodome {
+
+//! Numbers that set up the rays of a camera, all smooth where it moves, across the spin axis too: u, m, and six forms of the view's
+//! direction - energy, axial momentum, outward rate, dm/dλ along x, y, z - each a constant and three weights. They are those of CameraStation,
+//! in the view's axes, and with m in axes that turn with the head's azimuth alone.
+inline constexpr int omni_numbers = 28;
+
+//! Highest degree of the polynomials.
+inline constexpr int omni_most_degree = 10;
+
+constexpr int omni_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
+
+//! An eye that turns with the azimuth one looks at: for each direction of the view it sits to the right of where that direction goes, in the
+//! view's horizontal plane, and every direction has a camera of its own.
+//!
+//! What a camera's rays need are polynomials of its place in that plane, fitted to exact cameras (render/lens/omni_camera.h).
+template <class S>
+struct OmniCameraOf {
+  S spin;
+  S horizon_r;
+  S offset;  //!< of the eye, to the right [M]
+  S inverse_convergence;
+  S fade_begin;           //!< cosine of the elevation at which the offset is gone
+  S fade_scale;           //!< one over the way from there to where it is whole
+  S inverse_reach;        //!< one over the radius within which the polynomials hold [1/M]
+  int degree;             //!< of the polynomials
+  const S* coefficients;  //!< omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
+};
+
+//! A block of rows of one image through such an eye. The edge of `pixels` is that of the whole image, in the view's axes; `camera` there is the
+//! head's, for its spin and azimuth.
+struct OmniBatch {
+  PixelBatch pixels;
+  OmniCameraOf<float> camera;
+};
+
+inline namespace ERGO_TARGET {
+
+//! Where an eye is when it looks in a direction of the view (unit vector: x right, y up, z back): to the right and to the back [M].
+template <class T>
+ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view, T& right, T& back) {
+  using S = ScalarOf<T>;
+  const T zero(S(0));
+  const T one(S(1));
+  const T across = sqrt(view.x * view.x + view.z * view.z + S(1e-20));
+  const T ramp = (across - camera.fade_begin) * camera.fade_scale;
+  const T part = select(ramp > zero, select(ramp < one, ramp, one), zero);
+  const T share = (part * part * (S(3) - S(2) * part)) * camera.offset / across;
+  right = -(view.z * share);
+  back = view.x * share;
+}
+
+//! The ray that an eye sees in a direction of the view; its camera is at the azimuth of the head, for turned_to_camera.
+template <class T>
+ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  using S = ScalarOf<T>;
+  T right;
+  T back;
+  omni_offset(camera, view, right, back);
+  // Onto a sphere about the head, where both eyes look at one place.
+  Vector3<T> n = {view.x - camera.inverse_convergence * right, view.y, view.z - camera.inverse_convergence * back};
+  const T inverse_length = S(1) / sqrt(dot(n, n));
+  n = {n.x * inverse_length, n.y * inverse_length, n.z * inverse_length};
+
+  T term[omni_terms(omni_most_degree)];
+  const T p = camera.inverse_reach * right;
+  const T q = camera.inverse_reach * back;
+  term[0] = T(S(1));
+  int count = 1;
+  for (int degree = 1; degree <= camera.degree; ++degree) {
+    // p times all terms of one degree less, and q times the last.
+    const int before = count - degree;
+    for (int i = 0; i < degree; ++i) {
+      term[count + i] = p * term[before + i];
+    }
+    term[count + degree] = q * term[before + degree - 1];
+    count += degree + 1;
+  }
+  const auto number = [&](int i) {
+    const S* c = camera.coefficients + i * count;
+    T sum = T(c[0]);
+    for (int k = 1; k < count; ++k) {
+      sum = sum + c[k] * term[k];
+    }
+    return sum;
+  };
+  const auto form = [&](int i) {
+    return number(4 + 4 * i) + (number(5 + 4 * i) * n.x + number(6 + 4 * i) * n.y + number(7 + 4 * i) * n.z);
+  };
+  RayStart<T> ray;
+  ray.energy = form(0);
+  const T inverse_energy = S(1) / ray.energy;
+  ray.axial_angular_momentum = form(1) * inverse_energy;
+  ray.u = number(0);
+  ray.u_rate = -(form(2) * inverse_energy);
+  ray.m = {number(1), number(2), number(3)};
+  ray.m_rate = {form(3) * inverse_energy, form(4) * inverse_energy, form(5) * inverse_energy};
+  const S a = camera.spin;
+  ray.polar_constant = dot(ray.m_rate, ray.m_rate) - (a * a) * (ray.m.z * ray.m.z);
+  ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
+  return ray;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "kernels/metric/camera_station.h"
+#include "kernels/shadow/shadow_chart.h"
+#include "render/lens/eye_camera.h"
+
+namespace ergodome {
+
+//! The shadow as a thing in the head's flat tangent space: the horizon in each dark direction at the affine distance at which its ray comes
+//! there (kernels/geodesic/affine_distance.h), for the stereo model `flat`.
+//!
+//! Towards the shadow's edge rays circle ever longer before they fall in, and the distance grows without end, as the logarithm of the angle
+//! from the edge. So the edge itself has no parallax, like the sky beside it; what moves is the dark inside, and on one side it comes out
+//! before the sky: an eye's shadow is the head's, and a crescent more.
+class FlatShadow {
+ public:
+  //! Traces the distances of a head's dark directions.
+  explicit FlatShadow(const EyeCamera& head);
+
+  //! The chart of the head's shadow, in the view's axes, and its edge there [rad].
+  [[nodiscard]] const ShadowChart& chart() const { return view_chart_; }
+  [[nodiscard]] const std::vector<float>& head_edge() const { return edge_; }
+
+  //! The edge that an eye sees, about the same chart at the same position angles; `offset` is to the right of the head [M]. Throws Error for
+  //! an eye so far off that the horizon is not well before it.
+  [[nodiscard]] std::vector<float> eye_edge(double offset) const;
+
+  //! Affine distance to the horizon [M]: at a position angle, and at exp(-depth) of the way from the edge to the chart's middle. Cubic between
+  //! traced rays.
+  [[nodiscard]] double distance(double gamma, double depth) const;
+
+ private:
+  [[nodiscard]] double edge_at(double gamma) const;
+  [[nodiscard]] double farthest_out(const Vector3<double>& eye, double gamma) const;
+
+  ShadowChart view_chart_{};
+  Vector3<double> right_{};  //!< the view's right in the chart's axes
+  std::vector<float> edge_;
+  std::vector<double> distances_;
+  double nearest_ = 0.0;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,364 @@
+#include "render/lens/omni_camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "kernels/core/error.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/shadow/critical_curve.h"
+#include "render/lens/direct_lens.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double full_turn = 2.0 * pi;
+//! Below this float's own rounding is larger.
+constexpr double finest_fit = 2e-7;
+
+using Numbers = std::array<double, omni_numbers>;
+
+CameraStation station_of(const EyeCamera& eye, double phi) {
+  return make_camera_station(eye.spin, eye.r, eye.theta, phi, eye.motion, eye.velocity);
+}
+
+//! A vector of the observer's frame in the view's axes.
+Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
+  const double(&m)[3][3] = eye.frame_from_view;
+  return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
+          m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
+}
+
+//! A form of the view's direction, as four numbers.
+using Form = std::array<double, 4>;
+
+Form form_in_view(const EyeCamera& eye, const DirectionForm<double>& form) {
+  const Vector3<double> along = in_view(eye, form.along);
+  return {form.constant, along.x, along.y, along.z};
+}
+
+Form sum_of(double a, const Form& first, double b, const Form& second) {
+  Form sum{};
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum[i] = a * first[i] + b * second[i];
+  }
+  return sum;
+}
+
+//! The numbers of an exact camera; see omni_numbers.
+Numbers numbers_of(const EyeCamera& eye, double head_phi) {
+  const CameraStation camera = station_of(eye, eye.phi - head_phi);
+  const double st = camera.sine_theta;
+  const double ct = camera.cosine_theta;
+  const double sp = camera.sine_phi;
+  const double cp = camera.cosine_phi;
+  const Form polar = form_in_view(eye, camera.polar_rate);
+  const Form around = form_in_view(eye, camera.azimuthal_rate);
+  const Form forms[6] = {form_in_view(eye, camera.energy),
+                         form_in_view(eye, camera.axial_momentum),
+                         form_in_view(eye, camera.outward_rate),
+                         sum_of(ct * cp, polar, -sp, around),
+                         sum_of(ct * sp, polar, cp, around),
+                         sum_of(-st, polar, 0.0, around)};
+  Numbers numbers = {camera.u, st * cp, st * sp, ct};
+  for (std::size_t i = 0; i < 6; ++i) {
+    std::ranges::copy(forms[i], numbers.begin() + static_cast<long>(4 + 4 * i));
+  }
+  return numbers;
+}
+
+//! Places on the unit disk.
+struct DiskPoint {
+  double p;
+  double q;
+};
+
+std::vector<DiskPoint> disk_points(int rings, int spokes, double turn) {
+  std::vector<DiskPoint> points;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double radius = std::cos(0.5 * pi * ring / rings);
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const double angle = full_turn * (spoke + turn + 0.5 * (ring % 2)) / spokes;
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+  }
+  points.push_back({0.0, 0.0});
+  return points;
+}
+
+std::vector<double> terms_at(const DiskPoint& point, int degree) {
+  std::vector<double> terms;
+  for (int d = 0; d <= degree; ++d) {
+    for (int j = 0; j <= d; ++j) {
+      terms.push_back(std::pow(point.p, d - j) * std::pow(point.q, j));
+    }
+  }
+  return terms;
+}
+
+//! Least squares by Gram and Schmidt's method, modified: columns of `matrix` become orthonormal, `triangle` leads back.
+class LeastSquares {
+ public:
+  LeastSquares(const std::vector<DiskPoint>& points, int degree)
+      : columns_(static_cast<std::size_t>(omni_terms(degree)), std::vector<double>(points.size())),
+        triangle_(columns_.size(), std::vector<double>(columns_.size())) {
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      const std::vector<double> terms = terms_at(points[row], degree);
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        columns_[i][row] = terms[i];
+      }
+    }
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        triangle_[k][i] = product(columns_[k], columns_[i]);
+        subtract(triangle_[k][i], columns_[k], columns_[i]);
+      }
+      triangle_[i][i] = std::sqrt(product(columns_[i], columns_[i]));
+      for (double& value : columns_[i]) {
+        value /= triangle_[i][i];
+      }
+    }
+  }
+
+  //! Coefficients of the polynomial next to the values.
+  [[nodiscard]] std::vector<double> fit(std::vector<double> values) const {
+    std::vector<double> coefficients(columns_.size());
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      coefficients[i] = product(columns_[i], values);
+      subtract(coefficients[i], columns_[i], values);
+    }
+    for (std::size_t i = columns_.size(); i-- > 0;) {
+      for (std::size_t k = i + 1; k < columns_.size(); ++k) {
+        coefficients[i] -= triangle_[i][k] * coefficients[k];
+      }
+      coefficients[i] /= triangle_[i][i];
+    }
+    return coefficients;
+  }
+
+ private:
+  static double product(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  }
+
+  static void subtract(double factor, const std::vector<double>& what, std::vector<double>& from) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      from[i] -= factor * what[i];
+    }
+  }
+
+  std::vector<std::vector<double>> columns_;
+  std::vector<std::vector<double>> triangle_;
+};
+
+std::vector<Numbers> exact_numbers(const EyePlace& eye_at, const std::vector<DiskPoint>& points, double reach,
+                                   double head_phi) {
+  std::vector<Numbers> numbers;
+  numbers.reserve(points.size());
+  for (const DiskPoint& point : points) {
+    numbers.push_back(numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head_phi));
+  }
+  return numbers;
+}
+
+//! Polynomials of all numbers, one after the other.
+std::vector<double> fitted(const EyePlace& eye_at, double reach, double head_phi, int degree) {
+  const std::vector<DiskPoint> points = disk_points(degree + 1, 2 * degree + 3, 0.0);
+  const std::vector<Numbers> exact = exact_numbers(eye_at, points, reach, head_phi);
+  const LeastSquares squares(points, degree);
+  std::vector<double> coefficients;
+  for (std::size_t i = 0; i < omni_numbers; ++i) {
+    std::vector<double> values;
+    values.reserve(exact.size());
+    for (const Numbers& numbers : exact) {
+      values.push_back(numbers[i]);
+    }
+    const std::vector<double> own = squares.fit(std::move(values));
+    coefficients.insert(coefficients.end(), own.begin(), own.end());
+  }
+  return coefficients;
+}
+
+//! Largest error of a fit, each number beside the largest of its form.
+double fit_error(const EyePlace& eye_at, double reach, double head_phi, int degree,
+                 const std::vector<double>& coefficients) {
+  const std::vector<DiskPoint> points = disk_points(3, 13, 0.37);
+  const std::vector<Numbers> exact = exact_numbers(eye_at, points, reach, head_phi);
+  const auto terms = static_cast<std::size_t>(omni_terms(degree));
+  double scale[8] = {};
+  double error[8] = {};
+  // u; m; and the six forms, of which those of dm/dλ are one vector.
+  const auto group = [](std::size_t i) { return i < 1 ? 0U : i < 4 ? 1U : std::min<std::size_t>(2 + (i - 4) / 4, 5); };
+  for (std::size_t at = 0; at < points.size(); ++at) {
+    const std::vector<double> term = terms_at(points[at], degree);
+    for (std::size_t i = 0; i < omni_numbers; ++i) {
+      const double value =
+          std::inner_product(term.begin(), term.end(), coefficients.begin() + static_cast<long>(i * terms), 0.0);
+      scale[group(i)] = std::max(scale[group(i)], std::abs(exact[at][i]));
+      error[group(i)] = std::max(error[group(i)], std::abs(value - exact[at][i]));
+    }
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    // A hole without spin has axial momenta like any other; nothing here is zero everywhere but by rounding.
+    largest = std::max(largest, error[i] / std::max(scale[i], 1e-300));
+  }
+  return largest;
+}
+
+}  // namespace
+
+OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings) {
+  const EyeCamera head = eye_at({0.0, 0.0, 0.0});
+  const double reach = settings.half_baseline;
+  camera_.spin = head.spin;
+  camera_.horizon_r = horizon_radius(head.spin);
+  camera_.offset = reach;
+  camera_.inverse_convergence = settings.convergence > 0.0 ? 1.0 / settings.convergence : 0.0;
+  camera_.fade_begin = std::cos(settings.fade_to);
+  camera_.fade_scale = 1.0 / (std::cos(settings.fade_from) - camera_.fade_begin);
+  camera_.inverse_reach = reach > 0.0 ? 1.0 / reach : 0.0;
+  const double tolerance = std::max(0.1 * settings.tolerance, finest_fit);
+  double error = 0.0;
+  for (int degree = reach > 0.0 ? 1 : 0; degree <= omni_most_degree; ++degree) {
+    camera_.degree = degree;
+    coefficients_ = fitted(eye_at, reach, head.phi, degree);
+    error = fit_error(eye_at, reach, head.phi, degree, coefficients_);
+    if (error <= tolerance) {
+      break;
+    }
+  }
+  if (!(error <= std::max(settings.tolerance, finest_fit))) {
+    throw Error("stereo.baseline",
+                fmt::format("{:.6g} M is too large for the model omni at r = {:.6g} M", 2.0 * reach, head.r),
+                "choose a smaller one, or model = \"physical\"");
+  }
+  narrowed_ = Buffer<float>(backend, std::vector<float>(coefficients_.begin(), coefficients_.end()), "omni cameras");
+}
+
+OmniCameraOf<float> OmniCamera::view(double side) const {
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  return {narrow(camera_.spin),          narrow(camera_.horizon_r),
+          narrow(side * camera_.offset), narrow(camera_.inverse_convergence),
+          narrow(camera_.fade_begin),    narrow(camera_.fade_scale),
+          narrow(camera_.inverse_reach), camera_.degree,
+          narrowed_.data()};
+}
+
+OmniCameraOf<double> OmniCamera::exact(double side) const {
+  OmniCameraOf<double> camera = camera_;
+  camera.offset = side * camera_.offset;
+  camera.coefficients = coefficients_.data();
+  return camera;
+}
+
+ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace& eye_at) {
+  const EyeCamera head = eye_at({0.0, 0.0, 0.0});
+  Vector3<double> middle = in_view(head, make_shadow_chart(station_of(head, 0.0)).centre);
+  // The middle that the camera at the middle sees.
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds; ++round) {
+    double right = 0.0;
+    double back = 0.0;
+    omni_offset(camera, middle, right, back);
+    const EyeCamera eye = eye_at({right, 0.0, back});
+    const Vector3<double> seen = in_view(eye, make_shadow_chart(station_of(eye, 0.0)).centre);
+    middle = normalized(seen + camera.inverse_convergence * Vector3<double>{right, 0.0, back});
+  }
+  return detail::chart_about(middle);
+}
+
+namespace {
+
+double omni_darkness(const OmniCameraOf<double>& camera, const ShadowChart& chart, double gamma, double alpha) {
+  const Vector3<double> view = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+  return darkness(camera.spin, camera.horizon_r, start_omni_ray(camera, view));
+}
+
+//! Where the sky turns bright along a great circle from the chart's middle, by false position with bisection.
+double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& chart, double gamma) {
+  double dark = 0.0;
+  double bright = pi;
+  double dark_value = omni_darkness(camera, chart, gamma, dark);
+  double bright_value = omni_darkness(camera, chart, gamma, bright);
+  if (!(dark_value > 0.0) || !(bright_value < 0.0)) {
+    throw Error("stereo.baseline", "is too large for the model omni: the shadow is not in one piece",
+                "choose a smaller one, or model = \"physical\"");
+  }
+  for (int round = 0; round < 100 && bright - dark > 1e-9; ++round) {
+    const double secant = dark + (bright - dark) * dark_value / (dark_value - bright_value);
+    // A hair beyond the root, so that both ends come near it.
+    const double hair = 1e-10 + 1e-3 * (bright - dark);
+    const double tried = round % 3 == 2 ? 0.5 * (dark + bright) : secant + (round % 3 == 0 ? hair : -hair);
+    const double angle = std::clamp(tried, dark + 1e-11, bright - 1e-11);
+    const double value = omni_darkness(camera, chart, gamma, angle);
+    (value > 0.0 ? dark : bright) = angle;
+    (value > 0.0 ? dark_value : bright_value) = value;
+  }
+  return 0.5 * (dark + bright);
+}
+
+}  // namespace
+
+std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count) {
+  std::vector<float> polar_angle(static_cast<std::size_t>(count));
+  // On the calling thread first: errors do not cross others.
+  polar_angle[0] = static_cast<float>(omni_edge_angle(camera, chart, 0.0));
+  std::vector<char> failed(static_cast<std::size_t>(count), 0);
+  parallel_for(count, 64, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      try {
+        polar_angle[static_cast<std::size_t>(i)] =
+            static_cast<float>(omni_edge_angle(camera, chart, full_turn * i / count));
+      } catch (const Error&) {
+        failed[static_cast<std::size_t>(i)] = 1;
+      }
+    }
+  });
+  if (const auto first = std::ranges::find(failed, 1); first != failed.end()) {
+    static_cast<void>(omni_edge_angle(camera, chart, full_turn * static_cast<double>(first - failed.begin()) / count));
+  }
+  return polar_angle;
+}
+
+namespace {
+
+EdgeTable omni_edge_table(Backend backend, const OmniCameraOf<double>& camera, const EyePlace& eye_at) {
+  const ShadowChart chart = omni_shadow_chart(camera, eye_at);
+  return {backend, chart, solve_omni_edge(camera, chart, edge_points)};
+}
+
+//! The batch of an eye whose frame is the view itself.
+PixelBatch view_batch(EyeCamera head, const Projection& projection, double tolerance_px) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      head.frame_from_view[i][j] = i == j ? 1.0 : 0.0;
+    }
+  }
+  return pixel_batch(head, projection, tolerance_px);
+}
+
+}  // namespace
+
+OmniLens::OmniLens(Backend backend, const OmniCamera& cameras, double side, const EyePlace& eye_at,
+                   const Projection& projection, double tolerance_px)
+    : backend_(backend),
+      edge_(omni_edge_table(backend, cameras.exact(side), eye_at)),
+      prototype_{view_batch(eye_at({0.0, 0.0, 0.0}), projection, tolerance_px), cameras.view(side)} {
+  set_edge(prototype_.pixels, edge_.view(), projection);
+}
+
+void OmniLens::fill(int first_row, int row_count, const LensPixels& out) const {
+  OmniBatch batch = prototype_;
+  batch.pixels.first_row = first_row;
+  batch.pixels.row_count = row_count;
+  batch.pixels.out = out;
+  trace_omni_pixels(backend_, batch);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,179 @@
+#include "render/output/stereo_layout.h"
+
+#include <algorithm>
+
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t channels = 4;
+
+//! What is left of the other colours in a tinted picture.
+constexpr float tint = 0.35F;
+
+//! A picture of another size that is otherwise like one.
+Picture like(const Picture& picture, ImageSize size) {
+  Picture made;
+  made.width = size.width;
+  made.height = size.height;
+  made.lens = picture.lens;
+  made.heat_range = picture.heat_range;
+  made.tone = picture.tone;
+  made.rgba.resize(channels * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  return made;
+}
+
+std::size_t place(const Picture& picture, int x, int y) {
+  return channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+}
+
+//! Copies a picture, its top left corner to (left, top).
+void paste(const Picture& from, Picture& to, int left, int top) {
+  const std::size_t row = channels * static_cast<std::size_t>(from.width);
+  for (int y = 0; y < from.height; ++y) {
+    std::copy_n(from.rgba.begin() + static_cast<long>(place(from, 0, y)), row,
+                to.rgba.begin() + static_cast<long>(place(to, left, top + y)));
+  }
+}
+
+//! Means of neighbours: `across` 2 halves the width, `down` 2 the height.
+Picture squeezed(const Picture& picture, int across, int down) {
+  Picture half = like(picture, {(picture.width + across - 1) / across, (picture.height + down - 1) / down});
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      const std::size_t first = place(picture, across * x, down * y);
+      const std::size_t second = place(picture, std::min(across * (x + 1), picture.width) - 1,
+                                       std::min(down * (y + 1), picture.height) - 1);
+      for (std::size_t c = 0; c < channels; ++c) {
+        half.rgba[place(half, x, y) + c] = 0.5F * (picture.rgba[first + c] + picture.rgba[second + c]);
+      }
+    }
+  }
+  return half;
+}
+
+Picture beside(const Picture& left, const Picture& right) {
+  Picture whole = like(left, {2 * left.width, left.height});
+  paste(left, whole, 0, 0);
+  paste(right, whole, left.width, 0);
+  return whole;
+}
+
+Picture above(const Picture& left, const Picture& right) {
+  Picture whole = like(left, {left.width, 2 * left.height});
+  paste(left, whole, 0, 0);
+  paste(right, whole, 0, left.height);
+  return whole;
+}
+
+Picture interleaved(const Picture& left, const Picture& right) {
+  Picture whole = left;
+  for (int y = 1; y < whole.height; y += 2) {
+    std::copy_n(right.rgba.begin() + static_cast<long>(place(right, 0, y)),
+                channels * static_cast<std::size_t>(right.width),
+                whole.rgba.begin() + static_cast<long>(place(whole, 0, y)));
+  }
+  return whole;
+}
+
+//! What each eye's red, green and blue give to those of an anaglyph.
+struct AnaglyphMix {
+  float of_left[3][3];
+  float of_right[3][3];
+};
+
+constexpr AnaglyphMix half_colour = {{{0.2126F, 0.7152F, 0.0722F}, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}},
+                                     {{0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
+constexpr AnaglyphMix least_squares = {
+    {{0.437F, 0.449F, 0.164F}, {-0.062F, -0.062F, -0.024F}, {-0.048F, -0.050F, -0.017F}},
+    {{-0.011F, -0.032F, -0.007F}, {0.377F, 0.761F, 0.009F}, {-0.026F, -0.093F, 1.234F}}};
+
+Picture anaglyph(const Picture& left, const Picture& right, const AnaglyphMix& mix) {
+  Picture mixed = like(left, {left.width, left.height});
+  const bool heat_map = left.heat_range.has_value();
+  // The light is that of a display from here on: a power of 1 leaves it as it is.
+  mixed.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
+  const auto shown = [&](const Picture& eye, std::size_t at) {
+    const float light = heat_map ? eye.rgba[at] : toned(eye.tone, eye.rgba[at]);
+    return light > 0.0F ? std::min(light, 1.0F) : 0.0F;
+  };
+  parallel_for(mixed.height, 16, [&](int begin, int end) {
+    for (std::size_t at = place(mixed, 0, begin); at < place(mixed, 0, end); at += channels) {
+      const float l[3] = {shown(left, at), shown(left, at + 1), shown(left, at + 2)};
+      const float r[3] = {shown(right, at), shown(right, at + 1), shown(right, at + 2)};
+      for (std::size_t c = 0; c < 3; ++c) {
+        float sum = 0.0F;
+        for (std::size_t i = 0; i < 3; ++i) {
+          sum += mix.of_left[c][i] * l[i] + mix.of_right[c][i] * r[i];
+        }
+        mixed.rgba[at + c] = std::clamp(sum, 0.0F, 1.0F);
+      }
+      mixed.rgba[at + 3] = 0.5F * (left.rgba[at + 3] + right.rgba[at + 3]);
+    }
+  });
+  return mixed;
+}
+
+Picture arranged(const Picture& left, const Picture& right, StereoLayout layout) {
+  switch (layout) {
+    case StereoLayout::mono:
+      return left;
+    case StereoLayout::top_bottom:
+      return above(left, right);
+    case StereoLayout::half_side_by_side:
+      return beside(squeezed(left, 2, 1), squeezed(right, 2, 1));
+    case StereoLayout::half_top_bottom:
+      return above(squeezed(left, 1, 2), squeezed(right, 1, 2));
+    case StereoLayout::rows:
+      return interleaved(left, right);
+    case StereoLayout::anaglyph:
+      return anaglyph(left, right, half_colour);
+    case StereoLayout::dubois:
+      return anaglyph(left, right, least_squares);
+    default:
+      return beside(left, right);
+  }
+}
+
+void dim(Picture& picture, const float (&factor)[3]) {
+  for (std::size_t at = 0; at < picture.rgba.size(); at += channels) {
+    // What is black keeps a trace, so that the shadow and the frame say whose they are too.
+    const float least = 0.02F * picture.rgba[at + 3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      picture.rgba[at + c] = factor[c] * (picture.rgba[at + c] + least);
+    }
+  }
+}
+
+}  // namespace
+
+ImageSize layout_size(StereoLayout layout, ImageSize eye) {
+  switch (layout) {
+    case StereoLayout::side_by_side:
+    case StereoLayout::quad_buffer:
+      return {2 * eye.width, eye.height};
+    case StereoLayout::top_bottom:
+      return {eye.width, 2 * eye.height};
+    case StereoLayout::half_side_by_side:
+      return {2 * ((eye.width + 1) / 2), eye.height};
+    case StereoLayout::half_top_bottom:
+      return {eye.width, 2 * ((eye.height + 1) / 2)};
+    default:
+      return eye;
+  }
+}
+
+Picture joined_eyes(const Picture& left, const Picture& right, StereoLayout layout) {
+  Picture joined = arranged(left, right, layout);
+  joined.behind = left.behind || right.behind;
+  joined.unresolved_pixels = left.unresolved_pixels + right.unresolved_pixels;
+  return joined;
+}
+
+void tint_left_eye(Picture& picture) { dim(picture, {1.0F, tint, tint}); }
+
+void tint_right_eye(Picture& picture) { dim(picture, {tint, 1.0F, 1.0F}); }
+
+}  // namespace ergodome
