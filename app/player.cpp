@@ -39,10 +39,11 @@ ImageSize window_size(const Show& show, int size_px) {
 Player::Player(ShowRenderer& renderer, const PlayOptions& options)
     : renderer_(renderer),
       options_(options),
-      window_(std::min(window_size(renderer.show(), options.size_px).width, options.setup ? 700 : 1600),
-              std::min(window_size(renderer.show(), options.size_px).height, options.setup ? 700 : 1000), "Ergodome", options.full_screen,
-              renderer.show().stereo.layout == StereoLayout::quad_buffer ? WindowBuffers::stereo
-                                                                         : WindowBuffers::plain),
+      window_(
+          std::min(window_size(renderer.show(), options.size_px).width, options.setup ? 700 : 1600),
+          std::min(window_size(renderer.show(), options.size_px).height, options.setup ? 700 : 1000), "Ergodome",
+          options.full_screen,
+          renderer.show().stereo.layout == StereoLayout::quad_buffer ? WindowBuffers::stereo : WindowBuffers::plain),
       flight_(renderer.show()),
       flying_(options.free_flight),
       times_shown_(options.times_shown),
@@ -232,8 +233,8 @@ void Player::ask_for_picture() {
   }
   if (changed_) {
     refined_size_px_ = 0;
-    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment(),
-                  stereo_});
+    source_->ask(
+        {current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment(), stereo_});
     changed_ = false;
   } else if (refined_size_px_ > 0 && refined_size_px_ < options_.size_px && !moving()) {
     const int finer = std::min(2 * refined_size_px_, options_.size_px);

@@ -15,10 +15,14 @@ constexpr double most_baseline = 100.0;
 constexpr double nearest_convergence = 0.01;
 constexpr double farthest_convergence = 1000.0;
 
-constexpr std::array window_layouts = {
-    StereoLayout::mono,       StereoLayout::side_by_side,    StereoLayout::half_side_by_side,
-    StereoLayout::top_bottom, StereoLayout::half_top_bottom, StereoLayout::anaglyph,
-    StereoLayout::dubois,     StereoLayout::rows};
+constexpr std::array window_layouts = {StereoLayout::mono,
+                                       StereoLayout::side_by_side,
+                                       StereoLayout::half_side_by_side,
+                                       StereoLayout::top_bottom,
+                                       StereoLayout::half_top_bottom,
+                                       StereoLayout::anaglyph,
+                                       StereoLayout::dubois,
+                                       StereoLayout::rows};
 
 StereoLayout after(StereoLayout layout) {
   const auto here = std::ranges::find(window_layouts, layout);

@@ -35,8 +35,8 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   for (int j = 0; j < 3; ++j) {
     place[j] = r * here.row[0][j];
     for (int i = 0; i < 3; ++i) {
-      const double along = frame_from_view[i][0] * offset.x + frame_from_view[i][1] * offset.y +
-                           frame_from_view[i][2] * offset.z;
+      const double along =
+          frame_from_view[i][0] * offset.x + frame_from_view[i][1] * offset.y + frame_from_view[i][2] * offset.z;
       place[j] += along * scale[i] * here.row[i][j];
     }
   }

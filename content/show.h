@@ -156,12 +156,11 @@ inline constexpr std::array stereo_model_names = {"physical", "flat", "omni"};
 struct StereoSettings {
   StereoLayout layout = StereoLayout::mono;
   StereoModel model = StereoModel::physical;
-  double baseline = 0.0;     //!< distance of the eyes [M]
-  double convergence = 0.0;  //!< distance at which both eyes see things at one place of the image [M]; 0: infinity
-  double fade_from_deg =
-      60.0;  //!< elevation, up and down, from which the baseline of StereoModel::omni gets smaller
-  double fade_to_deg = 90.0;  //!< and at which it is gone
-  double comfort_deg = 1.0;   //!< difference of disparities that a person fuses without effort
+  double baseline = 0.0;        //!< distance of the eyes [M]
+  double convergence = 0.0;     //!< distance at which both eyes see things at one place of the image [M]; 0: infinity
+  double fade_from_deg = 60.0;  //!< elevation, up and down, from which the baseline of StereoModel::omni gets smaller
+  double fade_to_deg = 90.0;    //!< and at which it is gone
+  double comfort_deg = 1.0;     //!< difference of disparities that a person fuses without effort
   bool swap_eyes = false;
   bool tint_eyes = false;  //!< the left eye's picture turns red, the right one's cyan
 

@@ -145,10 +145,10 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
 
 void read_stereo(const toml::table& table, const std::string& file, StereoSettings& stereo) {
   TomlTable reader(table, file, "stereo");
-  stereo.layout = static_cast<StereoLayout>(reader.choice(
-      "layout", 0,
-      {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows", "quad_buffer",
-       "half_side_by_side", "half_top_bottom"}));
+  stereo.layout = static_cast<StereoLayout>(
+      reader.choice("layout", 0,
+                    {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows",
+                     "quad_buffer", "half_side_by_side", "half_top_bottom"}));
   stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
   stereo.baseline = reader.number("baseline", 0.0, 0.0, 1e6);
   if (reader.has("convergence")) {

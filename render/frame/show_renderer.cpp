@@ -169,7 +169,8 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   }
   for (const double side : {-0.5, 0.5}) {
     const double offset = side * stereo.baseline;
-    eyes.push_back(render_eye(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment));
+    eyes.push_back(
+        render_eye(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment));
   }
   return eyes;
 }

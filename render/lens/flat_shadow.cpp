@@ -141,8 +141,8 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
 std::vector<float> FlatShadow::eye_edge(double offset) const {
   if (!(std::abs(offset) <= farthest_eye * nearest_)) {
     throw Error("stereo.baseline",
-                fmt::format("{:.6g} M is too large for the model flat: the horizon is {:.6g} M away", 2.0 * std::abs(offset),
-                            nearest_),
+                fmt::format("{:.6g} M is too large for the model flat: the horizon is {:.6g} M away",
+                            2.0 * std::abs(offset), nearest_),
                 "choose a smaller one, or model = \"physical\"");
   }
   std::vector<float> edge = edge_;

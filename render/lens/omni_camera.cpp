@@ -59,12 +59,9 @@ Numbers numbers_of(const EyeCamera& eye, double head_phi) {
   const double cp = camera.cosine_phi;
   const Form polar = form_in_view(eye, camera.polar_rate);
   const Form around = form_in_view(eye, camera.azimuthal_rate);
-  const Form forms[6] = {form_in_view(eye, camera.energy),
-                         form_in_view(eye, camera.axial_momentum),
-                         form_in_view(eye, camera.outward_rate),
-                         sum_of(ct * cp, polar, -sp, around),
-                         sum_of(ct * sp, polar, cp, around),
-                         sum_of(-st, polar, 0.0, around)};
+  const Form forms[6] = {form_in_view(eye, camera.energy),       form_in_view(eye, camera.axial_momentum),
+                         form_in_view(eye, camera.outward_rate), sum_of(ct * cp, polar, -sp, around),
+                         sum_of(ct * sp, polar, cp, around),     sum_of(-st, polar, 0.0, around)};
   Numbers numbers = {camera.u, st * cp, st * sp, ct};
   for (std::size_t i = 0; i < 6; ++i) {
     std::ranges::copy(forms[i], numbers.begin() + static_cast<long>(4 + 4 * i));
@@ -243,10 +240,14 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
 
 OmniCameraOf<float> OmniCamera::view(double side) const {
   const auto narrow = [](double value) { return static_cast<float>(value); };
-  return {narrow(camera_.spin),          narrow(camera_.horizon_r),
-          narrow(side * camera_.offset), narrow(camera_.inverse_convergence),
-          narrow(camera_.fade_begin),    narrow(camera_.fade_scale),
-          narrow(camera_.inverse_reach), camera_.degree,
+  return {narrow(camera_.spin),
+          narrow(camera_.horizon_r),
+          narrow(side * camera_.offset),
+          narrow(camera_.inverse_convergence),
+          narrow(camera_.fade_begin),
+          narrow(camera_.fade_scale),
+          narrow(camera_.inverse_reach),
+          camera_.degree,
           narrowed_.data()};
 }
 

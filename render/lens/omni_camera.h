@@ -53,8 +53,8 @@ std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const Sha
 //! The lens of such an eye: a ray a pixel, each from its own camera. Both arguments outlive it.
 class OmniLens : public LensSource {
  public:
-  OmniLens(Backend backend, const OmniCamera& cameras, double side, const EyePlace& eye_at, const Projection& projection,
-           double tolerance_px);
+  OmniLens(Backend backend, const OmniCamera& cameras, double side, const EyePlace& eye_at,
+           const Projection& projection, double tolerance_px);
 
   void fill(int first_row, int row_count, const LensPixels& out) const override;
   [[nodiscard]] const char* name() const override { return "direct"; }

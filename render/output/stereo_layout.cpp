@@ -26,7 +26,8 @@ Picture like(const Picture& picture, ImageSize size) {
 }
 
 std::size_t place(const Picture& picture, int x, int y) {
-  return channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+  return channels *
+         (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
 }
 
 //! Copies a picture, its top left corner to (left, top).
@@ -44,8 +45,8 @@ Picture squeezed(const Picture& picture, int across, int down) {
   for (int y = 0; y < half.height; ++y) {
     for (int x = 0; x < half.width; ++x) {
       const std::size_t first = place(picture, across * x, down * y);
-      const std::size_t second = place(picture, std::min(across * (x + 1), picture.width) - 1,
-                                       std::min(down * (y + 1), picture.height) - 1);
+      const std::size_t second =
+          place(picture, std::min(across * (x + 1), picture.width) - 1, std::min(down * (y + 1), picture.height) - 1);
       for (std::size_t c = 0; c < channels; ++c) {
         half.rgba[place(half, x, y) + c] = 0.5F * (picture.rgba[first + c] + picture.rgba[second + c]);
       }

@@ -46,7 +46,7 @@ struct PlannedChannel {
 struct FramePlan {
   int width_px = 0;
   int height_px = 0;
-  int eyes = 1;  //!< pictures drawn through a lens
+  int eyes = 1;      //!< pictures drawn through a lens
   std::string lens;  //!< where light paths come from: LensSource::name()
   std::vector<PlannedChannel> channels;
   std::vector<PlannedPass> passes;  //!< in the order in which they are first done

@@ -3,6 +3,7 @@
 #include <OpenEXR/ImfArray.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <gtest/gtest.h>
@@ -34,8 +35,9 @@ Picture plain(float red, float green, float blue) {
   Picture picture;
   picture.width = 2;
   picture.height = 2;
-  for (int i = 0; i < 4; ++i) {
-    picture.rgba.insert(picture.rgba.end(), {red, green, blue, 1.0F});
+  const float colour[4] = {red, green, blue, 1.0F};
+  for (std::size_t i = 0; i < 16; ++i) {
+    picture.rgba.push_back(colour[i % 4]);
   }
   return picture;
 }

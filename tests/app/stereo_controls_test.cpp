@@ -1,0 +1,56 @@
+#include "app/stereo_controls.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace ergodome {
+namespace {
+
+StereoSettings pressed(StereoSettings stereo, KeyAction action, int times) {
+  const StereoSettings shown = {StereoLayout::rows, StereoModel::physical, 0.1};
+  for (int i = 0; i < times; ++i) {
+    stereo = adjusted(stereo, action, shown, 10.0);
+  }
+  return stereo;
+}
+
+TEST(StereoControls, BaselineGoesFromNothingToLargerThanTheHoleAndBack) {
+  const StereoSettings none = {StereoLayout::rows, StereoModel::physical, 0.0};
+  EXPECT_GT(pressed(none, KeyAction::baseline_larger, 1).baseline, 0.0);
+  const StereoSettings large = pressed(none, KeyAction::baseline_larger, 60);
+  EXPECT_GT(large.baseline, 100.0);
+  EXPECT_LE(pressed(large, KeyAction::baseline_larger, 100).baseline, 1000.0);
+  EXPECT_EQ(pressed(large, KeyAction::baseline_smaller, 100).baseline, 0.0);
+  EXPECT_EQ(pressed(large, KeyAction::baseline_reset, 1).baseline, 0.1);
+}
+
+TEST(StereoControls, ConvergenceGoesToInfinityAndComesBack) {
+  const StereoSettings far = {StereoLayout::rows, StereoModel::physical, 0.1};
+  const StereoSettings near = pressed(far, KeyAction::convergence_nearer, 100);
+  EXPECT_NEAR(near.convergence, 0.1, 1e-12);
+  EXPECT_EQ(pressed(near, KeyAction::convergence_farther, 100).convergence, 0.0);
+}
+
+TEST(StereoControls, LayoutsComeRoundAndEachIsForAWindow) {
+  std::set<StereoLayout> seen;
+  StereoSettings stereo;
+  for (int i = 0; i < 8; ++i) {
+    seen.insert(stereo.layout);
+    stereo = pressed(stereo, KeyAction::next_layout, 1);
+  }
+  EXPECT_EQ(seen.size(), 8U);
+  EXPECT_EQ(stereo.layout, StereoLayout::mono);
+  EXPECT_FALSE(seen.contains(StereoLayout::separate));
+}
+
+TEST(StereoControls, SwappingTwiceIsNothing) {
+  const StereoSettings stereo = {StereoLayout::rows, StereoModel::physical, 0.1};
+  EXPECT_TRUE(pressed(stereo, KeyAction::swap_eyes, 1).swap_eyes);
+  EXPECT_EQ(pressed(stereo, KeyAction::swap_eyes, 2), stereo);
+  EXPECT_EQ(pressed(stereo, KeyAction::pause, 1), stereo);
+}
+
+}  // namespace
+}  // namespace ergodome
