@@ -53,6 +53,11 @@ void FrameSource::work(const std::stop_token& stop) {
     const auto start = std::chrono::steady_clock::now();
     try {
       answer.picture = render_for_window(renderer_, request);
+      if (request.disparity_asked) {
+        const Show& show = renderer_.show();
+        answer.disparity =
+            frame_disparity(show, request.pose, make_projection(show.view, request.size_px, request.field_of_view_deg));
+      }
     } catch (const std::exception& problem) {
       answer.problem = problem.what();
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 
 namespace ergodome {
@@ -18,6 +19,7 @@ struct PictureRequest {
   int size_px = 0;      //!< width of one eye's image
   ShowMoment moment{};  //!< of a camera on the show's path
   StereoSettings stereo{};
+  bool disparity_asked = false;
 };
 
 //! A finished picture and what it took.
@@ -25,7 +27,8 @@ struct PictureAnswer {
   Picture picture;
   double time_ms = 0.0;
   int size_px = 0;
-  std::string problem;  //!< why there is none; the last good one stays on the screen
+  std::optional<Disparity> disparity;  //!< where it was asked for, of two eyes
+  std::string problem;                 //!< why there is none; the last good one stays on the screen
 };
 
 //! Renders in a thread of its own, so that the window answers at once whatever a picture costs. Only the latest request counts.

@@ -233,13 +233,13 @@ void Player::ask_for_picture() {
   }
   if (changed_) {
     refined_size_px_ = 0;
-    source_->ask(
-        {current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment(), stereo_});
+    source_->ask({current_pose(), mode_, field_of_view_deg_, std::min(moving_size_px_, options_.size_px), moment(),
+                  stereo_, times_shown_});
     changed_ = false;
   } else if (refined_size_px_ > 0 && refined_size_px_ < options_.size_px && !moving()) {
     const int finer = std::min(2 * refined_size_px_, options_.size_px);
     refined_size_px_ = 0;
-    source_->ask({current_pose(), mode_, field_of_view_deg_, finer, moment(), stereo_});
+    source_->ask({current_pose(), mode_, field_of_view_deg_, finer, moment(), stereo_, times_shown_});
   }
 }
 
@@ -267,8 +267,12 @@ void Player::receive() {
                                std::min(smallest_px, options_.size_px), options_.size_px);
   lens_ = answer->picture.lens;
   if (times_shown_) {
-    draw_caption(answer->picture, fmt::format("{:.1f} ms at {} px, {} lens, {}", frame_time_ms_, answer->size_px, lens_,
-                                              describe(renderer_.backend())));
+    std::string caption = fmt::format("{:.1f} ms at {} px, {} lens, {}", frame_time_ms_, answer->size_px, lens_,
+                                      describe(renderer_.backend()));
+    if (eye_count(stereo_) > 1) {
+      caption += "\n" + disparity_caption(stereo_, answer->disparity);
+    }
+    draw_caption(answer->picture, caption);
   }
   presenter_.upload(answer->picture);
   update_title();

@@ -82,4 +82,19 @@ std::string describe(const StereoSettings& stereo) {
                      stereo.swap_eyes ? ", swapped" : "");
 }
 
+std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity) {
+  std::string caption = describe(stereo);
+  if (!disparity) {
+    return caption;
+  }
+  caption += fmt::format("\ndisparity {:+.1f} to {:+.1f} px, {:+.1f} to {:+.1f} arcmin", disparity->least_px,
+                         disparity->greatest_px, disparity->least_arcmin, disparity->greatest_arcmin);
+  // One degree is the stereographers' rule of thumb (Lambooij, IJsselsteijn, Fortuin & Heynderickx, Journal of Imaging Science and Technology
+  // 53 (2009) 030201), after Percival's zone of comfort.
+  if (disparity->range_deg() > stereo.comfort_deg) {
+    caption += fmt::format("\nuncomfortable: more than {:.4g} deg apart", stereo.comfort_deg);
+  }
+  return caption;
+}
+
 }  // namespace ergodome

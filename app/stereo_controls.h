@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "app/player_keys.h"
 #include "content/show.h"
+#include "render/frame/eye_disparity.h"
 
 namespace ergodome {
 
@@ -14,5 +18,9 @@ StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const St
 
 //! The settings in a line: layout, model, baseline, convergence, swapped.
 std::string describe(const StereoSettings& stereo);
+
+//! The settings and what they do to a viewer's eyes, in lines: least and greatest horizontal disparity, and a warning where their difference
+//! is more than the limit of comfort.
+std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity);
 
 }  // namespace ergodome

@@ -13,6 +13,7 @@
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/critical_curve.h"
+#include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat_shadow.h"
 #include "render/lens/omni_camera.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 Show stereo_show(const std::string& stereo,
-                 const std::string& view = "projection = \"pinhole\"\nfov_deg = 80\nsize_px = 400\n",
+                 const std::string& view = "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 400\n",
                  const std::string& place = "r = 9\ntheta_deg = 70\n") {
   return parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\n" + place + "[sky]\nmap = \"grid\"\n[view]\n" +
                         view + "[stereo]\nlayout = \"separate\"\n" + stereo,
@@ -81,9 +82,12 @@ double left_side_of_curve(const EyeCamera& eye, const Projection& projection, in
   return leftmost;
 }
 
-void expect_disparity_of_direct_cameras(double baseline, LensChoice lens) {
-  const Show show = stereo_show("baseline = " + std::to_string(baseline) + "\n");
-  const auto eyes = ShowRenderer(show, Backend::cpu, lens).render(0.0, {});
+void expect_disparity_of_direct_cameras(ShowRenderer& renderer, double baseline) {
+  StereoSettings stereo = renderer.show().stereo;
+  stereo.baseline = baseline;
+  renderer.set_stereo(stereo);
+  const auto eyes = renderer.render(0.0, {});
+  const Show& show = renderer.show();
   const CameraPose pose = camera_pose(show, 0.0);
   const Projection projection = make_projection(show.view, 400, 0.0);
   for (const int row : {150, 200, 250}) {
@@ -96,33 +100,43 @@ void expect_disparity_of_direct_cameras(double baseline, LensChoice lens) {
 }
 
 TEST(PhysicalEyes, HaveTheDisparityOfDirectCamerasAtTheShadowsEdge) {
-  for (const double baseline : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
-    expect_disparity_of_direct_cameras(baseline, LensChoice::direct);
-    expect_disparity_of_direct_cameras(baseline, LensChoice::live);
+  for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
+    ShowRenderer renderer(stereo_show(""), Backend::cpu, lens);
+    for (const double baseline : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+      expect_disparity_of_direct_cameras(renderer, baseline);
+    }
   }
 }
 
 TEST(StereoModels, AreOneAtBaselineZero) {
-  for (const char* model : {"physical", "flat", "omni"}) {
-    for (const char* projection : {"dome", "pinhole", "equirect"}) {
-      const std::string view = std::string("projection = \"") + projection + "\"\nsize_px = 96\n";
-      const auto eyes =
-          ShowRenderer(stereo_show(std::string("model = \"") + model + "\"\n", view), Backend::cpu).render(0.0, {});
+  for (const char* projection : {"dome", "equirect"}) {
+    ShowRenderer renderer(stereo_show("", std::string("projection = \"") + projection + "\"\nsize_px = 96\n"),
+                          Backend::cpu);
+    for (const StereoModel model : {StereoModel::physical, StereoModel::flat, StereoModel::omni}) {
+      StereoSettings stereo = renderer.show().stereo;
+      stereo.model = model;
+      renderer.set_stereo(stereo);
+      const auto eyes = renderer.render(0.0, {});
       ASSERT_EQ(eyes.size(), 2U);
-      EXPECT_EQ(eyes[0].picture.rgba, eyes[1].picture.rgba) << model << " " << projection;
+      EXPECT_EQ(eyes[0].picture.rgba, eyes[1].picture.rgba) << static_cast<int>(model) << " " << projection;
     }
   }
 }
 
 TEST(StereoModels, SwapTheirPicturesWhenEyesAreSwapped) {
-  for (const char* model : {"physical", "flat", "omni"}) {
-    const std::string stereo = std::string("baseline = 0.5\ntint_eyes = true\nmodel = \"") + model + "\"\n";
-    const std::string view = "size_px = 64\n";
-    const auto plain = ShowRenderer(stereo_show(stereo, view), Backend::cpu).render(0.0, {});
-    const auto swapped = ShowRenderer(stereo_show(stereo + "swap_eyes = true\n", view), Backend::cpu).render(0.0, {});
-    EXPECT_EQ(plain[0].picture.rgba, swapped[1].picture.rgba) << model;
-    EXPECT_EQ(plain[1].picture.rgba, swapped[0].picture.rgba) << model;
-    EXPECT_NE(plain[0].picture.rgba, plain[1].picture.rgba) << model;
+  ShowRenderer renderer(stereo_show("baseline = 0.5\ntint_eyes = true\n", "size_px = 64\n"), Backend::cpu);
+  for (const StereoModel model : {StereoModel::physical, StereoModel::flat, StereoModel::omni}) {
+    StereoSettings stereo = renderer.show().stereo;
+    stereo.model = model;
+    stereo.swap_eyes = false;
+    renderer.set_stereo(stereo);
+    const auto plain = renderer.render(0.0, {});
+    stereo.swap_eyes = true;
+    renderer.set_stereo(stereo);
+    const auto swapped = renderer.render(0.0, {});
+    EXPECT_EQ(plain[0].picture.rgba, swapped[1].picture.rgba) << static_cast<int>(model);
+    EXPECT_EQ(plain[1].picture.rgba, swapped[0].picture.rgba) << static_cast<int>(model);
+    EXPECT_NE(plain[0].picture.rgba, plain[1].picture.rgba) << static_cast<int>(model);
   }
 }
 
@@ -201,8 +215,12 @@ TEST(FlatEyes, HaveTheirDarkDirectionsWhereTheAffineDistancePutsThem) {
 }
 
 TEST(FlatEyes, HaveTheSkyWhereTheHeadHasIt) {
-  const auto eyes = ShowRenderer(stereo_show("model = \"flat\"\nbaseline = 1\n"), Backend::cpu).render(0.0, {});
-  const auto head = ShowRenderer(stereo_show("model = \"flat\"\n"), Backend::cpu).render(0.0, {});
+  ShowRenderer renderer(stereo_show("model = \"flat\"\nbaseline = 1\n"), Backend::cpu);
+  const auto eyes = renderer.render(0.0, {});
+  StereoSettings stereo = renderer.show().stereo;
+  stereo.baseline = 0.0;
+  renderer.set_stereo(stereo);
+  const auto head = renderer.render(0.0, {});
   long different = 0;
   for (std::size_t i = 0; i < head[0].picture.rgba.size(); i += 4) {
     for (const auto& eye : eyes) {
@@ -218,7 +236,8 @@ TEST(FlatEyes, HaveTheSkyWhereTheHeadHasIt) {
 }
 
 TEST(FlatEyes, AreRefusedWhereTheHorizonIsBesideThem) {
-  EXPECT_THROW(ShowRenderer(stereo_show("model = \"flat\"\nbaseline = 20\n"), Backend::cpu).render(0.0, {}), Error);
+  const Show show = stereo_show("model = \"flat\"\n");
+  EXPECT_THROW(static_cast<void>(FlatShadow(eye_camera(show, camera_pose(show, 0.0), 0.0)).eye_edge(10.0)), Error);
 }
 
 //! An eye's place by words: to the right of where one looks, faded by the cosine of the elevation between 60 and 90 degrees.
@@ -334,7 +353,38 @@ TEST(OmniEyes, AgreeOnTheSpinAxis) {
 }
 
 TEST(OmniEyes, AreRefusedWhereNoCamerasLie) {
-  EXPECT_THROW(ShowRenderer(stereo_show("model = \"omni\"\nbaseline = 40\n"), Backend::cpu).render(0.0, {}), Error);
+  const Show show = stereo_show("model = \"omni\"\n");
+  const EyePlace eye_at = [&](const Vector3<double>& offset) {
+    return eye_camera(show, camera_pose(show, 0.0), offset);
+  };
+  EXPECT_THROW(OmniCamera(Backend::cpu, eye_at, {20.0}), Error);
+}
+
+Disparity disparity_of(const std::string& stereo, const std::string& place = "r = 9\n") {
+  const Show show = stereo_show(stereo, "projection = \"pinhole\"\nfov_deg = 100\n", place);
+  return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0)).value();
+}
+
+TEST(Disparities, AreNoneAtBaselineZeroAndInTheSkyOfTheFlatModel) {
+  for (const char* stereo : {"", "model = \"omni\"\n", "model = \"flat\"\nbaseline = 1\n"}) {
+    const Disparity disparity = disparity_of(stereo);
+    EXPECT_NEAR(disparity.least_px, 0.0, 1e-3) << stereo;
+    EXPECT_NEAR(disparity.greatest_arcmin, 0.0, 1e-3) << stereo;
+  }
+}
+
+TEST(Disparities, OfAFarShadowAreTheBaselineOverTheDistance) {
+  const Disparity disparity = disparity_of("baseline = 2\n", "r = 1000\n");
+  EXPECT_NEAR(disparity.least_arcmin, -60.0 * 180.0 / pi * 2.0 / 1000.0, 0.3);
+}
+
+TEST(Disparities, OfConvergingEyesAreShiftedByTheirTurn) {
+  const double apart = disparity_of("baseline = 2\n", "r = 1000\n").least_px;
+  const Disparity turned = disparity_of("baseline = 2\nconvergence = 1000\n", "r = 1000\n");
+  // The plane is at the hole: what is there has none left, and the sky is behind it.
+  EXPECT_LT(apart, -0.25);
+  EXPECT_NEAR(turned.least_px, 0.0, 0.02);
+  EXPECT_NEAR(turned.greatest_px, -apart, 0.04);
 }
 
 TEST(Convergence, PutsThingsAtItsDistanceInOnePlace) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "content/camera_path.h"
+#include "content/show.h"
+#include "kernels/projection/projection.h"
+
+namespace ergodome {
+
+//! How far to the right the right eye sees things of where the left one does: negative is nearer than where the eyes converge.
+struct Disparity {
+  double least_px = 0.0;
+  double greatest_px = 0.0;
+  double least_arcmin = 0.0;  //!< for a viewer at the middle of the dome, or where the screen has the view's own angles
+  double greatest_arcmin = 0.0;
+
+  //! The difference that a person has to fuse at once [degrees].
+  [[nodiscard]] double range_deg() const { return (greatest_arcmin - least_arcmin) / 60.0; }
+};
+
+//! The disparities of a frame: of the sky, of a lattice of directions across the image, each followed from the left eye's ray to where the right
+//! eye sees the same star; and of the shadow's edge to both sides. Double rays, about a millisecond. Nothing for one eye, or where no direction
+//! is seen by both.
+//!
+//! In the model `flat` the sky has none but what convergence gives it.
+std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection);
+
+}  // namespace ergodome
