@@ -133,7 +133,7 @@ class MultiView : public test::FolderTest {};
 TEST_F(MultiView, OpenExrFindsBothViewsByName) {
   const Picture pictures[] = {marked(6, 4, 0.1F), marked(6, 4, 0.5F)};
   const std::string path = (folder_ / "views.exr").string();
-  write_views(path, pictures[0], pictures[1], {{"spin", "0.9"}});
+  write_views(path, {ImageFormat::exr}, pictures[0], pictures[1], {{"spin", "0.9"}});
   Imf::MultiPartInputFile file(path.c_str());
   ASSERT_EQ(file.parts(), 2);
   for (int part = 0; part < 2; ++part) {
