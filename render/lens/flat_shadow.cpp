@@ -25,6 +25,9 @@ constexpr double deepest = 16.0;
 //! Of the way to the horizon: an eye farther off has it beside itself.
 constexpr double farthest_eye = 0.5;
 
+//! Of the edge's points every fourth is solved: how far the crescent comes out changes slower than the edge itself.
+constexpr int solved_step = 4;
+
 constexpr double depth_step = deepest / (depths - 1);
 
 //! Catmull and Rom's cubic through four neighbours.
@@ -105,7 +108,7 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
   const auto seen_at = [&](double depth) {
     double own = gamma;
     double alpha = 0.0;
-    for (int round = 0; round < 6; ++round) {
+    for (int round = 0; round < 4; ++round) {
       const Vector3<double> n = chart_point(-edge_at(own) * std::expm1(-depth), own);
       const Vector3<double> seen = seen_by_eye(n, distance(own, depth), eye);
       alpha = std::atan2(std::hypot(seen.y, seen.z), seen.x);
@@ -113,7 +116,7 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
     }
     return alpha;
   };
-  constexpr int samples = 32;
+  constexpr int samples = 16;
   int best = 1;
   double most = 0.0;
   for (int i = 1; i <= samples; ++i) {
@@ -127,7 +130,7 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
   constexpr double golden = 0.61803398874989484820;
   double low = deepest * (best - 1) / samples;
   double high = deepest * std::min(best + 1, samples) / samples;
-  for (int round = 0; round < 16; ++round) {
+  for (int round = 0; round < 14; ++round) {
     const double first = high - golden * (high - low);
     const double second = low + golden * (high - low);
     const double at_first = seen_at(first);
@@ -146,18 +149,27 @@ std::vector<float> FlatShadow::eye_edge(double offset) const {
                 "choose a smaller one, or model = \"physical\"");
   }
   std::vector<float> edge = edge_;
+  if (offset == 0.0) {
+    return edge;
+  }
   const Vector3<double> eye = offset * right_;
   const int count = static_cast<int>(edge.size());
-  parallel_for(offset != 0.0 ? count : 0, 16, [&](int begin, int end) {
+  const int solved = count / solved_step;
+  std::vector<double> farther(static_cast<std::size_t>(solved), 0.0);
+  parallel_for(solved, 4, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      const double gamma = full_turn * i / count;
+      const double gamma = full_turn * i / solved;
       // The horizon comes out opposite to where the eye goes.
       if (eye.y * std::cos(gamma) + eye.z * std::sin(gamma) < 0.2 * std::abs(offset)) {
-        float& alpha = edge[static_cast<std::size_t>(i)];
-        alpha = std::max(alpha, static_cast<float>(farthest_out(eye, gamma)));
+        farther[static_cast<std::size_t>(i)] = std::max(farthest_out(eye, gamma) - edge_at(gamma), 0.0);
       }
     }
   });
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&](int k) { return farther[static_cast<std::size_t>((i / solved_step + k + solved) % solved)]; };
+    const double t = static_cast<double>(i % solved_step) / solved_step;
+    edge[static_cast<std::size_t>(i)] += static_cast<float>(std::max(cubic(at(-1), at(0), at(1), at(2), t), 0.0));
+  }
   return edge;
 }
 
