@@ -15,7 +15,7 @@ struct PatternFrames {
   int size_px = 0;  //!< width of one eye's picture; 0: as the show says
 };
 
-//! Writes NAME.png for each pattern: of a mono show once, else for each eye, in the folders L and R. Returns how many files.
+//! Writes NAME.png for each pattern, both eyes as the show's stereo layout has them. Returns how many files.
 int write_pattern_frames(const PatternFrames& frames, const Show& show);
 
 }  // namespace ergodome

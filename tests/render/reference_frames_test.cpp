@@ -85,7 +85,9 @@ TEST_P(LayoutFrames, AreAsTheyWereLookedAt) {
   expect_like("layout_" + layout, *seen);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames, testing::Values("mono", "side_by_side", "top_bottom", "separate"),
+INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames,
+                         testing::Values("mono", "side_by_side", "top_bottom", "separate", "anaglyph", "dubois", "rows",
+                                         "half_side_by_side", "half_top_bottom"),
                          [](const auto& layout) { return std::string(layout.param); });
 
 class PatternFrames : public testing::TestWithParam<std::string> {};

@@ -1,0 +1,146 @@
+#include "app/frame_writer.h"
+
+#include <fmt/format.h>
+
+#include "app/backend_choice.h"
+#include "app/movie.h"
+#include "app/sequence_facts.h"
+#include "app/show_loading.h"
+#include "content/files/atomic_file.h"
+#include "render/output/color_bar.h"
+#include "render/output/frame_names.h"
+#include "render/output/image_writer.h"
+#include "render/output/stereo_layout.h"
+
+namespace ergodome {
+
+namespace {
+
+FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::optional<CubeFace> face) {
+  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
+  constexpr const char* parts[] = {"whole", "left", "right"};
+  const CameraPose pose = camera_pose(show, time_s);
+  return {{"show", show.title},
+          {"time_s", fmt::format("{:.6f}", time_s)},
+          {"spin", fmt::format("{:.12g}", show.spin)},
+          {"r", fmt::format("{:.12g}", pose.r)},
+          {"theta_deg", fmt::format("{:.12g}", pose.theta * 180.0 / 3.14159265358979323846)},
+          {"observer", observers[static_cast<int>(show.camera.motion)]},
+          {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
+          {"from_outside", show.view.from_outside ? "true" : "false"},
+          {"part", parts[static_cast<int>(part)]},
+          {"face", face ? cube_face_name(*face) : "none"},
+          {"stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]},
+          {"version", ERGODOME_VERSION}};
+}
+
+}  // namespace
+
+FrameFormat format_of(const RenderOptions& options) {
+  return frame_format(options.format, options.compression, options.alpha);
+}
+
+FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup)
+    : options_(options),
+      format_(format_of(options)),
+      choice_{view_mode(options.view), options.size_px},
+      backend_(choose_backend(options.backend)),
+      renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {
+  if (setup) {
+    const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
+    projectors_.emplace(*setup, pictures);
+    choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
+    fmt::print("domemasters of {} pixels for {} projectors\n", choice_.size_px, pictures.size());
+  }
+}
+
+void FrameWriter::write(int frame) {
+  const Show& show = renderer_.show();
+  if (options_.resume && is_there(frame)) {
+    return;
+  }
+  const double time_s = frame_time_s(show, frame);
+  std::vector<FrameImage> images = renderer_.render(time_s, choice_);
+  for (FrameImage& image : images) {
+    draw_color_bar(image.picture, choice_.mode);
+    unresolved_ += image.picture.unresolved_pixels;
+  }
+  const bool views = show.stereo.layout == StereoLayout::multiview;
+  for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
+    const FrameImage& image = images[i];
+    const FramePart part = views ? FramePart::whole : image.part;
+    const std::filesystem::path path = path_of(frame, part, image.face);
+    make_folder(path.parent_path());
+    const FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
+    if (projectors_) {
+      projectors_->write(path, image.picture);
+    } else if (views) {
+      write_views(path, format_, image.picture, images[i + 1].picture, metadata);
+    } else {
+      write_picture(path, format_, image.picture, metadata);
+    }
+  }
+  ++written_;
+}
+
+void FrameWriter::write_movies(int first, int last) const {
+  const Show& show = renderer_.show();
+  const std::filesystem::path file = options_.movie;
+  const bool separate = show.stereo.layout == StereoLayout::separate;
+  const std::vector<FramePart> parts =
+      separate ? std::vector<FramePart>{FramePart::left, FramePart::right} : std::vector<FramePart>{FramePart::whole};
+  for (const FramePart part : parts) {
+    Movie movie;
+    movie.file = file.parent_path() /
+                 (file.stem().string() + (separate ? "_" : "") + eye_folder(part).string() + file.extension().string());
+    movie.frame_rate_hz = show.frame_rate_hz;
+    for (int frame = first; frame <= last; ++frame) {
+      movie.pictures.push_back(path_of(frame, part, std::nullopt));
+    }
+    write_movie(movie);
+    fmt::print("written to {}\n", movie.file.string());
+  }
+}
+
+void FrameWriter::write_facts() const { write_sequence_facts(options_.out, renderer_.show(), format_, eye_width_px()); }
+
+int FrameWriter::eye_width_px() const { return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px; }
+
+std::filesystem::path FrameWriter::path_of(int frame, FramePart part, std::optional<CubeFace> face) const {
+  return std::filesystem::path(options_.out) / frame_path(renderer_.show().name, frame, frame_count(renderer_.show()),
+                                                          part, file_ending(format_.image), face);
+}
+
+bool FrameWriter::is_there(int frame) const {
+  const Show& show = renderer_.show();
+  if (show.stereo.layout == StereoLayout::separate) {
+    return is_there(frame, FramePart::left) && is_there(frame, FramePart::right);
+  }
+  return is_there(frame, FramePart::whole);
+}
+
+bool FrameWriter::is_there(int frame, FramePart part) const {
+  const Show& show = renderer_.show();
+  if (projectors_) {
+    return projectors_->are_there(path_of(frame, part, std::nullopt));
+  }
+  const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
+  const bool faces = has_face_files(show.view);
+  const ImageSize size =
+      layout_size(show.stereo.layout, {faces ? eye.width_px / cube_faces : eye.width_px, eye.height_px});
+  const int parts = show.stereo.layout == StereoLayout::multiview ? 2 : 1;
+  const auto complete = [&](std::optional<CubeFace> face) {
+    return is_complete_image(path_of(frame, part, face), size.width, size.height, parts);
+  };
+  if (!faces) {
+    return complete(std::nullopt);
+  }
+  for (int face = 0; face < cube_faces; ++face) {
+    if (!complete(static_cast<CubeFace>(face))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace ergodome

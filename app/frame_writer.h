@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/lens_options.h"
+#include "app/setup_show.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/frame_format.h"
+
+namespace ergodome {
+
+//! What a person asks of `render`.
+struct RenderOptions {
+  std::string show;
+  std::string out = "frames";
+  std::string frames;
+  int size_px = 0;
+  std::string projection;
+  std::string stereo;
+  bool tint_eyes = false;
+  bool from_outside = false;
+  std::string backend = "auto";
+  std::string format = "png";
+  std::string compression;
+  bool alpha = false;
+  double frame_rate_hz = 0.0;
+  std::string movie;
+  std::string view = "sky";
+  std::string setup;
+  LensOptions lens;
+  bool resume = false;
+  std::string pattern;
+};
+
+//! The format of the files that are asked for. Throws Error for a compression that the format has not.
+FrameFormat format_of(const RenderOptions& options);
+
+//! Renders and writes the frames of one run.
+class FrameWriter {
+ public:
+  //! `setup`: the dome whose projectors' frames are written instead of the master's. The options have to outlive the writer.
+  FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup);
+
+  //! Renders and writes a frame, counted from 0; with --resume only where it is not there yet.
+  void write(int frame);
+
+  //! Puts the frames first to last together as films: one, or one for each eye that has files of its own.
+  void write_movies(int first, int last) const;
+
+  //! The sheet of facts beside the frames.
+  void write_facts() const;
+
+  [[nodiscard]] int written() const { return written_; }
+  [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
+  [[nodiscard]] long unresolved() const { return unresolved_; }
+
+ private:
+  [[nodiscard]] int eye_width_px() const;
+  [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
+  [[nodiscard]] bool is_there(int frame) const;
+  [[nodiscard]] bool is_there(int frame, FramePart part) const;
+
+  const RenderOptions& options_;
+  FrameFormat format_;
+  ViewChoice choice_;
+  Backend backend_;
+  ShowRenderer renderer_;
+  std::optional<ProjectorFrames> projectors_;
+  int written_ = 0;
+  long unresolved_ = 0;
+};
+
+}  // namespace ergodome
