@@ -11,6 +11,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/direct_lens.h"
+#include "render/lens/disk_fit.h"
 
 namespace ergodome {
 
@@ -69,90 +70,6 @@ Numbers numbers_of(const EyeCamera& eye, double head_phi) {
   return numbers;
 }
 
-//! Places on the unit disk.
-struct DiskPoint {
-  double p;
-  double q;
-};
-
-std::vector<DiskPoint> disk_points(int rings, int spokes, double turn) {
-  std::vector<DiskPoint> points;
-  for (int ring = 0; ring < rings; ++ring) {
-    const double radius = std::cos(0.5 * pi * ring / rings);
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const double angle = full_turn * (spoke + turn + 0.5 * (ring % 2)) / spokes;
-      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-  }
-  points.push_back({0.0, 0.0});
-  return points;
-}
-
-std::vector<double> terms_at(const DiskPoint& point, int degree) {
-  std::vector<double> terms;
-  for (int d = 0; d <= degree; ++d) {
-    for (int j = 0; j <= d; ++j) {
-      terms.push_back(std::pow(point.p, d - j) * std::pow(point.q, j));
-    }
-  }
-  return terms;
-}
-
-//! Least squares by Gram and Schmidt's method, modified: columns of `matrix` become orthonormal, `triangle` leads back.
-class LeastSquares {
- public:
-  LeastSquares(const std::vector<DiskPoint>& points, int degree)
-      : columns_(static_cast<std::size_t>(omni_terms(degree)), std::vector<double>(points.size())),
-        triangle_(columns_.size(), std::vector<double>(columns_.size())) {
-    for (std::size_t row = 0; row < points.size(); ++row) {
-      const std::vector<double> terms = terms_at(points[row], degree);
-      for (std::size_t i = 0; i < terms.size(); ++i) {
-        columns_[i][row] = terms[i];
-      }
-    }
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        triangle_[k][i] = product(columns_[k], columns_[i]);
-        subtract(triangle_[k][i], columns_[k], columns_[i]);
-      }
-      triangle_[i][i] = std::sqrt(product(columns_[i], columns_[i]));
-      for (double& value : columns_[i]) {
-        value /= triangle_[i][i];
-      }
-    }
-  }
-
-  //! Coefficients of the polynomial next to the values.
-  [[nodiscard]] std::vector<double> fit(std::vector<double> values) const {
-    std::vector<double> coefficients(columns_.size());
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      coefficients[i] = product(columns_[i], values);
-      subtract(coefficients[i], columns_[i], values);
-    }
-    for (std::size_t i = columns_.size(); i-- > 0;) {
-      for (std::size_t k = i + 1; k < columns_.size(); ++k) {
-        coefficients[i] -= triangle_[i][k] * coefficients[k];
-      }
-      coefficients[i] /= triangle_[i][i];
-    }
-    return coefficients;
-  }
-
- private:
-  static double product(const std::vector<double>& a, const std::vector<double>& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  }
-
-  static void subtract(double factor, const std::vector<double>& what, std::vector<double>& from) {
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      from[i] -= factor * what[i];
-    }
-  }
-
-  std::vector<std::vector<double>> columns_;
-  std::vector<std::vector<double>> triangle_;
-};
-
 std::vector<Numbers> exact_numbers(const EyePlace& eye_at, const std::vector<DiskPoint>& points, double reach,
                                    double head_phi) {
   std::vector<Numbers> numbers;
@@ -167,7 +84,7 @@ std::vector<Numbers> exact_numbers(const EyePlace& eye_at, const std::vector<Dis
 std::vector<double> fitted(const EyePlace& eye_at, double reach, double head_phi, int degree) {
   const std::vector<DiskPoint> points = disk_points(degree + 1, 2 * degree + 3, 0.0);
   const std::vector<Numbers> exact = exact_numbers(eye_at, points, reach, head_phi);
-  const LeastSquares squares(points, degree);
+  const DiskFit squares(points, degree);
   std::vector<double> coefficients;
   for (std::size_t i = 0; i < omni_numbers; ++i) {
     std::vector<double> values;
@@ -192,7 +109,7 @@ double fit_error(const EyePlace& eye_at, double reach, double head_phi, int degr
   // u; m; and the six forms, of which those of dm/dλ are one vector.
   const auto group = [](std::size_t i) { return i < 1 ? 0U : i < 4 ? 1U : std::min<std::size_t>(2 + (i - 4) / 4, 5); };
   for (std::size_t at = 0; at < points.size(); ++at) {
-    const std::vector<double> term = terms_at(points[at], degree);
+    const std::vector<double> term = disk_terms(points[at], degree);
     for (std::size_t i = 0; i < omni_numbers; ++i) {
       const double value =
           std::inner_product(term.begin(), term.end(), coefficients.begin() + static_cast<long>(i * terms), 0.0);
