@@ -12,7 +12,6 @@
 #include "app/player_keys.h"
 #include "app/setup_show.h"
 #include "app/stereo_controls.h"
-#include "render/output/caption.h"
 #include "render/output/image_writer.h"
 #include "render/output/stereo_layout.h"
 
@@ -75,7 +74,10 @@ ShowMoment Player::moment() const {
   return {flying_ ? std::nullopt : std::optional(show_time_s_), patience_s};
 }
 
-bool Player::moving() const { return changed_ || !held_keys_.empty() || (!flying_ && !paused_); }
+bool Player::moving() const {
+  const bool playing = !flying_ && !paused_ && renderer_.show().duration_s > 0.0;
+  return changed_ || !held_keys_.empty() || playing;
+}
 
 void Player::run() {
   auto last = Clock::now();
@@ -128,7 +130,7 @@ void Player::save_screenshot() {
   int height = 0;
   window_.framebuffer_size(width, height);
   if (width > 0 && height > 0) {
-    presenter_.draw(width, height);
+    draw_window(width, height);
     write_png(options_.screenshot, Presenter::read_back(width, height), width, height);
   }
 }
@@ -266,14 +268,7 @@ void Player::receive() {
   moving_size_px_ = std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)),
                                std::min(smallest_px, options_.size_px), options_.size_px);
   lens_ = answer->picture.lens;
-  if (times_shown_) {
-    std::string caption = fmt::format("{:.1f} ms at {} px, {} lens, {}", frame_time_ms_, answer->size_px, lens_,
-                                      describe(renderer_.backend()));
-    if (eye_count(stereo_) > 1) {
-      caption += "\n" + disparity_caption(stereo_, answer->disparity);
-    }
-    draw_caption(answer->picture, caption);
-  }
+  write_panel(answer->size_px, answer->disparity);
   presenter_.upload(answer->picture);
   update_title();
 }
@@ -296,15 +291,50 @@ void Player::show_on_device() {
     presenter_.upload(picture);
   }
   frame_time_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  write_panel(options_.size_px, std::nullopt);
   ++pictures_;
   note_answer();
   update_title();
+}
+
+void Player::write_panel(int size_px, const std::optional<Disparity>& disparity) {
+  if (!times_shown_) {
+    return;
+  }
+  std::string text =
+      fmt::format("{:.1f} ms at {} px, {} lens, {}", frame_time_ms_, size_px, lens_, describe(renderer_.backend()));
+  if (eye_count(stereo_) > 1) {
+    text += "\n" + disparity_caption(stereo_, disparity);
+  }
+  int width = 0;
+  int height = 0;
+  window_.framebuffer_size(width, height);
+  panel_.set(text, std::clamp(std::min(width, height) / 50, 11, 36));
 }
 
 void Player::note_answer() {
   if (!first_answer_) {
     first_answer_ = Clock::now();
   }
+}
+
+void Player::draw_window(int width, int height) {
+  const auto draw_panel = [&] {
+    if (times_shown_) {
+      panel_.draw(width, height, PanelPlace::top_left);
+    }
+  };
+  if (stereo_.layout == StereoLayout::quad_buffer) {
+    window_.draw_into(WindowEye::left);
+    presenter_.draw(width, height, PicturePart::left_half);
+    draw_panel();
+    window_.draw_into(WindowEye::right);
+    presenter_.draw(width, height, PicturePart::right_half);
+  } else {
+    window_.draw_into(WindowEye::both);
+    presenter_.draw(width, height);
+  }
+  draw_panel();
 }
 
 void Player::draw() {
@@ -317,15 +347,7 @@ void Player::draw() {
   int width = 0;
   int height = 0;
   window_.framebuffer_size(width, height);
-  if (stereo_.layout == StereoLayout::quad_buffer) {
-    window_.draw_into(WindowEye::left);
-    presenter_.draw(width, height, PicturePart::left_half);
-    window_.draw_into(WindowEye::right);
-    presenter_.draw(width, height, PicturePart::right_half);
-  } else {
-    window_.draw_into(WindowEye::both);
-    presenter_.draw(width, height);
-  }
+  draw_window(width, height);
   window_.swap();
 }
 

@@ -10,6 +10,7 @@
 #include "app/frame_source.h"
 #include "render/present/presenter.h"
 #include "render/present/projector_windows.h"
+#include "render/present/text_panel.h"
 #include "render/present/window.h"
 
 namespace ergodome {
@@ -19,7 +20,7 @@ struct PlayOptions {
   bool free_flight = false;
   int size_px = 1024;                        //!< width of one eye's image when the picture stands still
   double for_seconds = 0.0;                  //!< ends by itself this long after the first picture; 0: when it is closed
-  bool times_shown = false;                  //!< writes the frame time and the lens into the picture
+  bool times_shown = false;                  //!< writes the frame time and the lens over the picture
   std::string screenshot;                    //!< what the window showed last, as a PNG; empty: none
   std::optional<DomeSetup> setup;            //!< of a dome whose projectors show the pictures, too
   std::vector<ProjectorPicture> projectors;  //!< of the setup
@@ -50,7 +51,9 @@ class Player {
   void show_on_device();
   void receive();
   void note_answer();
+  void write_panel(int size_px, const std::optional<Disparity>& disparity);
   void draw();
+  void draw_window(int width, int height);
   void update_title();
   void save_screenshot();
   [[nodiscard]] bool closed() const;
@@ -63,6 +66,7 @@ class Player {
   PlayOptions options_;
   Window window_;
   Presenter presenter_;
+  TextPanel panel_;
   std::unique_ptr<ProjectorWindows> projectors_;  //!< where there is a setup
   Flight flight_;
   std::unique_ptr<FrameSource> source_;
@@ -71,7 +75,7 @@ class Player {
   bool paused_ = false;
   bool flying_ = false;
   bool changed_ = true;
-  bool times_shown_ = false;  //!< in the picture, where a full screen has no title
+  bool times_shown_ = false;  //!< over the picture: a full screen has no title
   ViewMode mode_ = ViewMode::sky;
   StereoSettings shown_stereo_;  //!< as the show has it
   StereoSettings stereo_;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernels/core/vector3.h"
-#include "render/output/caption.h"
+#include "render/output/text_image.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "render/output/caption.h"
+#include "render/output/text_image.h"
 #include "render/present/gl_program.h"
 
 namespace ergodome {
@@ -64,12 +64,14 @@ void TextPanel::set(const std::string& text, int font_px) {
   glTextureParameteri(state_->texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-void TextPanel::draw(int framebuffer_width, int framebuffer_height) {
+void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place) {
   if (state_->texture == 0) {
     return;
   }
-  const int top = framebuffer_height - framebuffer_height / 20;
-  glViewport((framebuffer_width - state_->width) / 2, top - state_->height, state_->width, state_->height);
+  const bool corner = place == PanelPlace::top_left;
+  const int top = corner ? framebuffer_height : framebuffer_height - framebuffer_height / 20;
+  const int left = corner ? 0 : (framebuffer_width - state_->width) / 2;
+  glViewport(left, top - state_->height, state_->width, state_->height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(state_->program);

@@ -5,6 +5,9 @@
 
 namespace ergodome {
 
+//! Where a panel is in its framebuffer. A dome leaves the corner free.
+enum class PanelPlace { top_middle, top_left };
+
 //! Lines of text on a dark panel, drawn over what is in a framebuffer.
 class TextPanel {
  public:
@@ -18,7 +21,7 @@ class TextPanel {
   void set(const std::string& text, int font_px);
 
   //! Draws it near the top of the bound framebuffer of the given size.
-  void draw(int framebuffer_width, int framebuffer_height);
+  void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle);
 
  private:
   struct State;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernels/projection/make_projection.h"
-#include "render/output/caption.h"
+#include "render/output/text_image.h"
 
 namespace ergodome {
 namespace {

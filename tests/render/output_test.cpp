@@ -10,7 +10,6 @@
 #include <limits>
 
 #include "kernels/core/error.h"
-#include "render/output/caption.h"
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"
@@ -108,33 +107,6 @@ TEST_F(Output, FullDiskIsOneErrorAndLeavesEarlierFramesAlone) {
 
 TEST_F(Output, FolderThatIsNotThereIsAnError) {
   EXPECT_THROW(write_picture(folder_ / "no" / "a.png", {ImageFormat::png}, ramp(), {}), Error);
-}
-
-TEST(Caption, WritesIntoTheTopLeftCornerAlone) {
-  Picture picture;
-  picture.width = 640;
-  picture.height = 480;
-  picture.rgba.assign(4 * 640 * 480, 0.0F);
-  draw_caption(picture, "12.3 ms");
-  double inside = 0.0;
-  double outside = 0.0;
-  for (int y = 0; y < 480; ++y) {
-    for (int x = 0; x < 640; ++x) {
-      const double light = picture.rgba[4 * static_cast<std::size_t>(640 * y + x)];
-      (x < 160 && y < 40 ? inside : outside) += light;
-    }
-  }
-  EXPECT_GT(inside, 20.0);
-  EXPECT_EQ(outside, 0.0);
-}
-
-TEST(Caption, LeavesSmallPicturesAlone) {
-  Picture picture;
-  picture.width = 64;
-  picture.height = 64;
-  picture.rgba.assign(4 * 64 * 64, 0.25F);
-  draw_caption(picture, "12.3 ms");
-  EXPECT_TRUE(std::all_of(picture.rgba.begin(), picture.rgba.end(), [](float v) { return v == 0.25F; }));
 }
 
 TEST(FrameNames, CountFromOneAndSortIntoFoldersOfTenThousand) {

@@ -7,6 +7,7 @@
 #include "render/output/tone_map.h"
 #include "render/present/headless_context.h"
 #include "render/present/presenter.h"
+#include "render/present/text_panel.h"
 #include "tests/support/gl_driver.h"
 
 // No report of leaks where a driver was at work.
@@ -119,6 +120,38 @@ TEST_F(Present, PicturesMayChangeTheirSize) {
   }
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   EXPECT_GT(Presenter::read_back(16, 16)[0], 150);
+}
+
+TEST_F(Present, TextLiesInItsCornerAlone) {
+  make_framebuffer(640, 480);
+  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  TextPanel panel;
+  panel.set("12.3 ms\ndubois", 16);
+  panel.draw(640, 480, PanelPlace::top_left);
+  const auto shown = Presenter::read_back(640, 480);
+  long inside = 0;
+  long outside = 0;
+  for (std::size_t y = 0; y < 480; ++y) {
+    for (std::size_t x = 0; x < 640; ++x) {
+      (x < 160 && y < 80 ? inside : outside) += shown[3 * (640 * y + x)];
+    }
+  }
+  EXPECT_GT(inside, 5000);
+  EXPECT_EQ(outside, 0);
+}
+
+TEST_F(Present, EmptyTextLeavesThePictureAlone) {
+  make_framebuffer(64, 64);
+  glClearColor(0.5F, 0.5F, 0.5F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  TextPanel panel;
+  panel.set("a", 16);
+  panel.set("", 16);
+  panel.draw(64, 64, PanelPlace::top_left);
+  for (const auto byte : Presenter::read_back(64, 64)) {
+    ASSERT_NEAR(byte, 128, 1);
+  }
 }
 
 }  // namespace

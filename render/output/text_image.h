@@ -3,13 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/frame/eye_renderer.h"
-
 namespace ergodome {
-
-//! Writes lines of text into the top left corner of a picture, which a dome leaves black. Does nothing where the picture is too small to
-//! read them, or no font is installed.
-void draw_caption(Picture& picture, const std::string& text);
 
 //! Text as a picture of its own: how much of each pixel it covers, 0 to 1, the top row first.
 struct TextImage {

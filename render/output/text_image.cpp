@@ -1,4 +1,4 @@
-#include "render/output/caption.h"
+#include "render/output/text_image.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -7,18 +7,6 @@
 #include <sstream>
 
 namespace ergodome {
-
-void draw_caption(Picture& picture, const std::string& text) {
-  if (picture.width < 160 || picture.height < 100) {
-    return;
-  }
-  const int font_px = std::clamp(picture.height / 50, 10, 48);
-  const float white[4] = {0.8F, 0.8F, 0.8F, 1.0F};
-  OIIO::ImageBuf image(OIIO::ImageSpec(picture.width, picture.height, 4, OIIO::TypeDesc::FLOAT), picture.rgba.data());
-  // The shadow keeps the text readable before a bright sky.
-  OIIO::ImageBufAlgo::render_text(image, font_px / 2, font_px / 2, text, font_px, "DejaVuSans", white,
-                                  OIIO::ImageBufAlgo::TextAlignX::Left, OIIO::ImageBufAlgo::TextAlignY::Top, 2);
-}
 
 TextImage text_image(const std::string& text, int font_px) {
   const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, font_px, "DejaVuSans");
