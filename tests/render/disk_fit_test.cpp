@@ -19,6 +19,7 @@ double value_of(const std::vector<double>& coefficients, const DiskPoint& point,
 std::vector<double> fitted(int degree, double (*function)(double p, double q)) {
   const std::vector<DiskPoint> points = disk_points(degree + 1, 2 * degree + 3, 0.0);
   std::vector<double> values;
+  values.reserve(points.size());
   for (const DiskPoint& point : points) {
     values.push_back(function(point.p, point.q));
   }

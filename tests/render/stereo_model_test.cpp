@@ -276,8 +276,10 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
   lens.fill(0, projection.height_px, out);
   OmniErrors errors;
   for (std::size_t at = 3; at < pixels; at += 7) {
-    const double x_px = static_cast<double>(at % static_cast<std::size_t>(projection.width_px)) + 0.5;
-    const double y_px = static_cast<double>(at / static_cast<std::size_t>(projection.width_px)) + 0.5;
+    const auto width = static_cast<std::size_t>(projection.width_px);
+    const std::size_t line = at / width;
+    const double x_px = static_cast<double>(at - line * width) + 0.5;
+    const double y_px = static_cast<double>(line) + 0.5;
     if (image_coverage(projection, x_px, y_px) < 1.0) {
       continue;
     }
