@@ -6,8 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "kernels/core/error.h"
+#include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
 
@@ -82,18 +84,25 @@ EnvironmentImage make_grid_sky(int width) {
   image.height = width / 2;
   image.rgb.resize(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   const double texel_deg = 360.0 / width;
-  std::size_t i = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const glm::dvec3 d = direction_from_map((x + 0.5) / image.width, (y + 0.5) / image.height);
-      const double latitude_deg = std::asin(std::clamp(d.z, -1.0, 1.0)) * 180.0 / pi;
-      const double longitude_deg = std::fmod(std::atan2(d.y, d.x) * 180.0 / pi + 360.0, 360.0);
-      const glm::dvec3 colour = grid_colour(latitude_deg, longitude_deg, texel_deg);
-      image.rgb[i++] = static_cast<float>(colour.x);
-      image.rgb[i++] = static_cast<float>(colour.y);
-      image.rgb[i++] = static_cast<float>(colour.z);
-    }
+  std::vector<double> longitude_deg;
+  longitude_deg.reserve(static_cast<std::size_t>(width));
+  for (int x = 0; x < image.width; ++x) {
+    const glm::dvec3 d = direction_from_map((x + 0.5) / image.width, 0.5);
+    longitude_deg.push_back(std::fmod(std::atan2(d.y, d.x) * 180.0 / pi + 360.0, 360.0));
   }
+  parallel_for(image.height, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const glm::dvec3 d = direction_from_map(0.5, (y + 0.5) / image.height);
+      const double latitude_deg = std::asin(std::clamp(d.z, -1.0, 1.0)) * 180.0 / pi;
+      std::size_t i = 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width);
+      for (const double longitude : longitude_deg) {
+        const glm::dvec3 colour = grid_colour(latitude_deg, longitude, texel_deg);
+        image.rgb[i++] = static_cast<float>(colour.x);
+        image.rgb[i++] = static_cast<float>(colour.y);
+        image.rgb[i++] = static_cast<float>(colour.z);
+      }
+    }
+  });
   return image;
 }
 

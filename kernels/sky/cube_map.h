@@ -69,10 +69,8 @@ ERGO_HD CubePlace<T> cube_place(const Vector3<T>& d) {
   return {face, warped(select(on_x, d.y, d.x) * per_main), warped(select(on_x | on_y, d.z, d.y) * per_main)};
 }
 
-//! The direction (not of unit length) of a place on a face; x and y may lie a little outside [-1, 1].
-ERGO_HD Vector3<double> cube_direction(int face, double x, double y) {
-  const double s = unwarped(x);
-  const double t = unwarped(y);
+//! The direction (not of unit length) of a point of a face, whose sides are at -1 and 1.
+ERGO_HD Vector3<double> cube_point(int face, double s, double t) {
   const double side = face % 2 == 0 ? 1.0 : -1.0;
   switch (face / 2) {
     case 0:
@@ -82,6 +80,11 @@ ERGO_HD Vector3<double> cube_direction(int face, double x, double y) {
     default:
       return {s, t, side};
   }
+}
+
+//! The same of a place on a face; x and y may lie a little outside [-1, 1].
+ERGO_HD Vector3<double> cube_direction(int face, double x, double y) {
+  return cube_point(face, unwarped(x), unwarped(y));
 }
 
 //! Index of a texel of a face at a level; x and y from -1 (the border) to size.

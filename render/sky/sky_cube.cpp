@@ -27,17 +27,37 @@ glm::dvec3 texel_direction(int face, int size, double x, double y) {
   return glm::normalize(glm::dvec3(d.x, d.y, d.z));
 }
 
-//! Solid angle of a texel, up to a factor: the area element of the cube's surface times the warp's slopes.
-double texel_weight(int size, int x, int y) {
-  const double h = 1.0 / size;
-  const double u = 2.0 * (x + 0.5) * h - 1.0;
-  const double v = 2.0 * (y + 0.5) * h - 1.0;
-  const double s = unwarped(u);
-  const double t = unwarped(v);
-  const double ds = unwarped(u + h) - unwarped(u - h);
-  const double dt = unwarped(v + h) - unwarped(v - h);
-  return ds * dt / std::pow(1.0 + s * s + t * t, 1.5);
+//! The points of a face's side at `per_texel` places a texel, evenly from rim to rim: the warp is turned round by iteration, once for all.
+std::vector<double> side_points(int size, int per_texel) {
+  std::vector<double> points(static_cast<std::size_t>(size) * static_cast<std::size_t>(per_texel));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = unwarped(2.0 * ((static_cast<double>(i) + 0.5) / per_texel) / size - 1.0);
+  }
+  return points;
 }
+
+//! Solid angles of a face's texels, up to a factor: the area element of the cube's surface times the warp's slopes.
+class TexelWeights {
+ public:
+  explicit TexelWeights(int size) : middle_(side_points(size, 1)), width_(middle_.size()) {
+    const double h = 1.0 / size;
+    for (std::size_t i = 0; i < width_.size(); ++i) {
+      const double u = 2.0 * (static_cast<double>(i) + 0.5) * h - 1.0;
+      width_[i] = unwarped(u + h) - unwarped(u - h);
+    }
+  }
+
+  [[nodiscard]] double at(int x, int y) const {
+    const auto i = static_cast<std::size_t>(x);
+    const auto j = static_cast<std::size_t>(y);
+    const double square = 1.0 + middle_[i] * middle_[i] + middle_[j] * middle_[j];
+    return width_[i] * width_[j] / (square * std::sqrt(square));
+  }
+
+ private:
+  std::vector<double> middle_;
+  std::vector<double> width_;
+};
 
 glm::vec3 texel_at(const EnvironmentImage& image, int x, int y) {
   const int wrapped = ((x % image.width) + image.width) % image.width;
@@ -87,23 +107,14 @@ class Pyramid {
 
   //! A texel is the mean of the four below it, weighted with their solid angles.
   void reduce(int level) {
-    for (int face = 0; face < 6; ++face) {
-      for (int y = 0; y < size(level); ++y) {
+    const TexelWeights weights(size(level - 1));
+    parallel_for(6 * size(level), 8, [&](int begin, int end) {
+      for (int row = begin; row < end; ++row) {
         for (int x = 0; x < size(level); ++x) {
-          glm::dvec4 sum(0.0);
-          double weights = 0.0;
-          for (int i = 0; i < 4; ++i) {
-            const int fine_x = 2 * x + i % 2;
-            const int fine_y = 2 * y + i / 2;
-            const double weight = texel_weight(size(level - 1), fine_x, fine_y);
-            const float* from = texel(level - 1, face, fine_x, fine_y);
-            sum += weight * glm::dvec4(from[0], from[1], from[2], from[3]);
-            weights += weight;
-          }
-          set(level, face, x, y, glm::vec4(sum / weights));
+          reduce_texel(level, row / size(level), x, row % size(level), weights);
         }
       }
-    }
+    });
   }
 
   //! Fills the border of a level with what the neighbouring faces show there.
@@ -119,6 +130,20 @@ class Pyramid {
   }
 
  private:
+  void reduce_texel(int level, int face, int x, int y, const TexelWeights& weights) {
+    glm::dvec4 sum(0.0);
+    double all = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      const int fine_x = 2 * x + i % 2;
+      const int fine_y = 2 * y + i / 2;
+      const double weight = weights.at(fine_x, fine_y);
+      const float* from = texel(level - 1, face, fine_x, fine_y);
+      sum += weight * glm::dvec4(from[0], from[1], from[2], from[3]);
+      all += weight;
+    }
+    set(level, face, x, y, glm::vec4(sum / all));
+  }
+
   //! Bilinear, inside one face only: usable before the borders are there.
   glm::vec4 seen_from(int level, const glm::dvec3& d) {
     const int n = size(level);
@@ -161,16 +186,19 @@ SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(c
 void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
                     const TemperatureFit* fit) {
   Pyramid pyramid(face_size);
+  // Four samples a texel, so that a source of the same resolution does not alias.
+  const std::vector<double> points = side_points(face_size, 2);
   parallel_for(6 * face_size, 8, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       const int face = row / face_size;
       const int y = row % face_size;
       for (int x = 0; x < face_size; ++x) {
-        // Four samples a texel, so that a source of the same resolution does not alias.
         glm::vec3 sum(0.0F);
-        for (const double dy : {0.25, 0.75}) {
-          for (const double dx : {0.25, 0.75}) {
-            sum += light(texel_direction(face, face_size, x + dx, y + dy));
+        for (const int j : {2 * y, 2 * y + 1}) {
+          for (const int i : {2 * x, 2 * x + 1}) {
+            const Vector3<double> d =
+                cube_point(face, points[static_cast<std::size_t>(i)], points[static_cast<std::size_t>(j)]);
+            sum += light(glm::normalize(glm::dvec3(d.x, d.y, d.z)));
           }
         }
         const glm::vec3 mean = 0.25F * sum;
