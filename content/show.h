@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "content/timeline.h"
 #include "kernels/metric/observer.h"
 #include "kernels/projection/lens_law.h"
 #include "kernels/sky/sky_look.h"
@@ -223,6 +224,7 @@ struct Show {
   ToneSettings tone;
   QualitySettings quality;
   GridScheme grid_scheme = GridScheme::conforming;
+  Timeline timeline;
 };
 
 //! The field of view that a projection has unless the show says otherwise [deg].
