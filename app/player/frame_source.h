@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,8 +12,9 @@
 
 namespace ergodome {
 
-//! What the player wants to see.
+//! A picture that the player wants to show.
 struct PictureRequest {
+  std::shared_ptr<ShowRenderer> renderer;  //!< of the show that is on
   CameraPose pose;
   ViewMode mode = ViewMode::sky;
   double field_of_view_deg = 0.0;
@@ -34,7 +36,7 @@ struct PictureAnswer {
 //! Renders in a thread of its own, so that the window answers at once whatever a picture costs. Only the latest request counts.
 class FrameSource {
  public:
-  explicit FrameSource(ShowRenderer& renderer);
+  FrameSource();
   ~FrameSource();
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
@@ -47,7 +49,6 @@ class FrameSource {
  private:
   void work(const std::stop_token& stop);
 
-  ShowRenderer& renderer_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::optional<PictureRequest> request_;
@@ -57,6 +58,6 @@ class FrameSource {
 };
 
 //! One picture as the request's stereo layout has it; eyes that it keeps apart come side by side on a window.
-Picture render_for_window(ShowRenderer& renderer, const PictureRequest& request);
+Picture render_for_window(const PictureRequest& request);
 
 }  // namespace ergodome

@@ -3,7 +3,7 @@
 #include "app/backend_choice.h"
 #include "app/commands.h"
 #include "app/lens_options.h"
-#include "app/player.h"
+#include "app/player/player.h"
 #include "app/player_keys.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
@@ -49,8 +49,9 @@ void run(PlayArguments arguments) {
   }
   require_features(show);
   const Backend backend = choose_backend(arguments.backend);
-  ShowRenderer renderer(show, backend, lens_choice(arguments.lens), open_stream(show, arguments.lens, backend));
-  Player(renderer, arguments.options).run();
+  auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(arguments.lens),
+                                                 open_stream(show, arguments.lens, backend));
+  Player(std::move(renderer), arguments.options).run();
 }
 
 }  // namespace

@@ -7,11 +7,9 @@
 #include <string>
 
 #include "app/flight.h"
-#include "app/frame_source.h"
-#include "render/present/presenter.h"
-#include "render/present/projector_windows.h"
-#include "render/present/text_panel.h"
-#include "render/present/window.h"
+#include "app/player/picture_flow.h"
+#include "app/player/player_screen.h"
+#include "app/player_keys.h"
 
 namespace ergodome {
 
@@ -28,13 +26,9 @@ struct PlayOptions {
 };
 
 //! Plays a show, or flies through its scene, in a window.
-//!
-//! On the CPU pictures are rendered beside the window's own thread: as wide as the time allows while something moves (10 pictures
-//! a second or more), then finer and finer while all stands still. On a GPU each picture is rendered whole and shown without a way
-//! through the host.
 class Player {
  public:
-  Player(ShowRenderer& renderer, const PlayOptions& options);
+  Player(std::shared_ptr<ShowRenderer> renderer, const PlayOptions& options);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -47,29 +41,22 @@ class Player {
   void handle(const WindowEvent& event);
   void press(int key);
   void advance(double seconds);
-  void ask_for_picture();
-  void show_on_device();
-  void receive();
-  void note_answer();
-  void write_panel(int size_px, const std::optional<Disparity>& disparity);
-  void draw();
-  void draw_window(int width, int height);
+  void update_picture();
+  void end_in_time();
+  void print_statistics() const;
+  [[nodiscard]] std::string panel_text() const;
   void update_title();
-  void save_screenshot();
-  [[nodiscard]] bool closed() const;
-  [[nodiscard]] std::vector<WindowEvent> events();
+  [[nodiscard]] bool by_eye() const { return stereo_.layout == StereoLayout::quad_buffer; }
+  [[nodiscard]] const Show& show() const { return renderer_->show(); }
   [[nodiscard]] CameraPose current_pose() const;
   [[nodiscard]] ShowMoment moment() const;
   [[nodiscard]] bool moving() const;
 
-  ShowRenderer& renderer_;
+  std::shared_ptr<ShowRenderer> renderer_;
   PlayOptions options_;
-  Window window_;
-  Presenter presenter_;
-  TextPanel panel_;
-  std::unique_ptr<ProjectorWindows> projectors_;  //!< where there is a setup
+  PlayerScreen screen_;
+  PictureFlow pictures_;
   Flight flight_;
-  std::unique_ptr<FrameSource> source_;
   std::set<int> held_keys_;
   double show_time_s_ = 0.0;
   bool paused_ = false;
@@ -80,13 +67,8 @@ class Player {
   StereoSettings shown_stereo_;  //!< as the show has it
   StereoSettings stereo_;
   double field_of_view_deg_ = 0.0;
-  int moving_size_px_ = 256;  //!< what keeps ten pictures a second
-  int refined_size_px_ = 0;   //!< width of the last picture of what stands still
-  double frame_time_ms_ = 0.0;
-  const char* lens_ = "";  //!< where the last picture's lens came from
   std::string said_problem_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
-  int pictures_ = 0;
 };
 
 }  // namespace ergodome

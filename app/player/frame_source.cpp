@@ -1,4 +1,4 @@
-#include "app/frame_source.h"
+#include "app/player/frame_source.h"
 
 #include <chrono>
 #include <exception>
@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-Picture render_for_window(ShowRenderer& renderer, const PictureRequest& request) {
+Picture render_for_window(const PictureRequest& request) {
+  ShowRenderer& renderer = *request.renderer;
   const Projection projection = make_projection(renderer.show().view, request.size_px, request.field_of_view_deg);
   renderer.set_stereo(request.stereo);
   Picture picture = renderer.render_window(request.pose, projection, request.mode, request.moment);
@@ -16,8 +17,29 @@ Picture render_for_window(ShowRenderer& renderer, const PictureRequest& request)
   return picture;
 }
 
-FrameSource::FrameSource(ShowRenderer& renderer)
-    : renderer_(renderer), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+namespace {
+
+PictureAnswer answer_to(const PictureRequest& request) {
+  PictureAnswer answer;
+  answer.size_px = request.size_px;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    answer.picture = render_for_window(request);
+    if (request.disparity_asked) {
+      const Show& show = request.renderer->show();
+      answer.disparity =
+          frame_disparity(show, request.pose, make_projection(show.view, request.size_px, request.field_of_view_deg));
+    }
+  } catch (const std::exception& problem) {
+    answer.problem = problem.what();
+  }
+  answer.time_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return answer;
+}
+
+}  // namespace
+
+FrameSource::FrameSource() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 FrameSource::~FrameSource() {
   thread_.request_stop();
@@ -48,20 +70,7 @@ void FrameSource::work(const std::stop_token& stop) {
     const PictureRequest request = *std::exchange(request_, std::nullopt);
     busy_ = true;
     lock.unlock();
-    PictureAnswer answer;
-    answer.size_px = request.size_px;
-    const auto start = std::chrono::steady_clock::now();
-    try {
-      answer.picture = render_for_window(renderer_, request);
-      if (request.disparity_asked) {
-        const Show& show = renderer_.show();
-        answer.disparity =
-            frame_disparity(show, request.pose, make_projection(show.view, request.size_px, request.field_of_view_deg));
-      }
-    } catch (const std::exception& problem) {
-      answer.problem = problem.what();
-    }
-    answer.time_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    PictureAnswer answer = answer_to(request);
     lock.lock();
     answer_ = std::move(answer);
     busy_ = false;

@@ -1,0 +1,94 @@
+#include "app/player/player_screen.h"
+
+#include <algorithm>
+
+#include "app/setup_show.h"
+#include "render/output/image_writer.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Largest window that opens by itself: a screen's, and beside projectors a part of it.
+constexpr int widest_px = 1600;
+constexpr int highest_px = 1000;
+constexpr int beside_projectors_px = 700;
+
+}  // namespace
+
+PlayerScreen::PlayerScreen(const ScreenOptions& options)
+    : setup_(options.setup),
+      window_(std::min(options.width_px, options.setup ? beside_projectors_px : widest_px),
+              std::min(options.height_px, options.setup ? beside_projectors_px : highest_px), "Ergodome",
+              options.full_screen, options.eye_buffers ? WindowBuffers::stereo : WindowBuffers::plain) {
+  if (setup_) {
+    projectors_ = std::make_unique<ProjectorWindows>(window_, *setup_, options.projectors, options.hide_control);
+  }
+}
+
+std::vector<WindowEvent> PlayerScreen::events() {
+  constexpr double patience_s = 0.004;
+  std::vector<WindowEvent> all = window_.events(patience_s);
+  if (projectors_) {
+    const std::vector<WindowEvent> others = projectors_->events();
+    all.insert(all.end(), others.begin(), others.end());
+  }
+  return all;
+}
+
+bool PlayerScreen::closed() const { return window_.closed() || (projectors_ && projectors_->closed()); }
+
+void PlayerScreen::set_text(const std::string& text) {
+  text_ = text;
+  if (!text.empty()) {
+    int width = 0;
+    int height = 0;
+    window_.framebuffer_size(width, height);
+    panel_.set(text, std::clamp(std::min(width, height) / 50, 11, 36));
+  }
+}
+
+void PlayerScreen::draw_window(int width, int height, bool by_eye) {
+  const auto draw_part = [&](WindowEye eye, PicturePart part) {
+    window_.draw_into(eye);
+    presenter_.draw(width, height, part);
+    if (!text_.empty()) {
+      panel_.draw(width, height, PanelPlace::top_left);
+    }
+  };
+  if (by_eye) {
+    draw_part(WindowEye::left, PicturePart::left_half);
+    draw_part(WindowEye::right, PicturePart::right_half);
+  } else {
+    draw_part(WindowEye::both, PicturePart::whole);
+  }
+}
+
+void PlayerScreen::draw(bool by_eye) {
+  if (projectors_) {
+    projectors_->show(presenter_.shown());
+    if (!projectors_->control_shown()) {
+      return;
+    }
+  }
+  int width = 0;
+  int height = 0;
+  window_.framebuffer_size(width, height);
+  draw_window(width, height, by_eye);
+  window_.swap();
+}
+
+void PlayerScreen::save_screenshot(const std::string& file, bool by_eye) {
+  if (projectors_) {
+    projectors_->save_screenshots(file, plain_names(*setup_));
+  }
+  int width = 0;
+  int height = 0;
+  window_.framebuffer_size(width, height);
+  if (width > 0 && height > 0) {
+    draw_window(width, height, by_eye);
+    write_png(file, Presenter::read_back(width, height), width, height);
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/present/presenter.h"
+#include "render/present/projector_windows.h"
+#include "render/present/text_panel.h"
+#include "render/present/window.h"
+
+namespace ergodome {
+
+//! What the player's screen is made of.
+struct ScreenOptions {
+  int width_px = 1024;
+  int height_px = 1024;
+  bool full_screen = false;
+  bool eye_buffers = false;                  //!< a buffer for each eye, where the driver has them
+  std::optional<DomeSetup> setup;            //!< of a dome whose projectors show the pictures, too
+  std::vector<ProjectorPicture> projectors;  //!< of the setup
+  bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
+};
+
+//! The windows that the player draws in: its own, and those of a dome's projectors.
+class PlayerScreen {
+ public:
+  //! Throws Error where there is no display, or a projector's monitor is missing.
+  explicit PlayerScreen(const ScreenOptions& options);
+
+  //! Pictures go here.
+  [[nodiscard]] Presenter& presenter() { return presenter_; }
+  [[nodiscard]] Window& window() { return window_; }
+  [[nodiscard]] bool has_projectors() const { return projectors_ != nullptr; }
+
+  //! Waits some milliseconds for what people do to the windows.
+  [[nodiscard]] std::vector<WindowEvent> events();
+  [[nodiscard]] bool closed() const;
+
+  //! Lines of text over the picture, at its top left; none where it is empty.
+  void set_text(const std::string& text);
+
+  //! Draws the last picture in all windows. `by_eye`: it holds both eyes side by side, for the buffer of each.
+  void draw(bool by_eye);
+
+  //! Writes what the windows show: FILE, and FILE_PROJECTOR for each projector.
+  void save_screenshot(const std::string& file, bool by_eye);
+
+ private:
+  void draw_window(int width, int height, bool by_eye);
+
+  std::optional<DomeSetup> setup_;
+  Window window_;
+  Presenter presenter_;
+  TextPanel panel_;
+  std::string text_;
+  std::unique_ptr<ProjectorWindows> projectors_;  //!< where there is a setup
+};
+
+}  // namespace ergodome
