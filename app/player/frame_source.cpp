@@ -1,80 +1,139 @@
 #include "app/player/frame_source.h"
 
-#include <chrono>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 #include "render/output/color_bar.h"
 
 namespace ergodome {
 
-Picture render_for_window(const PictureRequest& request) {
-  ShowRenderer& renderer = *request.renderer;
-  const Projection projection = make_projection(renderer.show().view, request.size_px, request.field_of_view_deg);
-  renderer.set_stereo(request.stereo);
-  Picture picture = renderer.render_window(request.pose, projection, request.mode, request.moment);
-  draw_color_bar(picture, request.mode);
-  return picture;
-}
+using Clock = std::chrono::steady_clock;
+
+//! What the thread and its owner share; the thread holds it, too, so that it may outlive the owner.
+struct FrameSource::Worker {
+  Render render;
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::optional<PictureRequest> request;
+  std::optional<PictureAnswer> answer;
+  std::optional<Clock::time_point> began;  //!< while a picture is in work
+  bool ended = false;
+  std::thread thread;
+
+  void work();
+};
 
 namespace {
 
-PictureAnswer answer_to(const PictureRequest& request) {
+PictureAnswer answer_to(const FrameSource::Render& render, const PictureRequest& request) {
+  const auto start = Clock::now();
   PictureAnswer answer;
-  answer.size_px = request.size_px;
-  const auto start = std::chrono::steady_clock::now();
   try {
-    answer.picture = render_for_window(request);
-    if (request.disparity_asked) {
-      const Show& show = request.renderer->show();
-      answer.disparity =
-          frame_disparity(show, request.pose, make_projection(show.view, request.size_px, request.field_of_view_deg));
-    }
+    answer = render(request);
   } catch (const std::exception& problem) {
     answer.problem = problem.what();
   }
-  answer.time_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  answer.size_px = request.size_px;
+  answer.time_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return answer;
 }
 
 }  // namespace
 
-FrameSource::FrameSource() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
+PictureAnswer render_for_window(const PictureRequest& request) {
+  ShowRenderer& renderer = *request.renderer;
+  const Projection projection = make_projection(renderer.show().view, request.size_px, request.field_of_view_deg);
+  renderer.set_stereo(request.stereo);
+  PictureAnswer answer;
+  if (renderer.backend() != Backend::cpu && eye_count(request.stereo) < 2 && !renderer.finishes_pictures()) {
+    const float* rgba =
+        renderer.render_eye_in_place(request.pose, 0.0, projection, request.mode, request.moment, &answer.picture.lens);
+    answer.on_device = {rgba, projection.width_px, projection.height_px, request.mode != ViewMode::sky,
+                        tone_of(renderer.show().tone)};
+  } else {
+    answer.picture = renderer.render_window(request.pose, projection, request.mode, request.moment);
+    draw_color_bar(answer.picture, request.mode);
+  }
+  if (request.disparity_asked) {
+    answer.disparity = frame_disparity(renderer.show(), request.pose, projection);
+  }
+  return answer;
+}
+
+void FrameSource::Worker::work() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    wake.wait(lock, [this] { return ended || request.has_value(); });
+    if (ended) {
+      return;
+    }
+    const PictureRequest next = *std::exchange(request, std::nullopt);
+    began = Clock::now();
+    lock.unlock();
+    PictureAnswer made = answer_to(render, next);
+    lock.lock();
+    answer = std::move(made);
+    began.reset();
+  }
+}
+
+namespace {
+
+template <class Worker>
+std::shared_ptr<Worker> started_worker(const FrameSource::Render& render) {
+  auto worker = std::make_shared<Worker>();
+  worker->render = render;
+  worker->thread = std::thread([worker] { worker->work(); });
+  return worker;
+}
+
+}  // namespace
+
+FrameSource::FrameSource(Render render) : render_(std::move(render)), worker_(started_worker<Worker>(render_)) {}
 
 FrameSource::~FrameSource() {
-  thread_.request_stop();
-  wake_.notify_all();
+  {
+    const std::lock_guard lock(worker_->mutex);
+    worker_->ended = true;
+  }
+  worker_->wake.notify_all();
+  worker_->thread.join();
 }
 
 bool FrameSource::idle() {
-  const std::lock_guard lock(mutex_);
-  return !busy_ && !request_;
+  const std::lock_guard lock(worker_->mutex);
+  return !worker_->began && !worker_->request;
 }
 
 void FrameSource::ask(const PictureRequest& request) {
   {
-    const std::lock_guard lock(mutex_);
-    request_ = request;
+    const std::lock_guard lock(worker_->mutex);
+    worker_->request = request;
   }
-  wake_.notify_all();
+  worker_->wake.notify_all();
 }
 
 std::optional<PictureAnswer> FrameSource::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(answer_, std::nullopt);
+  const std::lock_guard lock(worker_->mutex);
+  return std::exchange(worker_->answer, std::nullopt);
 }
 
-void FrameSource::work(const std::stop_token& stop) {
-  std::unique_lock lock(mutex_);
-  while (wake_.wait(lock, stop, [this] { return request_.has_value(); })) {
-    const PictureRequest request = *std::exchange(request_, std::nullopt);
-    busy_ = true;
-    lock.unlock();
-    PictureAnswer answer = answer_to(request);
-    lock.lock();
-    answer_ = std::move(answer);
-    busy_ = false;
+std::chrono::duration<double> FrameSource::working_for() {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->began ? Clock::now() - *worker_->began : Clock::duration::zero();
+}
+
+void FrameSource::abandon() {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    worker_->ended = true;
   }
+  worker_->wake.notify_all();
+  worker_->thread.detach();
+  worker_ = started_worker<Worker>(render_);
 }
 
 }  // namespace ergodome

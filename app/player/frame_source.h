@@ -1,11 +1,10 @@
 #pragma once
 
-#include <condition_variable>
+#include <chrono>
+#include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
@@ -24,19 +23,36 @@ struct PictureRequest {
   bool disparity_asked = false;
 };
 
+//! A picture that stayed in a GPU's memory: four floats a pixel, until the next request.
+struct DevicePicture {
+  const float* rgba = nullptr;
+  int width_px = 0;
+  int height_px = 0;
+  bool heat_map = false;
+  Tone tone;
+};
+
 //! A finished picture and what it took.
 struct PictureAnswer {
   Picture picture;
+  std::optional<DevicePicture> on_device;  //!< in place of the picture's pixels
   double time_ms = 0.0;
   int size_px = 0;
   std::optional<Disparity> disparity;  //!< where it was asked for, of two eyes
   std::string problem;                 //!< why there is none; the last good one stays on the screen
 };
 
+//! One picture as the request's stereo layout has it; eyes that it keeps apart come side by side on a window. Throws Error.
+PictureAnswer render_for_window(const PictureRequest& request);
+
 //! Renders in a thread of its own, so that the window answers at once whatever a picture costs. Only the latest request counts.
 class FrameSource {
  public:
-  FrameSource();
+  using Render = std::function<PictureAnswer(const PictureRequest&)>;
+
+  explicit FrameSource(Render render = render_for_window);
+
+  //! Waits for the picture that is being rendered; not for those that were abandoned.
   ~FrameSource();
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
@@ -46,18 +62,18 @@ class FrameSource {
   void ask(const PictureRequest& request);
   std::optional<PictureAnswer> take();
 
+  //! How long the picture in work has been so; zero where there is none.
+  [[nodiscard]] std::chrono::duration<double> working_for();
+
+  //! Leaves the picture in work to itself, whose thread may never end, and goes on with a new thread. What it renders with must not be
+  //! used again.
+  void abandon();
+
  private:
-  void work(const std::stop_token& stop);
+  struct Worker;
 
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::optional<PictureRequest> request_;
-  std::optional<PictureAnswer> answer_;
-  bool busy_ = false;
-  std::jthread thread_;
+  Render render_;
+  std::shared_ptr<Worker> worker_;
 };
-
-//! One picture as the request's stereo layout has it; eyes that it keeps apart come side by side on a window.
-Picture render_for_window(const PictureRequest& request);
 
 }  // namespace ergodome

@@ -1,7 +1,6 @@
 #include "app/player/picture_flow.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace ergodome {
@@ -12,43 +11,63 @@ namespace {
 constexpr double moving_budget_ms = 70.0;
 constexpr int smallest_px = 192;
 
+//! A picture that takes so much longer than the last one let expect has hung; the first one builds what later ones use.
+constexpr double least_hang_s = 1.5;
+constexpr double first_hang_s = 60.0;
+constexpr double hang_factor = 10.0;
+
 }  // namespace
 
-bool PictureFlow::advance(const PictureRequest& wish, bool changed, bool moving) {
+PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool moving) {
   pending_ = pending_ || changed;
-  if (wish.renderer->backend() != Backend::cpu) {
-    return advance_on_device(wish);
+  if (hangs()) {
+    source_.abandon();
+    ++report_.hangs;
+    pending_ = true;
+    report_.problem = "a picture did not come to an end";
+    return PictureNews::hang;
   }
-  if (!source_) {
-    source_ = std::make_unique<FrameSource>();
+  const PictureNews news = receive();
+  if (!source_.idle()) {
+    return news;
   }
-  const bool answered = receive();
-  if (!source_->idle()) {
-    return answered;
-  }
+  const bool whole = wish.renderer && wish.renderer->backend() != Backend::cpu;
   if (pending_) {
-    ask(wish, std::min(moving_size_px_, finest_px_));
+    ask(wish, whole ? finest_px_ : std::min(moving_size_px_, finest_px_));
   } else if (refining_ && report_.size_px < finest_px_ && !moving) {
     ask(wish, std::min(2 * report_.size_px, finest_px_));
   }
-  return answered;
+  return news;
+}
+
+bool PictureFlow::hangs() {
+  const double working_s = source_.working_for().count();
+  if (working_s < least_hang_s) {
+    return false;
+  }
+  if (report_.pictures == 0) {
+    return working_s > first_hang_s;
+  }
+  const double growth = static_cast<double>(asked_size_px_) / std::max(report_.size_px, 1);
+  return working_s > hang_factor * 1e-3 * report_.frame_time_ms * std::max(1.0, growth * growth);
 }
 
 void PictureFlow::ask(PictureRequest wish, int size_px) {
   wish.size_px = size_px;
+  asked_size_px_ = size_px;
   pending_ = false;
   refining_ = false;
-  source_->ask(wish);
+  source_.ask(wish);
 }
 
-bool PictureFlow::receive() {
-  auto answer = source_->take();
+PictureNews PictureFlow::receive() {
+  const auto answer = source_.take();
   if (!answer) {
-    return false;
+    return PictureNews::none;
   }
   report_.problem = answer->problem;
   if (!answer->problem.empty()) {
-    return true;
+    return PictureNews::problem;
   }
   // Where the camera is by now is still to be shown.
   pending_ = pending_ || answer->picture.behind;
@@ -62,40 +81,8 @@ bool PictureFlow::receive() {
   report_.lens = answer->picture.lens;
   report_.disparity = answer->disparity;
   ++report_.pictures;
-  presenter_.upload(answer->picture);
-  return true;
-}
-
-bool PictureFlow::advance_on_device(PictureRequest wish) {
-  if (!pending_) {
-    return false;
-  }
-  pending_ = false;
-  wish.size_px = finest_px_;
-  ShowRenderer& renderer = *wish.renderer;
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    if (eye_count(wish.stereo) < 2 && !renderer.finishes_pictures()) {
-      renderer.set_stereo(wish.stereo);
-      const Projection projection = make_projection(renderer.show().view, wish.size_px, wish.field_of_view_deg);
-      const float* rgba =
-          renderer.render_eye_in_place(wish.pose, 0.0, projection, wish.mode, wish.moment, &report_.lens);
-      presenter_.upload_from_device(rgba, projection.width_px, projection.height_px, wish.mode != ViewMode::sky,
-                                    tone_of(renderer.show().tone));
-    } else {
-      const Picture picture = render_for_window(wish);
-      report_.lens = picture.lens;
-      presenter_.upload(picture);
-    }
-  } catch (const std::exception& problem) {
-    report_.problem = problem.what();
-    return true;
-  }
-  report_.problem.clear();
-  report_.frame_time_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  report_.size_px = finest_px_;
-  ++report_.pictures;
-  return true;
+  show_(*answer);
+  return PictureNews::picture;
 }
 
 }  // namespace ergodome

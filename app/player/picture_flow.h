@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/player/frame_source.h"
-#include "render/present/presenter.h"
 
 namespace ergodome {
 
@@ -15,37 +14,45 @@ struct PictureReport {
   const char* lens = "";  //!< where the last picture's lens came from
   std::optional<Disparity> disparity;
   std::string problem;  //!< why the last request made none
-  int pictures = 0;
+  long pictures = 0;
+  long hangs = 0;  //!< pictures that were given up because they did not come to an end
 };
 
-//! Brings pictures to a presenter.
+//! What a call of PictureFlow::advance brought.
+enum class PictureNews { none, picture, problem, hang };
+
+//! Brings pictures to a screen: they are rendered beside the caller's thread.
 //!
-//! On the CPU they are rendered beside the caller's thread: as wide as the time allows while something moves (10 pictures a second or
-//! more), then finer and finer while all stands still. On a GPU each picture is rendered whole and shown without a way through the host.
+//! On the CPU they are as wide as the time allows while something moves (10 pictures a second or more), then finer and finer while all
+//! stands still. On a GPU each picture is rendered whole.
 class PictureFlow {
  public:
-  //! `finest_px`: width of one eye's image when the picture stands still.
-  PictureFlow(Presenter& presenter, int finest_px) : presenter_(presenter), finest_px_(finest_px) {}
+  //! `show`: hands a finished picture to the screen, on the caller's thread. `finest_px`: width of one eye's image when the picture
+  //! stands still.
+  PictureFlow(std::function<void(const PictureAnswer&)> show, int finest_px,
+              FrameSource::Render render = render_for_window)
+      : show_(std::move(show)), finest_px_(finest_px), source_(std::move(render)) {}
 
   //! Call it for every frame of the window: takes what is finished, and asks for what is wished (whose size it chooses itself).
   //!
-  //! `changed`: the wish is another one than the last; `moving`: it will change again at once, so nothing is refined. Returns whether an
-  //! answer came: a picture, or a problem.
-  bool advance(const PictureRequest& wish, bool changed, bool moving);
+  //! `changed`: the wish is another one than the last; `moving`: it will change again at once, so nothing is refined. After a `hang` the
+  //! wish's renderer is lost and must be made anew before the next call; the last good picture stays on the screen.
+  PictureNews advance(const PictureRequest& wish, bool changed, bool moving);
 
   [[nodiscard]] const PictureReport& report() const { return report_; }
 
  private:
-  bool advance_on_device(PictureRequest wish);
-  bool receive();
+  PictureNews receive();
   void ask(PictureRequest wish, int size_px);
+  [[nodiscard]] bool hangs();
 
-  Presenter& presenter_;
+  std::function<void(const PictureAnswer&)> show_;
   int finest_px_;
-  std::unique_ptr<FrameSource> source_;  //!< on the CPU alone
-  bool pending_ = true;                  //!< something changed that no picture has been asked for
-  bool refining_ = false;                //!< the last picture is of what is wished, but may be finer
-  int moving_size_px_ = 256;             //!< what keeps ten pictures a second
+  FrameSource source_;
+  bool pending_ = true;       //!< something changed that no picture has been asked for
+  bool refining_ = false;     //!< the last picture is of what is wished, but may be finer
+  int moving_size_px_ = 256;  //!< what keeps ten pictures a second
+  int asked_size_px_ = 0;
   PictureReport report_;
 };
 

@@ -49,9 +49,11 @@ void run(PlayArguments arguments) {
   }
   require_features(show);
   const Backend backend = choose_backend(arguments.backend);
-  auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(arguments.lens),
-                                                 open_stream(show, arguments.lens, backend));
-  Player(std::move(renderer), arguments.options).run();
+  const LensOptions lens = arguments.lens;
+  const auto make = [backend, lens](const Show& any) {
+    return std::make_shared<ShowRenderer>(any, backend, lens_choice(lens), open_stream(any, lens, backend));
+  };
+  Player(show, make, arguments.options).run();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/backend_choice.h"
 #include "app/interrupt.h"
@@ -30,17 +31,20 @@ ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
 
 }  // namespace
 
-Player::Player(std::shared_ptr<ShowRenderer> renderer, const PlayOptions& options)
-    : renderer_(std::move(renderer)),
+Player::Player(const Show& show, RendererLoader::Make make, const PlayOptions& options)
+    : loader_(make),
+      renderer_(make(show)),
+      show_(show),
       options_(options),
-      screen_(screen_options(show(), options)),
-      pictures_(screen_.presenter(), options.size_px),
-      flight_(show()),
+      screen_(screen_options(show, options)),
+      pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
+      flight_(show),
       flying_(options.free_flight),
       times_shown_(options.times_shown),
-      shown_stereo_(show().stereo),
+      shown_stereo_(show.stereo),
       stereo_(shown_stereo_),
-      field_of_view_deg_(show().view.field_of_view_deg) {
+      field_of_view_deg_(show.view.field_of_view_deg) {
+  backend_ = describe(renderer_->backend());
   if (by_eye() && screen_.window().buffers() == WindowBuffers::plain) {
     fmt::print(stderr, "ergodome: this driver has no buffers for each eye; the eyes are side by side\n");
     stereo_.layout = StereoLayout::side_by_side;
@@ -84,22 +88,51 @@ void Player::run() {
 }
 
 void Player::update_picture() {
+  take_renderer();
+  if (!renderer_) {
+    return;
+  }
   const PictureRequest wish = {renderer_, current_pose(), mode_,   field_of_view_deg_,
                                0,         moment(),       stereo_, times_shown_};
   const bool is_moving = moving();
-  if (!pictures_.advance(wish, std::exchange(changed_, false), is_moving)) {
+  note(pictures_.advance(wish, std::exchange(changed_, false), is_moving));
+}
+
+void Player::take_renderer() {
+  auto loaded = loader_.take();
+  if (!loaded) {
     return;
+  }
+  if (loaded->renderer) {
+    renderer_ = std::move(loaded->renderer);
+    changed_ = true;
+  } else {
+    say(loaded->problem);
+    loader_.load(show_);
+  }
+}
+
+void Player::note(PictureNews news) {
+  if (news == PictureNews::none) {
+    return;
+  }
+  if (news == PictureNews::hang) {
+    renderer_.reset();
+    loader_.load(show_);
   }
   if (!first_answer_) {
     first_answer_ = Clock::now();
   }
-  const std::string& problem = pictures_.report().problem;
+  say(pictures_.report().problem);
+  screen_.set_text(panel_text());
+  update_title();
+}
+
+void Player::say(const std::string& problem) {
   if (!problem.empty() && problem != said_problem_) {
     fmt::print(stderr, "ergodome: {}\n", problem);
   }
   said_problem_ = problem;
-  screen_.set_text(panel_text());
-  update_title();
 }
 
 void Player::end_in_time() {
@@ -113,7 +146,7 @@ void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
     fmt::print("{} pictures after the first in {:.1f} s\n", pictures_.report().pictures - 1, options_.for_seconds);
   }
-  if (const auto streamed = renderer_->stream_statistics()) {
+  if (const auto streamed = renderer_ ? renderer_->stream_statistics() : std::nullopt) {
     ergodome::print_statistics(*streamed);
   }
 }
@@ -217,8 +250,8 @@ std::string Player::panel_text() const {
     return "";
   }
   const PictureReport& report = pictures_.report();
-  std::string text = fmt::format("{:.1f} ms at {} px, {} lens, {}", report.frame_time_ms, report.size_px, report.lens,
-                                 describe(renderer_->backend()));
+  std::string text =
+      fmt::format("{:.1f} ms at {} px, {} lens, {}", report.frame_time_ms, report.size_px, report.lens, backend_);
   if (eye_count(stereo_) > 1) {
     text += "\n" + disparity_caption(stereo_, report.disparity);
   }
@@ -229,7 +262,7 @@ void Player::update_title() {
   const PictureReport& report = pictures_.report();
   screen_.window().set_title(fmt::format(
       "Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}", show().title, show().spin,
-      current_pose().r, show_time_s_, report.frame_time_ms, report.size_px, report.lens, describe(renderer_->backend()),
+      current_pose().r, show_time_s_, report.frame_time_ms, report.size_px, report.lens, backend_,
       flying_   ? "  free flight"
       : paused_ ? "  paused"
                 : ""));

@@ -9,6 +9,7 @@
 #include "app/flight.h"
 #include "app/player/picture_flow.h"
 #include "app/player/player_screen.h"
+#include "app/player/renderer_loader.h"
 #include "app/player_keys.h"
 
 namespace ergodome {
@@ -28,7 +29,8 @@ struct PlayOptions {
 //! Plays a show, or flies through its scene, in a window.
 class Player {
  public:
-  Player(std::shared_ptr<ShowRenderer> renderer, const PlayOptions& options);
+  //! `make` makes the renderer of a show: at the start, and whenever one is lost.
+  Player(const Show& show, RendererLoader::Make make, const PlayOptions& options);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -42,17 +44,22 @@ class Player {
   void press(int key);
   void advance(double seconds);
   void update_picture();
+  void note(PictureNews news);
+  void take_renderer();
+  void say(const std::string& problem);
   void end_in_time();
   void print_statistics() const;
   [[nodiscard]] std::string panel_text() const;
   void update_title();
   [[nodiscard]] bool by_eye() const { return stereo_.layout == StereoLayout::quad_buffer; }
-  [[nodiscard]] const Show& show() const { return renderer_->show(); }
+  [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] CameraPose current_pose() const;
   [[nodiscard]] ShowMoment moment() const;
   [[nodiscard]] bool moving() const;
 
-  std::shared_ptr<ShowRenderer> renderer_;
+  RendererLoader loader_;
+  std::shared_ptr<ShowRenderer> renderer_;  //!< none while a lost one is made anew
+  Show show_;
   PlayOptions options_;
   PlayerScreen screen_;
   PictureFlow pictures_;
@@ -67,6 +74,7 @@ class Player {
   StereoSettings shown_stereo_;  //!< as the show has it
   StereoSettings stereo_;
   double field_of_view_deg_ = 0.0;
+  std::string backend_;
   std::string said_problem_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
 };

@@ -26,6 +26,15 @@ PlayerScreen::PlayerScreen(const ScreenOptions& options)
   }
 }
 
+void PlayerScreen::show(const PictureAnswer& answer) {
+  if (answer.on_device) {
+    const DevicePicture& there = *answer.on_device;
+    presenter_.upload_from_device(there.rgba, there.width_px, there.height_px, there.heat_map, there.tone);
+  } else {
+    presenter_.upload(answer.picture);
+  }
+}
+
 std::vector<WindowEvent> PlayerScreen::events() {
   constexpr double patience_s = 0.004;
   std::vector<WindowEvent> all = window_.events(patience_s);

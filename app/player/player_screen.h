@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/player/frame_source.h"
 #include "render/present/presenter.h"
 #include "render/present/projector_windows.h"
 #include "render/present/text_panel.h"
@@ -29,8 +30,9 @@ class PlayerScreen {
   //! Throws Error where there is no display, or a projector's monitor is missing.
   explicit PlayerScreen(const ScreenOptions& options);
 
-  //! Pictures go here.
-  [[nodiscard]] Presenter& presenter() { return presenter_; }
+  //! Takes over a picture; it stays until the next one.
+  void show(const PictureAnswer& answer);
+
   [[nodiscard]] Window& window() { return window_; }
   [[nodiscard]] bool has_projectors() const { return projectors_ != nullptr; }
 

@@ -1,0 +1,40 @@
+#include "app/player/renderer_loader.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace ergodome {
+
+void RendererLoader::begin(Show show) {
+  work_ = std::async(std::launch::async, [make = make_, show = std::move(show)]() -> Loaded {
+    try {
+      return {make(show), ""};
+    } catch (const std::exception& problem) {
+      return {nullptr, problem.what()};
+    }
+  });
+}
+
+void RendererLoader::load(Show show) {
+  if (work_.valid()) {
+    next_ = std::move(show);
+  } else {
+    begin(std::move(show));
+  }
+}
+
+std::optional<RendererLoader::Loaded> RendererLoader::take() {
+  if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return std::nullopt;
+  }
+  Loaded loaded = work_.get();
+  if (next_) {
+    // What was asked for later stands for what was asked for before.
+    begin(*std::exchange(next_, std::nullopt));
+    return std::nullopt;
+  }
+  return loaded;
+}
+
+}  // namespace ergodome
