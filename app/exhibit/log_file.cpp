@@ -1,0 +1,40 @@
+#include "app/exhibit/log_file.h"
+
+#include <spdlog/sinks/rotating_file_sink.h>
+
+#include <exception>
+#include <string>
+
+#include "content/files/atomic_file.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t largest_bytes = 1U << 20U;
+constexpr std::size_t kept_files = 4;  // beside the one that is written
+
+}  // namespace
+
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std::vector<spdlog::sink_ptr> sinks) {
+  std::string problem;
+  if (!file.empty()) {
+    try {
+      make_folder(file.parent_path());
+      sinks.push_back(std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), largest_bytes, kept_files));
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+  }
+  auto log = std::make_shared<spdlog::logger>("ergodome", sinks.begin(), sinks.end());
+  log->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
+  log->flush_on(spdlog::level::info);
+  // A disk that fills up must not stop a show; whatever sink fails, the others go on.
+  log->set_error_handler([](const std::string&) {});
+  if (!problem.empty()) {
+    log->warn("no log file: {}", problem);
+  }
+  return log;
+}
+
+}  // namespace ergodome

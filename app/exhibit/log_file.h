@@ -1,0 +1,15 @@
+#pragma once
+
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace ergodome {
+
+//! The program's log: lines with time and level, to `sinks` and to a file that is turned over before it outgrows a mebibyte, the last five of
+//! which are kept. An empty path, or one that cannot be written, leaves the file out; the log says so.
+std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std::vector<spdlog::sink_ptr> sinks);
+
+}  // namespace ergodome

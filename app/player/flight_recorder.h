@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "content/camera_path.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+//! How far a recorded path may be from the flight.
+struct RecordTolerance {
+  double turn_rad = 1e-3;  //!< of the view, and of the place seen from the hole
+  double radius = 1e-3;    //!< part of the radius
+};
+
+//! Writes down a flight, so that it becomes the camera path of a show.
+class FlightRecorder {
+ public:
+  //! Notes where the camera is at a time that grows; a time that does not, or a place that is no number, is passed over. Thirty a second
+  //! are kept at most, for an hour; then it is full.
+  void note(double time_s, const CameraPose& pose);
+
+  [[nodiscard]] bool empty() const { return samples_.size() < 2; }
+  [[nodiscard]] bool full() const;
+
+  //! The flight as few camera keys: camera_pose() of them is within the tolerance of every note. The first is at 0 s.
+  [[nodiscard]] std::vector<CameraKey> keys(const Show& scene, const RecordTolerance& tolerance = {}) const;
+
+ private:
+  struct Sample {
+    double time_s;
+    CameraPose pose;
+  };
+  [[nodiscard]] CameraKey key_of(const Sample& sample) const;
+
+  std::vector<Sample> samples_;
+};
+
+//! A show of a scene that follows recorded keys; its files are named so that it may stand in another folder.
+Show recorded_show(const Show& scene, std::vector<CameraKey> keys, const std::string& title);
+
+//! A key whose orientation is the given one: yaw, pitch and roll from looking at the hole.
+CameraKey key_at(double time_s, const CameraPose& pose);
+
+}  // namespace ergodome

@@ -1,0 +1,99 @@
+#include "app/exhibit/exhibit.h"
+
+#include <gtest/gtest.h>
+
+namespace ergodome {
+namespace {
+
+constexpr ExhibitTimes times = {.idle_s = 60.0, .session_s = 0.0, .welcome_s = 8.0, .rest_s = 3.0};
+
+TEST(Exhibit, BeginsWithTheAttractShow) { EXPECT_EQ(Exhibit(times).scene(), ExhibitScene::attract); }
+
+TEST(Exhibit, AnyTouchBeginsAFlight) {
+  Exhibit exhibit(times);
+  EXPECT_FALSE(exhibit.advance(10.0, false));
+  EXPECT_TRUE(exhibit.advance(10.1, true));
+  EXPECT_EQ(exhibit.scene(), ExhibitScene::visitor);
+}
+
+TEST(Exhibit, ComesBackToTheAttractShowWhenNobodyTouchesIt) {
+  Exhibit exhibit(times);
+  exhibit.advance(0.0, true);
+  EXPECT_FALSE(exhibit.advance(59.9, false));
+  EXPECT_TRUE(exhibit.advance(60.0, false));
+  EXPECT_EQ(exhibit.scene(), ExhibitScene::attract);
+}
+
+TEST(Exhibit, StaysWithAVisitorWhoTouchesIt) {
+  Exhibit exhibit(times);
+  exhibit.advance(0.0, true);
+  for (double now_s = 1.0; now_s < 7200.0; now_s += 50.0) {
+    EXPECT_FALSE(exhibit.advance(now_s, true));
+  }
+  EXPECT_EQ(exhibit.scene(), ExhibitScene::visitor);
+}
+
+TEST(Exhibit, EndsALimitedSessionHoweverItIsTouched) {
+  Exhibit exhibit({.idle_s = 60.0, .session_s = 120.0, .welcome_s = 8.0, .rest_s = 3.0});
+  exhibit.advance(0.0, true);
+  for (double now_s = 0.5; now_s < 120.0; now_s += 0.5) {
+    ASSERT_FALSE(exhibit.advance(now_s, true));
+  }
+  EXPECT_TRUE(exhibit.advance(120.0, true));
+  EXPECT_EQ(exhibit.scene(), ExhibitScene::attract);
+}
+
+TEST(Exhibit, RestsAfterALimitedSession) {
+  Exhibit exhibit({.idle_s = 60.0, .session_s = 120.0, .welcome_s = 8.0, .rest_s = 3.0});
+  exhibit.advance(0.0, true);
+  exhibit.advance(120.0, true);
+  EXPECT_FALSE(exhibit.advance(122.9, true));
+  EXPECT_TRUE(exhibit.advance(123.1, true));
+}
+
+TEST(Exhibit, SaysWhenASessionIsAboutToEnd) {
+  Exhibit exhibit({.idle_s = 600.0, .session_s = 120.0, .welcome_s = 8.0, .rest_s = 3.0});
+  exhibit.advance(0.0, true);
+  exhibit.advance(109.0, false);
+  EXPECT_FALSE(exhibit.ending_in_s().has_value());
+  exhibit.advance(113.0, false);
+  EXPECT_DOUBLE_EQ(exhibit.ending_in_s().value_or(-1.0), 7.0);
+}
+
+TEST(Exhibit, WelcomesAVisitorForAWhile) {
+  Exhibit exhibit(times);
+  EXPECT_EQ(exhibit.welcome(), 0.0);
+  exhibit.advance(100.0, true);
+  exhibit.advance(104.0, true);
+  EXPECT_EQ(exhibit.welcome(), 1.0);
+  exhibit.advance(107.5, true);
+  EXPECT_DOUBLE_EQ(exhibit.welcome(), 0.5);
+  exhibit.advance(109.0, true);
+  EXPECT_EQ(exhibit.welcome(), 0.0);
+}
+
+TEST(Exhibit, DoesNotGoBackWithAClockThatDoes) {
+  Exhibit exhibit(times);
+  exhibit.advance(1000.0, true);
+  EXPECT_FALSE(exhibit.advance(10.0, false));
+  EXPECT_FALSE(exhibit.advance(1059.0, false));
+  EXPECT_TRUE(exhibit.advance(1060.0, false));
+}
+
+TEST(HeldSwitch, ClosesWhenItWasHeldLongEnough) {
+  HeldSwitch chord(2.0);
+  EXPECT_FALSE(chord.advance(5.0, true));
+  EXPECT_FALSE(chord.advance(6.9, true));
+  EXPECT_TRUE(chord.advance(7.0, true));
+}
+
+TEST(HeldSwitch, BeginsAnewWhenItWasLetGo) {
+  HeldSwitch chord(2.0);
+  chord.advance(5.0, true);
+  chord.advance(6.0, false);
+  EXPECT_FALSE(chord.advance(6.5, true));
+  EXPECT_FALSE(chord.advance(8.0, true));
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,89 @@
+#include "app/exhibit/kept_settings.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <thread>
+
+#include "app/exhibit/log_file.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using KeptSettingsTest = test::FolderTest;
+using LogFileTest = test::FolderTest;
+
+TEST_F(KeptSettingsTest, AreReadAsTheyWereWritten) {
+  const KeptSettings written = {
+      .exposure_stops = -1.25, .baseline = 0.4, .volume = 0.5, .language = "de", .captions = false};
+  std::string problem;
+  write_kept_settings(folder_ / "deep" / "settings.toml", written);
+  EXPECT_EQ(read_kept_settings(folder_ / "deep" / "settings.toml", problem), written);
+  EXPECT_EQ(problem, "");
+}
+
+TEST_F(KeptSettingsTest, AreTheUsualOnesWhereThereIsNoFile) {
+  std::string problem;
+  EXPECT_EQ(read_kept_settings(folder_ / "none.toml", problem), KeptSettings());
+  EXPECT_EQ(problem, "");
+}
+
+TEST_F(KeptSettingsTest, OfADamagedFileAreTheUsualOnesAndTheFileIsKept) {
+  for (const char* text : {"exposure_stops = ", "exposure_stops = nan", "colour = 1", "volume = 7", "\xff\xfe"}) {
+    std::ofstream(folder_ / "settings.toml") << text;
+    std::string problem;
+    EXPECT_EQ(read_kept_settings(folder_ / "settings.toml", problem), KeptSettings()) << text;
+    EXPECT_NE(problem, "") << text;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "settings.toml")) << text;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "settings.toml.bad")) << text;
+  }
+}
+
+//! Writes settings again and again in a process of its own, which is killed at any moment.
+TEST_F(KeptSettingsTest, AreOldOrNewWhateverMomentTheProgramIsKilledIn) {
+  const std::filesystem::path file = folder_ / "settings.toml";
+  for (int round = 0; round < 20; ++round) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (int i = 0;; ++i) {
+        write_kept_settings(file, {.exposure_stops = (i % 40) / 4.0, .language = std::string(1 + i % 30, 'x')});
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5 + 3 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    std::string problem;
+    read_kept_settings(file, problem);
+    EXPECT_EQ(problem, "");
+  }
+  for (const auto& each : std::filesystem::directory_iterator(folder_)) {
+    EXPECT_EQ(each.path(), file);
+  }
+}
+
+TEST_F(LogFileTest, IsBoundedHoweverMuchIsLogged) {
+  const auto log = open_log(folder_ / "log" / "ergodome.log", {});
+  for (int i = 0; i < 100'000; ++i) {
+    log->info("line {} of a log that must not fill the disk of an exhibit which runs for months", i);
+  }
+  std::uintmax_t bytes = 0;
+  for (const auto& each : std::filesystem::directory_iterator(folder_ / "log")) {
+    bytes += each.file_size();
+  }
+  EXPECT_LE(bytes, 5U << 20U);
+  EXPECT_GT(bytes, 4U << 20U);
+}
+
+TEST_F(LogFileTest, GoesOnWithoutAFileWhereNoneCanBeWritten) {
+  std::ofstream(folder_ / "file") << "not a folder";
+  const auto log = open_log(folder_ / "file" / "ergodome.log", {});
+  EXPECT_NO_THROW(log->info("still here"));
+}
+
+}  // namespace
+}  // namespace ergodome
