@@ -1,5 +1,7 @@
 #include "app/exhibit/kept_settings.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <sstream>
 
@@ -31,7 +33,7 @@ void remove_partial_files(const std::filesystem::path& file) {
   std::error_code ignored;
   for (const auto& each : std::filesystem::directory_iterator(file.parent_path(), ignored)) {
     const std::string name = each.path().filename().string();
-    if (name.starts_with(".partial-") && name.ends_with("-" + file.filename().string())) {
+    if (name.starts_with(".partial-") && name.ends_with(fmt::format("-{}", file.filename().string()))) {
       std::filesystem::remove(each.path(), ignored);
     }
   }

@@ -1,0 +1,118 @@
+#include "app/player/flight_recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "app/show_loading.h"
+#include "content/show_reader.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+double angle_between(const glm::dquat& a, const glm::dquat& b) {
+  const glm::dquat turn = glm::inverse(a) * b;
+  return 2.0 * std::atan2(glm::length(glm::dvec3(turn.x, turn.y, turn.z)), std::abs(turn.w));
+}
+
+//! A flight that falls inwards, turns, and looks about.
+CameraPose flight_at(double t) {
+  const glm::dquat look = glm::angleAxis(0.7 * std::sin(0.4 * t), glm::normalize(glm::dvec3(1.0, 2.0, 0.5)));
+  return {6.0 + 9.0 * std::exp(-0.1 * t), 1.4 + 0.3 * std::sin(0.3 * t), 0.2 * t, key_orientation(CameraKey()) * look};
+}
+
+FlightRecorder recorded(double seconds) {
+  FlightRecorder recorder;
+  for (int i = 0; i <= 30 * seconds; ++i) {
+    recorder.note(100.0 + i / 30.0, flight_at(i / 30.0));
+  }
+  return recorder;
+}
+
+TEST(KeyAt, LooksWhereThePoseLooks) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dquat q = glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
+    EXPECT_LT(angle_between(key_orientation(key_at(0.0, {10.0, 1.0, 0.0, q})), q), 1e-7);
+  }
+}
+
+TEST(KeyAt, LooksStraightUpWithoutYawAndRollFightingEachOther) {
+  for (const double pitch : {0.5, -0.5}) {
+    CameraKey key;
+    key.pitch = pitch * 3.14159265358979323846;
+    key.yaw = 0.8;
+    const glm::dquat up = key_orientation(key);
+    EXPECT_LT(angle_between(key_orientation(key_at(0.0, {10.0, 1.0, 0.0, up})), up), 1e-7);
+  }
+}
+
+TEST(FlightRecorder, MakesAPathThatStaysNearEveryNote) {
+  const Show scene = load_show("free-flight");
+  Show path = scene;
+  path.camera.keys = recorded(30.0).keys(scene);
+  for (int i = 0; i <= 900; ++i) {
+    const CameraPose was = flight_at(i / 30.0);
+    const CameraPose is = camera_pose(path, i / 30.0);
+    ASSERT_NEAR(is.r / was.r, 1.0, 1.01e-3) << i;
+    ASSERT_NEAR(is.theta, was.theta, 1.01e-3) << i;
+    ASSERT_NEAR(is.phi, was.phi, 2e-3) << i;
+    ASSERT_LT(angle_between(is.orientation, was.orientation), 1.01e-3) << i;
+  }
+}
+
+TEST(FlightRecorder, NeedsFarFewerKeysThanNotes) {
+  EXPECT_LT(recorded(30.0).keys(load_show("free-flight")).size(), 900U / 5U);
+}
+
+TEST(FlightRecorder, GoesOnAcrossAWholeTurn) {
+  FlightRecorder recorder;
+  for (int i = 0; i <= 60; ++i) {
+    CameraPose pose = flight_at(0.0);
+    pose.phi = std::remainder(6.2 + 0.01 * i, 2.0 * 3.14159265358979323846);
+    recorder.note(i / 30.0, pose);
+  }
+  const auto keys = recorder.keys(load_show("free-flight"));
+  EXPECT_NEAR(keys.back().phi - keys.front().phi, 0.6, 1e-12);
+}
+
+TEST(FlightRecorder, PassesOverWhatIsNoPlace) {
+  FlightRecorder recorder;
+  recorder.note(0.0, flight_at(0.0));
+  CameraPose nowhere = flight_at(1.0);
+  nowhere.r = std::numeric_limits<double>::quiet_NaN();
+  recorder.note(1.0, nowhere);
+  recorder.note(-1.0, flight_at(1.0));
+  recorder.note(std::numeric_limits<double>::infinity(), flight_at(1.0));
+  EXPECT_TRUE(recorder.empty());
+}
+
+TEST(FlightRecorder, IsBounded) {
+  FlightRecorder recorder;
+  for (int i = 0; i < 200'000; ++i) {
+    recorder.note(i / 30.0, flight_at(0.0));
+  }
+  EXPECT_TRUE(recorder.full());
+  EXPECT_NEAR(recorder.keys(load_show("free-flight")).back().time_s, 3600.0, 1.0);
+}
+
+using RecordedShow = test::FolderTest;
+
+TEST_F(RecordedShow, IsReadAgainWithTheSamePath) {
+  const Show scene = load_show("free-flight");
+  const Show show = recorded_show(scene, recorded(5.0).keys(scene), "A flight");
+  const Show read = parse_show(to_toml(show), (folder_ / "flight.toml").string());
+  EXPECT_EQ(read.title, "A flight");
+  EXPECT_NEAR(read.duration_s, 5.0, 1e-9);
+  for (double t = 0.0; t < 5.0; t += 0.1) {
+    EXPECT_NEAR(camera_pose(read, t).r, camera_pose(show, t).r, 1e-9);
+    EXPECT_LT(angle_between(camera_pose(read, t).orientation, camera_pose(show, t).orientation), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace ergodome
