@@ -12,6 +12,9 @@ namespace ergodome::test {
 //! The program as a person runs it.
 class CommandLine : public FolderTest {
  protected:
+  //! Puts a sky of few pixels into the folder, sky.ppm: to load the built-in ones takes longer than most pictures of a test.
+  void SetUp() override;
+
   //! Runs the program in the test's folder; all that it prints goes to output_.
   int run(const std::string& arguments);
 

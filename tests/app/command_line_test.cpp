@@ -31,7 +31,7 @@ spin = 0.9
 [[camera.key]]
 r = 8
 [sky]
-map = "grid"
+map = "sky.ppm"
 [view]
 size_px = 64
 )";

@@ -18,6 +18,8 @@ frame_rate_hz = 30
 [camera]
 [[camera.key]]
 r = 9
+[sky]
+map = "sky.ppm"
 [view]
 size_px = 32
 )";
