@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
+#include <utility>
+
+#include "content/key_curve.h"
 
 namespace ergodome {
 
@@ -10,43 +13,46 @@ namespace {
 
 using Keys = std::vector<CameraKey>;
 
-//! Slope at a key for a monotone C¹ cubic (Fritsch & Butland 1984: the weighted harmonic mean of the chords, 0 at an extremum).
-template <class Value>
-double slope_at(const Keys& keys, std::size_t i, const Value& value) {
-  if (i == 0 || i + 1 == keys.size()) {
-    return 0.0;  // starts and stops softly
-  }
-  const double before_s = keys[i].time_s - keys[i - 1].time_s;
-  const double after_s = keys[i + 1].time_s - keys[i].time_s;
-  const double before = (value(keys[i]) - value(keys[i - 1])) / before_s;
-  const double after = (value(keys[i + 1]) - value(keys[i])) / after_s;
-  if (before * after <= 0.0) {
-    return 0.0;
-  }
-  const double w1 = 2.0 * after_s + before_s;
-  const double w2 = after_s + 2.0 * before_s;
-  return (w1 + w2) / (w1 / before + w2 / after);
+//! When the camera leaves a key.
+double leave_s(const CameraKey& key) { return key.time_s + key.hold_s; }
+
+//! The way from a key to the next one.
+struct Way {
+  std::size_t from;
+  double span_s;
+  SpanEnds ends;
+};
+
+double span_s(const Keys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
+
+//! Derivatives of some measure of the path at both ends of a way. `rise(i)` is what it adds from key i to the next one.
+template <class Rise>
+std::pair<KeyMotion, KeyMotion> motions(const Keys& keys, const Way& way, const Rise& rise) {
+  const auto chord = [&](std::size_t i) {
+    const double span = span_s(keys, i);
+    return Chord{rise(i) / span, span};
+  };
+  const Chord own = chord(way.from);
+  return {motion_at_begin(way.ends.begin, way.from > 0 ? chord(way.from - 1) : own, own),
+          motion_at_end(way.ends.end, own, way.from + 2 < keys.size() ? chord(way.from + 1) : own)};
 }
 
-//! Cubic Hermite on one span; t in [0, 1].
+//! A coordinate at t in [0, 1] of a way.
 template <class Value>
-double interpolated(const Keys& keys, std::size_t i, double t, const Value& value) {
-  const double span_s = keys[i + 1].time_s - keys[i].time_s;
-  const double p0 = value(keys[i]);
-  const double p1 = value(keys[i + 1]);
-  const double m0 = span_s * slope_at(keys, i, value);
-  const double m1 = span_s * slope_at(keys, i + 1, value);
-  const double t2 = t * t;
-  const double t3 = t2 * t;
-  return (2.0 * t3 - 3.0 * t2 + 1.0) * p0 + (t3 - 2.0 * t2 + t) * m0 + (3.0 * t2 - 2.0 * t3) * p1 + (t3 - t2) * m1;
+double interpolated(const Keys& keys, const Way& way, double t, const Value& value) {
+  const double from = value(keys[way.from]);
+  const double to = value(keys[way.from + 1]);
+  if (keys[way.from].ease == Ease::linear) {
+    return from + (to - from) * t;
+  }
+  const auto [begin, end] = motions(keys, way, [&](std::size_t i) { return value(keys[i + 1]) - value(keys[i]); });
+  return quintic(from, to, way.span_s, begin, end, t);
 }
 
 glm::dquat nearer(const glm::dquat& q, const glm::dquat& to) { return glm::dot(q, to) < 0.0 ? -q : q; }
 
-//! Logarithm of the turn from one key's orientation to the next, the short way: an axis times half an angle.
-glm::dvec3 turn_between(const Keys& keys, std::size_t i) {
-  const glm::dquat from = key_orientation(keys[i]);
-  const glm::dquat turn = glm::inverse(from) * nearer(key_orientation(keys[i + 1]), from);
+//! Axis times half the angle of a turn.
+glm::dvec3 logarithm(const glm::dquat& turn) {
   const glm::dvec3 v(turn.x, turn.y, turn.z);
   const double sine = glm::length(v);
   return sine > 0.0 ? v * (std::atan2(sine, turn.w) / sine) : glm::dvec3(0.0);
@@ -58,33 +64,48 @@ glm::dquat exponential(const glm::dvec3& v) {
   return {std::cos(half_angle), v.x * factor, v.y * factor, v.z * factor};
 }
 
-//! Turning rate at a key [half radians per second]: the mean of the turns on both sides, each slowed by the other's span.
-glm::dvec3 turn_rate(const Keys& keys, std::size_t i) {
-  if (i == 0 || i + 1 == keys.size()) {
-    return glm::dvec3(0.0);
-  }
-  const double before_s = keys[i].time_s - keys[i - 1].time_s;
-  const double after_s = keys[i + 1].time_s - keys[i].time_s;
-  return (turn_between(keys, i - 1) / before_s * after_s + turn_between(keys, i) / after_s * before_s) /
-         (before_s + after_s);
+//! Logarithm of the turn from one key's orientation to the next, the short way. It is the same vector in the frames of both.
+glm::dvec3 turn_between(const Keys& keys, std::size_t i) {
+  const glm::dquat from = key_orientation(keys[i]);
+  return logarithm(glm::inverse(from) * nearer(key_orientation(keys[i + 1]), from));
 }
 
-//! C¹ between keys: cumulative form of Kim, Kim & Shin (SIGGRAPH 1995), with the Bernstein basis of a cubic Bézier curve.
-glm::dquat orientation_between(const Keys& keys, std::size_t i, double t) {
-  const double third_s = (keys[i + 1].time_s - keys[i].time_s) / 3.0;
-  const glm::dquat q0 = key_orientation(keys[i]);
-  const glm::dvec3 first = turn_rate(keys, i) * third_s;
-  const glm::dvec3 last = turn_rate(keys, i + 1) * third_s;
-  const glm::dquat whole = exponential(turn_between(keys, i));
-  const glm::dquat rest = glm::inverse(exponential(first)) * whole * glm::inverse(exponential(last));
-  const glm::dvec3 v(rest.x, rest.y, rest.z);
-  const double sine = glm::length(v);
-  const glm::dvec3 middle = sine > 0.0 ? v * (std::atan2(sine, rest.w) / sine) : glm::dvec3(0.0);
+//! C² between keys: the cumulative form of Kim, Kim & Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
+//!
+//! q(t) = q0 Π exp(ω_k B_k(t)), B_k the sum of the basis from k on. In the camera's own frame its turning rate at t = 0 is 5 ω1 and
+//! changes by 20 (ω2 - ω1); at t = 1 they are 5 ω5 and 20 (ω5 - R ω4), where R turns back by ω5. Rates of a key are limited part by part
+//! as those of a coordinate are, and the ways on both sides have them in the key's own frame: that is one frame.
+glm::dquat orientation_between(const Keys& keys, const Way& way, double t) {
+  const glm::dquat q0 = key_orientation(keys[way.from]);
+  const glm::dvec3 whole = turn_between(keys, way.from);
+  if (keys[way.from].ease == Ease::linear) {
+    return glm::normalize(q0 * exponential(whole * t));
+  }
+  const glm::dvec3 before = way.from > 0 ? turn_between(keys, way.from - 1) : whole;
+  const glm::dvec3 after = way.from + 2 < keys.size() ? turn_between(keys, way.from + 1) : whole;
+  glm::dvec3 turn[5];
+  for (int part = 0; part < 3; ++part) {
+    const auto [begin, end] = motions(keys, way, [&](std::size_t i) {
+      return i < way.from ? before[part] : i > way.from ? after[part] : whole[part];
+    });
+    turn[0][part] = way.span_s * begin.rate / 5.0;
+    turn[1][part] = turn[0][part] + way.span_s * way.span_s * begin.change / 20.0;
+    turn[4][part] = way.span_s * end.rate / 5.0;
+    turn[3][part] = turn[4][part] - way.span_s * way.span_s * end.change / 20.0;
+  }
+  turn[3] = exponential(turn[4]) * turn[3];
+  turn[2] = logarithm(glm::inverse(exponential(turn[0]) * exponential(turn[1])) * exponential(whole) *
+                      glm::inverse(exponential(turn[3]) * exponential(turn[4])));
   const double s = 1.0 - t;
-  const double b1 = 1.0 - s * s * s;
-  const double b2 = t * t * (3.0 - 2.0 * t);
-  const double b3 = t * t * t;
-  return glm::normalize(q0 * exponential(first * b1) * exponential(middle * b2) * exponential(last * b3));
+  const double basis[6] = {s * s * s * s * s,        5.0 * s * s * s * s * t, 10.0 * s * s * s * t * t,
+                           10.0 * s * s * t * t * t, 5.0 * s * t * t * t * t, t * t * t * t * t};
+  glm::dquat turned(1.0, 0.0, 0.0, 0.0);
+  double sum = 0.0;
+  for (int k = 5; k > 0; --k) {
+    sum += basis[k];
+    turned = exponential(turn[k - 1] * sum) * turned;
+  }
+  return glm::normalize(q0 * turned);
 }
 
 }  // namespace
@@ -120,10 +141,16 @@ CameraPose camera_pose(const Show& show, double time_s) {
     return hold(keys.back());
   }
   const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
-  const double t = (time_s - keys[i].time_s) / (keys[i + 1].time_s - keys[i].time_s);
-  return {std::exp(interpolated(keys, i, t, [](const CameraKey& key) { return std::log(key.r); })),
-          interpolated(keys, i, t, [](const CameraKey& key) { return key.theta; }),
-          interpolated(keys, i, t, [](const CameraKey& key) { return key.phi; }), orientation_between(keys, i, t)};
+  if (time_s <= leave_s(keys[i])) {
+    return hold(keys[i]);
+  }
+  const Way way = {i, span_s(keys, i), span_ends(keys.size(), i, [&](std::size_t k) {
+                     return CurveKey{keys[k].time_s, leave_s(keys[k]), keys[k].ease};
+                   })};
+  const double t = (time_s - leave_s(keys[i])) / way.span_s;
+  return {std::exp(interpolated(keys, way, t, [](const CameraKey& key) { return std::log(key.r); })),
+          interpolated(keys, way, t, [](const CameraKey& key) { return key.theta; }),
+          interpolated(keys, way, t, [](const CameraKey& key) { return key.phi; }), orientation_between(keys, way, t)};
 }
 
 }  // namespace ergodome

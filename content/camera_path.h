@@ -17,8 +17,10 @@ struct CameraPose {
   glm::dquat orientation;
 };
 
-//! The camera at a show time: at the keys exactly as they say; between them r (its logarithm), θ and φ follow C¹ cubics that do not
-//! overshoot, and the orientation a C¹ quaternion spline. Before the first key and after the last one the camera holds.
+//! The camera at a show time: at the keys exactly as they say, and for as long as they hold it.
+//!
+//! Between them r (its logarithm), θ and φ follow quintics that do not overshoot, and the orientation a quaternion spline; both are C²,
+//! but beside Ease::linear and where the first or last way is told not to ease. Before the first key and after the last one it holds.
 CameraPose camera_pose(const Show& show, double time_s);
 
 //! Orientation of one key.

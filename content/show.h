@@ -27,9 +27,11 @@ struct CameraKey {
   double theta = 1.57079632679489661923;  //!< polar angle [rad]
   double phi = 0.0;                       //!< azimuth [rad]; may run over many turns
   LookTarget look;
-  double yaw = 0.0;    //!< to the right [rad]
-  double pitch = 0.0;  //!< upwards [rad]
-  double roll = 0.0;   //!< clockwise [rad]
+  double yaw = 0.0;          //!< to the right [rad]
+  double pitch = 0.0;        //!< upwards [rad]
+  double roll = 0.0;         //!< clockwise [rad]
+  double hold_s = 0.0;       //!< the camera stays so long before it goes on
+  Ease ease = Ease::smooth;  //!< on the way from here to the next key; Ease::hold is for numbers alone
 };
 
 struct CameraSettings {

@@ -7,8 +7,11 @@
 #include <limits>
 #include <sstream>
 
+#include "content/animated_show.h"
 #include "content/effects_reader.h"
 #include "content/files/toml_table.h"
+#include "content/own_number.h"
+#include "content/timeline_reader.h"
 #include "content/view_reader.h"
 
 namespace ergodome {
@@ -79,6 +82,8 @@ CameraKey read_key(TomlTable& table) {
   } else if (table.choice("look", 0, {"hole", "away"}) == 1) {
     key.look.kind = LookTarget::Kind::away;
   }
+  key.hold_s = table.number("hold_s", 0.0, 0.0, 1e12);
+  key.ease = static_cast<Ease>(table.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out"}));
   return key;
 }
 
@@ -99,6 +104,11 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
   }
 }
 
+double spin_at(const Show& show, double time_s) {
+  const Animation* const animation = find_animation(show, "hole.spin");
+  return animation != nullptr ? value_at(*animation, time_s) : show.spin;
+}
+
 void read_camera(const toml::table* table, const std::string& file, Show& show) {
   const toml::table empty;
   TomlTable camera(table != nullptr ? *table : empty, file, "camera");
@@ -114,10 +124,14 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
     if (!each.has("r")) {
       throw each.error_at("r", "is missing", "write the camera's radius in units of M");
     }
-    if (i > 0 && !(key.time_s > show.camera.keys.back().time_s)) {
+    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s >= least_key_gap_s)) {
       throw each.error_at("t_s", "does not come after the key before", "put the keys in order of time");
     }
-    check_key(each, show.spin, show.camera, key);
+    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s - show.camera.keys.back().hold_s >= least_key_gap_s)) {
+      throw each.error_at("t_s", "comes before the camera has left the key before",
+                          "shorten its hold_s, or put this key later");
+    }
+    check_key(each, spin_at(show, key.time_s), show.camera, key);
     each.refuse_unknown_keys();
     show.camera.keys.push_back(key);
   }
@@ -128,16 +142,16 @@ void read_sky(const toml::table& table, const std::string& file, SkySettings& sk
   TomlTable reader(table, file, "sky");
   sky.map = reader.text("map", sky.map);
   sky.stars = reader.text("stars", sky.stars);
-  sky.faintest_mag = reader.number("faintest_mag", sky.faintest_mag, -30.0, 60.0);
-  sky.exposure = reader.number("exposure", sky.exposure, 0.0, 1e12);
+  sky.faintest_mag = own_number(reader, "faintest_mag", sky.faintest_mag);
+  sky.exposure = own_number(reader, "exposure", sky.exposure);
   sky.filter = static_cast<SkyFilter>(reader.choice("filter", 0, {"ewa", "point", "polygon"}));
   constexpr SkyShift shifts[] = {SkyShift::luminance, SkyShift::blackbody_fit};
   sky.shift = shifts[reader.choice("shift", 0, {"luminance", "blackbody_fit"})];
   sky.brightening = reader.boolean("brightening", false);
   if (const toml::table* axis = reader.table("spin_axis")) {
     TomlTable direction(*axis, file, "sky.spin_axis");
-    sky.spin_axis_ra_deg = direction.number("ra_deg", sky.spin_axis_ra_deg, -360.0, 360.0);
-    sky.spin_axis_dec_deg = direction.number("dec_deg", sky.spin_axis_dec_deg, -90.0, 90.0);
+    sky.spin_axis_ra_deg = own_number(direction, "ra_deg", sky.spin_axis_ra_deg);
+    sky.spin_axis_dec_deg = own_number(direction, "dec_deg", sky.spin_axis_dec_deg);
     direction.refuse_unknown_keys();
   }
   reader.refuse_unknown_keys();
@@ -150,15 +164,15 @@ void read_stereo(const toml::table& table, const std::string& file, StereoSettin
                     {"mono", "side_by_side", "top_bottom", "separate", "multiview", "anaglyph", "dubois", "rows",
                      "quad_buffer", "half_side_by_side", "half_top_bottom"}));
   stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
-  stereo.baseline = reader.number("baseline", 0.0, 0.0, 1e6);
+  stereo.baseline = own_number(reader, "baseline", 0.0);
   if (reader.has("convergence")) {
-    stereo.convergence = reader.number("convergence", 0.0, 1e-6, 1e9);
+    stereo.convergence = own_number(reader, "convergence", 0.0);
   }
   if (const toml::table* fade = reader.table("fade")) {
     TomlTable angles(*fade, file, "stereo.fade");
-    stereo.fade_from_deg = angles.number("from_deg", stereo.fade_from_deg, 0.0, 90.0);
-    stereo.fade_to_deg = angles.number("to_deg", stereo.fade_to_deg, 0.0, 90.0);
-    if (!(stereo.fade_to_deg - stereo.fade_from_deg >= 1.0)) {
+    stereo.fade_from_deg = own_number(angles, "from_deg", stereo.fade_from_deg);
+    stereo.fade_to_deg = own_number(angles, "to_deg", stereo.fade_to_deg);
+    if (!(stereo.fade_to_deg - stereo.fade_from_deg >= least_fade_deg)) {
       throw angles.error_at("to_deg", "does not lie above from_deg", "leave the baseline a degree or more to fade in");
     }
     angles.refuse_unknown_keys();
@@ -177,10 +191,9 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   };
   part("hole", [&](const toml::table& table) {
     TomlTable hole(table, file, "hole");
-    show.spin = hole.number("spin", 0.0, -1.0, 1.0);
+    show.spin = own_number(hole, "spin", 0.0);
     hole.refuse_unknown_keys();
   });
-  read_camera(root.table("camera"), file, show);
   part("sky", [&](const toml::table& table) { read_sky(table, file, show.sky); });
   part("stars", [&](const toml::table& table) {
     TomlTable stars(table, file, "stars");
@@ -201,6 +214,10 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     show.quality.budget_px = quality.number("budget_px", show.quality.budget_px, 1e-6, 100.0);
     quality.refuse_unknown_keys();
   });
+  // Of these numbers' limits, and of the spin that the camera meets.
+  read_timeline(root, file, show);
+  read_camera(root.table("camera"), file, show);
+  check_spin_on_path(file, show);
 }
 
 //! Notes where each key of a table stands.

@@ -4,6 +4,7 @@
 
 #include "content/files/toml_table.h"
 #include "content/show_reader.h"
+#include "content/timeline_writer.h"
 
 namespace ergodome {
 
@@ -36,6 +37,12 @@ toml::table camera_of(const CameraSettings& camera) {
       each.insert("look", vector_of(key.look.direction));
     } else {
       each.insert("look", key.look.kind == LookTarget::Kind::hole ? "hole" : "away");
+    }
+    if (key.hold_s > 0.0) {
+      each.insert("hold_s", key.hold_s);
+    }
+    if (key.ease != Ease::smooth) {
+      each.insert("ease", ease_names[static_cast<std::size_t>(key.ease)]);
     }
     keys.push_back(std::move(each));
   }
@@ -135,27 +142,28 @@ std::string to_toml(const Show& show) {
   constexpr const char* methods[] = {"inverse", "gather"};
   constexpr const char* filters[] = {"ewa", "point", "polygon"};
   const bool fitted = show.sky.shift == SkyShift::blackbody_fit;
-  const toml::table root{{"title", show.title},
-                         {"duration_s", show.duration_s},
-                         {"frame_rate_hz", show.frame_rate_hz},
-                         {"hole", toml::table{{"spin", show.spin}}},
-                         {"camera", camera_of(show.camera)},
-                         {"sky", toml::table{{"map", show.sky.map},
-                                             {"stars", show.sky.stars},
-                                             {"faintest_mag", show.sky.faintest_mag},
-                                             {"exposure", show.sky.exposure},
-                                             {"filter", filters[static_cast<int>(show.sky.filter)]},
-                                             {"shift", fitted ? "blackbody_fit" : "luminance"},
-                                             {"brightening", show.sky.brightening},
-                                             {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
-                                                                       {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
-                         {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
-                         {"effects", effects_of(show.effects)},
-                         {"view", view_of(show.view)},
-                         {"stereo", stereo_of(show.stereo)},
-                         {"tone", tone_of(show.tone)},
-                         {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
-                         {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  toml::table root{{"title", show.title},
+                   {"duration_s", show.duration_s},
+                   {"frame_rate_hz", show.frame_rate_hz},
+                   {"hole", toml::table{{"spin", show.spin}}},
+                   {"camera", camera_of(show.camera)},
+                   {"sky", toml::table{{"map", show.sky.map},
+                                       {"stars", show.sky.stars},
+                                       {"faintest_mag", show.sky.faintest_mag},
+                                       {"exposure", show.sky.exposure},
+                                       {"filter", filters[static_cast<int>(show.sky.filter)]},
+                                       {"shift", fitted ? "blackbody_fit" : "luminance"},
+                                       {"brightening", show.sky.brightening},
+                                       {"spin_axis", toml::table{{"ra_deg", show.sky.spin_axis_ra_deg},
+                                                                 {"dec_deg", show.sky.spin_axis_dec_deg}}}}},
+                   {"stars", toml::table{{"method", methods[static_cast<int>(show.sky.star_method)]}}},
+                   {"effects", effects_of(show.effects)},
+                   {"view", view_of(show.view)},
+                   {"stereo", stereo_of(show.stereo)},
+                   {"tone", tone_of(show.tone)},
+                   {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
+                   {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  add_timeline(show.timeline, root);
   std::ostringstream text;
   text << root << '\n';
   return text.str();

@@ -3,12 +3,18 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ergodome {
 
-//! How a number leaves one key and arrives at the next.
+//! How a number, or the camera, leaves one key and arrives at the next.
+//!
+//! `smooth` rests at the first and the last key, and passes those between without a jolt (C²; content/key_curve.h). `in` leaves its key from
+//! rest, `out` comes to rest at the next, `in_out` does both; the last way of all ends at full speed with `in`, the first begins so
+//! with `out`. `linear` goes at one speed. `hold` stays, and jumps at the next key.
 enum class Ease { smooth, linear, in, out, in_out, hold };
+inline constexpr std::array ease_names = {"smooth", "linear", "in", "out", "in_out", "hold"};
 
 //! The value of an animated number at one instant.
 struct NumberKey {
@@ -87,5 +93,11 @@ struct Timeline {
   std::vector<Overlay> overlays;
   std::vector<AudioTrack> audio;
 };
+
+//! Tags of all languages that titles, captions and audio tracks have, in alphabetical order.
+std::vector<std::string> languages(const Timeline& timeline);
+
+//! The text in a language ("de-AT", then "de"); else the one that has none, else the first there is; empty where there is no text at all.
+const std::string& text_in(const LocalText& text, std::string_view language);
 
 }  // namespace ergodome

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "content/files/toml_table.h"
+#include "content/own_number.h"
 
 namespace ergodome {
 
@@ -113,9 +114,10 @@ void read_view(const toml::table& table, const std::string& file, ViewSettings& 
   view.projection =
       static_cast<ViewProjection>(reader.choice("projection", 0, {"dome", "equirect", "cube", "cylinder", "pinhole"}));
   const bool flat = view.projection == ViewProjection::pinhole;
-  view.field_of_view_deg =
-      reader.number("fov_deg", usual_field_of_view_deg(view.projection), 1e-6, flat ? 179.0 : 360.0);
-  view.tilt_deg = reader.number("tilt_deg", 0.0, -180.0, 180.0);
+  const NumberLimits fields = limits_of("view.fov_deg");
+  view.field_of_view_deg = reader.number("fov_deg", usual_field_of_view_deg(view.projection), fields.least,
+                                         flat ? widest_pinhole_deg : fields.greatest);
+  view.tilt_deg = own_number(reader, "tilt_deg", 0.0);
   view.size_px = reader.integer("size_px", view.size_px, 1, 16384);
   view.aspect = reader.number("aspect", 1.0, 0.01, 100.0);
   view.from_outside = reader.boolean("from_outside", false);
