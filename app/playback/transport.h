@@ -92,8 +92,11 @@ struct PlayerStatus {
   double volume = 1.0;
   std::string language;
   std::vector<std::string> languages;
+  bool captions = true;
   int chapter = -1;  //!< index of the one that is running
   std::vector<ChapterStatus> chapters;
+  std::string clock;     //!< what the show's time follows, and how: "own", "MIDI time code"
+  std::string sound;     //!< the audio device, or that there is none
   std::string observer;  //!< the mode of the camera's motion
   std::string lens;
   std::string backend;

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/playback/show_clock.h"
+
+namespace ergodome {
+
+//! What another machine says of the show's time.
+struct ClockFix {
+  ShowTime show_time{};      //!< at the moment it was received
+  double speed = 1.0;        //!< show seconds in a second; 0: it stands there, until it says otherwise
+  MonotonicTime received{};  //!< by the clock that the show's own clock runs by
+};
+
+//! A clock that the show follows: a thread that listens posts what it hears, the player reads.
+class ExternalClock {
+ public:
+  //! `name` is for people ("MIDI time code"). `patience`: how long a fix that runs is believed without another one.
+  ExternalClock(std::string name, std::chrono::nanoseconds patience) : name_(std::move(name)), patience_(patience) {}
+
+  void post(const ClockFix& fix) {
+    const std::lock_guard lock(mutex_);
+    fix_ = fix;
+  }
+
+  [[nodiscard]] std::optional<ClockFix> latest() const {
+    const std::lock_guard lock(mutex_);
+    return fix_;
+  }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::chrono::nanoseconds patience() const { return patience_; }
+
+ private:
+  std::string name_;
+  std::chrono::nanoseconds patience_;
+  mutable std::mutex mutex_;
+  std::optional<ClockFix> fix_;
+};
+
+struct ChaseSettings {
+  std::chrono::nanoseconds jump = std::chrono::milliseconds(100);  //!< errors beyond this are jumped over
+  std::chrono::nanoseconds slew = std::chrono::milliseconds(500);  //!< smaller ones fall to 1/e in this time
+  double most_slew = 0.1;                                          //!< greatest change of speed for it, as a part
+  //! Silence after which the clock is said to run freely.
+  std::chrono::nanoseconds silence = std::chrono::milliseconds(200);
+};
+
+//! How a clock stands to the one it follows: it has heard nothing yet; follows; runs on alone for a moment; has stopped because nothing
+//! comes any more.
+enum class ChaseState { waiting, following, freewheeling, held };
+
+//! Makes a show's clock follow another one.
+class ClockChaser {
+ public:
+  explicit ClockChaser(ChaseSettings settings = {}) : settings_(settings) {}
+
+  //! Once a frame, before the clock is read.
+  ChaseState follow(ShowClock& clock, const std::optional<ClockFix>& fix, std::chrono::nanoseconds patience);
+
+ private:
+  void follow_running(ShowClock& clock, const ClockFix& fix) const;
+
+  ChaseSettings settings_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+
+#include "app/playback/show_time.h"
+
+namespace ergodome {
+
+//! Fades between 0 and 1, and turns round in the middle of a fade from where it is.
+class Fader {
+ public:
+  //! `whole` is the time from one end to the other; 0 switches.
+  explicit Fader(std::chrono::nanoseconds whole, double value = 1.0) : whole_(whole), from_(value), target_(value) {}
+
+  //! Sets out for 0 or 1.
+  void go(double target, MonotonicTime now) {
+    from_ = place(now);
+    since_ = now;
+    target_ = target > 0.5 ? 1.0 : 0.0;
+  }
+
+  void set_whole(std::chrono::nanoseconds whole, MonotonicTime now) {
+    go(target_, now);
+    whole_ = whole;
+  }
+
+  [[nodiscard]] double target() const { return target_; }
+
+  //! Slow at both ends: 3 p² - 2 p³ of the way p.
+  [[nodiscard]] double value(MonotonicTime now) const {
+    const double p = place(now);
+    return p * p * (3.0 - 2.0 * p);
+  }
+
+ private:
+  //! The way, which time moves evenly.
+  [[nodiscard]] double place(MonotonicTime now) const {
+    if (whole_ <= std::chrono::nanoseconds{}) {
+      return target_;
+    }
+    const double moved = seconds_of(now - since_) / seconds_of(whole_);
+    return target_ > from_ ? std::min(from_ + moved, target_) : std::max(from_ - moved, target_);
+  }
+
+  std::chrono::nanoseconds whole_;
+  double from_;
+  double target_;
+  MonotonicTime since_{};
+};
+
+}  // namespace ergodome

@@ -1,0 +1,82 @@
+#include "app/playback/midi_clock_input.h"
+
+#include <fmt/format.h>
+#include <rtmidi/RtMidi.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+void say_nothing(RtMidiError::Type /*type*/, const std::string& /*text*/, void* /*nothing*/) {}
+
+//! RtMidi throws, and writes to the terminal, where a machine has no MIDI.
+std::unique_ptr<RtMidiIn> open_midi() {
+  try {
+    auto input = std::make_unique<RtMidiIn>(RtMidi::UNSPECIFIED, "Ergodome");
+    input->setErrorCallback(say_nothing);
+    return input;
+  } catch (const RtMidiError&) {
+    return nullptr;
+  }
+}
+
+std::vector<std::string> names_of(RtMidiIn& input) {
+  std::vector<std::string> names;
+  const unsigned int count = input.getPortCount();
+  names.reserve(count);
+  for (unsigned int i = 0; i < count; ++i) {
+    names.push_back(input.getPortName(i));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> midi_input_names() {
+  const auto input = open_midi();
+  return input ? names_of(*input) : std::vector<std::string>{};
+}
+
+MidiClockInput::MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::string& port,
+                               std::optional<TimeCode> start, TimeSource source)
+    : clock_(std::move(clock)), source_(std::move(source)), filter_(start), input_(open_midi()) {
+  const std::vector<std::string> names = input_ ? names_of(*input_) : std::vector<std::string>{};
+  const auto found =
+      std::ranges::find_if(names, [&](const std::string& name) { return name.find(port) != std::string::npos; });
+  if (found == names.end()) {
+    throw Error("--clock mtc",
+                port.empty() ? "there is no MIDI input" : fmt::format("no MIDI input is called '{}'", port),
+                names.empty() ? "plug one in, and load ALSA's sequencer (modprobe snd-seq)"
+                              : fmt::format("there are: {}", fmt::join(names, ", ")));
+  }
+  port_ = *found;
+  // Time code is what the library leaves out unless asked: system exclusive, timing, not sensing.
+  input_->ignoreTypes(false, false, true);
+  input_->setCallback(receive, this);
+  input_->openPort(static_cast<unsigned int>(found - names.begin()), "time code");
+  if (!input_->isPortOpen()) {
+    throw Error("--clock mtc", fmt::format("the MIDI input '{}' cannot be opened", port_),
+                "see that no other program keeps it");
+  }
+}
+
+MidiClockInput::~MidiClockInput() = default;
+
+void MidiClockInput::receive(double /*since_last_s*/, std::vector<unsigned char>* bytes, void* self) {
+  auto& input = *static_cast<MidiClockInput*>(self);
+  const MonotonicTime now = input.source_();
+  for (const auto& reading : input.reader_.read(*bytes)) {
+    input.clock_->post(input.filter_.filter(reading, now));
+  }
+}
+
+std::shared_ptr<ExternalClock> make_midi_clock() {
+  return std::make_shared<ExternalClock>("MIDI time code", std::chrono::seconds(1));
+}
+
+}  // namespace ergodome

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/playback/midi_time_code.h"
+
+class RtMidiIn;
+
+namespace ergodome {
+
+//! The MIDI inputs of this machine by their names; empty where there are none, or no MIDI at all.
+std::vector<std::string> midi_input_names();
+
+//! Listens to MIDI time code on an input, on a thread of the MIDI library, and posts what it hears.
+class MidiClockInput {
+ public:
+  //! `port` is part of the input's name, or empty for the first one. Throws Error, which lists the inputs, where there is none such.
+  //! `start`: the time code at which the show's time is 0.
+  MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::string& port, std::optional<TimeCode> start,
+                 TimeSource source = steady_time);
+  ~MidiClockInput();
+  MidiClockInput(const MidiClockInput&) = delete;
+  MidiClockInput& operator=(const MidiClockInput&) = delete;
+
+  [[nodiscard]] const std::string& port() const { return port_; }
+
+ private:
+  static void receive(double since_last_s, std::vector<unsigned char>* bytes, void* self);
+
+  std::shared_ptr<ExternalClock> clock_;
+  TimeSource source_;
+  MidiTimeCodeReader reader_;
+  TimeCodeFilter filter_;
+  std::unique_ptr<RtMidiIn> input_;
+  std::string port_;
+};
+
+//! The clock that MIDI time code drives: believed for a second after the last quarter frame.
+std::shared_ptr<ExternalClock> make_midi_clock();
+
+}  // namespace ergodome

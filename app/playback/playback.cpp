@@ -1,0 +1,298 @@
+#include "app/playback/playback.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace ergodome {
+
+namespace {
+
+using Kind = TransportCommand::Kind;
+
+//! Whether a command moves the show's time, which a clock from outside does alone.
+bool moves_time(Kind kind) {
+  switch (kind) {
+    case Kind::play:
+    case Kind::pause:
+    case Kind::toggle_pause:
+    case Kind::seek:
+    case Kind::seek_by:
+    case Kind::step:
+    case Kind::speed:
+    case Kind::chapter:
+    case Kind::next_chapter:
+    case Kind::previous_chapter:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string wider(const std::string& language) { return language.substr(0, language.find('-')); }
+
+}  // namespace
+
+std::vector<std::string> languages_of(const Timeline& timeline) {
+  std::set<std::string> tags;
+  const auto add = [&](const LocalText& text) {
+    for (const auto& [tag, words] : text) {
+      tags.insert(tag);
+    }
+  };
+  for (const Chapter& chapter : timeline.chapters) {
+    add(chapter.title);
+  }
+  for (const Caption& caption : timeline.captions) {
+    add(caption.text);
+  }
+  for (const AudioTrack& track : timeline.audio) {
+    tags.insert(track.language);
+  }
+  tags.erase("");
+  return {tags.begin(), tags.end()};
+}
+
+std::string text_in(const LocalText& text, const std::string& language) {
+  for (const std::string& tag : {language, wider(language), std::string(), std::string("en")}) {
+    if (const auto found = text.find(tag); found != text.end()) {
+      return found->second;
+    }
+  }
+  return text.empty() ? "" : text.begin()->second;
+}
+
+Soundtrack soundtrack_of(const Show& show) { return {show.timeline.audio, show.folder, show.duration_s}; }
+
+Playback::Playback(const Show& show, PlaybackSettings settings)
+    : source_(settings.source),
+      clock_(show.duration_s, show.frame_rate_hz, settings.source),
+      fader_(settings.blackout_fade),
+      language_(std::move(settings.language)) {
+  set_show(show);
+  clock_.play();
+  advance();
+}
+
+void Playback::set_show(const Show& show) {
+  title_ = show.title;
+  show_baseline_ = show.stereo.baseline;
+  stereo_ = eye_count(show.stereo) > 1;
+  chapters_ = show.timeline.chapters;
+  languages_ = languages_of(show.timeline);
+  const bool known = std::ranges::find(languages_, language_) != languages_.end();
+  if (!known && !languages_.empty()) {
+    const bool widely = std::ranges::find(languages_, wider(language_)) != languages_.end();
+    const bool english = std::ranges::find(languages_, "en") != languages_.end();
+    language_ = widely ? wider(language_) : english ? "en" : languages_.front();
+  }
+  clock_.set_show(show.duration_s, show.frame_rate_hz);
+}
+
+void Playback::follow(std::shared_ptr<ExternalClock> clock) {
+  external_ = std::move(clock);
+  chase_state_ = ChaseState::waiting;
+  if (!external_) {
+    clock_.set_speed(1.0);
+  }
+}
+
+const ShowInstant& Playback::advance() {
+  if (external_) {
+    chase_state_ = chaser_.follow(clock_, external_->latest(), external_->patience());
+  }
+  instant_ = clock_.read();
+  light_ = fader_.value(instant_.now);
+  return instant_;
+}
+
+CommandOutcome Playback::refuse(std::string why) {
+  refusal_ = std::move(why);
+  return CommandOutcome::refused;
+}
+
+CommandOutcome Playback::apply(const TransportCommand& command) {
+  if (!std::isfinite(command.value)) {
+    return refuse("what was given is not a number");
+  }
+  if (moves_time(command.kind)) {
+    if (external_) {
+      return refuse(fmt::format("the show follows {}", external_->name()));
+    }
+    return move(command);
+  }
+  if (command.kind == Kind::language) {
+    return choose_language(command.text);
+  }
+  return adjust(command) ? CommandOutcome::done : CommandOutcome::elsewhere;
+}
+
+CommandOutcome Playback::move(const TransportCommand& command) {
+  switch (command.kind) {
+    case Kind::play:
+      clock_.play();
+      break;
+    case Kind::pause:
+      clock_.pause();
+      break;
+    case Kind::toggle_pause:
+      clock_.read().playing ? clock_.pause() : clock_.play();
+      break;
+    case Kind::seek:
+      clock_.seek(show_time(command.value));
+      break;
+    case Kind::seek_by:
+      clock_.seek_by(show_time(command.value));
+      break;
+    case Kind::step:
+      clock_.step(std::llround(std::clamp(command.value, -1e9, 1e9)));
+      break;
+    case Kind::speed:
+      clock_.set_speed(command.value);
+      break;
+    case Kind::chapter:
+      return go_to_chapter(static_cast<int>(std::lround(std::clamp(command.value, -1e6, 1e6))));
+    case Kind::next_chapter:
+      return go_to_next_chapter();
+    default:
+      return go_to_previous_chapter();
+  }
+  return CommandOutcome::done;
+}
+
+CommandOutcome Playback::go_to_chapter(int index) {
+  if (index < 0 || index >= static_cast<int>(chapters_.size())) {
+    return refuse(chapters_.empty() ? "the show has no chapters"
+                                    : fmt::format("the show has chapters 0 to {}", chapters_.size() - 1));
+  }
+  clock_.seek(show_time(chapters_[static_cast<std::size_t>(index)].time_s));
+  return CommandOutcome::done;
+}
+
+CommandOutcome Playback::go_to_next_chapter() {
+  instant_ = clock_.read();
+  if (chapter() + 1 >= static_cast<int>(chapters_.size())) {
+    return refuse(chapters_.empty() ? "the show has no chapters" : "this is the last chapter");
+  }
+  return go_to_chapter(chapter() + 1);
+}
+
+CommandOutcome Playback::go_to_previous_chapter() {
+  // Soon after its start one means the chapter before; later on, this one from its start.
+  constexpr auto soon = std::chrono::seconds(2);
+  instant_ = clock_.read();
+  const int now = chapter();
+  if (now < 0) {
+    clock_.seek(ShowTime{});
+    return CommandOutcome::done;
+  }
+  const ShowTime since = instant_.time - show_time(chapters_[static_cast<std::size_t>(now)].time_s);
+  return go_to_chapter(since > soon ? now : std::max(now - 1, 0));
+}
+
+CommandOutcome Playback::choose_language(const std::string& tag) {
+  if (std::ranges::find(languages_, tag) == languages_.end()) {
+    return refuse(languages_.empty() ? std::string("the show has one language")
+                                     : fmt::format("the show speaks {}", fmt::join(languages_, ", ")));
+  }
+  language_ = tag;
+  return CommandOutcome::done;
+}
+
+void Playback::choose_next_language() {
+  if (languages_.empty()) {
+    return;
+  }
+  const auto found = std::ranges::find(languages_, language_);
+  const bool last = found == languages_.end() || found + 1 == languages_.end();
+  language_ = last ? languages_.front() : *(found + 1);
+}
+
+bool Playback::adjust(const TransportCommand& command) {
+  constexpr double most_stops = 20.0;
+  constexpr double widest_baseline = 1e6;
+  const bool on = command.value > 0.5;
+  switch (command.kind) {
+    case Kind::loop:
+      clock_.set_loop(on);
+      return true;
+    case Kind::blackout:
+      fader_.go(on ? 0.0 : 1.0, source_());
+      return true;
+    case Kind::toggle_blackout:
+      fader_.go(1.0 - fader_.target(), source_());
+      return true;
+    case Kind::exposure:
+      exposure_stops_ = std::clamp(command.value, -most_stops, most_stops);
+      return true;
+    case Kind::baseline:
+      baseline_ = std::clamp(command.value, 0.0, widest_baseline);
+      return true;
+    case Kind::next_language:
+      choose_next_language();
+      return true;
+    case Kind::captions:
+      captions_ = on;
+      return true;
+    case Kind::volume:
+      volume_ = std::clamp(command.value, 0.0, 1.0);
+      return true;
+    case Kind::reset:
+      exposure_stops_ = 0.0;
+      baseline_.reset();
+      return false;
+    default:
+      return false;
+  }
+}
+
+int Playback::chapter() const {
+  const auto later = std::ranges::upper_bound(chapters_, instant_.time, {},
+                                              [](const Chapter& chapter) { return show_time(chapter.time_s); });
+  return static_cast<int>(later - chapters_.begin()) - 1;
+}
+
+std::string Playback::clock_text() const {
+  if (!external_) {
+    return "own";
+  }
+  switch (chase_state_) {
+    case ChaseState::waiting:
+      return external_->name() + ", not heard yet";
+    case ChaseState::freewheeling:
+      return external_->name() + ", lost, runs on";
+    case ChaseState::held:
+      return external_->name() + ", lost, stopped";
+    default:
+      return external_->name();
+  }
+}
+
+void Playback::fill(PlayerStatus& status) const {
+  status.title = title_;
+  status.time_s = seconds_of(instant_.time);
+  status.duration_s = seconds_of(clock_.duration());
+  status.playing = instant_.playing;
+  status.speed = clock_.speed();
+  status.loop = clock_.loop();
+  status.blackout = fader_.target() < 0.5;
+  status.exposure_stops = exposure_stops_;
+  status.baseline = baseline_.value_or(show_baseline_);
+  status.stereo = stereo_;
+  status.volume = volume_;
+  status.language = language_;
+  status.languages = languages_;
+  status.captions = captions_;
+  status.chapter = chapter();
+  status.chapters.clear();
+  for (const Chapter& chapter : chapters_) {
+    status.chapters.push_back({chapter.time_s, text_in(chapter.title, language_)});
+  }
+  status.clock = clock_text();
+  status.dropped_frames = clock_.dropped_frames();
+}
+
+}  // namespace ergodome

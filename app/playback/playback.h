@@ -1,0 +1,107 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/playback/audio_mixer.h"
+#include "app/playback/external_clock.h"
+#include "app/playback/fader.h"
+#include "app/playback/show_clock.h"
+#include "app/playback/transport.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+struct PlaybackSettings {
+  std::string language;  //!< the person's choice; empty: English where there is any, or the first
+  std::chrono::nanoseconds blackout_fade = std::chrono::seconds(1);
+  TimeSource source = steady_time;
+};
+
+//! What became of a command.
+enum class CommandOutcome {
+  done,
+  elsewhere,  //!< is for others: free flight, the way back, a reload; `reset` has been done as far as it is here
+  refused     //!< cannot be; Playback::refusal says why
+};
+
+//! A show's transport: its clock and what an operator sets, as commands say. No window, no threads.
+class Playback {
+ public:
+  explicit Playback(const Show& show, PlaybackSettings settings = {});
+
+  //! Another version of the show: time, speed and what was set stay.
+  void set_show(const Show& show);
+  //! From now on the show follows a clock from outside; nullptr: its own again.
+  void follow(std::shared_ptr<ExternalClock> clock);
+
+  CommandOutcome apply(const TransportCommand& command);
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+
+  //! Once a frame, before anything asks for the time: all of a frame sees this one instant.
+  const ShowInstant& advance();
+  [[nodiscard]] const ShowInstant& instant() const { return instant_; }
+  //! The picture of the latest instant, or an earlier one, was shown: what went by without counts as dropped.
+  void note_shown(const ShowInstant& instant) { clock_.note_shown(instant); }
+
+  //! Factor on the display's light.
+  [[nodiscard]] double light() const { return light_; }
+  //! Index of the chapter that is running; -1 before the first.
+  [[nodiscard]] int chapter() const;
+  [[nodiscard]] double exposure_stops() const { return exposure_stops_; }
+  //! What was set in place of the show's [M].
+  [[nodiscard]] std::optional<double> baseline() const { return baseline_; }
+  [[nodiscard]] const std::string& language() const { return language_; }
+  [[nodiscard]] bool captions() const { return captions_; }
+  [[nodiscard]] AudioCue audio_cue() const { return {instant_, volume_, language_}; }
+  [[nodiscard]] ChaseState chase_state() const { return chase_state_; }
+
+  //! Writes what is known here; the rest stays as it is.
+  void fill(PlayerStatus& status) const;
+
+ private:
+  CommandOutcome move(const TransportCommand& command);
+  CommandOutcome go_to_chapter(int index);
+  CommandOutcome go_to_next_chapter();
+  CommandOutcome go_to_previous_chapter();
+  CommandOutcome choose_language(const std::string& tag);
+  void choose_next_language();
+  bool adjust(const TransportCommand& command);
+  CommandOutcome refuse(std::string why);
+  [[nodiscard]] std::string clock_text() const;
+
+  TimeSource source_;
+  std::string title_;
+  double show_baseline_ = 0.0;
+  bool stereo_ = false;
+  std::vector<Chapter> chapters_;
+  std::vector<std::string> languages_;
+
+  ShowClock clock_;
+  std::shared_ptr<ExternalClock> external_;
+  ClockChaser chaser_;
+  ChaseState chase_state_ = ChaseState::waiting;
+  ShowInstant instant_;
+
+  Fader fader_;
+  double light_ = 1.0;
+  double exposure_stops_ = 0.0;
+  std::optional<double> baseline_;
+  std::string language_;
+  bool captions_ = true;
+  double volume_ = 1.0;
+  std::string refusal_;
+};
+
+//! The languages that a show has words or narration in, in alphabetical order.
+std::vector<std::string> languages_of(const Timeline& timeline);
+
+//! The text in a language; where there is none, in its wider one ("de" for "de-AT"), without a language, in English, or in any.
+std::string text_in(const LocalText& text, const std::string& language);
+
+//! What the mixer needs of a show.
+Soundtrack soundtrack_of(const Show& show);
+
+}  // namespace ergodome

@@ -1,0 +1,110 @@
+#include "app/playback/show_reload.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace ergodome {
+
+namespace {
+
+std::int64_t nanoseconds_of(const timespec& time) { return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec; }
+
+}  // namespace
+
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
+  struct stat facts {};
+  if (::stat(path.c_str(), &facts) != 0 || !S_ISREG(facts.st_mode)) {
+    return std::nullopt;
+  }
+  return FileStamp{nanoseconds_of(facts.st_mtim), nanoseconds_of(facts.st_ctim), facts.st_size, facts.st_ino};
+}
+
+void FileWatch::watch(const std::vector<std::filesystem::path>& paths) {
+  std::vector<File> files;
+  for (const std::filesystem::path& path : paths) {
+    const auto before = std::ranges::find(files_, path, &File::path);
+    if (before != files_.end()) {
+      // What has changed while the files were read is still to be told.
+      files.push_back(*before);
+    } else {
+      const auto stamp = stamp_of(path);
+      files.push_back({path, stamp, stamp, std::nullopt});
+    }
+  }
+  files_ = std::move(files);
+}
+
+bool FileWatch::look(File& file, MonotonicTime now) const {
+  const auto stamp = stamp_of(file.path);
+  if (stamp != file.seen || !file.since) {
+    file.seen = stamp;
+    file.since = now;
+  }
+  const bool there = stamp && stamp->bytes > 0;
+  if (!there || stamp == file.known || now - *file.since < settings_.settle) {
+    return false;
+  }
+  file.known = stamp;
+  return true;
+}
+
+bool FileWatch::changed(MonotonicTime now) {
+  if (looked_at_ && now - *looked_at_ < settings_.look_every) {
+    return false;
+  }
+  looked_at_ = now;
+  bool any = false;
+  for (File& file : files_) {
+    any = look(file, now) || any;
+  }
+  return any;
+}
+
+ShowReload::ShowReload(std::filesystem::path file, const Show& running, Loader load, FileWatch::Settings settings)
+    : file_(std::move(file)), load_(std::move(load)), watch_(settings) {
+  watch_.watch(files_of(file_, running));
+}
+
+std::optional<ShowReload::Result> ShowReload::poll(MonotonicTime now) {
+  return watch_.changed(now) ? std::optional(reload()) : std::nullopt;
+}
+
+ShowReload::Result ShowReload::reload() {
+  Result result;
+  try {
+    result.show = load_(file_);
+    watch_.watch(files_of(file_, *result.show));
+  } catch (const std::exception& problem) {
+    result.problem = problem.what();
+  }
+  return result;
+}
+
+std::filesystem::path file_of(const Show& show) { return std::filesystem::path(show.folder) / (show.name + ".toml"); }
+
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Show& show) {
+  std::vector<std::filesystem::path> files = {file};
+  const auto add = [&](const std::string& name) {
+    const std::filesystem::path path = std::filesystem::path(show.folder) / name;
+    if (!name.empty() && std::ranges::find(files, path) == files.end()) {
+      files.push_back(path);
+    }
+  };
+  add(show.sky.map);
+  add(show.sky.stars);
+  if (show.effects.diffraction) {
+    add(show.effects.diffraction->pattern);
+  }
+  for (const Overlay& overlay : show.timeline.overlays) {
+    add(overlay.image);
+  }
+  for (const AudioTrack& track : show.timeline.audio) {
+    add(track.file);
+  }
+  return files;
+}
+
+}  // namespace ergodome

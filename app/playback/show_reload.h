@@ -1,0 +1,95 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/playback/show_time.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+//! What tells one version of a file from another without reading it.
+struct FileStamp {
+  std::int64_t modified_ns = 0;
+  std::int64_t changed_ns = 0;  //!< when its content, name or rights did
+  std::int64_t bytes = 0;
+  std::uint64_t inode = 0;
+
+  bool operator==(const FileStamp&) const = default;
+};
+
+//! Nothing where there is no regular file.
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
+
+//! Watches files by looking at them now and then, and tells when one has become another and then stood still.
+//!
+//! Editors empty a file and fill it, or rename one over it: what is told is a state that lasted, and a file that is gone, or empty,
+//! is not told but waited for.
+class FileWatch {
+ public:
+  struct Settings {
+    std::chrono::nanoseconds look_every = std::chrono::milliseconds(250);
+    std::chrono::nanoseconds settle = std::chrono::milliseconds(200);  //!< for which a new version stands still
+  };
+
+  FileWatch() : FileWatch(Settings{}) {}
+  explicit FileWatch(Settings settings) : settings_(settings) {}
+
+  //! From now on these files, as they are now.
+  void watch(const std::vector<std::filesystem::path>& paths);
+  //! Whether a file has changed since it was watched or last told.
+  bool changed(MonotonicTime now);
+
+ private:
+  struct File {
+    std::filesystem::path path;
+    std::optional<FileStamp> known;      //!< the version that has been told
+    std::optional<FileStamp> seen;       //!< when last looked at
+    std::optional<MonotonicTime> since;  //!< the version that was seen has been there
+  };
+  bool look(File& file, MonotonicTime now) const;
+
+  Settings settings_;
+  std::vector<File> files_;
+  std::optional<MonotonicTime> looked_at_;
+};
+
+//! Reads a running show again when its file, or one of the files it names, has been saved.
+class ShowReload {
+ public:
+  using Loader = std::function<Show(const std::filesystem::path&)>;
+
+  //! What came of reading: a show to take over, or why the running one stays.
+  struct Result {
+    std::optional<Show> show;
+    std::string problem;
+  };
+
+  //! `running` is the show as it was read from `file`. `load` reads and checks a file, and throws where a show cannot be shown.
+  ShowReload(std::filesystem::path file, const Show& running, Loader load, FileWatch::Settings settings = {});
+
+  //! Once a frame. Nothing where nothing has changed; each broken version is told once.
+  std::optional<Result> poll(MonotonicTime now);
+  //! Reads it now, changed or not.
+  Result reload();
+
+ private:
+  std::filesystem::path file_;
+  Loader load_;
+  FileWatch watch_;
+};
+
+//! The file that a show was read from.
+std::filesystem::path file_of(const Show& show);
+
+//! The show's own file first, and those it names, there or not: its map, stars, spikes, overlays and sound. What is built in is a name
+//! of no file, which does no harm.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Show& show);
+
+}  // namespace ergodome
