@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "content/timeline.h"
+#include "kernels/image/tone_curve.h"
 #include "kernels/metric/observer.h"
 #include "kernels/projection/lens_law.h"
 #include "kernels/sky/sky_look.h"
@@ -182,9 +183,6 @@ constexpr int flat_pictures(const StereoSettings& stereo) {
 constexpr int drawn_pictures(const StereoSettings& stereo) {
   return eye_count(stereo) > 1 && stereo.model == StereoModel::flat ? flat_pictures(stereo) : eye_count(stereo);
 }
-
-//! How light becomes what a display shows; formulas in render/output/tone.h.
-enum class ToneCurve { shoulder, reinhard, filmic, gamma };
 
 //! Exposure that follows the light, as an eye does.
 struct AutoExposureSettings {

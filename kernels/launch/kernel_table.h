@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/overlay/draw_overlay.h"
 #include "kernels/stars/patch_measure.h"
 #include "kernels/stars/patch_pairs.h"
 #include "kernels/stars/patch_search.h"
@@ -43,6 +44,7 @@ struct KernelTable {
   void (*search_patch)(const PatchSearchBatch& batch, int begin, int end);
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
+  void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
 };
 
 //! The kernels compiled for an instruction set that `has_instruction_set` affirms.

@@ -191,4 +191,13 @@ void shade_pixels(Backend backend, const ShadeBatch& batch) {
   run_on_cpu(active_table().shade_heat_map, batch, batch.count, 1, 16 * grain);
 }
 
+void draw_overlay(Backend backend, const OverlayBatch& batch) {
+  static WorkCounter counter("draw_overlay");
+  const WorkScope work(counter, batch.count);
+  if (backend == Backend::cuda) {
+    return draw_overlay_cuda(batch);
+  }
+  run_on_cpu(active_table().draw_overlay, batch, batch.count, active_table().lanes_float);
+}
+
 }  // namespace ergodome

@@ -65,4 +65,7 @@ std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening);
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 
+//! Draws an overlay over a picture; see OverlayBatch.
+void draw_overlay(Backend backend, const OverlayBatch& batch);
+
 }  // namespace ergodome

@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/overlay/draw_overlay.h"
 #include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -25,6 +26,7 @@ void look_up_pixels_cuda(const LookUpBatch& batch);
 void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
 void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
+void draw_overlay_cuda(const OverlayBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;
 void copy_to_cuda(void* to, const void* from, std::size_t bytes);

@@ -1,6 +1,7 @@
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
+#include "kernels/overlay/draw_overlay_kernel.h"
 
 // The ways to shade pixels, in a file of their own: they are many.
 namespace ergodome {
@@ -10,6 +11,10 @@ void shade_pixels_cuda(const ShadeBatch& batch) {
     return launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
   }
   dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
+}
+
+void draw_overlay_cuda(const OverlayBatch& batch) {
+  launch_cuda("draw_overlay", batch.count, DrawOverlay<float>{batch});
 }
 
 }  // namespace ergodome

@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
+#include "kernels/overlay/draw_overlay_kernel.h"
 #include "kernels/stars/patch_measure_kernel.h"
 #include "kernels/stars/patch_pairs_kernel.h"
 #include "kernels/stars/patch_search_kernel.h"
@@ -87,6 +88,7 @@ const KernelTable& own_kernel_table() {
       &run<SearchPatch<WidePack<float>>, PatchSearchBatch>,
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
+      &run<DrawOverlay<WidePack<float>>, OverlayBatch>,
   };
   return table;
 }

@@ -158,8 +158,8 @@ std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Proje
   return settings.stars != nullptr ? settings.stars->find(eye, projection, settings.shutter) : std::vector<StarPoint>();
 }
 
-const float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                                          const PictureSettings& settings, const char** lens) {
+float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                                    const PictureSettings& settings, const char** lens) {
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);

@@ -72,11 +72,11 @@ class EyeRenderer {
   //! Spreads light and blackens what is outside the image as far as the settings say so: the end of render().
   static void finish(Picture& picture, const Projection& projection, const PictureSettings& settings);
 
-  //! The same in one piece that stays in the backend's memory until the next picture: four floats a pixel.
+  //! The same in one piece that stays in the backend's memory until the next picture, and may be drawn on: four floats a pixel.
   //!
   //! `lens`, where given, receives LensSource::name().
-  const float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                               const PictureSettings& settings, const char** lens = nullptr);
+  float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                         const PictureSettings& settings, const char** lens = nullptr);
 
  private:
   //! Makes room for `pixels` and sets up the shading.

@@ -10,6 +10,7 @@
 #include "render/lens/flat_shadow.h"
 #include "render/lens/omni_camera.h"
 #include "render/output/stereo_layout.h"
+#include "render/overlay/overlay_place.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {
@@ -72,7 +73,8 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       stream_(std::move(stream)),
       sky_(show, backend),
       stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show)),
-      renderer_(backend, stream_) {
+      renderer_(backend, stream_),
+      overlays_(show.timeline, show.folder) {
   if (show.tone.automatic) {
     exposure_.emplace(*show.tone.automatic);
   }
@@ -147,8 +149,22 @@ Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, cons
 
 const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
                                                ViewMode mode, const ShowMoment& moment, const char** lens) {
-  return renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
-                                   picture_settings(mode, moment, eye_offset), lens);
+  float* const rgba = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
+                                                picture_settings(mode, moment, eye_offset), lens);
+  draw_overlays({backend(), rgba, tone_of(show_.tone), mode != ViewMode::sky}, projection, eye_offset, mode, moment);
+  return rgba;
+}
+
+void ShowRenderer::draw_overlays(const OverlayTarget& target, const Projection& projection, double eye_offset,
+                                 ViewMode mode, const ShowMoment& moment) {
+  const std::optional<double> time_s = mode == ViewMode::sky ? moment.time_s : std::nullopt;
+  if (!overlays_.draws_at(time_s)) {
+    return;
+  }
+  // Eyes that turn with the direction have one picture's projection: what is drawn on that is on the dome.
+  const StereoSettings& stereo = show_.stereo;
+  const double offset = stereo.model == StereoModel::omni ? 0.0 : eye_offset;
+  overlays_.draw(target, overlay_projection(projection, offset, stereo.convergence, overlay_distance_), time_s);
 }
 
 std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
@@ -230,8 +246,14 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
   return eyes;
 }
 
-void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, double clock_s) {
+void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, const Projection& projection, ViewMode mode,
+                               const ShowMoment& moment, double clock_s) {
   expose(eyes, clock_s);
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    const double side = eyes.size() < 2 ? 0.0 : i == 0 ? -0.5 : 0.5;
+    draw_overlays({Backend::cpu, eyes[i].rgba.data(), eyes[i].tone, eyes[i].heat_range.has_value()}, projection,
+                  side * show_.stereo.baseline, mode, moment);
+  }
   if (eyes.size() == 2) {
     if (show_.stereo.tint_eyes) {
       tint_left_eye(eyes[0]);
@@ -261,7 +283,7 @@ Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& pr
   std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);
   // A visitor's eye follows by the clock on the wall, show or no show.
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  finish_eyes(eyes, std::chrono::duration<double>(now).count());
+  finish_eyes(eyes, projection, mode, moment, std::chrono::duration<double>(now).count());
   return eyes.size() < 2 ? std::move(eyes.front()) : joined_eyes(eyes[0], eyes[1], show_.stereo.layout);
 }
 
@@ -270,7 +292,7 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
   const Projection projection = make_projection(show_.view, size_px, 0.0);
   std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
-  finish_eyes(eyes, time_s);
+  finish_eyes(eyes, projection, choice.mode, {time_s}, time_s);
   std::vector<FrameImage> images;
   if (!has_face_files(show_.view)) {
     add_images(std::move(eyes), show_.stereo.layout, std::nullopt, images);

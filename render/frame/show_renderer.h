@@ -12,6 +12,7 @@
 #include "render/frame/eye_renderer.h"
 #include "render/frame/view_projection.h"
 #include "render/output/auto_exposure.h"
+#include "render/overlay/overlay_pass.h"
 #include "render/plan/frame_needs.h"
 #include "render/sky/show_sky.h"
 
@@ -68,6 +69,12 @@ class ShowRenderer {
   //! What a person may turn while the show plays. Throws Error for what cannot be drawn, and keeps the old.
   void set_stereo(const StereoSettings& stereo);
 
+  //! Captions and images over the pictures: their language, and captions that do not come from the show. They are drawn in what is rendered next.
+  [[nodiscard]] OverlayPass& overlays() { return overlays_; }
+
+  //! Where in the depth of stereo pictures overlays appear [M]: 0 (as at first) on the dome or screen, infinity behind all.
+  void set_overlay_distance(double distance) { overlay_distance_ = distance; }
+
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
@@ -86,8 +93,13 @@ class ShowRenderer {
   //! Sets the tone of pictures that are shown together, at a time of some clock.
   void expose(std::span<Picture> eyes, double clock_s);
 
-  //! Exposes, tints and swaps as the show says.
-  void finish_eyes(std::vector<Picture>& eyes, double clock_s);
+  //! What is laid over finished pictures of a view: the show's in its pictures of the sky, and what others give in all.
+  void draw_overlays(const OverlayTarget& target, const Projection& projection, double eye_offset, ViewMode mode,
+                     const ShowMoment& moment);
+
+  //! Exposes, draws overlays, tints and swaps as the show says.
+  void finish_eyes(std::vector<Picture>& eyes, const Projection& projection, ViewMode mode, const ShowMoment& moment,
+                   double clock_s);
 
   //! The eyes while the shutter is open about a time of the show.
   [[nodiscard]] Shutter shutter_at(double time_s, double eye_offset) const;
@@ -100,6 +112,8 @@ class ShowRenderer {
   std::unique_ptr<StarPass> stars_;  //!< where the show has any
   EyeRenderer renderer_;
   std::optional<AutoExposure> exposure_;
+  OverlayPass overlays_;
+  double overlay_distance_ = 0.0;
   double last_clock_s_ = 0.0;
 };
 

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/quad.h"
+
+// Images that are laid over a picture: light as a display shows it, linear, 1 being all it has, times alpha; with levels of halved size down to
+// one texel.
+namespace ergodome {
+
+inline constexpr int overlay_level_limit = 15;
+
+//! A texture as kernels read it: four whole numbers a texel (red, green, blue, alpha), 65535 for 1. The first row is the top.
+struct OverlayTexture {
+  const std::uint16_t* texels;
+  long level_offset[overlay_level_limit];  //!< in texels
+  int width;                               //!< of level 0; level k has width >> k, at least 1
+  int height;
+  int level_count;
+};
+
+//! How a pixel lies on a texture: its middle, 0 to 1 from the left and from the top, and how that changes per pixel.
+struct OverlayFootprint {
+  float s, t;
+  float s_along_x, s_along_y;
+  float t_along_x, t_along_y;
+};
+
+inline namespace ERGO_TARGET {
+
+namespace detail {
+ERGO_HD Quad overlay_texel(const std::uint16_t* texels, int width, int column, int row) {
+  const std::uint16_t* at = texels + 4 * (static_cast<long>(row) * width + column);
+  float part[4];
+  for (int i = 0; i < 4; ++i) {
+    part[i] = static_cast<float>(at[i]);
+  }
+#if defined(__CUDACC__)
+  return {make_float4(part[0], part[1], part[2], part[3])};
+#else
+  return {Quad::Register{part[0], part[1], part[2], part[3]}};
+#endif
+}
+
+//! Between the four texels about a place of a level; beyond the sides as at them. In units of 1 / 65535.
+ERGO_HD Quad overlay_between(const OverlayTexture& texture, int level, float s, float t) {
+  const int width = texture.width >> level > 1 ? texture.width >> level : 1;
+  const int height = texture.height >> level > 1 ? texture.height >> level : 1;
+  const std::uint16_t* texels = texture.texels + 4 * texture.level_offset[level];
+  const float x = minimum(maximum(s * static_cast<float>(width) - 0.5F, 0.0F), static_cast<float>(width - 1));
+  const float y = minimum(maximum(t * static_cast<float>(height) - 0.5F, 0.0F), static_cast<float>(height - 1));
+  const int column = static_cast<int>(x);
+  const int row = static_cast<int>(y);
+  const int right = column + 1 < width ? column + 1 : column;
+  const int below = row + 1 < height ? row + 1 : row;
+  const float across = x - static_cast<float>(column);
+  const float down = y - static_cast<float>(row);
+  const Quad top =
+      (1.0F - across) * overlay_texel(texels, width, column, row) + across * overlay_texel(texels, width, right, row);
+  const Quad bottom = (1.0F - across) * overlay_texel(texels, width, column, below) +
+                      across * overlay_texel(texels, width, right, below);
+  return (1.0F - down) * top + down * bottom;
+}
+
+//! The same between two levels.
+ERGO_HD Quad overlay_look(const OverlayTexture& texture, float level, float s, float t) {
+  const float coarsest = static_cast<float>(texture.level_count - 1);
+  const float at = minimum(maximum(level, 0.0F), coarsest);
+  const int fine = static_cast<int>(at);
+  const float part = at - static_cast<float>(fine);
+  const Quad first = overlay_between(texture, fine, s, t);
+  return part > 0.0F ? (1.0F - part) * first + part * overlay_between(texture, fine + 1, s, t) : first;
+}
+}  // namespace detail
+
+//! Light and alpha that a pixel sees of a texture: the mean over its footprint, taken at up to eight places along its longer axis from the level
+//! whose texels are as wide as it is. A footprint of a texel that lies on one gives that texel.
+ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootprint& footprint) {
+  constexpr float most_looks = 8.0F;
+  const float width = static_cast<float>(texture.width);
+  const float height = static_cast<float>(texture.height);
+  const float ux = footprint.s_along_x * width;
+  const float uy = footprint.s_along_y * width;
+  const float vx = footprint.t_along_x * height;
+  const float vy = footprint.t_along_y * height;
+  // The ellipse of the footprint: eigenvalues and the larger one's vector of J Jᵀ.
+  const float a = ux * ux + uy * uy;
+  const float b = ux * vx + uy * vy;
+  const float c = vx * vx + vy * vy;
+  const float middle = 0.5F * (a + c);
+  const float apart = sqrt(0.25F * (a - c) * (a - c) + b * b);
+  const float longer = sqrt(middle + apart);
+  const float shorter = safe_sqrt(middle - apart);
+  // Looks begin to be more than one where the axes differ visibly.
+  const float looks = minimum(::floorf(longer / maximum(shorter, 1.0F) + 0.75F), most_looks);
+  const int count = looks > 1.0F ? static_cast<int>(looks) : 1;
+  const float level = ::log2f(maximum(longer / static_cast<float>(count), 1.0F));
+  float along_u = a >= c ? middle + apart - c : b;
+  float along_v = a >= c ? b : middle + apart - a;
+  const float length = sqrt(along_u * along_u + along_v * along_v);
+  const float scale = length > 0.0F ? longer / (length * static_cast<float>(count)) : 0.0F;
+  along_u = along_u * scale / width;
+  along_v = along_v * scale / height;
+  Quad sum = quad_of(0.0F);
+  for (int i = 0; i < count; ++i) {
+    const float place = static_cast<float>(i) - 0.5F * static_cast<float>(count - 1);
+    sum = sum + detail::overlay_look(texture, level, footprint.s + place * along_u, footprint.t + place * along_v);
+  }
+  return (1.0F / (65535.0F * static_cast<float>(count))) * sum;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,197 @@
+#include "render/overlay/caption_image.h"
+
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace ergodome {
+
+namespace {
+
+//! Where another font has been installed for a script, Pango takes it for what the first does not have.
+constexpr const char* font_family = "DejaVu Sans, Sans";
+
+//! Of a line's height: how far the rim about letters reaches, how dark it is, and how steeply it gets so.
+constexpr double rim_reach = 0.22;
+constexpr float rim_alpha = 0.75F;
+constexpr float rim_gain = 2.5F;
+
+struct Unref {
+  void operator()(void* object) const noexcept { g_object_unref(object); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Unref>;
+
+struct Destroy {
+  void operator()(cairo_t* context) const noexcept { cairo_destroy(context); }
+  void operator()(cairo_surface_t* surface) const noexcept { cairo_surface_destroy(surface); }
+  void operator()(PangoFontDescription* font) const noexcept { pango_font_description_free(font); }
+  void operator()(PangoFontMetrics* metrics) const noexcept { pango_font_metrics_unref(metrics); }
+  void operator()(cairo_font_options_t* options) const noexcept { cairo_font_options_destroy(options); }
+  void operator()(gchar* text) const noexcept { g_free(text); }
+};
+template <class T>
+using Held = std::unique_ptr<T, Destroy>;
+
+//! UTF-8 that Pango takes: no broken characters, none that stand for nothing.
+std::string clean_text(const std::string& text) {
+  const Held<gchar> valid(
+      g_utf8_make_valid(text.data(), static_cast<gssize>(std::min(text.size(), most_caption_bytes))));
+  std::string clean;
+  for (const gchar* at = valid.get(); *at != '\0'; at = g_utf8_next_char(at)) {
+    const gunichar letter = g_utf8_get_char(at);
+    if (letter == '\n' || letter == '\t' || !g_unichar_iscntrl(letter)) {
+      clean.append(at, static_cast<std::size_t>(g_utf8_next_char(at) - at));
+    }
+  }
+  return clean;
+}
+
+Held<PangoFontDescription> font_of(PangoContext* context, int line_px) {
+  Held<PangoFontDescription> font(pango_font_description_new());
+  pango_font_description_set_family(font.get(), font_family);
+  constexpr double trial_px = 1000.0;
+  pango_font_description_set_absolute_size(font.get(), trial_px * PANGO_SCALE);
+  const Held<PangoFontMetrics> metrics(pango_context_get_metrics(context, font.get(), nullptr));
+  const int height = metrics ? pango_font_metrics_get_height(metrics.get()) : 0;
+  // A system without a font at all still says nothing, rather than divide by it.
+  const double of_size = height > 0 ? height / (trial_px * PANGO_SCALE) : 1.2;
+  pango_font_description_set_absolute_size(font.get(), std::max(line_px / of_size, 1.0) * PANGO_SCALE);
+  return font;
+}
+
+//! Lines as Pango lays them out. Letters' places do not hang on the size: no hints.
+struct Lines {
+  Owned<PangoFontMap> fonts;
+  Owned<PangoContext> context;
+  Owned<PangoLayout> layout;
+};
+
+Lines lay_out(const std::string& text, const CaptionType& type) {
+  Lines lines;
+  lines.fonts.reset(pango_cairo_font_map_new());
+  lines.context.reset(pango_font_map_create_context(lines.fonts.get()));
+  const Held<cairo_font_options_t> options(cairo_font_options_create());
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  pango_cairo_context_set_font_options(lines.context.get(), options.get());
+  pango_context_set_round_glyph_positions(lines.context.get(), 0);
+  lines.layout.reset(pango_layout_new(lines.context.get()));
+  const Held<PangoFontDescription> font = font_of(lines.context.get(), type.line_px);
+  pango_layout_set_font_description(lines.layout.get(), font.get());
+  pango_layout_set_text(lines.layout.get(), text.data(), static_cast<int>(text.size()));
+  pango_layout_set_width(lines.layout.get(), static_cast<int>(std::clamp(type.width_px, 1.0, 1e5) * PANGO_SCALE));
+  pango_layout_set_wrap(lines.layout.get(), PANGO_WRAP_WORD_CHAR);
+  pango_layout_set_alignment(lines.layout.get(), PANGO_ALIGN_CENTER);
+  return lines;
+}
+
+//! How much of each pixel letters cover, 0 to 1, or nothing where that fails.
+struct Letters {
+  int width = 0;
+  int height = 0;
+  std::vector<float> coverage{};
+  bool too_large = false;
+};
+
+Letters draw_letters(PangoLayout* layout, int margin_px) {
+  PangoRectangle ink;
+  PangoRectangle box;
+  pango_layout_get_pixel_extents(layout, &ink, &box);
+  if (ink.width <= 0 || ink.height <= 0) {
+    return {};
+  }
+  // About the middle of the lines, and wide enough for letters that stick out of them.
+  const int beside = std::max({0, box.x - ink.x, ink.x + ink.width - box.x - box.width});
+  const int above = std::max({0, box.y - ink.y, ink.y + ink.height - box.y - box.height});
+  Letters letters{box.width + 2 * (beside + margin_px), box.height + 2 * (above + margin_px)};
+  if (letters.width > longest_overlay_px || letters.height > longest_overlay_px) {
+    letters.too_large = true;
+    return letters;
+  }
+  const Held<cairo_surface_t> surface(cairo_image_surface_create(CAIRO_FORMAT_A8, letters.width, letters.height));
+  const Held<cairo_t> context(cairo_create(surface.get()));
+  cairo_move_to(context.get(), margin_px + beside - box.x, margin_px + above - box.y);
+  pango_cairo_show_layout(context.get(), layout);
+  cairo_surface_flush(surface.get());
+  if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) {
+    return {};
+  }
+  const unsigned char* rows = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int y = 0; y < letters.height; ++y) {
+    for (int x = 0; x < letters.width; ++x) {
+      letters.coverage.push_back(static_cast<float>(rows[static_cast<std::ptrdiff_t>(y) * stride + x]) / 255.0F);
+    }
+  }
+  return letters;
+}
+
+//! Means over 2 reach + 1 neighbours along lines that begin `line` apart and whose elements are `step` apart.
+void blur_lines(std::vector<float>& values, int lines, long line, int count, long step, int reach) {
+  std::vector<float> before(static_cast<std::size_t>(count));
+  for (int i = 0; i < lines; ++i) {
+    float* first = values.data() + i * line;
+    double sum = 0.0;
+    for (int k = 0; k < count; ++k) {
+      before[static_cast<std::size_t>(k)] = first[k * step];
+    }
+    for (int k = 0; k < std::min(reach, count); ++k) {
+      sum += static_cast<double>(before[static_cast<std::size_t>(k)]);
+    }
+    for (int k = 0; k < count; ++k) {
+      sum += k + reach < count ? static_cast<double>(before[static_cast<std::size_t>(k + reach)]) : 0.0;
+      sum -= k - reach - 1 >= 0 ? static_cast<double>(before[static_cast<std::size_t>(k - reach - 1)]) : 0.0;
+      first[k * step] = static_cast<float>(std::max(sum, 0.0) / (2 * reach + 1));
+    }
+  }
+}
+
+//! A soft rim: the letters blurred by two means each way, and made stronger.
+std::vector<float> rim_about(const Letters& letters, int reach_px) {
+  std::vector<float> rim = letters.coverage;
+  for (int round = 0; round < 2; ++round) {
+    blur_lines(rim, letters.height, letters.width, letters.width, 1, std::max(reach_px / 2, 1));
+    blur_lines(rim, letters.width, 1, letters.height, letters.width, std::max(reach_px / 2, 1));
+  }
+  for (float& value : rim) {
+    value = rim_alpha * std::min(rim_gain * value, 1.0F);
+  }
+  return rim;
+}
+
+}  // namespace
+
+CaptionImage set_caption(const std::string& text, const CaptionType& type) {
+  const std::string clean = clean_text(text);
+  CaptionImage caption;
+  if (clean.empty()) {
+    return caption;
+  }
+  const Lines lines = lay_out(clean, type);
+  caption.missing_letters = pango_layout_get_unknown_glyphs_count(lines.layout.get());
+  const int reach_px = std::max(static_cast<int>(std::lround(rim_reach * type.line_px)), 2);
+  const Letters letters = draw_letters(lines.layout.get(), reach_px + 2);
+  caption.too_large = letters.too_large;
+  if (letters.coverage.empty()) {
+    return caption;
+  }
+  const std::vector<float> rim = rim_about(letters, reach_px);
+  std::vector<float> rgba;
+  rgba.reserve(4 * rim.size());
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const float letter = letters.coverage[i];
+    for (const double part : type.color) {
+      rgba.push_back(letter * static_cast<float>(part));
+    }
+    rgba.push_back(letter + (1.0F - letter) * rim[i]);
+  }
+  caption.image = make_overlay_image(letters.width, letters.height, rgba);
+  return caption;
+}
+
+}  // namespace ergodome

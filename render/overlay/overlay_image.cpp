@@ -1,0 +1,218 @@
+#include "render/overlay/overlay_image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/error.h"
+#include "kernels/image/color_map.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int rows_at_a_time = 64;
+
+std::uint16_t whole_number(float value) {
+  return static_cast<std::uint16_t>(std::lrint(65535.0F * std::min(value > 0.0F ? value : 0.0F, 1.0F)));
+}
+
+int level_size(int size, int level) { return std::max(size >> level, 1); }
+
+//! An image with room for all levels.
+OverlayImage empty_image(int width, int height) {
+  OverlayImage image;
+  image.width = width;
+  image.height = height;
+  long texels = 0;
+  do {
+    image.level_offset.at(static_cast<std::size_t>(image.level_count)) = texels;
+    texels += static_cast<long>(level_size(width, image.level_count)) * level_size(height, image.level_count);
+    ++image.level_count;
+  } while (level_size(width, image.level_count - 1) > 1 || level_size(height, image.level_count - 1) > 1);
+  image.texels.resize(4 * static_cast<std::size_t>(texels));
+  return image;
+}
+
+//! Texels of the finer level that one of the coarser covers along a side, with the parts of them that it covers: up to three, where the finer
+//! has an odd number.
+struct Covered {
+  int first;
+  int count;
+  std::array<float, 4> weight;
+};
+
+Covered covered_texels(int coarse, int coarse_size, int fine_size) {
+  const double ratio = static_cast<double>(fine_size) / coarse_size;
+  const double from = coarse * ratio;
+  const double to = from + ratio;
+  Covered covered{static_cast<int>(from), 0, {}};
+  for (int i = covered.first; i < std::min(fine_size, covered.first + 4) && i < to; ++i) {
+    const double part = std::min(to, i + 1.0) - std::max(from, static_cast<double>(i));
+    covered.weight.at(static_cast<std::size_t>(covered.count++)) = static_cast<float>(part / ratio);
+  }
+  return covered;
+}
+
+void make_level(OverlayImage& image, int level) {
+  const int width = level_size(image.width, level);
+  const int height = level_size(image.height, level);
+  const int fine_width = level_size(image.width, level - 1);
+  const int fine_height = level_size(image.height, level - 1);
+  const auto at = static_cast<std::size_t>(level);
+  const std::uint16_t* from = image.texels.data() + 4 * image.level_offset.at(at - 1);
+  std::uint16_t* to = image.texels.data() + 4 * image.level_offset.at(at);
+  parallel_for(height, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const Covered rows = covered_texels(y, height, fine_height);
+      for (int x = 0; x < width; ++x) {
+        const Covered columns = covered_texels(x, width, fine_width);
+        float sum[4] = {};
+        for (int j = 0; j < rows.count; ++j) {
+          for (int i = 0; i < columns.count; ++i) {
+            const float weight =
+                rows.weight.at(static_cast<std::size_t>(j)) * columns.weight.at(static_cast<std::size_t>(i));
+            const std::uint16_t* texel =
+                from + 4 * (static_cast<long>(rows.first + j) * fine_width + columns.first + i);
+            for (int c = 0; c < 4; ++c) {
+              sum[c] += weight * static_cast<float>(texel[c]);
+            }
+          }
+        }
+        for (int c = 0; c < 4; ++c) {
+          to[4 * (static_cast<long>(y) * width + x) + c] = static_cast<std::uint16_t>(std::lrint(sum[c]));
+        }
+      }
+    }
+  });
+}
+
+void make_levels(OverlayImage& image) {
+  for (int level = 1; level < image.level_count; ++level) {
+    make_level(image, level);
+  }
+}
+
+Error unreadable(const std::filesystem::path& path, const std::string& reason) {
+  return {path.string(), "cannot be read: " + reason,
+          "name an image file that OpenImageIO reads (PNG, EXR, TIFF, JPEG)"};
+}
+
+//! How a file's numbers become light.
+struct Coding {
+  int channels;
+  int alpha;      //!< its channel, or -1
+  bool decoded;   //!< from sRGB
+  bool separate;  //!< colours are not times alpha
+};
+
+Coding coding_of(const OIIO::ImageSpec& spec) {
+  const bool whole_numbers = !spec.format.is_floating_point();
+  Coding coding{};
+  coding.channels = spec.nchannels;
+  coding.alpha = spec.alpha_channel;
+  if (coding.alpha < 0 && (spec.nchannels == 2 || spec.nchannels == 4)) {
+    coding.alpha = spec.nchannels - 1;
+  }
+  coding.decoded = whole_numbers && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
+  coding.separate = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+  return coding;
+}
+
+//! A pixel's light times alpha.
+void put_pixel(const Coding& coding, const float* from, std::uint16_t* to) {
+  const float alpha = coding.alpha >= 0 ? std::clamp(from[coding.alpha], 0.0F, 1.0F) : 1.0F;
+  const bool grey = coding.channels < 3;
+  for (int c = 0; c < 3; ++c) {
+    float value = from[grey ? 0 : c];
+    if (coding.decoded) {
+      // The curve is for colours as they are, whatever the file keeps.
+      const float colour = coding.separate || alpha <= 0.0F ? value : value / alpha;
+      value = srgb_decoded(colour) * alpha;
+    } else if (coding.separate) {
+      value *= alpha;
+    }
+    to[c] = whole_number(value);
+  }
+  to[3] = whole_number(alpha);
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path) {
+  OIIO::ImageSpec wishes;
+  // Else whole numbers would be multiplied by alpha before they are decoded.
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  auto input = OIIO::ImageInput::open(path.string(), &wishes);
+  if (!input) {
+    throw unreadable(path, OIIO::geterror());
+  }
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 64) {
+    throw unreadable(path, fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels));
+  }
+  if (spec.width > longest_overlay_px || spec.height > longest_overlay_px) {
+    throw Error(path.string(), fmt::format("has {} x {} pixels", spec.width, spec.height),
+                fmt::format("make it {} px or less a side", longest_overlay_px));
+  }
+  return input;
+}
+
+}  // namespace
+
+OverlayTexture OverlayImage::view(const std::uint16_t* at) const {
+  OverlayTexture texture{at, {}, width, height, level_count};
+  std::ranges::copy(level_offset, texture.level_offset);
+  return texture;
+}
+
+long overlay_image_bytes(int width, int height) {
+  long texels = 0;
+  for (int level = 0; level == 0 || level_size(width, level - 1) > 1 || level_size(height, level - 1) > 1; ++level) {
+    texels += static_cast<long>(level_size(width, level)) * level_size(height, level);
+  }
+  return texels * 4 * static_cast<long>(sizeof(std::uint16_t));
+}
+
+OverlayImage make_overlay_image(int width, int height, const std::vector<float>& rgba) {
+  OverlayImage image = empty_image(width, height);
+  std::transform(rgba.begin(), rgba.begin() + 4L * width * height, image.texels.begin(), whole_number);
+  make_levels(image);
+  return image;
+}
+
+OverlaySize overlay_image_size(const std::filesystem::path& path) {
+  const auto input = opened(path);
+  return {input->spec().width, input->spec().height};
+}
+
+OverlayImage read_overlay_image(const std::filesystem::path& path) {
+  const auto input = opened(path);
+  const OIIO::ImageSpec spec = input->spec();
+  const Coding coding = coding_of(spec);
+  OverlayImage image = empty_image(spec.width, spec.height);
+  const auto width = static_cast<std::size_t>(spec.width);
+  const auto channels = static_cast<std::size_t>(coding.channels);
+  // Rows are read some at a time; files in tiles, which are rare, at once.
+  const int most_rows = spec.tile_width > 0 ? spec.height : std::min(rows_at_a_time, spec.height);
+  std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
+  for (int row = 0; row < spec.height; row += most_rows) {
+    const int count = std::min(most_rows, spec.height - row);
+    const bool read = spec.tile_width > 0
+                          ? input->read_image(0, 0, 0, coding.channels, OIIO::TypeDesc::FLOAT, rows.data())
+                          : input->read_scanlines(0, 0, spec.y + row, spec.y + row + count, 0, 0, coding.channels,
+                                                  OIIO::TypeDesc::FLOAT, rows.data());
+    if (!read) {
+      throw unreadable(path, input->geterror());
+    }
+    std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
+    for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {
+      put_pixel(coding, rows.data() + channels * i, to + 4 * i);
+    }
+  }
+  make_levels(image);
+  return image;
+}
+
+}  // namespace ergodome

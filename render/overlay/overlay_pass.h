@@ -1,0 +1,101 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "content/timeline.h"
+#include "kernels/launch/launch.h"
+#include "kernels/overlay/draw_overlay.h"
+#include "render/backend/buffer.h"
+#include "render/overlay/caption_image.h"
+#include "render/overlay/picture_tiles.h"
+
+namespace ergodome {
+
+//! The text for a language: of its tag, of the tag's first part ("de" for "de-AT"), the one without a tag, English, or the first there is.
+const std::string& text_in(const LocalText& text, const std::string& language);
+
+//! A picture to draw overlays on, and how it will be shown.
+struct OverlayTarget {
+  Backend backend = Backend::cpu;  //!< where `rgba` lies
+  float* rgba = nullptr;           //!< light and coverage of the whole picture
+  Tone tone;
+  bool display_colours = false;  //!< a heat map's, which no tone comes on
+};
+
+//! Draws captions and images over finished pictures, in the colours that they have on a display, whatever the exposure and the tone. In order: the
+//! show's images, its captions, then captions that others give.
+//!
+//! Images are read once; a text is set when it is first seen, and again when pictures need finer letters. Where nothing is to be seen nothing is
+//! done. All of it belongs to one thread at a time.
+class OverlayPass {
+ public:
+  //! Reads the images of a show. Throws Error where one is missing, too large, or no domemaster, or a number makes no sense.
+  OverlayPass(const Timeline& timeline, const std::string& folder);
+
+  //! The language of captions, by its tag; empty: the show's own.
+  void set_language(const std::string& language) { language_ = language; }
+
+  //! Whether the show's captions are drawn. Images are, always.
+  void set_captions(bool shown) { captions_shown_ = shown; }
+
+  //! Captions that do not come from the show, in place of those given before: a greeting, help. Their presence does not count: they are there,
+  //! with this opacity, until others are set.
+  void set_extra(std::vector<Caption> captions, double opacity = 1.0);
+
+  //! Whether there may be anything to draw. `time_s`: of the show; none: only what does not come from it.
+  [[nodiscard]] bool draws_at(std::optional<double> time_s) const;
+
+  //! Draws what is to be seen at a time. `projection`: overlay_projection() of the picture.
+  void draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s);
+
+  //! Bytes that a show's images take, from their files' sizes alone. Throws Error like the constructor.
+  static long image_bytes(const Timeline& timeline, const std::string& folder);
+
+ private:
+  //! An image where kernels reach it; on a device from when it is first drawn there.
+  struct Texture {
+    OverlayImage layout;  //!< without its texels
+    Buffer<std::uint16_t> host;
+    Buffer<std::uint16_t> device;
+  };
+
+  //! A text that has been set.
+  struct SetCaption {
+    std::string text;
+    double letter_deg;
+    double width;  //!< where its lines are broken [rad]
+    std::array<double, 3> color;
+    int line_px;      //!< height of its lines
+    int wished_px;    //!< what that was to be
+    Texture texture;  //!< of no width: nothing to see
+    long last_drawn;
+  };
+
+  static Texture texture_of(OverlayImage image, const char* name);
+  void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);
+  void draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption, double opacity);
+  void draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture, OverlaySheet sheet,
+                  double opacity);
+
+  //! The text of a caption, set finely enough for a picture.
+  SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);
+  void forget_old_captions();
+  const PictureTiles& tiles_of(const Projection& projection);
+
+  std::vector<Caption> captions_;
+  std::vector<Overlay> overlays_;
+  std::vector<Caption> extra_;
+  double extra_opacity_ = 0.0;
+  std::string language_;
+  bool captions_shown_ = true;
+  std::map<std::string, Texture> images_;  //!< by their names in the show
+  std::vector<SetCaption> set_;
+  std::vector<PictureTiles> tiles_;  //!< of the eyes' pictures
+  Buffer<std::int32_t> tile_numbers_;
+  long drawn_ = 0;  //!< pictures
+};
+
+}  // namespace ergodome
