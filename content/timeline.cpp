@@ -34,8 +34,10 @@ const std::string& text_in(const LocalText& text, std::string_view language) {
     const std::size_t end = asked.rfind('-');
     asked.resize(end != std::string::npos ? end : 0);
   }
-  if (const auto plain = text.find(""); plain != text.end()) {
-    return plain->second;
+  for (const char* usual : {"", "en"}) {
+    if (const auto found = text.find(usual); found != text.end()) {
+      return found->second;
+    }
   }
   return text.empty() ? nothing : text.begin()->second;
 }

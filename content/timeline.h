@@ -97,7 +97,8 @@ struct Timeline {
 //! Tags of all languages that titles, captions and audio tracks have, in alphabetical order.
 std::vector<std::string> languages(const Timeline& timeline);
 
-//! The text in a language ("de-AT", then "de"); else the one that has none, else the first there is; empty where there is no text at all.
+//! The text in a language ("de-AT", then "de"); else the one that has none, else English, else the first
+//! there is; empty where there is no text at all.
 const std::string& text_in(const LocalText& text, std::string_view language);
 
 }  // namespace ergodome

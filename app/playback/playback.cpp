@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace ergodome {
@@ -36,35 +35,6 @@ std::string wider(const std::string& language) { return language.substr(0, langu
 
 }  // namespace
 
-std::vector<std::string> languages_of(const Timeline& timeline) {
-  std::set<std::string> tags;
-  const auto add = [&](const LocalText& text) {
-    for (const auto& [tag, words] : text) {
-      tags.insert(tag);
-    }
-  };
-  for (const Chapter& chapter : timeline.chapters) {
-    add(chapter.title);
-  }
-  for (const Caption& caption : timeline.captions) {
-    add(caption.text);
-  }
-  for (const AudioTrack& track : timeline.audio) {
-    tags.insert(track.language);
-  }
-  tags.erase("");
-  return {tags.begin(), tags.end()};
-}
-
-std::string text_in(const LocalText& text, const std::string& language) {
-  for (const std::string& tag : {language, wider(language), std::string(), std::string("en")}) {
-    if (const auto found = text.find(tag); found != text.end()) {
-      return found->second;
-    }
-  }
-  return text.empty() ? "" : text.begin()->second;
-}
-
 Soundtrack soundtrack_of(const Show& show) { return {show.timeline.audio, show.folder, show.duration_s}; }
 
 Playback::Playback(const Show& show, PlaybackSettings settings)
@@ -82,7 +52,7 @@ void Playback::set_show(const Show& show) {
   show_baseline_ = show.stereo.baseline;
   stereo_ = eye_count(show.stereo) > 1;
   chapters_ = show.timeline.chapters;
-  languages_ = languages_of(show.timeline);
+  languages_ = languages(show.timeline);
   const bool known = std::ranges::find(languages_, language_) != languages_.end();
   if (!known && !languages_.empty()) {
     const bool widely = std::ranges::find(languages_, wider(language_)) != languages_.end();

@@ -95,12 +95,6 @@ class Playback {
   std::string refusal_;
 };
 
-//! The languages that a show has words or narration in, in alphabetical order.
-std::vector<std::string> languages_of(const Timeline& timeline);
-
-//! The text in a language; where there is none, in its wider one ("de" for "de-AT"), without a language, in English, or in any.
-std::string text_in(const LocalText& text, const std::string& language);
-
 //! What the mixer needs of a show.
 Soundtrack soundtrack_of(const Show& show);
 

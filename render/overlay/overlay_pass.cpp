@@ -52,16 +52,6 @@ Error too_much(const std::string& folder) {
 
 }  // namespace
 
-const std::string& text_in(const LocalText& text, const std::string& language) {
-  static const std::string none;
-  for (const std::string& tag : {language, language.substr(0, language.find('-')), std::string(), std::string("en")}) {
-    if (const auto found = text.find(tag); found != text.end()) {
-      return found->second;
-    }
-  }
-  return text.empty() ? none : text.begin()->second;
-}
-
 OverlayPass::OverlayPass(const Timeline& timeline, const std::string& folder)
     : captions_(timeline.captions), overlays_(timeline.overlays) {
   long bytes = 0;

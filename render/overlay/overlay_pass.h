@@ -14,9 +14,6 @@
 
 namespace ergodome {
 
-//! The text for a language: of its tag, of the tag's first part ("de" for "de-AT"), the one without a tag, English, or the first there is.
-const std::string& text_in(const LocalText& text, const std::string& language);
-
 //! A picture to draw overlays on, and how it will be shown.
 struct OverlayTarget {
   Backend backend = Backend::cpu;  //!< where `rgba` lies
