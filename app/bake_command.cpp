@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
+#include "content/animated_show.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
@@ -48,8 +49,9 @@ void set_part(const std::string& text, BakeSettings& settings) {
 
 BakeSettings settings_of(const BakeOptions& options, const Show& show) {
   BakeSettings settings;
-  settings.pixel =
-      pixel_angle(make_projection(show.view, options.size_px > 0 ? options.size_px : show.view.size_px, 0.0));
+  // A field of view that changes is baked for where it looks most closely.
+  const ViewSettings view = show_at_least(show).view;
+  settings.pixel = pixel_angle(make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0));
   settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
   settings.derivatives = !options.no_derivatives;
   set_part(options.part, settings);

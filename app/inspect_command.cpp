@@ -8,8 +8,10 @@
 
 #include "app/commands.h"
 #include "app/inspect_setup.h"
+#include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
 #include "app/show_loading.h"
+#include "content/animated_show.h"
 #include "content/camera_path.h"
 #include "content/environment_image.h"
 #include "content/show_reader.h"
@@ -39,8 +41,9 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 //! Angular width of the shadow along ±φ from the show's camera at a time [deg].
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
+  const double spin = spin_at(show, time_s);
   const CameraStation camera =
-      make_camera_station(show.spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
+      make_camera_station(spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
   return degrees * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, 3.14159265358979323846));
 }
@@ -63,6 +66,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["baseline"] = show.stereo.baseline;
   facts["budget_px"] = show.quality.budget_px;
   facts["not_drawn_yet"] = missing_features(show);
+  facts["timeline"] = facts_of_timeline(show);
   for (const CameraKey& key : show.camera.keys) {
     facts["keys"].push_back({{"t_s", key.time_s},
                              {"r", key.r},
@@ -75,7 +79,7 @@ nlohmann::json facts_of(const Show& show) {
 
 void print(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    if (name != "keys" && name != "grid") {
+    if (name != "keys" && name != "grid" && name != "timeline") {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
   }
@@ -87,6 +91,9 @@ void print(const nlohmann::json& facts) {
                  key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
                  key["shadow_width_deg"].get<double>());
     }
+  }
+  if (facts.contains("timeline")) {
+    print_timeline(facts["timeline"]);
   }
 }
 
@@ -118,7 +125,7 @@ nlohmann::json facts_of(const EnvironmentImage& image) {
 
 //! The lens grid that a picture of the show would be read from, at the show's budget and size.
 LensStation grid_of(const Show& show, double time_s, GridSettings& settings, GridStatistics& statistics) {
-  const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
+  const EyeCamera eye = eye_camera(show_at(show, time_s), camera_pose(show, time_s), 0.0);
   settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));
   settings.budget_px = show.quality.budget_px;
   settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/show_loading.h"
+#include "content/animated_show.h"
 #include "content/files/atomic_file.h"
 #include "render/frame/view_projection.h"
 #include "render/output/frame_names.h"
@@ -21,12 +22,15 @@ void add_view(const Show& show, int size_px, Facts& facts) {
   facts["eye_width_px"] = projection.width_px;
   facts["eye_height_px"] = projection.height_px;
   facts["projection"] = projection_names()[static_cast<std::size_t>(show.view.projection)];
-  if (show.view.projection != ViewProjection::equirect && show.view.projection != ViewProjection::cube) {
+  const bool zooms = find_animation(show, "view.fov_deg") != nullptr;
+  if (!zooms && show.view.projection != ViewProjection::equirect && show.view.projection != ViewProjection::cube) {
     facts["fov_deg"] = show.view.field_of_view_deg;
   }
   if (show.view.projection == ViewProjection::dome) {
     facts["lens"] = lenses[static_cast<int>(show.view.lens)];
-    facts["tilt_deg"] = show.view.tilt_deg;
+    if (find_animation(show, "view.tilt_deg") == nullptr) {
+      facts["tilt_deg"] = show.view.tilt_deg;
+    }
     facts["front"] = "bottom of the picture";
   }
   facts["seen_from"] = show.view.from_outside ? "outside" : "inside";

@@ -37,6 +37,8 @@ void fit_to_setup(Show& show, const DomeSetup& setup) {
   view.tilt_deg = show.view.tilt_deg;
   view.viewer = viewer_of(setup, view.tilt_deg);
   show.view = view;
+  // Projectors stand still.
+  std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path.starts_with("view."); });
 }
 
 std::vector<std::string> plain_names(const DomeSetup& setup) {

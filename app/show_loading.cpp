@@ -52,6 +52,7 @@ void override_view(Show& show, const std::string& projection, const std::string&
     if (chosen != show.view.projection) {
       show.view.projection = chosen;
       show.view.field_of_view_deg = usual_field_of_view_deg(chosen);
+      std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path == "view.fov_deg"; });
     }
   }
   if (!stereo.empty()) {

@@ -81,6 +81,11 @@ const Animation* find_animation(const Show& show, std::string_view path) {
   return found != show.timeline.animations.end() ? &*found : nullptr;
 }
 
+double spin_at(const Show& show, double time_s) {
+  const Animation* const animation = find_animation(show, "hole.spin");
+  return animation != nullptr ? value_at(*animation, time_s) : show.spin;
+}
+
 NumberLimits range_of(const Animation& animation) {
   const auto [least, greatest] = std::ranges::minmax(animation.keys, {}, &NumberKey::value);
   return {least.value, greatest.value};

@@ -20,6 +20,9 @@ Show show_at(Show show, double time_s);
 //! The animation of a number, or nullptr.
 const Animation* find_animation(const Show& show, std::string_view path);
 
+//! The hole's spin at a show time.
+double spin_at(const Show& show, double time_s);
+
 //! Least and greatest value that an animated number has.
 NumberLimits range_of(const Animation& animation);
 

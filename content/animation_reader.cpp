@@ -65,6 +65,7 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
     keys.push_back(key);
   }
   if (keys.empty()) {
+    table.refuse_unknown_keys();  // one of them may have been meant
     throw table.error_at("key", "is missing", "write key = [{ t_s = 0, value = 0 }, { t_s = 10, value = 1 }]");
   }
   return keys;

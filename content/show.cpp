@@ -34,7 +34,9 @@ std::vector<std::string> missing_features(const Show& show) {
   }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;
-  if (stereo.convergence > 0.0 && stereo.model != StereoModel::omni && !converges) {
+  const auto& animations = show.timeline.animations;
+  const bool follows = std::ranges::find(animations, "stereo.convergence", &Animation::path) != animations.end();
+  if ((stereo.convergence > 0.0 || follows) && stereo.model != StereoModel::omni && !converges) {
     missing.emplace_back("eyes converge on domes and flat screens, and in the model omni (stereo.convergence)");
   }
   return missing;

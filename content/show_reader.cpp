@@ -49,7 +49,7 @@ void read_observer(TomlTable& camera, const std::string& file, CameraSettings& s
   if (at != nullptr && at->is_table()) {
     TomlTable velocity(*at->as_table(), file, camera.path_of("observer"));
     const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
-    if (!(beta <= 0.999999)) {
+    if (!(beta <= fastest_observer)) {
       throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
     }
     const toml::node* toward = velocity.node("toward");
@@ -102,11 +102,6 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
         fixed ? fmt::format("stay above {:.6g} M or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
               : "stay outside the photon orbit or choose observer = \"zamo\"");
   }
-}
-
-double spin_at(const Show& show, double time_s) {
-  const Animation* const animation = find_animation(show, "hole.spin");
-  return animation != nullptr ? value_at(*animation, time_s) : show.spin;
 }
 
 void read_camera(const toml::table* table, const std::string& file, Show& show) {

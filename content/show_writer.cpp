@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "content/files/toml_table.h"
@@ -10,15 +12,18 @@ namespace ergodome {
 
 namespace {
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
+//! Degrees of an angle in radians, no more than the reader takes, whatever rounding adds.
+double degrees_of(double angle, double least = -1e9, double greatest = 1e9) {
+  return std::clamp(angle * (180.0 / 3.14159265358979323846), least, greatest);
+}
 
 toml::array vector_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }
 
 toml::table camera_of(const CameraSettings& camera) {
   toml::table table;
   if (camera.motion == ObserverMotion::velocity) {
-    const double beta = std::sqrt(dot(camera.velocity, camera.velocity));
-    const Vector3<double> toward = beta > 0.0 ? (1.0 / beta) * camera.velocity : Vector3<double>{1.0, 0.0, 0.0};
+    const double beta = std::min(std::sqrt(dot(camera.velocity, camera.velocity)), fastest_observer);
+    const Vector3<double> toward = beta > 1e-100 ? (1.0 / beta) * camera.velocity : Vector3<double>{1.0, 0.0, 0.0};
     table.insert("observer", toml::table{{"beta", beta}, {"toward", vector_of(toward)}});
   } else {
     constexpr const char* names[] = {"zamo", "static", "geodesic", "retrograde", "rain"};
@@ -28,11 +33,11 @@ toml::table camera_of(const CameraSettings& camera) {
   for (const CameraKey& key : camera.keys) {
     toml::table each{{"t_s", key.time_s},
                      {"r", key.r},
-                     {"theta_deg", key.theta * degrees},
-                     {"phi_deg", key.phi * degrees},
-                     {"yaw_deg", key.yaw * degrees},
-                     {"pitch_deg", key.pitch * degrees},
-                     {"roll_deg", key.roll * degrees}};
+                     {"theta_deg", degrees_of(key.theta, 0.0, 180.0)},
+                     {"phi_deg", degrees_of(key.phi)},
+                     {"yaw_deg", degrees_of(key.yaw)},
+                     {"pitch_deg", degrees_of(key.pitch)},
+                     {"roll_deg", degrees_of(key.roll)}};
     if (key.look.kind == LookTarget::Kind::direction) {
       each.insert("look", vector_of(key.look.direction));
     } else {

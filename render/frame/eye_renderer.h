@@ -61,6 +61,9 @@ class EyeRenderer {
   explicit EyeRenderer(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
       : backend_(backend), lenses_(backend, std::move(stream)) {}
 
+  //! Streams from other stations from now on, or from none.
+  void set_stream(std::shared_ptr<StationStream> stream) { lenses_.set_stream(std::move(stream)); }
+
   [[nodiscard]] Backend backend() const { return backend_; }
 
   //! Floats that are kept for the lens of pictures: what their channels take.

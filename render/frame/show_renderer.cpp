@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "content/animated_show.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/shadow_mask.h"
@@ -52,6 +53,10 @@ void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
   const auto other = [&](const char* what) {
     return Error(trajectory.path().string(), std::string("was baked for another ") + what, "bake the show again");
   };
+  if (find_animation(show, "hole.spin") != nullptr) {
+    throw Error(trajectory.path().string(), "holds one spin, and the show's changes with time",
+                "take the trajectory away; each picture gets a lens of its own");
+  }
   if (trajectory.provenance().spin != show.spin) {
     throw other("spin");
   }
@@ -68,15 +73,15 @@ void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
 }
 
 ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, std::shared_ptr<StationStream> stream)
-    : show_(show),
+    : show_(show_at(show, 0.0)),
       lens_(lens),
       stream_(std::move(stream)),
-      sky_(show, backend),
-      stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show)),
+      sky_(show_, backend),
+      stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_)),
       renderer_(backend, stream_),
-      overlays_(show.timeline, show.folder) {
-  if (show.tone.automatic) {
-    exposure_.emplace(*show.tone.automatic);
+      overlays_(show_.timeline, show_.folder) {
+  if (show_.tone.automatic) {
+    exposure_.emplace(*show_.tone.automatic);
   }
 }
 
@@ -288,6 +293,7 @@ Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& pr
 }
 
 std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {
+  apply(time_s);
   const CameraPose pose = camera_pose(show_, time_s);
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
   const Projection projection = make_projection(show_.view, size_px, 0.0);

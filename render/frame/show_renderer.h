@@ -37,11 +37,21 @@ struct ViewChoice {
 //! Renders the frames of a show.
 class ShowRenderer {
  public:
-  //! Loads the show's sky. Throws Error when the sky cannot be read or the show asks for what is not there yet.
+  //! Loads the show's sky; animated numbers are those of time 0 at first. Throws Error when the sky cannot be read or the show asks for what is not there yet.
   //!
   //! `stream`: the show's own trajectory (see require_path_of), if there is one.
   ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
                std::shared_ptr<StationStream> stream = nullptr);
+
+  //! Gives the show's numbers the values of a show time, for all pictures until the next call; render() does it by itself. What has not
+  //! changed costs nothing. Throws Error where a sky that turns cannot be read again.
+  void apply(double time_s);
+
+  //! Goes on with another show, at the time of the last: a file that has been edited. The sky is loaded anew only where it is another
+  //! one. Throws Error for what cannot be read or drawn, and keeps the old show.
+  //!
+  //! `stream`: the new show's own trajectory, if there is one.
+  void set_show(const Show& show, std::shared_ptr<StationStream> stream = nullptr);
 
   //! The images of one instant: one that the stereo layout makes of both eyes, or one of each where it keeps them apart; six of each where
   //! the faces of a cube have files of their own.
@@ -66,7 +76,7 @@ class ShowRenderer {
   //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom, spikes.
   [[nodiscard]] bool finishes_pictures() const { return frame_needs(show_, ViewMode::sky).finishes_pictures(); }
 
-  //! What a person may turn while the show plays. Throws Error for what cannot be drawn, and keeps the old.
+  //! What a person may turn while the show plays, until apply() animates it. Throws Error for what cannot be drawn, and keeps the old.
   void set_stereo(const StereoSettings& stereo);
 
   //! Captions and images over the pictures: their language, and captions that do not come from the show. They are drawn in what is rendered next.
@@ -75,6 +85,7 @@ class ShowRenderer {
   //! Where in the depth of stereo pictures overlays appear [M]: 0 (as at first) on the dome or screen, infinity behind all.
   void set_overlay_distance(double distance) { overlay_distance_ = distance; }
 
+  //! The show, with its numbers as they were last applied.
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
@@ -115,6 +126,7 @@ class ShowRenderer {
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;
   double last_clock_s_ = 0.0;
+  double time_s_ = 0.0;  //!< that the numbers are of
 };
 
 //! Throws Error unless a trajectory was baked along the show's camera path, for its hole.

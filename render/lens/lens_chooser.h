@@ -47,6 +47,9 @@ class LensChooser {
   explicit LensChooser(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
       : backend_(backend), stream_(std::move(stream)), tracer_(backend) {}
 
+  //! Streams from other stations from now on, or from none.
+  void set_stream(std::shared_ptr<StationStream> stream) { stream_ = std::move(stream); }
+
   //! The lens for an eye's image. Views that show what rays do (steps, error, order) trace them, whatever is asked.
   //!
   //! LensChoice::automatic streams where the camera is on a baked path and the bake is fine enough. Else small pictures, all pictures on a

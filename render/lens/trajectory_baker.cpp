@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "content/animated_show.h"
 #include "content/camera_path.h"
 #include "content/show_reader.h"
 #include "content/trajectory/trajectory_journal.h"
@@ -59,6 +60,7 @@ class Baker {
     std::vector<double> ends = {0.0, show_.duration_s};
     for (const CameraKey& key : show_.camera.keys) {
       ends.push_back(std::clamp(key.time_s, 0.0, show_.duration_s));
+      ends.push_back(std::clamp(key.time_s + key.hold_s, 0.0, show_.duration_s));
     }
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -189,7 +191,14 @@ class Baker {
 }  // namespace
 
 TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& settings) {
-  return {ERGODOME_VERSION, to_toml(show), show.spin, settings.pixel, settings.budget_px, settings.derivatives};
+  if (find_animation(show, "hole.spin") != nullptr) {
+    throw Error(show.name, "the hole's spin changes with time (hole.spin), and lenses are baked for one spin",
+                "play and render it with --lens live, or leave the spin as it is");
+  }
+  // What changes words and tones needs no new lenses.
+  Show baked = show;
+  baked.timeline = {};
+  return {ERGODOME_VERSION, to_toml(baked), show.spin, settings.pixel, settings.budget_px, settings.derivatives};
 }
 
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,

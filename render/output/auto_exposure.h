@@ -23,6 +23,9 @@ class AutoExposure {
  public:
   explicit AutoExposure(const AutoExposureSettings& settings) : settings_(settings) {}
 
+  //! Follows otherwise from now on, from where it is.
+  void set(const AutoExposureSettings& settings) { settings_ = settings; }
+
   //! The stops to add for pictures of a middle light, `seconds` after those before; the first is met at once.
   double follow(double middle_light, double seconds);
 

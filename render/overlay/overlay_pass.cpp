@@ -91,6 +91,13 @@ OverlayPass::Texture OverlayPass::texture_of(OverlayImage image, const char* nam
   return texture;
 }
 
+void OverlayPass::set_timeline(const Timeline& timeline, const std::string& folder) {
+  OverlayPass next(timeline, folder);
+  captions_ = std::move(next.captions_);
+  overlays_ = std::move(next.overlays_);
+  images_ = std::move(next.images_);
+}
+
 void OverlayPass::set_extra(std::vector<Caption> captions, double opacity) {
   extra_ = std::move(captions);
   extra_opacity_ = opacity;

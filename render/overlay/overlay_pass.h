@@ -32,6 +32,9 @@ class OverlayPass {
   //! Reads the images of a show. Throws Error where one is missing, too large, or no domemaster, or a number makes no sense.
   OverlayPass(const Timeline& timeline, const std::string& folder);
 
+  //! Goes on with another show, in the same language and with the same extra captions. Throws Error like the constructor, and keeps the old.
+  void set_timeline(const Timeline& timeline, const std::string& folder);
+
   //! The language of captions, by its tag; empty: the show's own.
   void set_language(const std::string& language) { language_ = language; }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "content/animated_show.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/edge_table.h"
 #include "render/lens/lens_choice.h"
@@ -19,12 +20,16 @@ namespace {
 class Planner {
  public:
   Planner(const Show& show, const FrameRequest& request)
-      : show_(show), request_(request), needs_(frame_needs(show, request.mode)) {
+      : show_(show_at_most(show)),
+        least_(show_at_least(show)),
+        request_(request),
+        needs_(frame_needs(show_, request.mode)),
+        always_(frame_needs(least_, request.mode)) {
     const int size_px = request.size_px > 0 ? request.size_px : show.view.size_px;
-    const Projection projection = make_projection(show.view, size_px, 0.0);
+    const Projection projection = make_projection(show_.view, size_px, 0.0);
     plan_.width_px = projection.width_px;
     plan_.height_px = projection.height_px;
-    plan_.eyes = drawn_pictures(show.stereo);
+    plan_.eyes = drawn_pictures(show_.stereo);
     shown_ = eye_count(show.stereo);
     pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
     block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
@@ -54,8 +59,28 @@ class Planner {
   //! A key with where it stands.
   [[nodiscard]] std::string why(const std::string& key) const {
     const auto line = show_.lines.find(key);
-    return line != show_.lines.end() ? fmt::format("{} ({}.toml line {})", key, show_.name, line->second)
-                                     : fmt::format("{} (by default)", key);
+    const std::string reason = line != show_.lines.end()
+                                   ? fmt::format("{} ({}.toml line {})", key, show_.name, line->second)
+                                   : fmt::format("{} (by default)", key);
+    return reason + why_animated(key);
+  }
+
+  //! Where the key, or a number of that part of the show, is animated.
+  [[nodiscard]] std::string why_animated(const std::string& key) const {
+    std::string lines;
+    for (const Animation& animation : show_.timeline.animations) {
+      const auto line = show_.lines.find("animate." + animation.path);
+      if ((animation.path == key || animation.path.starts_with(key + ".")) && line != show_.lines.end()) {
+        lines += fmt::format("{}{}", lines.empty() ? ", animated from line " : ", ", line->second);
+      }
+    }
+    return lines;
+  }
+
+  //! Whether the sky turns, and is read again for each picture.
+  [[nodiscard]] bool sky_turns() const {
+    return find_animation(show_, "sky.spin_axis.ra_deg") != nullptr ||
+           find_animation(show_, "sky.spin_axis.dec_deg") != nullptr;
   }
 
   [[nodiscard]] std::string why_view() const {
@@ -73,7 +98,10 @@ class Planner {
 
   //! A pass over all pixels of all eyes, block by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false) {
-    pass(name, WorkMoment::picture, plan_.eyes * blocks_, plan_.eyes * pixels_, reason, if_needed);
+    // Where the baseline comes and goes, one picture serves both eyes at times.
+    const bool known = drawn_pictures(least_.stereo) == plan_.eyes;
+    pass(name, WorkMoment::picture, known ? plan_.eyes * blocks_ : 0, known ? plan_.eyes * pixels_ : 0, reason,
+         if_needed);
   }
 
   void plan_channels() {
@@ -180,23 +208,32 @@ class Planner {
     const bool polygons = shading.filter == SkyFilter::polygon;
     const bool fitted = shading.shift == SkyShift::blackbody_fit;
     const int width = request_.map_width_px;
-    buffer("sky map", WorkMoment::start, static_cast<long>(SkyCube::bytes_for(polygons ? 1 : width)), why("sky.map"));
+    const auto sky_buffer = [&](const char* name, long bytes, const std::string& reason) {
+      buffer(name, sky_turns() ? WorkMoment::picture : WorkMoment::start, sky_turns() ? 0 : bytes,
+             sky_turns() ? reason + ", " + why("sky.spin_axis") : reason);
+    };
+    sky_buffer("sky map", static_cast<long>(SkyCube::bytes_for(polygons ? 1 : width)), why("sky.map"));
     if (polygons) {
-      buffer("column sums", WorkMoment::start, ColumnSums::bytes_for(width, fitted), why("sky.filter"));
+      sky_buffer("column sums", ColumnSums::bytes_for(width, fitted), why("sky.filter"));
     }
     if (fitted) {
       // One to fit temperatures by, one for the kernels.
-      buffer("blackbody table", WorkMoment::start, 2 * BlackbodyColours::bytes, why("sky.shift"));
+      sky_buffer("blackbody table", 2 * BlackbodyColours::bytes, why("sky.shift"));
     }
   }
 
   //! Whatever is shown: a window goes from view to view.
   void plan_star_loading() {
-    const std::string stars = why("sky.stars");
-    pass("load_stars", WorkMoment::start, 1, 0, stars);
-    buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes, stars);
+    const bool turns = sky_turns();
+    const std::string stars = why("sky.stars") + (turns ? ", " + why("sky.spin_axis") : "");
+    const WorkMoment moment = turns ? WorkMoment::picture : WorkMoment::start;
+    pass("load_stars", moment, turns ? 0 : 1, 0, stars, turns);
+    buffer("blackbody table", moment, turns ? 0 : BlackbodyColours::bytes, stars);
     if (frame_needs(show_, ViewMode::sky).spikes) {
-      buffer("diffraction pattern", WorkMoment::start, 0, why("effects.diffraction"));
+      const bool changes = find_animation(show_, "effects.diffraction.obstruction") != nullptr ||
+                           find_animation(show_, "effects.diffraction.scale") != nullptr;
+      buffer("diffraction pattern", turns || changes ? WorkMoment::picture : WorkMoment::start, 0,
+             why("effects.diffraction"));
     }
   }
 
@@ -214,7 +251,7 @@ class Planner {
       pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
     }
     if (needs_.trails) {
-      pass("follow_trails", WorkMoment::picture, plan_.eyes, 0, why("effects.trails"));
+      pass("follow_trails", WorkMoment::picture, plan_.eyes, 0, why("effects.trails"), !always_.trails);
       if (needs_.gather) {
         pass("find_star_images", WorkMoment::picture, 0, 0, why("effects.trails"), true);
         pass("find_star_images, double", WorkMoment::picture, 0, 0, why("effects.trails"), true);
@@ -229,24 +266,27 @@ class Planner {
 
   void plan_light() {
     if (shown_ > 1 && show_.stereo.model == StereoModel::flat && show_.stereo.baseline > 0.0) {
-      pass("trace_affine_distances", WorkMoment::picture, 1, 0, why("stereo.model"));
-      pass("mask_shadow", WorkMoment::picture, shown_, shown_ * pixels_, why("stereo.baseline"));
+      const bool at_times = !(least_.stereo.baseline > 0.0);
+      pass("trace_affine_distances", WorkMoment::picture, 1, 0, why("stereo.model"), at_times);
+      pass("mask_shadow", WorkMoment::picture, shown_, shown_ * pixels_, why("stereo.baseline"), at_times);
     }
     if (needs_.bloom) {
-      pass("add_bloom", WorkMoment::picture, shown_, shown_ * pixels_, why("effects.bloom"));
+      pass("add_bloom", WorkMoment::picture, shown_, shown_ * pixels_, why("effects.bloom"), !always_.bloom);
     }
     if (needs_.clear_outside) {
       pass("clear_outside", WorkMoment::picture, shown_, shown_ * pixels_,
-           why(needs_.bloom ? "effects.bloom" : "effects.diffraction"));
+           why(needs_.bloom ? "effects.bloom" : "effects.diffraction"), !always_.clear_outside);
     }
     if (needs_.auto_exposure) {
       pass("meter_light", WorkMoment::picture, shown_, shown_ * pixels_, why("tone.auto"));
     }
   }
 
-  const Show& show_;
+  const Show show_;   //!< with each animated number at its greatest
+  const Show least_;  //!< and at its least
   const FrameRequest& request_;
-  FrameNeeds needs_;
+  FrameNeeds needs_;   //!< at some time
+  FrameNeeds always_;  //!< at all times
   LensChannels channels_;
   FramePlan plan_;
   long pixels_;

@@ -63,7 +63,8 @@ struct FrameRequest {
   bool streamed = false;  //!< the show's trajectory has been baked
 };
 
-//! Plans the pictures that ShowRenderer::render makes. Effects and channels are decided by the same functions here and there
+//! Plans the pictures that ShowRenderer::render makes; of a show whose numbers change, whatever one of them may take at its greatest
+//! value, and what its least does without is there if needed. Effects and channels are decided by the same functions here and there
 //! (render/plan/frame_needs.h); the order in which lenses are tried is LensChooser's own, followed here.
 FramePlan plan_frame(const Show& show, const FrameRequest& request);
 

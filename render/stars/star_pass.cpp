@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "content/animated_show.h"
 #include "content/sky_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -42,28 +43,55 @@ StarSettings star_settings(const Show& show) {
   return settings;
 }
 
+SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPattern>& spikes) {
+  const auto& psf = show.effects.psf;
+  SplatSettings splat{psf ? psf->sigma_px : 0.0,
+                      static_cast<float>(show.sky.exposure / luminance_of_white),
+                      std::numeric_limits<float>::infinity(),
+                      0.0F,
+                      0.0,
+                      psf ? psf->cutoff_px : 0.0};
+  if (spikes && frame_needs(show, ViewMode::sky).spikes) {
+    splat.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
+    splat.spike_strength = static_cast<float>(show.effects.diffraction->strength);
+    splat.spike_reach_px = 0.5 * spikes->size_px + 1.0;
+  }
+  return splat;
+}
+
+//! Whether spikes are drawn by the same pattern; a file is, whatever the aperture.
+bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
+  return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
+}
+
 }  // namespace
 
 StarPass::StarPass(const Show& show)
     : colours_(Backend::cpu),
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
-      settings_(star_settings(show)),
-      splat_{show.effects.psf ? show.effects.psf->sigma_px : 0.0,
-             static_cast<float>(show.sky.exposure / luminance_of_white),
-             std::numeric_limits<float>::infinity(),
-             0.0F,
-             0.0,
-             show.effects.psf ? show.effects.psf->cutoff_px : 0.0} {
+      settings_(star_settings(show)) {
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
   }
-  if (frame_needs(show, ViewMode::sky).spikes) {
-    splat_.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
-    spikes_ = spike_pattern(show);
-    count_work("buffer: diffraction pattern", static_cast<long>(spikes_->rgb.size() * sizeof(float)));
-    splat_.spike_strength = static_cast<float>(show.effects.diffraction->strength);
-    splat_.spike_reach_px = 0.5 * spikes_->size_px + 1.0;
+  // Spikes that come later must not keep a picture waiting.
+  if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
+    make_pattern(show);
   }
+  splat_ = splat_settings(show, spikes_);
+}
+
+void StarPass::make_pattern(const Show& show) {
+  spikes_ = spike_pattern(show);
+  pattern_ = show.effects.diffraction;
+  count_work("buffer: diffraction pattern", static_cast<long>(spikes_->rgb.size() * sizeof(float)));
+}
+
+void StarPass::set_numbers(const Show& show) {
+  settings_ = star_settings(show);
+  if (spikes_ && show.effects.diffraction && !same_pattern(*pattern_, *show.effects.diffraction)) {
+    make_pattern(show);
+  }
+  splat_ = splat_settings(show, spikes_);
 }
 
 const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSettings& asked) {
@@ -74,11 +102,16 @@ const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSe
   });
   if (found != turned_.end()) {
     std::rotate(turned_.begin(), found, found + 1);
-    return turned_.front();
+    Turned& latest = turned_.front();
+    if (latest.faintest != asked.faintest) {
+      latest.faintest = asked.faintest;
+      latest.patches = star_patches(field_, colours_.view(), eye, latest.station, asked);
+    }
+    return latest;
   }
   LensStation station = build_star_station(eye, pixel, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
-  turned_.insert(turned_.begin(), Turned{eye.spin, eye.r, eye.theta, pixel, eye.motion, eye.velocity,
+  turned_.insert(turned_.begin(), Turned{eye.spin, eye.r, eye.theta, pixel, eye.motion, eye.velocity, asked.faintest,
                                          std::move(station), std::move(patches)});
   if (turned_.size() > kept) {
     turned_.pop_back();

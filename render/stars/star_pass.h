@@ -23,6 +23,9 @@ class StarPass {
   //! Loads the catalogue. Throws Error when it cannot be read.
   explicit StarPass(const Show& show);
 
+  //! Takes the numbers of a show that differs from the first in these alone (content/animatable_number.h), and not in its sky's turn.
+  void set_numbers(const Show& show);
+
   //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
   std::vector<StarPoint> find(const EyeCamera& eye, const Projection& projection,
                               const std::optional<Shutter>& shutter);
@@ -38,6 +41,8 @@ class StarPass {
   void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
                    float* rgba) const;
 
+  void make_pattern(const Show& show);
+
   //! A grid that was turned round.
   struct Turned {
     double spin;
@@ -46,6 +51,7 @@ class StarPass {
     double pixel;
     ObserverMotion motion;
     Vector3<double> velocity;
+    float faintest;  //!< that the patches were made for
     LensStation station;
     StarPatches patches;
   };
@@ -57,7 +63,8 @@ class StarPass {
   std::optional<StarTree> tree_;  //!< where pixels gather stars
   StarSettings settings_;
   SplatSettings splat_;
-  std::optional<DiffractionPattern> spikes_;
+  std::optional<DiffractionPattern> spikes_;    //!< where the show ever has any
+  std::optional<DiffractionSettings> pattern_;  //!< of these spikes
   GridTracer<float> tracer_;
   std::vector<Turned> turned_;  //!< of the last eyes
 };

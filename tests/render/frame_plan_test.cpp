@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "content/animated_show.h"
 #include "content/show_reader.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
@@ -240,6 +241,48 @@ TEST_F(FramePlans, HoldForEveryLens) {
       expect_as_planned(show, asked);
     }
   }
+}
+
+//! Animates a number of the whole scene from nothing at 0 s to a value at 1 s.
+Show animated(Show show, const char* path, double value) {
+  for (const Effect& effect : effects()) {
+    if (std::string_view(effect.name) != "gather") {
+      effect.add(show);
+    }
+  }
+  show.lines[std::string("animate.") + path] = 99;
+  show.timeline.animations.push_back({path, {{0.0, find_animatable(path)->limits.least}, {1.0, value}}});
+  return show;
+}
+
+TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
+  for (const auto& [path, value] : std::map<const char*, double>{{"effects.bloom.strength", 0.2},
+                                                                 {"effects.diffraction.strength", 0.3},
+                                                                 {"effects.trails.shutter_s", 0.1},
+                                                                 {"effects.diffraction.scale", 1.5},
+                                                                 {"sky.spin_axis.ra_deg", 30.0}}) {
+    SCOPED_TRACE(path);
+    Show show = animated(plain_show(), path, value);
+    expect_as_planned(show, request());
+    // The pictures before it begins are held to the same plan.
+    for (NumberKey& key : show.timeline.animations[0].keys) {
+      key.time_s += 10.0;
+    }
+    if (find_animatable(path)->limits.least == 0.0) {
+      expect_as_planned(show, request());
+    }
+  }
+}
+
+TEST_F(FramePlans, NameTheLineThatAnimatesAnEffect) {
+  const FramePlan plan = plan_frame(animated(plain_show(), "effects.bloom.strength", 0.2), request());
+  const auto bloom = std::ranges::find(plan.passes, "add_bloom", &PlannedPass::name);
+  ASSERT_NE(bloom, plan.passes.end());
+  EXPECT_TRUE(bloom->if_needed);
+  EXPECT_THAT(bloom->why, testing::HasSubstr("animated from line 99"));
+  const auto trails = std::ranges::find(plan.passes, "follow_trails", &PlannedPass::name);
+  ASSERT_NE(trails, plan.passes.end());
+  EXPECT_FALSE(trails->if_needed);
 }
 
 TEST_F(FramePlans, HoldForEveryProjection) {

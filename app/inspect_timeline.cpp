@@ -1,0 +1,113 @@
+#include "app/inspect_timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "content/animated_show.h"
+
+namespace ergodome {
+
+namespace {
+
+using nlohmann::json;
+
+json file_facts(const Show& show, const std::string& file) {
+  std::error_code problem;
+  return {{"file", file},
+          {"there", std::filesystem::is_regular_file(std::filesystem::path(show.folder) / file, problem)}};
+}
+
+json presence_facts(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
+
+//! Words as they are printed: of bounded length, in one line.
+std::string shown(const LocalText& text) {
+  std::string all;
+  for (const auto& [tag, words] : text) {
+    std::string line = words.substr(0, 200);
+    // What the cut has left of a letter.
+    while (line.size() < words.size() && !line.empty() &&
+           (static_cast<unsigned char>(words[line.size()]) & 0xC0U) == 0x80U) {
+      line.pop_back();
+    }
+    std::ranges::replace(line, '\n', ' ');
+    all += fmt::format("{}{}{}", all.empty() ? "" : " | ", tag.empty() ? "" : tag + ": ", line);
+  }
+  return all;
+}
+
+std::string shown(const json& text) { return shown(text.get<LocalText>()); }
+
+void print_file(const json& facts, const std::string& more) {
+  fmt::print("  {:<40} {}{}\n", facts["file"].get<std::string>(), more,
+             facts["there"].get<bool>() ? "" : "  NOT THERE");
+}
+
+std::string times(const json& facts) {
+  return fmt::format("{:>9.3f} s to {:>9.3f} s", facts["from_s"].get<double>(), facts["to_s"].get<double>());
+}
+
+}  // namespace
+
+json facts_of_timeline(const Show& show) {
+  const Timeline& timeline = show.timeline;
+  json facts = {{"languages", languages(timeline)}};
+  for (const Animation& animation : timeline.animations) {
+    const NumberLimits range = range_of(animation);
+    facts["animated"].push_back({{"number", animation.path},
+                                 {"keys", animation.keys.size()},
+                                 {"from_s", animation.keys.front().time_s},
+                                 {"to_s", animation.keys.back().time_s},
+                                 {"least", range.least},
+                                 {"greatest", range.greatest}});
+  }
+  for (const Chapter& chapter : timeline.chapters) {
+    facts["chapters"].push_back({{"t_s", chapter.time_s}, {"title", chapter.title}});
+  }
+  for (const Caption& caption : timeline.captions) {
+    json& added = facts["captions"].emplace_back(presence_facts(caption.presence));
+    added["text"] = caption.text;
+  }
+  for (const Overlay& overlay : timeline.overlays) {
+    json& added = facts["overlays"].emplace_back(file_facts(show, overlay.image));
+    added.update(presence_facts(overlay.presence));
+    added["fisheye"] = overlay.fisheye;
+  }
+  for (const AudioTrack& track : timeline.audio) {
+    json& added = facts["audio"].emplace_back(file_facts(show, track.file));
+    added.update({{"from_s", track.from_s}, {"language", track.language}, {"loop", track.loop}});
+  }
+  return facts;
+}
+
+void print_timeline(const json& facts) {
+  const auto each = [&](const char* name, const auto& print_one) {
+    if (facts.contains(name)) {
+      fmt::print("\n{}\n", name);
+      for (const json& one : facts[name]) {
+        print_one(one);
+      }
+    }
+  };
+  if (!facts["languages"].empty()) {
+    fmt::print("{:<16}{}\n", "languages", fmt::join(facts["languages"].get<std::vector<std::string>>(), ", "));
+  }
+  each("animated", [](const json& one) {
+    fmt::print("  {:<34} {}  {} keys, {:.6g} to {:.6g}\n", one["number"].get<std::string>(), times(one),
+               one["keys"].get<int>(), one["least"].get<double>(), one["greatest"].get<double>());
+  });
+  each("chapters",
+       [](const json& one) { fmt::print("  {:>9.3f} s  {}\n", one["t_s"].get<double>(), shown(one["title"])); });
+  each("captions", [](const json& one) { fmt::print("  {}  {}\n", times(one), shown(one["text"])); });
+  each("overlays",
+       [](const json& one) { print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "")); });
+  each("audio", [](const json& one) {
+    const std::string language = one["language"].get<std::string>();
+    print_file(one,
+               fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(), language.empty() ? "" : "  " + language,
+                           one["loop"].get<bool>() ? "  again and again" : ""));
+  });
+}
+
+}  // namespace ergodome

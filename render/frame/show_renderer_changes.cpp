@@ -1,0 +1,94 @@
+#include <optional>
+#include <utility>
+
+#include "content/animated_show.h"
+#include "kernels/core/error.h"
+#include "render/frame/show_renderer.h"
+
+// How a show's renderer goes on with other numbers, or with another show.
+namespace ergodome {
+
+namespace {
+
+bool same_turn(const SkySettings& a, const SkySettings& b) {
+  return a.spin_axis_ra_deg == b.spin_axis_ra_deg && a.spin_axis_dec_deg == b.spin_axis_dec_deg;
+}
+
+//! Whether two shows look at one map in one way, so that it need not be read again.
+bool same_map(const Show& a, const Show& b) {
+  return a.folder == b.folder && a.sky.map == b.sky.map && same_turn(a.sky, b.sky) && a.sky.filter == b.sky.filter &&
+         a.sky.shift == b.sky.shift && a.effects.redshift == b.effects.redshift;
+}
+
+//! Whether two shows' spikes differ in animatable numbers at the most.
+bool same_spikes(const Show& a, const Show& b) {
+  const auto& one = a.effects.diffraction;
+  const auto& other = b.effects.diffraction;
+  if (!one || !other) {
+    return !one && !other;
+  }
+  const bool ever = frame_needs(show_at_most(a), ViewMode::sky).spikes;
+  return ever == frame_needs(show_at_most(b), ViewMode::sky).spikes && one->pattern == other->pattern &&
+         one->blades == other->blades && one->vanes == other->vanes && one->size_px == other->size_px;
+}
+
+//! Whether stars are the same but for numbers that StarPass::set_numbers takes.
+bool same_stars(const Show& a, const Show& b) {
+  return a.folder == b.folder && a.sky.stars == b.sky.stars && a.sky.star_method == b.sky.star_method &&
+         same_turn(a.sky, b.sky) && a.effects.redshift == b.effects.redshift && same_spikes(a, b);
+}
+
+}  // namespace
+
+void ShowRenderer::apply(double time_s) {
+  time_s_ = time_s;
+  const NumberChange change = animate(show_, time_s);
+  if (change.sky) {
+    sky_ = ShowSky(show_, backend());
+    stars_ = show_.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_);
+  } else if (change.stars && stars_) {
+    stars_->set_numbers(show_);
+  }
+  if (change.exposure && exposure_) {
+    exposure_->set(*show_.tone.automatic);
+  }
+}
+
+void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> stream) {
+  Show next = show_at(show, time_s_);
+  const std::vector<std::string> missing = missing_features(next);
+  if (!missing.empty()) {
+    throw Error(next.name, missing.front(), "take it out of the show for now");
+  }
+  std::optional<ShowSky> sky;
+  if (!same_map(show_, next)) {
+    sky.emplace(next, backend());
+  }
+  std::unique_ptr<StarPass> stars;
+  const bool other_stars = !same_stars(show_, next);
+  if (other_stars && !next.sky.stars.empty()) {
+    stars = std::make_unique<StarPass>(next);
+  }
+  overlays_.set_timeline(next.timeline, next.folder);
+  // Nothing is thrown from here on.
+  if (sky) {
+    sky_ = std::move(*sky);
+  }
+  if (other_stars) {
+    stars_ = std::move(stars);
+  } else if (stars_) {
+    stars_->set_numbers(next);
+  }
+  if (!next.tone.automatic) {
+    exposure_.reset();
+  } else if (exposure_) {
+    exposure_->set(*next.tone.automatic);
+  } else {
+    exposure_.emplace(*next.tone.automatic);
+  }
+  show_ = std::move(next);
+  stream_ = std::move(stream);
+  renderer_.set_stream(stream_);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_line.h"
+
+namespace ergodome {
+namespace {
+
+using test::CommandLine;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* long_show =
+    "duration_s = 9\n[camera]\n[[camera.key]]\nr = 8\n[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 1, value = "
+    "0.25 }, { t_s = 4, value = 0.75 }]\n[[chapter]]\nt_s = 2\ntitle = { en = \"The shadow\", de = \"Der Schatten\" }\n"
+    "[[caption]]\nfrom_s = 1\nto_s = 2\ntext = \"Grüße\\nan alle\"\n[[overlay]]\nimage = \"logo.png\"\nfrom_s = 0\n"
+    "to_s = 1\n[[audio]]\nfile = \"words.ogg\"\nlanguage = \"fr\"\n";
+
+TEST_F(CommandLine, InspectTellsWhatAShowDoesWithTime) {
+  write("long.toml", long_show);
+  write("words.ogg", "");
+  ASSERT_EQ(run("inspect long.toml"), 0) << output_;
+  EXPECT_THAT(output_, AllOf(HasSubstr("languages       de, en, fr"), HasSubstr("2 keys, 0.25 to 0.75"),
+                             HasSubstr("2.000 s  de: Der Schatten | en: The shadow"), HasSubstr("Grüße an alle")));
+  const std::size_t logo = output_.find("logo.png");
+  const std::size_t words = output_.find("words.ogg");
+  ASSERT_NE(logo, std::string::npos);
+  ASSERT_NE(words, std::string::npos);
+  EXPECT_THAT(output_.substr(logo, output_.find('\n', logo) - logo), HasSubstr("NOT THERE"));
+  EXPECT_THAT(output_.substr(words), Not(HasSubstr("NOT THERE")));
+}
+
+TEST_F(CommandLine, InspectTellsItAsJson) {
+  write("long.toml", long_show);
+  ASSERT_EQ(run("inspect long.toml --json"), 0) << output_;
+  const nlohmann::json timeline = nlohmann::json::parse(output_)["timeline"];
+  EXPECT_EQ(timeline["animated"][0]["number"], "hole.spin");
+  EXPECT_EQ(timeline["animated"][0]["to_s"], 4.0);
+  EXPECT_EQ(timeline["chapters"][0]["title"]["de"], "Der Schatten");
+  EXPECT_EQ(timeline["captions"][0]["text"][""], "Grüße\nan alle");
+  EXPECT_EQ(timeline["overlays"][0]["there"], false);
+  EXPECT_EQ(timeline["audio"][0]["language"], "fr");
+}
+
+TEST_F(CommandLine, BakeRefusesASpinThatChangesAndLeavesNothing) {
+  write("long.toml", long_show);
+  EXPECT_NE(run("bake long.toml --out long.trajectory"), 0);
+  EXPECT_THAT(output_, AllOf(HasSubstr("spin changes with time"), HasSubstr("--lens live")));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "long.trajectory.part"));
+}
+
+TEST_F(CommandLine, RendersAnAnimatedShow) {
+  write("long.toml", long_show);
+  ASSERT_EQ(run("render long.toml --frames 30:32 --size 32 --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("3 frames"));
+}
+
+}  // namespace
+}  // namespace ergodome
