@@ -1,0 +1,120 @@
+#include "app/playback/audio_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include "tests/app/playback/sound_files.h"
+#include "tests/support/errors.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using test::error_of;
+
+using AudioFiles = test::FolderTest;
+
+//! Silence but for a burst of 1 kHz from 2.0 to 2.1 s.
+double burst(double time_s, int /*channel*/) {
+  return time_s >= 2.0 && time_s < 2.1 ? 0.5 * std::sin(2000.0 * std::numbers::pi * time_s) : 0.0;
+}
+
+//! Where a burst is heard first, reading from a second before it.
+double heard_burst_s(const std::filesystem::path& path) {
+  AudioFile file(path);
+  std::vector<float> samples(static_cast<std::size_t>(file.channels()) * static_cast<std::size_t>(file.rate_hz()) * 2);
+  EXPECT_TRUE(file.read(file.rate_hz(), false, samples));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (std::abs(samples[i]) > 0.1F) {
+      return 1.0 + static_cast<double>(i / static_cast<std::size_t>(file.channels())) / file.rate_hz();
+    }
+  }
+  return 0.0;
+}
+
+TEST_F(AudioFiles, OfEveryKindAreReadFromTheMiddle) {
+  struct Kind {
+    const char* name;
+    int format;
+    double tolerance_s;
+  };
+  // Lossy ones smear a burst's edge.
+  for (const Kind& kind :
+       {Kind{"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 0.0005},
+        Kind{"a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_24, 0.0005},
+        Kind{"a.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS, 0.005}, Kind{"a.opus", SF_FORMAT_OGG | SF_FORMAT_OPUS, 0.005},
+        Kind{"a.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, 0.005}}) {
+    test::write_sound(folder_ / kind.name, {kind.format, 48000, 2, 3.0}, burst);
+    EXPECT_NEAR(heard_burst_s(folder_ / kind.name), 2.0, kind.tolerance_s) << kind.name;
+  }
+}
+
+TEST_F(AudioFiles, AreSilentBeforeTheirStartAndBeyondTheirEnd) {
+  test::write_sound(folder_ / "a.wav", {SF_FORMAT_WAV | SF_FORMAT_FLOAT, 8000, 1, 0.001},
+                    [](double, int) { return 0.25; });
+  AudioFile file(folder_ / "a.wav");
+  ASSERT_EQ(file.frames(), 8);
+  std::vector<float> samples(12, 9.0F);
+  EXPECT_TRUE(file.read(-2, false, samples));
+  EXPECT_THAT(samples, testing::ElementsAre(0, 0, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0, 0));
+  EXPECT_TRUE(file.read(-100, false, samples));
+  EXPECT_THAT(samples, testing::Each(0.0F));
+  EXPECT_TRUE(file.read(1'000'000'000'000, false, samples));
+  EXPECT_THAT(samples, testing::Each(0.0F));
+}
+
+TEST_F(AudioFiles, RepeatWithoutASeam) {
+  test::write_sound(folder_ / "a.wav", {SF_FORMAT_WAV | SF_FORMAT_FLOAT, 8000, 1, 0.0005},
+                    [](double time_s, int) { return time_s * 1000.0; });
+  AudioFile file(folder_ / "a.wav");
+  std::vector<float> samples(6);
+  EXPECT_TRUE(file.read(4'000'000'000'002, true, samples));
+  EXPECT_THAT(samples, testing::ElementsAre(0.25F, 0.375F, 0.0F, 0.125F, 0.25F, 0.375F));
+}
+
+TEST_F(AudioFiles, WhatIsNoSampleIsSilence) {
+  test::write_sound(folder_ / "a.wav", {SF_FORMAT_WAV | SF_FORMAT_FLOAT, 8000, 1, 0.0005}, [](double time_s, int) {
+    return time_s == 0.0 ? std::nan("") : time_s < 0.0002 ? std::numeric_limits<double>::infinity() : 1e30;
+  });
+  AudioFile file(folder_ / "a.wav");
+  std::vector<float> samples(4);
+  EXPECT_TRUE(file.read(0, false, samples));
+  EXPECT_THAT(samples, testing::ElementsAre(0.0F, 0.0F, 4.0F, 4.0F));
+}
+
+TEST_F(AudioFiles, ThatAreCutOffSayEitherSoAtOnceOrWhenTheyEnd) {
+  test::write_sound(folder_ / "a.flac", {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 2, 3.0}, burst);
+  std::filesystem::resize_file(folder_ / "a.flac", std::filesystem::file_size(folder_ / "a.flac") / 3);
+  AudioFile file(folder_ / "a.flac");
+  std::vector<float> samples(2 * 48000 * 3);
+  EXPECT_FALSE(file.read(0, false, samples));
+}
+
+TEST_F(AudioFiles, ThatAreNoSoundAreErrorsWithARemedy) {
+  std::ofstream(folder_ / "text.wav") << "this is not a sound";
+  std::ofstream(folder_ / "empty.wav");
+  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "text.wav"); }), testing::HasSubstr("is no sound file"));
+  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "text.wav"); }), testing::HasSubstr("give a WAV, FLAC, Ogg or MP3"));
+  EXPECT_NE(error_of([&] { AudioFile(folder_ / "empty.wav"); }), "");
+  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "none.wav"); }), testing::HasSubstr("is not a file"));
+  EXPECT_THAT(error_of([&] { AudioFile{folder_}; }), testing::HasSubstr("is not a file"));
+}
+
+TEST_F(AudioFiles, OfTooManyChannelsOrOfNoLengthAreErrors) {
+  const auto silence = [](double, int) { return 0.0; };
+  test::write_sound(folder_ / "many.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 9, 0.01}, silence);
+  test::write_sound(folder_ / "slow.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 4000, 1, 0.01}, silence);
+  test::write_sound(folder_ / "short.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1, 0.0}, silence);
+  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "many.wav"); }), testing::HasSubstr("has 9 channels"));
+  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "slow.wav"); }), testing::HasSubstr("4000 samples a second"));
+  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "short.wav"); }), testing::HasSubstr("has no length"));
+}
+
+}  // namespace
+}  // namespace ergodome

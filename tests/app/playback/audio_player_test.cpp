@@ -1,0 +1,54 @@
+#include "app/playback/audio_player.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/app/playback/sound_files.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using namespace std::chrono_literals;
+
+//! With the audio library's stand-in for a device, chosen before the library is first called.
+class SoundWithoutDevice : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    test::FolderTest::SetUp();
+    ::setenv("ALSOFT_DRIVERS", "null", 1);
+  }
+
+  //! What a player says, once it says something.
+  static std::vector<std::string> first_problems(AudioPlayer& player) {
+    std::vector<std::string> problems;
+    for (const auto end = steady_time() + 20s; problems.empty() && steady_time() < end;) {
+      std::this_thread::yield();
+      problems = player.take_problems();
+    }
+    return problems;
+  }
+};
+
+TEST_F(SoundWithoutDevice, IsSaidOnceAndTheShowGoesOn) {
+  test::write_ramp(folder_ / "a.wav", 8000, 1.0);
+  AudioTrack track;
+  track.file = "a.wav";
+  AudioPlayer player;
+  player.set_soundtrack({{track}, folder_, 10.0});
+  player.follow({ShowInstant{steady_time(), 0s, 0, 0, 1.0, true, 0}, 1.0, ""});
+  EXPECT_THAT(first_problems(player), testing::ElementsAre("there is no sound device; the show goes on in silence"));
+  EXPECT_EQ(player.state(), "no sound device");
+}
+
+TEST_F(SoundWithoutDevice, IsNoneOfTheBusinessOfAShowWithoutSound) {
+  AudioPlayer player;
+  player.set_soundtrack({{}, folder_, 10.0});
+  player.follow({});
+  EXPECT_TRUE(player.take_problems().empty());
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/playback/show_time.h"
+
+namespace ergodome::test {
+
+//! A clock that goes when it is told to. Must outlive what runs by it.
+struct FakeTime {
+  MonotonicTime now = std::chrono::hours(5);
+
+  [[nodiscard]] TimeSource source() {
+    return [this] { return now; };
+  }
+  void pass(double seconds) { now += show_time(seconds); }
+};
+
+}  // namespace ergodome::test

@@ -1,0 +1,205 @@
+#include "app/playback/midi_time_code.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace ergodome {
+namespace {
+
+using namespace std::chrono_literals;
+using Bytes = std::vector<std::uint8_t>;
+using Reading = MidiTimeCodeReader::Reading;
+
+//! The two bytes of a piece of a code, as the specification lays them out.
+Bytes quarter(const TimeCode& code, int piece) {
+  const int rate = static_cast<int>(code.rate);
+  const int nibbles[] = {code.frames & 15,  code.frames >> 4,  code.seconds & 15, code.seconds >> 4,
+                         code.minutes & 15, code.minutes >> 4, code.hours & 15,   code.hours >> 4 | rate << 1};
+  return {0xF1, static_cast<std::uint8_t>(piece << 4 | nibbles[piece])};
+}
+
+Bytes code_forwards(const TimeCode& code) {
+  Bytes bytes;
+  for (int piece = 0; piece < 8; ++piece) {
+    const Bytes two = quarter(code, piece);
+    bytes.insert(bytes.end(), two.begin(), two.end());
+  }
+  return bytes;
+}
+
+Bytes code_backwards(const TimeCode& code) {
+  Bytes bytes;
+  for (int piece = 7; piece >= 0; --piece) {
+    const Bytes two = quarter(code, piece);
+    bytes.insert(bytes.end(), two.begin(), two.end());
+  }
+  return bytes;
+}
+
+TEST(TimeCode, DropFrameCountingLeavesOutTwoLabelsInMostMinutes) {
+  EXPECT_EQ(frame_number({0, 0, 59, 29, CodeRate::drop}), 1799);
+  EXPECT_EQ(frame_number({0, 1, 0, 2, CodeRate::drop}), 1800);
+  EXPECT_EQ(frame_number({0, 10, 0, 0, CodeRate::drop}), 17982);
+  EXPECT_EQ(frame_number({1, 0, 0, 0, CodeRate::drop}), 107892);
+  EXPECT_FALSE(is_valid({0, 1, 0, 0, CodeRate::drop}));
+  EXPECT_TRUE(is_valid({0, 10, 0, 0, CodeRate::drop}));
+}
+
+TEST(TimeCode, IsReadFromText) {
+  EXPECT_EQ(parse_time_code("01:02:03:04", CodeRate::fps25), (TimeCode{1, 2, 3, 4, CodeRate::fps25}));
+  for (const char* const text :
+       {"", "1", "01:02:03", "01:02:03:25", "24:00:00:00", "01:02:03:04x", "-1:0:0:0", "::::"}) {
+    EXPECT_FALSE(parse_time_code(text, CodeRate::fps25)) << text;
+  }
+}
+
+TEST(MidiTimeCode, EightQuarterFramesMakeACodeThatIsSevenQuartersOld) {
+  MidiTimeCodeReader reader;
+  const TimeCode code = {12, 34, 56, 23, CodeRate::fps24};
+  EXPECT_THAT(reader.read(code_forwards(code)),
+              testing::ElementsAre(Reading{4 * frame_number(code) + 7, CodeRate::fps24, 1}));
+}
+
+TEST(MidiTimeCode, EveryFurtherQuarterTellsAPlace) {
+  MidiTimeCodeReader reader;
+  reader.read(code_forwards({1, 0, 0, 0, CodeRate::fps25}));
+  const auto readings = reader.read(code_forwards({1, 0, 0, 2, CodeRate::fps25}));
+  ASSERT_EQ(readings.size(), 8U);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    EXPECT_EQ(readings[i].quarter_frames, 4 * (3600 * 25 + 2) + static_cast<std::int64_t>(i));
+  }
+}
+
+TEST(MidiTimeCode, RunsBackwards) {
+  MidiTimeCodeReader reader;
+  EXPECT_THAT(reader.read(code_backwards({1, 0, 0, 2, CodeRate::fps30})),
+              testing::ElementsAre(Reading{4 * (3600 * 30 + 2), CodeRate::fps30, -1}));
+  const auto readings = reader.read(code_backwards({1, 0, 0, 0, CodeRate::fps30}));
+  ASSERT_EQ(readings.size(), 8U);
+  EXPECT_EQ(readings.front().quarter_frames, 4 * 3600 * 30 + 7);
+  EXPECT_EQ(readings.back().quarter_frames, 4 * 3600 * 30);
+}
+
+TEST(MidiTimeCode, ATapeThatTurnsRoundIsUnknownUntilAWholeCodeHasCome) {
+  MidiTimeCodeReader reader;
+  const TimeCode code = {1, 0, 0, 4, CodeRate::fps25};
+  reader.read(code_forwards({1, 0, 0, 2, CodeRate::fps25}));
+  for (const int piece : {0, 1, 2}) {
+    EXPECT_EQ(reader.read(quarter(code, piece)).size(), 1U);
+  }
+  for (const int piece : {1, 0}) {
+    EXPECT_TRUE(reader.read(quarter(code, piece)).empty());
+  }
+  EXPECT_EQ(reader.read(code_backwards({1, 0, 0, 2, CodeRate::fps25})).size(), 1U);
+}
+
+TEST(MidiTimeCode, ALostQuarterIsNotGuessedOver) {
+  MidiTimeCodeReader reader;
+  Bytes bytes = code_forwards({1, 0, 0, 0, CodeRate::fps25});
+  bytes.erase(bytes.begin() + 6, bytes.begin() + 8);
+  EXPECT_TRUE(reader.read(bytes).empty());
+  EXPECT_EQ(reader.read(code_forwards({1, 0, 0, 2, CodeRate::fps25})).size(), 1U);
+}
+
+TEST(MidiTimeCode, AFullFrameMessagePutsItSomewhere) {
+  MidiTimeCodeReader reader;
+  const Bytes message = {0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x21, 0x02, 0x03, 0x04, 0xF7};  // 01:02:03:04 at 25
+  EXPECT_THAT(reader.read(message), testing::ElementsAre(Reading{4 * (3723 * 25 + 4), CodeRate::fps25, 0}));
+}
+
+TEST(MidiTimeCode, OtherMessagesAreNotInTheWay) {
+  MidiTimeCodeReader reader;
+  const TimeCode code = {1, 2, 3, 4, CodeRate::fps25};
+  const Bytes plain = code_forwards(code);
+  Bytes mixed = {0x90, 0x3C, 0x40};  // a note
+  for (std::size_t i = 0; i < plain.size(); i += 2) {
+    // A clock tick within the message; a note after it, with running status.
+    mixed.insert(mixed.end(), {plain[i], 0xF8, plain[i + 1], 0x90, 0x3C, 0x00, 0x3D, 0x40});
+  }
+  EXPECT_EQ(reader.read(mixed), MidiTimeCodeReader().read(plain));
+}
+
+TEST(MidiTimeCode, WhatIsNoLabelIsNotRead) {
+  MidiTimeCodeReader reader;
+  EXPECT_TRUE(reader.read(code_forwards({1, 0, 61, 0, CodeRate::fps25})).empty());
+  EXPECT_TRUE(reader.read(code_forwards({1, 1, 0, 0, CodeRate::drop})).empty());
+  EXPECT_TRUE(reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x3F, 0x7F, 0x7F, 0x7F, 0xF7}).empty());
+  EXPECT_TRUE(reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x21, 0x02, 0x03, 0xF7}).empty()) << "too short";
+  EXPECT_TRUE(reader.read(Bytes{0xF0, 0x7E, 0x7F, 0x01, 0x01, 0x21, 0x02, 0x03, 0x04, 0xF7}).empty())
+      << "not real time";
+}
+
+//! A machine that plays at a rate from a start; its messages come late by up to `jitter_s`.
+struct Machine {
+  CodeRate rate;
+  double speed;
+  double jitter_s;
+
+  //! Runs the filter for a while and gives the greatest error of its fixes after the first 16 quarters.
+  double greatest_error_s(TimeCodeFilter& filter, double seconds) const {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> late_s(0.0, jitter_s);
+    const FrameRate frames = frame_rate_of(rate);
+    const double quarter_s = static_cast<double>(frames.seconds) / (4.0 * static_cast<double>(frames.frames));
+    double worst_s = 0.0;
+    for (int i = 0; i * quarter_s < seconds; ++i) {
+      const double sent_s = i * quarter_s / speed;
+      const ClockFix fix = filter.filter({i, rate, 1}, show_time(sent_s + late_s(random)));
+      // What was sent with the mean delay is what can be known.
+      const double truth_s = speed * (seconds_of(fix.received) - jitter_s / 2.0);
+      if (i > 16) {
+        worst_s = std::max(worst_s, std::abs(seconds_of(fix.show_time) - truth_s));
+      }
+    }
+    return worst_s;
+  }
+};
+
+TEST(TimeCodeFilter, JitterIsAveragedAway) {
+  TimeCodeFilter filter;
+  EXPECT_LT((Machine{CodeRate::fps25, 1.0, 0.004}.greatest_error_s(filter, 60.0)), 0.0015);
+}
+
+TEST(TimeCodeFilter, AMachineThatRunsFastIsFollowed) {
+  TimeCodeFilter filter;
+  EXPECT_LT((Machine{CodeRate::drop, 1.04, 0.0}.greatest_error_s(filter, 20.0)), 0.005);
+}
+
+TEST(TimeCodeFilter, AnHourOfDropFrameLabelsIsAnHour) {
+  TimeCodeFilter filter;
+  const ClockFix fix = filter.filter({4 * frame_number({1, 0, 0, 0, CodeRate::drop}), CodeRate::drop, 0}, 0s);
+  EXPECT_NEAR(seconds_of(fix.show_time), 3600.0, 0.004) << "107892 * 1001 / 30000 = 3599.9964";
+}
+
+TEST(TimeCodeFilter, ASeekOfTheMachineIsTakenAtOnce) {
+  TimeCodeFilter filter;
+  for (int i = 0; i < 100; ++i) {
+    filter.filter({i, CodeRate::fps25, 1}, i * 10ms);
+  }
+  const ClockFix fix = filter.filter({50'000, CodeRate::fps25, 1}, 1s);
+  EXPECT_EQ(fix.show_time, 500s);
+  EXPECT_EQ(fix.speed, 1.0);
+}
+
+TEST(TimeCodeFilter, AMachineThatStandsHasNoSpeed) {
+  TimeCodeFilter filter;
+  filter.filter({100, CodeRate::fps25, 1}, 0s);
+  EXPECT_EQ(filter.filter({400, CodeRate::fps25, 0}, 1s).speed, 0.0);
+}
+
+TEST(TimeCodeFilter, TheShowBeginsAtItsStartCode) {
+  TimeCodeFilter filter(TimeCode{1, 0, 0, 0, CodeRate::fps25});
+  const std::int64_t quarters = 4 * frame_number({1, 0, 10, 0, CodeRate::fps30});
+  EXPECT_EQ(filter.filter({quarters, CodeRate::fps30, 0}, 0s).show_time, 10s) << "whatever rate the code comes in";
+}
+
+TEST(TimeCodeFilter, AShowRunsThroughMidnight) {
+  TimeCodeFilter filter(TimeCode{23, 0, 0, 0, CodeRate::fps25});
+  EXPECT_EQ(filter.filter({4 * 25 * 1800, CodeRate::fps25, 0}, 0s).show_time, 5400s);
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,149 @@
+#include "app/playback/show_reload.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "content/show_reader.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* first_version = "title = \"First\"\nduration_s = 10\n[[camera.key]]\nr = 10\n";
+constexpr const char* second_version = "title = \"Second\"\nduration_s = 20\n[[camera.key]]\nr = 10\n";
+
+class HotReload : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    test::FolderTest::SetUp();
+    write("show.toml", first_version);
+    reload_.emplace(folder_ / "show.toml", read_show(folder_ / "show.toml"), read_show);
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  //! As editors do that write beside and rename.
+  void write_beside(const std::string& name, const std::string& text) const {
+    write(name + "~", text);
+    std::filesystem::rename(folder_ / (name + "~"), folder_ / name);
+  }
+
+  //! Frames for so long; the last result of them.
+  std::optional<ShowReload::Result> run(std::chrono::nanoseconds time = 1s) {
+    std::optional<ShowReload::Result> last;
+    for (const MonotonicTime end = now_ + time; now_ < end; now_ += 16ms) {
+      if (auto result = reload_->poll(now_)) {
+        ++results_;
+        last = std::move(result);
+      }
+    }
+    return last;
+  }
+
+  MonotonicTime now_ = 100s;
+  int results_ = 0;
+  std::optional<ShowReload> reload_;
+};
+
+TEST_F(HotReload, AShowThatStaysIsNotReadAgain) { EXPECT_FALSE(run(5s)); }
+
+TEST_F(HotReload, ASavedShowIsReadOnce) {
+  run();
+  write("show.toml", second_version);
+  const auto result = run(3s);
+  ASSERT_TRUE(result && result->show);
+  EXPECT_EQ(result->show->title, "Second");
+  EXPECT_EQ(results_, 1);
+}
+
+TEST_F(HotReload, AnEditorMayRenameItsFileOverIt) {
+  run();
+  write_beside("show.toml", second_version);
+  const auto result = run();
+  ASSERT_TRUE(result && result->show);
+  EXPECT_EQ(result->show->title, "Second");
+}
+
+TEST_F(HotReload, AVersionOfTheSameLengthIsSeen) {
+  run();
+  write_beside("show.toml", "title = \"Fifth\"\nduration_s = 10\n[[camera.key]]\nr = 10\n");
+  const auto result = run();
+  ASSERT_TRUE(result && result->show);
+  EXPECT_EQ(result->show->title, "Fifth");
+}
+
+TEST_F(HotReload, ABrokenEditKeepsTheRunningVersionAndSaysWhyOnce) {
+  run();
+  write("show.toml", "title = \"Second\nduration_s = 20\n");
+  const auto result = run(3s);
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->show);
+  EXPECT_THAT(result->problem, testing::HasSubstr("show.toml"));
+  EXPECT_EQ(results_, 1);
+  write("show.toml", second_version);
+  const auto mended = run();
+  ASSERT_TRUE(mended && mended->show);
+  EXPECT_EQ(mended->problem, "");
+}
+
+TEST_F(HotReload, AFileThatIsStillBeingWrittenIsWaitedFor) {
+  run();
+  for (const std::size_t length : {std::size_t{0}, std::size_t{20}, std::size_t{40}}) {
+    write("show.toml", std::string(second_version).substr(0, length));
+    EXPECT_FALSE(run(120ms));
+  }
+  write("show.toml", second_version);
+  const auto result = run();
+  ASSERT_TRUE(result && result->show);
+  EXPECT_EQ(results_, 1);
+}
+
+TEST_F(HotReload, AFileThatVanishesIsWaitedFor) {
+  run();
+  std::filesystem::remove(folder_ / "show.toml");
+  EXPECT_FALSE(run(5s));
+  write("show.toml", "");
+  EXPECT_FALSE(run(5s)) << "and so is one that is empty";
+  write("show.toml", second_version);
+  const auto result = run();
+  ASSERT_TRUE(result && result->show);
+}
+
+TEST_F(HotReload, AFileTheShowNamesIsWatchedEvenBeforeItIsThere) {
+  write("show.toml", std::string(first_version) + "[sky]\nmap = \"sky.exr\"\n");
+  ASSERT_TRUE(run());
+  EXPECT_FALSE(run());
+  write("sky.exr", "light");
+  const auto result = run();
+  EXPECT_TRUE(result && result->show);
+}
+
+TEST_F(HotReload, AskedForItReadsAtOnce) {
+  write("show.toml", second_version);
+  const ShowReload::Result result = reload_->reload();
+  ASSERT_TRUE(result.show);
+  EXPECT_EQ(result.show->title, "Second");
+  std::filesystem::remove(folder_ / "show.toml");
+  EXPECT_THAT(reload_->reload().problem, testing::HasSubstr("is not a file"));
+}
+
+TEST_F(HotReload, FilesOfAShowAreThoseItNames) {
+  Show show;
+  show.folder = "/shows";
+  show.name = "a";
+  show.sky.map = "sky.exr";
+  show.sky.stars = "stars.csv";
+  show.timeline.overlays.resize(2);
+  show.timeline.overlays[0].image = "logo.png";
+  show.timeline.overlays[1].image = "logo.png";
+  show.timeline.audio.resize(1);
+  show.timeline.audio[0].file = "/music/a.flac";
+  EXPECT_THAT(files_of(file_of(show), show), testing::ElementsAre("/shows/a.toml", "/shows/sky.exr", "/shows/stars.csv",
+                                                                  "/shows/logo.png", "/music/a.flac"));
+}
+
+}  // namespace
+}  // namespace ergodome
