@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/playback/audio_messages.h"
+
 namespace ergodome {
 
 namespace {
@@ -14,7 +16,11 @@ constexpr auto most_silence = std::chrono::seconds(10);
 
 }  // namespace
 
-AudioPlayer::AudioPlayer(double later_s) : later_s_(later_s), thread_([this] { run(); }) {}
+AudioPlayer::AudioPlayer(double later_s) : later_s_(later_s) {
+  // It sets the environment, which is safer before there is one more thread.
+  silence_sound_libraries();
+  thread_ = std::thread([this] { run(); });
+}
 
 AudioPlayer::~AudioPlayer() {
   {

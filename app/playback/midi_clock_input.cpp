@@ -1,11 +1,13 @@
 #include "app/playback/midi_clock_input.h"
 
+#include <alsa/asoundlib.h>
 #include <fmt/format.h>
 #include <rtmidi/RtMidi.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "app/playback/audio_messages.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -14,10 +16,23 @@ namespace {
 
 void say_nothing(RtMidiError::Type /*type*/, const std::string& /*text*/, void* /*nothing*/) {}
 
-//! RtMidi throws, and writes to the terminal, where a machine has no MIDI.
+//! RtMidi writes to the terminal where a machine has no sequencer, before it can be told not to.
+bool has_sequencer() {
+  silence_sound_libraries();
+  snd_seq_t* sequencer = nullptr;
+  if (snd_seq_open(&sequencer, "default", SND_SEQ_OPEN_INPUT, 0) < 0) {
+    return false;
+  }
+  snd_seq_close(sequencer);
+  return true;
+}
+
 std::unique_ptr<RtMidiIn> open_midi() {
+  if (!has_sequencer()) {
+    return nullptr;
+  }
   try {
-    auto input = std::make_unique<RtMidiIn>(RtMidi::UNSPECIFIED, "Ergodome");
+    auto input = std::make_unique<RtMidiIn>(RtMidi::LINUX_ALSA, "Ergodome");
     input->setErrorCallback(say_nothing);
     return input;
   } catch (const RtMidiError&) {
