@@ -177,7 +177,7 @@ CaptionImage set_caption(const std::string& text, const CaptionType& type) {
   const int reach_px = std::max(static_cast<int>(std::lround(rim_reach * type.line_px)), 2);
   const Letters letters = draw_letters(lines.layout.get(), reach_px + 2);
   caption.too_large = letters.too_large;
-  if (letters.coverage.empty()) {
+  if (std::ranges::none_of(letters.coverage, [](float part) { return part > 0.0F; })) {
     return caption;
   }
   const std::vector<float> rim = rim_about(letters, reach_px);

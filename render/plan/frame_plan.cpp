@@ -280,6 +280,23 @@ class Planner {
     if (needs_.auto_exposure) {
       pass("meter_light", WorkMoment::picture, shown_, shown_ * pixels_, why("tone.auto"));
     }
+    plan_overlays();
+  }
+
+  //! Images are read whatever is shown; what is drawn depends on the time.
+  void plan_overlays() {
+    const Timeline& timeline = show_.timeline;
+    if (!timeline.overlays.empty()) {
+      buffer("overlay images", WorkMoment::start, request_.overlay_bytes, why("overlay"));
+    }
+    if (request_.mode != ViewMode::sky || (timeline.overlays.empty() && timeline.captions.empty())) {
+      return;
+    }
+    if (!timeline.captions.empty()) {
+      pass("set_captions", WorkMoment::start, 0, 0, why("caption"), true);
+      buffer("captions", WorkMoment::start, 0, why("caption"));
+    }
+    pass("draw_overlay", WorkMoment::picture, 0, 0, why(timeline.captions.empty() ? "overlay" : "caption"), true);
   }
 
   const Show show_;   //!< with each animated number at its greatest

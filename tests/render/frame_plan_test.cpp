@@ -42,6 +42,20 @@ const std::vector<Effect>& effects() {
       {"trails", [](Show& show) { show.effects.trails = TrailSettings{0.3}; }},
       {"diffraction", [](Show& show) { show.effects.diffraction = DiffractionSettings{}; }},
       {"bloom", [](Show& show) { show.effects.bloom = BloomSettings{}; }},
+      {"caption",
+       [](Show& show) {
+         Caption caption;
+         caption.presence = {0.0, 1.0, 0.1, 0.1};
+         caption.text["en"] = "words";
+         show.timeline.captions.push_back(caption);
+       }},
+      {"overlay",
+       [](Show& show) {
+         Overlay overlay;
+         overlay.image = show.sky.map;
+         overlay.presence = {0.0, 1.0, 0.1, 0.1};
+         show.timeline.overlays.push_back(overlay);
+       }},
       {"automatic exposure", [](Show& show) { show.tone.automatic = AutoExposureSettings{}; }},
   };
   return all;
@@ -78,6 +92,7 @@ class FramePlans : public test::FolderTest {
   static FrameRequest request() {
     FrameRequest request;
     request.map_width_px = map_width_px;
+    request.overlay_bytes = 8L * (64 * 32 + 32 * 16 + 16 * 8 + 8 * 4 + 4 * 2 + 2 + 1);
     return request;
   }
 

@@ -47,6 +47,17 @@ TEST_P(EveryToneCurve, ExposureIsAFactorOnLight) {
   EXPECT_FLOAT_EQ(toned(twice, 0.11F), toned(once, 0.22F));
 }
 
+TEST_P(EveryToneCurve, IsUndone) {
+  for (const float gain : {0.01F, 1.0F, 100.0F}) {
+    const Tone tone{GetParam(), gain};
+    for (float display = 0.0F; display < brightest_display_light; display += 0.013F) {
+      EXPECT_NEAR(toned(tone, light_for_display(tone, display)), display, 2e-6F) << gain;
+    }
+    EXPECT_NEAR(toned(tone, light_for_display(tone, 7.0F)), brightest_display_light, 1e-5F);
+    EXPECT_NEAR(toned(tone, light_for_display(tone, -1.0F)), 0.0F, 1e-6F);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EveryToneCurve,
                          testing::Values(ToneCurve::shoulder, ToneCurve::reinhard, ToneCurve::filmic,
                                          ToneCurve::gamma));
