@@ -134,8 +134,13 @@ void run(const PlanOptions& options) {
   require_features(show);
   const Backend backend = choose_backend(options.backend);
   std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
-  const FrameRequest request = {backend,         view_mode(options.view),  lens_choice(options.lens),
-                                options.size_px, load_sky_map(show).width, stream != nullptr};
+  const FrameRequest request = {backend,
+                                view_mode(options.view),
+                                lens_choice(options.lens),
+                                options.size_px,
+                                load_sky_map(show).width,
+                                stream != nullptr,
+                                OverlayPass::image_bytes(show.timeline, show.folder)};
   nlohmann::json plan = json_of(show, plan_frame(show, request));
   std::optional<Measured> measured;
   if (options.measure) {

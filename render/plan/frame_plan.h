@@ -60,8 +60,8 @@ struct FrameRequest {
   LensChoice lens = LensChoice::automatic;
   int size_px = 0;         //!< width of one eye's image; 0: as the show says
   int map_width_px = 0;    //!< of the sky's image
-  long overlay_bytes = 0;  //!< of the images that are laid over (OverlayPass::image_bytes)
   bool streamed = false;   //!< the show's trajectory has been baked
+  long overlay_bytes = 0;  //!< of the images that are laid over (OverlayPass::image_bytes)
 };
 
 //! Plans the pictures that ShowRenderer::render makes; of a show whose numbers change, whatever one of them may take at its greatest

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -44,8 +45,7 @@ std::optional<SeenFrame> seen_in_a_window(const Picture& picture) {
   }
 }
 
-//! Each layout by its name in shows. Add a line for a new one, and renew the references.
-class LayoutFrames : public test::FolderTest, public testing::WithParamInterface<const char*> {
+class FramesOfASky : public test::FolderTest {
  protected:
   //! A small sky in fields of four colours, with lines between them.
   [[nodiscard]] std::string sky_map() const {
@@ -65,6 +65,9 @@ class LayoutFrames : public test::FolderTest, public testing::WithParamInterface
     return (folder_ / "sky.png").string();
   }
 };
+
+//! Each layout by its name in shows. Add a line for a new one, and renew the references.
+class LayoutFrames : public FramesOfASky, public testing::WithParamInterface<const char*> {};
 
 TEST_P(LayoutFrames, AreAsTheyWereLookedAt) {
   const std::string layout = GetParam();
@@ -89,6 +92,66 @@ INSTANTIATE_TEST_SUITE_P(Every, LayoutFrames,
                          testing::Values("mono", "side_by_side", "top_bottom", "separate", "anaglyph", "dubois", "rows",
                                          "half_side_by_side", "half_top_bottom"),
                          [](const auto& layout) { return std::string(layout.param); });
+
+//! Two captions of two lines, a flat image with an edge of its own, and a fisheye ring around all.
+class OverlayFrames : public FramesOfASky {
+ protected:
+  [[nodiscard]] Timeline timeline() const {
+    write_picture(folder_ / "ring.png", {ImageFormat::png, ExrCompression::zip, true}, ring(), {});
+    Timeline timeline;
+    const Presence always = {-1.0, 1e3, 0.0, 0.0};
+    Overlay image;
+    image.image = "sky.png";
+    image.presence = always;
+    image.place = {-60.0, 40.0, 0.0};
+    image.width_deg = 40.0;
+    Overlay fisheye;
+    fisheye.image = "ring.png";
+    fisheye.presence = always;
+    fisheye.fisheye = true;
+    timeline.overlays = {fisheye, image};
+    Caption words;
+    words.presence = always;
+    words.letter_deg = 5.0;
+    words.width_deg = 80.0;
+    words.place = {0.0, 12.0, 0.0};
+    words.text = {{"en", "Nothing that falls in comes out again: the shadow"}};
+    timeline.captions.push_back(words);
+    words.place = {180.0, 12.0, 0.0};
+    words.color = {1.0, 0.7, 0.2};
+    words.text = {{"en", "Was hineinfällt, kommt nicht wieder heraus: größer"}};
+    timeline.captions.push_back(words);
+    return timeline;
+  }
+
+ private:
+  //! A ring of a domemaster between 40 and 45 degrees from the zenith.
+  static Picture ring() {
+    constexpr int size = 256;
+    Picture picture;
+    picture.width = picture.height = size;
+    picture.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
+    for (int i = 0; i < size * size; ++i) {
+      const double zenith_deg = 90.0 * std::hypot(i % size + 0.5 - 128.0, i / size + 0.5 - 128.0) / 128.0;
+      const float alpha = zenith_deg > 40.0 && zenith_deg < 45.0 ? 0.7F : 0.0F;
+      picture.rgba.insert(picture.rgba.end(), {0.1F * alpha, 0.9F * alpha, alpha, alpha});
+    }
+    return picture;
+  }
+};
+
+TEST_F(OverlayFrames, AreAsTheyWereLookedAt) {
+  Show show = parse_show("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 6\n[sky]\nmap = \"" + sky_map() +
+                             "\"\n[view]\nprojection = \"dome\"\ntilt_deg = 30\nsize_px = 512\n",
+                         (folder_ / "overlays.toml").string());
+  show.timeline = timeline();
+  ShowRenderer renderer(show, Backend::cpu, LensChoice::direct);
+  const auto seen = seen_in_a_window(renderer.render(0.5, {}).front().picture);
+  if (!seen) {
+    GTEST_SKIP() << "no OpenGL driver";
+  }
+  expect_like("overlays", *seen);
+}
 
 class PatternFrames : public testing::TestWithParam<std::string> {};
 
