@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "content/flight_settings.h"
 #include "content/timeline.h"
 #include "kernels/image/tone_curve.h"
 #include "kernels/metric/observer.h"
@@ -225,6 +226,7 @@ struct Show {
   QualitySettings quality;
   GridScheme grid_scheme = GridScheme::conforming;
   Timeline timeline;
+  FlightSettings flight;
 };
 
 //! The field of view that a projection has unless the show says otherwise [deg].

@@ -10,6 +10,7 @@
 #include "content/animated_show.h"
 #include "content/effects_reader.h"
 #include "content/files/toml_table.h"
+#include "content/flight_reader.h"
 #include "content/own_number.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
@@ -199,6 +200,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
   part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
   part("tone", [&](const toml::table& table) { read_tone(table, file, show.tone); });
+  part("flight", [&](const toml::table& table) { read_flight(table, file, show.flight); });
   part("grid", [&](const toml::table& table) {
     TomlTable grid(table, file, "grid");
     show.grid_scheme = static_cast<GridScheme>(grid.choice("scheme", 0, {"conforming", "quadtree"}));

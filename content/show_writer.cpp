@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "content/files/toml_table.h"
+#include "content/flight_reader.h"
 #include "content/show_reader.h"
 #include "content/timeline_writer.h"
 
@@ -166,6 +167,7 @@ std::string to_toml(const Show& show) {
                    {"view", view_of(show.view)},
                    {"stereo", stereo_of(show.stereo)},
                    {"tone", tone_of(show.tone)},
+                   {"flight", flight_table(show.flight)},
                    {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                    {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
   add_timeline(show.timeline, root);
