@@ -42,16 +42,16 @@ void read_flight(const toml::table& table, const std::string& file, FlightSettin
 toml::table flight_table(const FlightSettings& flight) {
   constexpr const char* guards[] = {"horizon", "photon_orbit"};
   constexpr const char* starts[] = {"path", "first_key"};
-  return {{"guard", guards[static_cast<std::size_t>(flight.guard)]},
-          {"mode", flight_mode_names[static_cast<std::size_t>(flight.mode)]},
-          {"from", starts[static_cast<std::size_t>(flight.from)]},
-          {"max_speed", flight.max_speed},
-          {"least_r", flight.least_r},
-          {"most_r", flight.most_r},
-          {"return_s", flight.return_s},
-          {"comfort", toml::table{{"turn_deg_s", flight.comfort.turn_deg_s},
-                                  {"turn_accel_deg_s2", flight.comfort.turn_accel_deg_s2},
-                                  {"accel", flight.comfort.accel}}}};
+  return toml::table{{"guard", guards[static_cast<std::size_t>(flight.guard)]},
+                     {"mode", flight_mode_names[static_cast<std::size_t>(flight.mode)]},
+                     {"from", starts[static_cast<std::size_t>(flight.from)]},
+                     {"max_speed", flight.max_speed},
+                     {"least_r", flight.least_r},
+                     {"most_r", flight.most_r},
+                     {"return_s", flight.return_s},
+                     {"comfort", toml::table{{"turn_deg_s", flight.comfort.turn_deg_s},
+                                             {"turn_accel_deg_s2", flight.comfort.turn_accel_deg_s2},
+                                             {"accel", flight.comfort.accel}}}};
 }
 
 }  // namespace ergodome

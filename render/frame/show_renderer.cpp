@@ -283,6 +283,11 @@ void ShowRenderer::set_stereo(const StereoSettings& stereo) {
   show_.stereo = stereo;
 }
 
+void ShowRenderer::set_observer(ObserverMotion motion, const Vector3<double>& velocity) {
+  show_.camera.motion = motion;
+  show_.camera.velocity = velocity;
+}
+
 Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                     const ShowMoment& moment) {
   std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);

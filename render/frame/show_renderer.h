@@ -85,6 +85,9 @@ class ShowRenderer {
   //! Where in the depth of stereo pictures overlays appear [M]: 0 (as at first) on the dome or screen, infinity behind all.
   void set_overlay_distance(double distance) { overlay_distance_ = distance; }
 
+  //! Who looks from now on; `velocity` in the ZAMO frame, for ObserverMotion::velocity. Lenses stay as they are: they serve every motion.
+  void set_observer(ObserverMotion motion, const Vector3<double>& velocity);
+
   //! The show, with its numbers as they were last applied.
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
