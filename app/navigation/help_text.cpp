@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+
+#include "app/navigation/controls.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Letters of a text in UTF-8: bytes that do not go on with one.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+//! A line: keys and mouse, pad, what they do.
+using HelpLine = std::array<std::string, 3>;
+
+class HelpLines {
+ public:
+  explicit HelpLines(const HelpChoice& choice) : choice_(choice) {}
+
+  void begin(const char* english, const char* german) { line_ = {"", "", choice_.language == "de" ? german : english}; }
+
+  void add(const Input& input) {
+    const bool of_pad = input.kind == Input::Kind::pad_button || input.kind == Input::Kind::pad_axis;
+    // Pucks and paddles are known to those who have them; there is no room for all.
+    const bool puck = input.kind == Input::Kind::pad_axis && input.code >= static_cast<int>(PadAxis::move_right);
+    const bool paddle = input.kind == Input::Kind::pad_button && input.code >= static_cast<int>(PadButton::capture);
+    if (puck || paddle || (of_pad && !choice_.pads)) {
+      return;
+    }
+    std::string& cell = line_[of_pad ? 1 : 0];
+    cell += cell.empty() ? "" : ", ";
+    cell += label_of(input);
+  }
+
+  void end() {
+    if (!line_[0].empty() || !line_[1].empty()) {
+      lines_.push_back(line_);
+    }
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::array<std::size_t, 2> widths = {0, 0};
+    for (const HelpLine& line : lines_) {
+      for (std::size_t i = 0; i < widths.size(); ++i) {
+        widths[i] = std::max(widths[i], letters(line[i]));
+      }
+    }
+    std::string text;
+    for (const HelpLine& line : lines_) {
+      for (std::size_t i = 0; i < widths.size(); ++i) {
+        text += line[i];
+        text.append(widths[i] > 0 ? widths[i] + 2 - letters(line[i]) : 0, ' ');
+      }
+      text += line[2];
+      text += '\n';
+    }
+    return text;
+  }
+
+ private:
+  HelpChoice choice_;
+  HelpLine line_;
+  std::vector<HelpLine> lines_;
+};
+
+}  // namespace
+
+std::string Controls::help_text(const HelpChoice& choice) const {
+  HelpLines lines(choice);
+  for (const SteerFacts& facts : all_steering()) {
+    lines.begin(facts.english, facts.german);
+    for (const SteerBinding& binding : inputs_of(facts.component)) {
+      lines.add(binding.input);
+    }
+    lines.end();
+  }
+  for (const ActionFacts& facts : all_actions()) {
+    if (choice.reader == ActionUser::presenter || facts.user == ActionUser::visitor) {
+      lines.begin(facts.english, facts.german);
+      for (const Input& input : inputs_of(facts.action)) {
+        lines.add(input);
+      }
+      lines.end();
+    }
+  }
+  return lines.text();
+}
+
+}  // namespace ergodome

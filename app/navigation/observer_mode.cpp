@@ -1,0 +1,128 @@
+#include "app/navigation/observer_mode.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ergodome {
+
+namespace {
+
+constexpr double fade_s = 1.0;
+
+struct Words {
+  const char* name;
+  const char* stand_in;  //!< what is said where there is none
+};
+
+constexpr std::array<Words, 6> english = {{
+    {"carried along with space", ""},
+    {"static observer", "nothing can stand still here: the slowest way round that there is"},
+    {"circular orbit", "no circular orbit here: the nearest speed that there is"},
+    {"circular orbit, backwards", "no circular orbit here: the nearest speed that there is"},
+    {"falling from rest", ""},
+    {"moving observer", ""},
+}};
+
+constexpr std::array<Words, 6> german = {{
+    {"vom Raum mitgeführt", ""},
+    {"ruhender Beobachter", "hier kann nichts stillstehen: so langsam herum, wie es geht"},
+    {"Kreisbahn", "hier gibt es keine Kreisbahn: so nahe daran, wie es geht"},
+    {"Kreisbahn rückwärts", "hier gibt es keine Kreisbahn: so nahe daran, wie es geht"},
+    {"freier Fall aus der Ruhe", ""},
+    {"bewegter Beobachter", ""},
+}};
+
+const Words& words_of(ObserverMotion motion, std::string_view language) {
+  return (language == "de" ? german : english)[static_cast<std::size_t>(motion)];
+}
+
+double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+ObserverMotion motion_of(ObserverMode mode) {
+  constexpr std::array motions = {ObserverMotion::zamo,     ObserverMotion::zamo,       ObserverMotion::fixed,
+                                  ObserverMotion::geodesic, ObserverMotion::retrograde, ObserverMotion::rain};
+  return motions[static_cast<std::size_t>(mode)];
+}
+
+}  // namespace
+
+ObserverMode next_observer(ObserverMode mode) { return static_cast<ObserverMode>((static_cast<int>(mode) + 1) % 6); }
+
+NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, double theta) {
+  if (motion == ObserverMotion::zamo || motion == ObserverMotion::rain) {
+    return {observer_velocity(motion, spin, r, theta, {}), false};
+  }
+  if (!(std::abs(std::sin(theta)) > 0.0)) {
+    return {};  // on the axis nothing goes round
+  }
+  const double along = observer_velocity(motion, spin, r, theta, {}).z;
+  if (std::isnan(along)) {
+    return {{0.0, 0.0, motion == ObserverMotion::geodesic ? fastest_observer : -fastest_observer}, true};
+  }
+  const double cut = std::clamp(along, -fastest_observer, fastest_observer);
+  return {{0.0, 0.0, cut}, cut != along};
+}
+
+ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, double spin, double r, double theta,
+                         std::string_view language) {
+  const Words& words = words_of(motion, language);
+  ObserverView view;
+  view.name = words.name;
+  view.sentence = words.name;
+  view.motion = motion;
+  if (motion == ObserverMotion::zamo) {
+    return view;
+  }
+  if (motion == ObserverMotion::velocity) {
+    view.velocity = given;
+  } else {
+    const NearestVelocity nearest = nearest_velocity(motion, spin, r, theta);
+    view.velocity = nearest.velocity;
+    view.nearest = nearest.nearest;
+    view.motion = motion == ObserverMotion::rain ? motion : ObserverMotion::velocity;
+  }
+  view.sentence += fmt::format(", {:.2f} c", std::min(length(view.velocity), 0.99));
+  if (view.nearest) {
+    view.sentence += fmt::format(" ({})", words.stand_in);
+  }
+  return view;
+}
+
+ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
+                           double spin, double r, double theta, std::string_view language) {
+  if (mode == ObserverMode::natural) {
+    return own ? *own : observer_of(shown.motion, shown.velocity, spin, r, theta, language);
+  }
+  return observer_of(motion_of(mode), {}, spin, r, theta, language);
+}
+
+ObserverView ObserverFade::advance(double seconds, const ObserverView& wanted, double spin, const CameraPose& pose) {
+  const Vector3<double> target = wanted.motion == ObserverMotion::velocity
+                                     ? wanted.velocity
+                                     : observer_velocity(wanted.motion, spin, pose.r, pose.theta, {});
+  const glm::dquat frame = spherical_frame(pose.theta, pose.phi);
+  if (!name_.empty() && name_ != wanted.name) {
+    from_ = shown_;
+    elapsed_s_ = 0.0;
+  }
+  name_ = wanted.name;
+  elapsed_s_ += std::clamp(seconds, 0.0, 0.1);
+  const glm::dvec3 there = frame * glm::dvec3(target.x, target.y, target.z);
+  if (elapsed_s_ >= fade_s) {
+    shown_ = there;
+    return wanted;
+  }
+  // Velocities below that of light are a ball: the straight way from one to another stays in it.
+  const double s = elapsed_s_ / fade_s;
+  shown_ = glm::mix(from_, there, s * s * (3.0 - 2.0 * s));
+  const glm::dvec3 local = glm::conjugate(frame) * shown_;
+  ObserverView view = wanted;
+  view.motion = ObserverMotion::velocity;
+  view.velocity = {local.x, local.y, local.z};
+  return view;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,85 @@
+#include "app/navigation/orbit_ride.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/navigation/observer_mode.h"
+#include "app/navigation/turn_limits.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A round takes this long, unless a visitor hurries.
+constexpr double round_s = 40.0;
+//! Part of the acceleration that comfort allows which the orbit itself may take.
+constexpr double bend_part = 0.3;
+constexpr double pi = 3.14159265358979323846;
+constexpr double tolerance = 1e-11;
+constexpr int step_limit = 400;
+
+glm::dvec3 direction_of(const OrbitState& s) {
+  const double c = std::cos(s.drag);
+  const double d = std::sin(s.drag);
+  return glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z));
+}
+
+OrbitState orbit_at(double spin, const CameraPlace& place, const Vector3<double>& velocity) {
+  const CameraPose pose = pose_of(place);
+  return make_orbit(spin, pose.r, pose.theta, pose.phi, velocity);
+}
+
+}  // namespace
+
+Vector3<double> circular_velocity(double spin, double r, double theta, double sense) {
+  return nearest_velocity(sense > 0.0 ? ObserverMotion::geodesic : ObserverMotion::retrograde, spin, r, theta).velocity;
+}
+
+OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
+                     const Vector3<double>& velocity)
+    : space_(space),
+      orbit_(orbit_at(space.spin(), place, velocity)),
+      constants_(orbit_constants(space.spin(), orbit_)),
+      usual_clock_(2.0 * pi * place.r * std::sqrt(place.r) / round_s),
+      fastest_turn_(turn_limits(settings.comfort).around),
+      fastest_(settings.max_speed),
+      accel_(settings.comfort.accel) {}
+
+double OrbitRide::fastest_clock(double reach) const {
+  const OrbitState now = rate();
+  const double r = 1.0 / orbit_.u;
+  const double r_rate = -now.u * r * r;
+  const double turn = std::sqrt(dot(now.m, now.m)) + std::abs(now.drag);
+  // The orbit's own bend, and the scale of distances that changes on the way, take a part of the acceleration.
+  const double bend = (1.0 / reach + 2.0 * turn) / reach;
+  double fastest =
+      std::min({fastest_turn_ / std::max(turn, 1e-12), fastest_ * reach, std::sqrt(bend_part * accel_ / bend)});
+  // An orbit that falls far out may be watched; what it comes near to slows it.
+  fastest = std::min(fastest, 1e6 * usual_clock_);
+  return fastest * space_.slowing(r, r_rate * fastest);
+}
+
+void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
+  const Vector3<double> v = velocity();
+  const double beta = std::sqrt(dot(v, v));
+  const double length_per_clock = std::max(beta / std::sqrt(1.0 - beta * beta), 1e-6);
+  const double reach = space_.distance(place.r) / length_per_clock;  // clock in a distance
+  const double limit = fastest_clock(reach);
+  const double wish = std::min(usual_clock_ * (1.0 + 3.0 * std::clamp(hurry, 0.0, 1.0)), limit);
+  held_ = limit < 0.05 * std::min(usual_clock_, fastest_ * reach);
+  const double change = (1.0 - 2.0 * bend_part) * accel_ * seconds * reach;
+  clock_ = std::min(clock_ + std::clamp(wish - clock_, -change, change), limit);
+  const OrbitState before = orbit_;
+  advance_orbit(space_.spin(), constants_, clock_ * seconds, tolerance, step_limit, orbit_);
+  const double r = 1.0 / orbit_.u;
+  const bool inside = !(r > space_.guard_r()) && r < place.r;
+  if (inside || !std::isfinite(r + orbit_.drag + orbit_.m.x + orbit_.m.y + orbit_.m.z)) {
+    orbit_ = before;
+    clock_ = 0.0;
+    held_ = true;
+  }
+  place.r = 1.0 / orbit_.u;
+  place.towards = direction_of(orbit_);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,85 @@
+#include "app/navigation/path_return.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/navigation/comfort.h"
+#include "kernels/metric/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double longest_s = 30.0;
+constexpr double pi = 3.14159265358979323846;
+
+//! From 1 to 0 on [0, 1], with two derivatives of 0 at both ends.
+double fading(double s) { return 1.0 - s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+
+//! From 0 to 0 with a slope of 1 at the start, and two derivatives of 0 at the end.
+double coasting(double s) { return s * (1.0 + s * s * (-6.0 + s * (8.0 - 3.0 * s))); }
+
+//! The steepest slope of `fading`.
+constexpr double steepest = 1.875;
+
+//! The turn by the same rotation that is nearest to another turn.
+glm::dvec3 nearest_turn(const glm::dvec3& turn, const glm::dvec3& to) {
+  const double angle = glm::length(turn);
+  if (!(angle > 0.0)) {
+    return turn;
+  }
+  const glm::dvec3 other = turn * ((angle - 2.0 * pi) / angle);
+  return glm::distance(other, to) < glm::distance(turn, to) ? other : turn;
+}
+
+double height_above(double horizon_r, double r) { return std::max(r - horizon_r, 1e-9); }
+
+}  // namespace
+
+PathReturn::Offset PathReturn::offset(const CameraPlace& camera, const CameraPose& path) {
+  const glm::dquat frame = spherical_frame(path.theta, path.phi);
+  const glm::dvec3 outward(1.0, 0.0, 0.0);
+  const glm::dquat direction = shortest_rotation(outward, glm::conjugate(frame) * camera.towards);
+  const glm::dquat view =
+      glm::conjugate(direction) * glm::conjugate(frame) * camera.view * glm::conjugate(path.orientation);
+  return {turn_of(direction), turn_of(glm::normalize(view))};
+}
+
+PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlace (&camera)[2],
+                       const CameraPose (&path)[2], double seconds)
+    : space_(space),
+      horizon_r_(horizon_radius(space.spin())),
+      start_(offset(camera[1], path[1])),
+      coasting_r_(camera[1].r),
+      radial_speed_((camera[1].r - camera[0].r) / seconds) {
+  constexpr double degree = pi / 180.0;
+  const double fastest_turn = degree * settings.comfort.turn_deg_s;
+  const Offset before = offset(camera[0], path[0]);
+  // Where an offset is nearly half a turn round, its rate says little; a limit keeps that harmless.
+  rate_ = {shortened((start_.direction - nearest_turn(before.direction, start_.direction)) / seconds, fastest_turn),
+           shortened((start_.view - nearest_turn(before.view, start_.view)) / seconds, fastest_turn)};
+  const double turn = glm::length(start_.direction) + glm::length(start_.view);
+  const double rise = std::abs(std::log(height_above(horizon_r_, camera[1].r) / height_above(horizon_r_, path[1].r)));
+  const double needed_s = steepest * std::max(turn / fastest_turn, rise / (2.0 * settings.max_speed));
+  duration_s_ = std::clamp(needed_s, settings.return_s, std::max(longest_s, settings.return_s));
+}
+
+CameraPlace PathReturn::advance(double seconds, const CameraPose& path) {
+  elapsed_s_ = std::min(elapsed_s_ + seconds, duration_s_);
+  if (arrived()) {
+    return place_of(path);
+  }
+  const double s = elapsed_s_ / duration_s_;
+  const double left = fading(s);
+  // Coasting ends within a quarter of the way.
+  coasting_r_ = space_.moved_radius(coasting_r_, radial_speed_ * std::exp(-4.0 * elapsed_s_ / duration_s_), seconds);
+  const glm::dvec3 direction = left * start_.direction + (coasting(s) * duration_s_) * rate_.direction;
+  const glm::dvec3 view = left * start_.view + (coasting(s) * duration_s_) * rate_.view;
+  const glm::dquat frame = spherical_frame(path.theta, path.phi) * rotation(direction);
+  const double height =
+      std::pow(height_above(horizon_r_, coasting_r_), left) * std::pow(height_above(horizon_r_, path.r), 1.0 - left);
+  return {horizon_r_ + height, glm::normalize(frame * glm::dvec3(1.0, 0.0, 0.0)),
+          glm::normalize(frame * rotation(view) * path.orientation)};
+}
+
+}  // namespace ergodome

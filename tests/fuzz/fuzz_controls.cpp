@@ -1,0 +1,21 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "app/navigation/controls.h"
+#include "kernels/core/error.h"
+
+// Any text is either a map of controls, which then reads back from its own text to the same map, or an Error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::string text;
+  try {
+    text = ergodome::parse_controls({reinterpret_cast<const char*>(data), size}, "fuzz.toml").to_toml();
+  } catch (const ergodome::Error&) {
+    return 0;
+  }
+  if (ergodome::parse_controls(text, "again.toml").to_toml() != text) {
+    __builtin_trap();
+  }
+  return 0;
+}
