@@ -1,0 +1,210 @@
+#include "app/pads/hid_descriptor.h"
+
+#include <gmock/gmock.h>
+
+#include "app/pads/decoders/decoders.h"
+#include "tests/app/pads/fixtures.h"
+#include "tests/support/errors.h"
+
+namespace ergodome::test {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using testing::HasSubstr;
+
+HidLayout layout_of(const std::string& name) { return parse_hid_descriptor(fixture(name).devices.front().descriptor); }
+
+const HidField& field_of(const HidLayout& layout, HidUsage usage) {
+  static const HidField none;
+  for (const HidField& field : layout.fields) {
+    if (field.usage == usage) {
+      return field;
+    }
+  }
+  ADD_FAILURE() << "no usage " << usage.page << ':' << usage.usage;
+  return none;
+}
+
+//! A joystick's descriptor about some items.
+Bytes joystick(const Bytes& items) {
+  Bytes all = {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01};
+  all.insert(all.end(), items.begin(), items.end());
+  all.push_back(0xC0);
+  return all;
+}
+
+std::string problem_of(const Bytes& descriptor) {
+  return error_of([&] { parse_hid_descriptor(descriptor); });
+}
+
+TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
+  // The published struct of the X52: x:11, y:11, twist:10, four bytes, 34 buttons, 2 of filling, hat:4.
+  const HidLayout layout = layout_of("saitek_x52");
+  EXPECT_FALSE(layout.has_ids);
+  EXPECT_EQ(layout.report_bits.at(0), 14U * 8U);
+  EXPECT_EQ(field_of(layout, {1, 0x30}).bit_offset, 0U);
+  EXPECT_EQ(field_of(layout, {1, 0x31}).bit_offset, 11U);
+  EXPECT_EQ(field_of(layout, {1, 0x31}).greatest, 2047);
+  EXPECT_EQ(field_of(layout, {1, 0x35}).bit_offset, 22U);
+  EXPECT_EQ(field_of(layout, {1, 0x35}).bits, 10);
+  EXPECT_EQ(field_of(layout, {9, 1}).bit_offset, 64U);
+  EXPECT_EQ(field_of(layout, {9, 34}).bit_offset, 97U);
+  EXPECT_EQ(field_of(layout, {1, 0x39}).bit_offset, 100U);
+  EXPECT_EQ(field_of(layout, {1, 0x39}).least, 1);
+}
+
+TEST(HidDescriptor, TakesUsagesOfFourBytesWithTheirPage) {
+  const HidLayout layout = layout_of("switch_pro_usb");
+  EXPECT_TRUE(layout.has_ids);
+  EXPECT_EQ(layout.report_bits.at(0x30), 63U * 8U);
+  EXPECT_EQ(layout.report_bits.at(0x21), 63U * 8U);
+  EXPECT_EQ(layout.report_bits.at(0x81), 63U * 8U);
+  EXPECT_EQ(field_of(layout, {1, 0x30}).bit_offset, 16U);
+  EXPECT_EQ(field_of(layout, {1, 0x35}).greatest, 65535);
+  EXPECT_EQ(field_of(layout, {1, 0x39}).bit_offset, 80U);
+  EXPECT_EQ(field_of(layout, {9, 18}).bit_offset, 87U);
+}
+
+TEST(HidDescriptor, CountsEachReportIdByItself) {
+  const HidLayout layout = layout_of("space_navigator");
+  EXPECT_EQ(layout.applications, std::vector<HidUsage>(1, {1, 8}));
+  EXPECT_EQ(layout.report_bits.at(1), 48U);
+  EXPECT_EQ(layout.report_bits.at(2), 48U);
+  EXPECT_EQ(layout.report_bits.at(3), 16U);
+  EXPECT_EQ(field_of(layout, {1, 0x34}).report_id, 2);
+  EXPECT_EQ(field_of(layout, {1, 0x34}).bit_offset, 16U);
+  EXPECT_EQ(field_of(layout, {1, 0x34}).least, -350);
+}
+
+TEST(HidDescriptor, TellsReportsOfBluetoothApart) {
+  const HidLayout sense = layout_of("dualsense_bluetooth");
+  EXPECT_EQ(sense.report_bits.at(0x01), 9U * 8U);
+  EXPECT_EQ(sense.report_bits.at(0x31), 77U * 8U);
+  const HidLayout xbox = layout_of("xbox_series");
+  EXPECT_EQ(xbox.report_bits.at(1), 16U * 8U);
+  EXPECT_EQ(field_of(xbox, {2, 0xC4}).bit_offset, 80U);
+  EXPECT_EQ(field_of(xbox, {2, 0xC4}).greatest, 1023);
+}
+
+TEST(HidDescriptor, SaysWhatIsNoPad) {
+  const HidFixture others = fixture("mouse_and_keyboard");
+  EXPECT_EQ(parse_hid_descriptor(others.devices[0].descriptor).applications, std::vector<HidUsage>(1, {1, 2}));
+  EXPECT_EQ(parse_hid_descriptor(others.devices[1].descriptor).applications, std::vector<HidUsage>(1, {1, 6}));
+}
+
+TEST(HidDescriptor, PopsWhatWasPushed) {
+  // Eight bits from 0 to 255, pushed; one bit from 0 to 1; popped.
+  const HidLayout layout =
+      parse_hid_descriptor(joystick({0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01, 0xA4, 0x05, 0x09, 0x25, 0x01,
+                                     0x75, 0x01, 0x19, 0x01, 0x29, 0x01, 0x81, 0x02, 0xB4, 0x09, 0x30, 0x81, 0x02}));
+  const HidField& x = field_of(layout, {1, 0x30});
+  EXPECT_EQ(x.bit_offset, 1U);
+  EXPECT_EQ(x.bits, 8);
+  EXPECT_EQ(x.greatest, 255);
+}
+
+TEST(HidDescriptor, ReadsSignedNumbersOfAnyWidth) {
+  // x of 12 bits from -2048 to 2047, after 3 bits of filling.
+  const HidLayout layout = parse_hid_descriptor(joystick(
+      {0x75, 0x03, 0x95, 0x01, 0x81, 0x03, 0x16, 0x00, 0xF8, 0x26, 0xFF, 0x07, 0x75, 0x0C, 0x09, 0x30, 0x81, 0x02}));
+  const HidField& x = field_of(layout, {1, 0x30});
+  ASSERT_EQ(x.bit_offset, 3U);
+  const auto value_of = [&](int number) {
+    const auto bits = static_cast<std::uint16_t>((static_cast<unsigned>(number) & 0xFFFU) << 3U);
+    return field_value(x, Bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)});
+  };
+  for (const int number : {-2048, -1, 0, 1, 2047}) {
+    EXPECT_EQ(value_of(number), number);
+  }
+}
+
+TEST(HidDescriptor, ReadsThirtyTwoBitsAcrossFiveBytes) {
+  HidField field;
+  field.bit_offset = 7;
+  field.bits = 32;
+  field.least = 0;
+  EXPECT_EQ(field_value(field, Bytes{0x80, 0xFF, 0xFF, 0xFF, 0x7F}), 0xFFFFFFFFLL);
+  field.least = -1;
+  EXPECT_EQ(field_value(field, Bytes{0x80, 0xFF, 0xFF, 0xFF, 0x7F}), -1);
+}
+
+TEST(HidDescriptor, TakesAByteOf255BesideAMinimumOf0AsMeant) {
+  const HidLayout layout =
+      parse_hid_descriptor(joystick({0x15, 0x00, 0x25, 0xFF, 0x75, 0x08, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02}));
+  EXPECT_EQ(field_of(layout, {1, 0x30}).greatest, 255);
+}
+
+TEST(HidDescriptor, PassesOverLongItemsArraysAndOutputs) {
+  const HidLayout layout =
+      parse_hid_descriptor(joystick({0xFE, 0x02, 0x10, 0xAA, 0xBB, 0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x01,
+                                     0x09, 0x31, 0x81, 0x00, 0x09, 0x32, 0x91, 0x02, 0x09, 0x30, 0x81, 0x02}));
+  ASSERT_EQ(layout.fields.size(), 1U);
+  EXPECT_EQ(layout.fields[0].usage, (HidUsage{1, 0x30}));
+  EXPECT_EQ(layout.fields[0].bit_offset, 8U);
+}
+
+TEST(HidDescriptor, HatsOfFourDirectionsPointAsThoseOfEight) {
+  // Hat of four bits from 0 to 3.
+  const auto decoder = make_by_descriptor(
+      joystick({0x15, 0x00, 0x25, 0x03, 0x75, 0x04, 0x95, 0x01, 0x09, 0x39, 0x81, 0x42, 0x81, 0x03}));
+  ASSERT_NE(decoder, nullptr);
+  const std::vector<PadButton> directions = {PadButton::dpad_up, PadButton::dpad_right, PadButton::dpad_down,
+                                             PadButton::dpad_left};
+  for (std::uint8_t i = 0; i < 16; ++i) {
+    RawPad raw;
+    decoder->decode(Bytes{i}, raw);
+    std::bitset<pad_button_count> wanted;
+    if (i < 4) {
+      wanted.set(static_cast<std::size_t>(directions[i]));
+    }
+    EXPECT_EQ(raw.buttons, wanted) << int(i);
+  }
+}
+
+TEST(HidDescriptor, IsRefusedWhereItIsLongerThan4096Bytes) {
+  EXPECT_THAT(problem_of(Bytes(4097, 0xC0)), HasSubstr("longer than 4096 bytes"));
+}
+
+TEST(HidDescriptor, IsRefusedWhereAnInputHasMoreThan32Bits) {
+  EXPECT_THAT(problem_of(joystick({0x75, 0x21, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02})), HasSubstr("more than 32 bits"));
+}
+
+TEST(HidDescriptor, IsRefusedWhereAReportHasMoreThan64KiB) {
+  const Bytes half = {0x75, 0x08, 0x97, 0x00, 0x80, 0x00, 0x00, 0x81, 0x03};
+  Bytes items = half;
+  items.insert(items.end(), half.begin(), half.end());
+  EXPECT_EQ(problem_of(joystick(items)), "");
+  items.insert(items.end(), {0x95, 0x01, 0x81, 0x03});
+  EXPECT_THAT(problem_of(joystick(items)), HasSubstr("more than 64 KiB"));
+}
+
+TEST(HidDescriptor, IsRefusedWhereCountAndSizeOverflow) {
+  EXPECT_THAT(problem_of(joystick({0x75, 0x20, 0x97, 0xFF, 0xFF, 0xFF, 0xFF, 0x81, 0x02})),
+              HasSubstr("more than 64 KiB"));
+}
+
+TEST(HidDescriptor, IsRefusedWhereItEndsInTheMiddleOfAnItem) {
+  EXPECT_THAT(problem_of({0x05, 0x01, 0x27, 0xFF, 0xFF}), HasSubstr("middle of an item"));
+  EXPECT_THAT(problem_of({0x05, 0x01, 0xFE, 0x05, 0x10, 0x00}), HasSubstr("middle of a long item"));
+}
+
+TEST(HidDescriptor, IsRefusedWhereItNestsOrPopsBeyondReason) {
+  EXPECT_THAT(problem_of({0xC0}), HasSubstr("did not begin"));
+  EXPECT_THAT(problem_of({0xB4}), HasSubstr("not pushed"));
+  EXPECT_THAT(problem_of(Bytes(100, 0xA4)), HasSubstr("too often"));
+  EXPECT_THAT(problem_of(Bytes(100, 0xA0)), HasSubstr("too deeply"));
+  EXPECT_THAT(problem_of({0x85, 0x00}), HasSubstr("report id"));
+}
+
+TEST(HidDescriptor, OfAllUsagesThereAreStaysSmall) {
+  // Usages 0 to 65535 for 65,535 fields of a bit, again and again.
+  Bytes items;
+  for (int i = 0; i < 8; ++i) {
+    const Bytes block = {0x1A, 0x00, 0x00, 0x2A, 0xFF, 0xFF, 0x75, 0x01, 0x96, 0xFF, 0xFF, 0x81, 0x02};
+    items.insert(items.end(), block.begin(), block.end());
+  }
+  EXPECT_LE(parse_hid_descriptor(joystick(items)).fields.size(), 2048U);
+}
+
+}  // namespace
+}  // namespace ergodome::test
