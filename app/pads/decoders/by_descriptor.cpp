@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "app/pads/decoders/decoders.h"
+#include "app/pads/decoders/generic_mapping.h"
+#include "app/pads/hid_descriptor.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A field that is read, and where its number goes.
+struct Read {
+  HidField field;
+  enum class As { axis, hat, numbered_button, button } as = As::axis;
+  std::size_t index = 0;  //!< of the raw axis, the numbered button, or the PadButton
+};
+
+constexpr std::uint16_t desktop = 0x01;
+constexpr std::uint16_t buttons = 0x09;
+
+class ByDescriptor : public PadDecoder {
+ public:
+  explicit ByDescriptor(const HidLayout& hid) : has_ids_(hid.has_ids), report_bits_(hid.report_bits) {
+    std::size_t button_count = 0;
+    for (const HidField& field : hid.fields) {
+      add(field);
+      if (field.usage.page == buttons) {
+        button_count = std::max<std::size_t>(button_count, field.usage.usage);
+      }
+    }
+    map_generic_axes(hid, layout_.axes);
+    layout_.numbered = generic_buttons(hid, std::min(button_count, most_numbered_buttons));
+  }
+
+  [[nodiscard]] bool reads_anything() const { return !reads_.empty(); }
+  [[nodiscard]] std::string_view model() const override { return "its report descriptor says"; }
+  [[nodiscard]] const RawLayout& layout() const override { return layout_; }
+
+  PadReport decode(ReportBytes report, RawPad& pad) override {
+    const std::size_t start = has_ids_ ? 1 : 0;
+    if (report.size() <= start) {
+      return PadReport::refused;
+    }
+    const std::uint8_t id = has_ids_ ? report[0] : 0;
+    const auto bits = report_bits_.find(id);
+    // Some devices fill up their reports; what the descriptor speaks of must be there.
+    if (bits == report_bits_.end() || (report.size() - start) * 8 < bits->second) {
+      return PadReport::refused;
+    }
+    bool is_state = false;
+    const ReportBytes data = report.subspan(start);
+    for (const Read& read : reads_) {
+      if (read.field.report_id == id) {
+        if (!is_state) {
+          release_buttons(id, pad);
+        }
+        is_state = true;
+        take(read, field_value(read.field, data), pad);
+      }
+    }
+    return is_state ? PadReport::state : PadReport::other;
+  }
+
+ private:
+  void add(const HidField& field) {
+    if (const char* const name = generic_axis_name(field.usage); name != nullptr) {
+      add_axis(field, name);
+    } else if (field.usage == HidUsage{desktop, 0x39}) {
+      reads_.push_back({field, Read::As::hat, 0});
+    } else if (field.usage.page == buttons && field.usage.usage >= 1 && field.usage.usage <= most_numbered_buttons) {
+      reads_.push_back({field, Read::As::numbered_button, field.usage.usage - 1U});
+    } else if (const auto button = generic_button(field.usage)) {
+      reads_.push_back({field, Read::As::button, static_cast<std::size_t>(*button)});
+    }
+  }
+
+  void add_axis(const HidField& field, const std::string& name) {
+    const auto inside = [](std::int64_t value) {
+      return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, std::numeric_limits<std::int32_t>::min(),
+                                                                std::numeric_limits<std::int32_t>::max()));
+    };
+    if (layout_.axes.size() >= most_raw_axes || field.greatest <= field.least) {
+      return;
+    }
+    reads_.push_back({field, Read::As::axis, layout_.axes.size()});
+    layout_.axes.push_back({unused_name(name), inside(field.least), inside((field.least + field.greatest + 1) / 2),
+                            inside(field.greatest), std::nullopt, false});
+  }
+
+  //! "slider", then "slider_2".
+  [[nodiscard]] std::string unused_name(const std::string& name) const {
+    std::string candidate = name;
+    const auto is_taken = [&](const RawAxis& axis) { return axis.name == candidate; };
+    for (int i = 2; std::any_of(layout_.axes.begin(), layout_.axes.end(), is_taken); ++i) {
+      candidate = name;
+      candidate += '_';
+      candidate += std::to_string(i);
+    }
+    return candidate;
+  }
+
+  //! The buttons that a report speaks of; other reports' stay.
+  void release_buttons(std::uint8_t id, RawPad& pad) const {
+    for (const Read& read : reads_) {
+      if (read.field.report_id != id) {
+        continue;
+      }
+      if (read.as == Read::As::numbered_button) {
+        pad.numbered.reset(read.index);
+      } else if (read.as == Read::As::button) {
+        pad.buttons.reset(read.index);
+      } else if (read.as == Read::As::hat) {
+        for (const PadButton button :
+             {PadButton::dpad_up, PadButton::dpad_down, PadButton::dpad_left, PadButton::dpad_right}) {
+          pad.buttons.reset(static_cast<std::size_t>(button));
+        }
+      }
+    }
+  }
+
+  static void take(const Read& read, std::int64_t value, RawPad& pad) {
+    switch (read.as) {
+      case Read::As::axis:
+        pad.values[read.index] = static_cast<std::int32_t>(std::clamp<std::int64_t>(
+            value, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()));
+        break;
+      case Read::As::hat:
+        press_hat(pad, direction_of(read.field, value));
+        break;
+      case Read::As::numbered_button:
+        if (value != 0) {
+          pad.numbered.set(read.index);
+        }
+        break;
+      case Read::As::button:
+        if (value != 0) {
+          pad.buttons.set(read.index);
+        }
+        break;
+    }
+  }
+
+  //! Four or eight directions from the least number on; all else is none.
+  static int direction_of(const HidField& field, std::int64_t value) {
+    const std::int64_t directions = field.greatest - field.least + 1;
+    if (value < field.least || value > field.greatest || (directions != 4 && directions != 8)) {
+      return -1;
+    }
+    return static_cast<int>((value - field.least) * (8 / directions));
+  }
+
+  bool has_ids_;
+  std::map<std::uint8_t, std::uint32_t> report_bits_;
+  std::vector<Read> reads_;
+  RawLayout layout_;
+};
+
+}  // namespace
+
+std::unique_ptr<PadDecoder> make_by_descriptor(std::span<const std::uint8_t> descriptor) {
+  const HidLayout hid = parse_hid_descriptor(descriptor);
+  if (!has_pad(hid)) {
+    return nullptr;
+  }
+  auto decoder = std::make_unique<ByDescriptor>(hid);
+  return decoder->reads_anything() ? std::move(decoder) : nullptr;
+}
+
+}  // namespace ergodome

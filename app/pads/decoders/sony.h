@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/pads/report_bytes.h"
+
+namespace ergodome {
+
+//! Whether the last four bytes of a report over Bluetooth are the CRC-32 of 0xA1 (the transport's header) and all before them.
+inline bool sony_checksum_holds(ReportBytes report) {
+  const std::size_t end = report.size() - 4;
+  const auto told =
+      static_cast<std::uint32_t>(u16_at(report, end)) | (static_cast<std::uint32_t>(u16_at(report, end + 2)) << 16U);
+  return crc32_after(0xA1, report.first(end)) == told;
+}
+
+//! Hat in the low nibble, the four face buttons above it.
+inline void press_sony_face(RawPad& pad, std::uint8_t byte) {
+  press_hat(pad, byte & 0x0F);
+  press_bits(pad, byte,
+             {{0x10, PadButton::west}, {0x20, PadButton::south}, {0x40, PadButton::east}, {0x80, PadButton::north}});
+}
+
+inline void press_sony_shoulders(RawPad& pad, std::uint8_t byte) {
+  press_bits(pad, byte,
+             {{0x01, PadButton::left_shoulder},
+              {0x02, PadButton::right_shoulder},
+              {0x04, PadButton::left_trigger},
+              {0x08, PadButton::right_trigger},
+              {0x10, PadButton::select},
+              {0x20, PadButton::start},
+              {0x40, PadButton::left_stick},
+              {0x80, PadButton::right_stick}});
+}
+
+//! Sticks whose triggers are switches press the button and leave the axis at 0.
+inline void pull_pressed_triggers(RawPad& pad, std::uint8_t shoulders, std::size_t left, std::size_t right) {
+  if ((shoulders & 0x04) != 0 && pad.values[left] == 0) {
+    pad.values[left] = 255;
+  }
+  if ((shoulders & 0x08) != 0 && pad.values[right] == 0) {
+    pad.values[right] = 255;
+  }
+}
+
+}  // namespace ergodome

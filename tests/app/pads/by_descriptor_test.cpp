@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+
+#include "app/pads/decoders/decoders.h"
+#include "tests/app/pads/fixtures.h"
+
+namespace ergodome::test {
+namespace {
+
+//! A fixture of a known pad, and what its descriptor does not tell.
+struct Known {
+  const char* name;
+  bool analog_alone = false;  //!< buttons of triggers are no axes
+  std::string_view untold;    //!< buttons among its vendor's bits
+};
+
+void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
+
+class KnownPad : public testing::TestWithParam<Known> {};
+
+//! What published layouts say, the descriptors say, too: decoders and the parser have nothing in common.
+TEST_P(KnownPad, IsReadByItsDescriptorAsByItsLayout) {
+  const FixtureDevice device = fixture(GetParam().name).devices.front();
+  const auto decoder = make_by_descriptor(device.descriptor);
+  ASSERT_NE(decoder, nullptr);
+  RawPad raw = at_rest(decoder->layout());
+  int compared = 0;
+  for (const HidEvent& event : device.timeline) {
+    const Expectation expected(event.expect);
+    if (expected.kind != PadReport::state || event.expect.find(GetParam().untold) != std::string::npos) {
+      continue;
+    }
+    SCOPED_TRACE(event.expect);
+    ASSERT_EQ(decoder->decode(event.bytes, raw), PadReport::state);
+    PadState state = read_straight(decoder->layout(), raw);
+    PadState wanted = expected.state;
+    for (const PadAxis axis : {PadAxis::left_trigger, PadAxis::right_trigger}) {
+      const auto index = static_cast<std::size_t>(axis);
+      if (GetParam().analog_alone && state.axes[index] == 0.0F) {
+        wanted.axes[index] = 0.0F;
+      }
+    }
+    ASSERT_EQ(pressed(state), pressed(wanted));
+    ASSERT_THAT(state.axes, testing::Pointwise(testing::FloatNear(0.004F), wanted.axes));
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Descriptors, KnownPad,
+                         testing::Values(Known{"dualshock4_usb", true, "~"}, Known{"dualsense_usb", true, "paddle"},
+                                         Known{"xbox_series", false, "~"}, Known{"logitech_f310", false, "~"},
+                                         Known{"space_navigator", false, "~"},
+                                         Known{"space_mouse_wireless", false, "~"}, Known{"saitek_x52", false, "~"},
+                                         Known{"stadia", false, "~"}),
+                         [](const auto& played) { return std::string(played.param.name); });
+
+TEST(ByDescriptor, GivesNothingForAMouseOrAKeyboard) {
+  for (const FixtureDevice& device : fixture("mouse_and_keyboard").devices) {
+    EXPECT_EQ(make_by_descriptor(device.descriptor), nullptr) << device.info.name;
+  }
+}
+
+TEST(ByDescriptor, KeepsWhatOtherReportsSaid) {
+  const auto decoder = make_by_descriptor(fixture("space_navigator").devices.front().descriptor);
+  RawPad raw = at_rest(decoder->layout());
+  decoder->decode(std::vector<std::uint8_t>{3, 1, 0}, raw);
+  decoder->decode(std::vector<std::uint8_t>{1, 0x5E, 0x01, 0, 0, 0, 0}, raw);
+  EXPECT_TRUE(raw.numbered[0]);
+  EXPECT_EQ(raw.values[0], 350);
+  decoder->decode(std::vector<std::uint8_t>{3, 0, 0}, raw);
+  EXPECT_FALSE(raw.numbered[0]);
+  EXPECT_EQ(raw.values[0], 350);
+}
+
+TEST(ByDescriptor, NamesAxesOfTheSameUsageApart) {
+  // Two sliders of eight bits.
+  const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x09, 0x36, 0x09, 0x36, 0x15,
+                                                0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xC0};
+  const auto decoder = make_by_descriptor(descriptor);
+  ASSERT_EQ(decoder->layout().axes.size(), 2U);
+  EXPECT_EQ(decoder->layout().axes[0].name, "slider");
+  EXPECT_EQ(decoder->layout().axes[1].name, "slider_2");
+}
+
+TEST(ByDescriptor, AxesAndButtonsGoWhereTheProfileSays) {
+  const FixtureDevice stick = fixture("saitek_x52").devices.front();
+  const auto decoder = make_by_descriptor(stick.descriptor);
+  PadProfile profile = straight_profile();
+  profile.axes["z"] = {PadAxis::right_trigger, true};
+  profile.axes["rz"] = {PadAxis::turn_yaw, false};
+  profile.axes["x"] = {std::nullopt, false};
+  profile.buttons = {PadButton::guide, std::nullopt};
+  RawPad raw = at_rest(decoder->layout());
+  // x, y and twist at their ends (32 bits set), the throttle at 0, the first two buttons.
+  std::vector<std::uint8_t> report(14);
+  std::fill_n(report.begin(), 4, 0xFF);
+  report[8] = 0x03;
+  ASSERT_EQ(decoder->decode(report, raw), PadReport::state);
+  const PadState state = PadResponse(decoder->layout(), profile).apply(raw, {}, {});
+  EXPECT_FLOAT_EQ(state.axis(PadAxis::left_x), 0.0F);
+  EXPECT_FLOAT_EQ(state.axis(PadAxis::right_x), 0.0F);
+  EXPECT_FLOAT_EQ(state.axis(PadAxis::turn_yaw), 1.0F);
+  EXPECT_FLOAT_EQ(state.axis(PadAxis::right_trigger), 1.0F);
+  EXPECT_EQ(pressed(state), (std::vector<std::string>{"right_trigger", "guide"}));
+}
+
+}  // namespace
+}  // namespace ergodome::test
