@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/pads/hid_api.h"
+#include "app/pads/pad_decoder.h"
+#include "calibration/pad_response.h"
+
+namespace ergodome {
+
+//! How often each button went down.
+using PadPresses = std::array<std::uint16_t, pad_button_count>;
+
+//! A pad that is open: reads its reports, keeps its state, counts presses, and lets go what is stuck or silent. Not for several threads.
+class PadSession {
+ public:
+  //! `stuck_after_s` as in PadSettings.
+  PadSession(PadIdentity identity, std::unique_ptr<HidDevice> device, std::unique_ptr<PadDecoder> decoder,
+             const PadProfile& profile, double stuck_after_s, double now_s);
+
+  //! Reads what has come, at most `most_reports`, and waits up to `wait_ms` for the first. How many reports; -1 once the pad is gone.
+  //! `buffer` is for a report.
+  int pump(std::span<std::uint8_t> buffer, const std::function<double()>& now_s, int wait_ms);
+
+  //! Looks after axes that are stuck and pads that are silent.
+  void watch(double now_s);
+
+  //! All at rest: the pad is gone.
+  void release();
+
+  //! Presses since the last call.
+  PadPresses take_presses();
+
+  [[nodiscard]] const std::shared_ptr<const PadIdentity>& identity() const { return identity_; }
+  [[nodiscard]] const PadState& state() const { return state_; }
+  [[nodiscard]] const RawLayout& layout() const { return decoder_->layout(); }
+  [[nodiscard]] const RawPad& raw() const { return raw_; }
+  [[nodiscard]] bool stuck() const { return ignored_.any(); }
+  [[nodiscard]] bool absent() const { return absent_; }
+  [[nodiscard]] double last_report_s() const { return last_report_s_; }
+  [[nodiscard]] double last_input_s() const { return last_input_s_; }
+  [[nodiscard]] long reports() const { return reports_; }
+  [[nodiscard]] long refused() const { return refused_; }
+
+  static constexpr int most_reports = 256;
+
+ private:
+  void switch_mode();
+  void take(ReportBytes report, double now_s);
+  void note_motion(double now_s);
+  void update(double now_s);
+  bool look_after(std::size_t axis, double now_s);
+
+  //! Since when a raw axis has counted the same.
+  struct Still {
+    std::int32_t value = 0;
+    double since_s = 0.0;
+  };
+
+  std::shared_ptr<const PadIdentity> identity_;
+  std::unique_ptr<HidDevice> device_;
+  std::unique_ptr<PadDecoder> decoder_;
+  PadProfile profile_;
+  double stuck_after_s_;
+  PadResponse response_;
+  RawPad raw_;
+  PadState state_;
+  std::array<Still, most_raw_axes> still_{};
+  std::bitset<most_raw_axes> ignored_;
+  PadPresses presses_{};
+  bool absent_ = false;
+  bool silent_ = false;
+  double last_report_s_ = 0.0;
+  double last_input_s_ = 0.0;
+  long reports_ = 0;
+  long refused_ = 0;
+};
+
+}  // namespace ergodome
