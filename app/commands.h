@@ -15,5 +15,6 @@ void add_catalogue_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_calibrate_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
+void add_pad_command(CLI::App& app);
 
 }  // namespace ergodome

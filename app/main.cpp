@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   ergodome::add_catalogue_command(app);
   ergodome::add_calibrate_command(app);
   ergodome::add_convert_command(app);
+  ergodome::add_pad_command(app);
   ergodome::add_trace_command(app);
   ergodome::add_edge_command(app);
   ergodome::catch_interrupts();

@@ -1,0 +1,304 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/pads/hid_fixture.h"
+#include "app/pads/pad_calibration.h"
+#include "app/pads/pad_hub.h"
+#include "app/pads/pad_lines.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double frame_s = 1.0 / 60.0;
+
+struct PadOptions {
+  bool live = false;
+  bool calibrate = false;
+  int pad = 1;
+  double for_s = 0.0;
+  std::string out;
+  std::string settings;
+  std::string fixture;
+};
+
+//! Time as it passes; of a fixture whose lines go into a file or another program, as fast as they can be written.
+class Pace {
+ public:
+  explicit Pace(bool hurry) : hurry_(hurry), start_(Clock::now()) {}
+
+  [[nodiscard]] double now_s() const {
+    return hurry_ ? time_s_ : std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  void next_frame() {
+    if (hurry_) {
+      time_s_ += frame_s;
+    } else {
+      std::this_thread::sleep_for(std::chrono::duration<double>(frame_s));
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool hurry_;
+  double time_s_ = 0.0;
+  Clock::time_point start_;
+};
+
+//! Where settings are read from: the file named, or the default one where there is one.
+fs::path settings_file(const PadOptions& options) {
+  if (!options.settings.empty()) {
+    return options.settings;
+  }
+  const fs::path path = default_pad_settings_path();
+  std::error_code problem;
+  return !path.empty() && fs::exists(path, problem) ? path : fs::path();
+}
+
+PadSettings read_settings(const PadOptions& options) {
+  const fs::path path = settings_file(options);
+  return path.empty() ? PadSettings{} : load_pad_settings(path);
+}
+
+std::unique_ptr<HidApi> open_api(const PadOptions& options, const Pace& pace) {
+  std::unique_ptr<HidApi> api =
+      options.fixture.empty()
+          ? make_hid_library()
+          : std::make_unique<FixturePlayer>(load_hid_fixture(options.fixture), [&pace] { return pace.now_s(); });
+  if (const std::string problem = api->init(); !problem.empty()) {
+    throw Error("pad", problem, "is libhidapi-hidraw installed?");
+  }
+  return api;
+}
+
+std::string profile_name(const PadSettings& settings, const PadIdentity& pad) {
+  const PadProfile& profile = profile_for(settings, pad);
+  return &profile == &settings.otherwise ? "[default]" : fmt::format("[[pad]] {}", &profile - settings.pads.data() + 1);
+}
+
+//! What reads a device, or why nothing does.
+std::string reader_of(HidApi& api, const HidDeviceInfo& info) {
+  HidOpening opening = api.open_path(info.path);
+  if (opening.device == nullptr) {
+    return opening.denied ? permission_remedy(info) : opening.problem;
+  }
+  const auto decoder = make_pad_decoder(info, opening.device->descriptor());
+  return decoder == nullptr ? "its report descriptor says nothing that can be read"
+                            : fmt::format("read as {}", decoder->model());
+}
+
+void list_pads(HidApi& api, const PadSettings& settings, const fs::path& file) {
+  int count = 0;
+  for (const HidDeviceInfo& info : api.enumerate()) {
+    if (!is_pad(info)) {
+      continue;
+    }
+    const PadIdentity pad = identity_of(info, "");
+    fmt::print("{}  {}  {}  {}{}\n   {}\n   settings: {}{}\n", pad.name, device_id(info.vendor, info.product),
+               pad.connection, info.path, info.serial.empty() ? "" : fmt::format("  serial {}", info.serial),
+               reader_of(api, info), profile_name(settings, pad), profile_for(settings, pad).ignore ? ", ignored" : "");
+    ++count;
+  }
+  if (count == 0) {
+    fmt::print(
+        "no controllers found. Microsoft's pads are found over Bluetooth alone, Logitech's with their switch at D.\n");
+  }
+  fmt::print("settings are read from {}\n", file.empty() ? "nowhere: there is no file" : file.string());
+}
+
+//! Adds a [[pad]] for each controller that has none, and writes all.
+void write_settings(HidApi& api, PadSettings settings, const fs::path& out) {
+  for (const HidDeviceInfo& info : api.enumerate()) {
+    const PadIdentity pad = identity_of(info, "");
+    if (is_pad(info) && &profile_for(settings, pad) == &settings.otherwise) {
+      PadProfile profile = settings.otherwise;
+      profile.device = device_id(info.vendor, info.product);
+      profile.serial = info.serial;
+      settings.pads.push_back(std::move(profile));
+    }
+  }
+  write_pad_settings(out, settings);
+  fmt::print("written to {}: {} controllers\n", out.string(), settings.pads.size());
+}
+
+//! Draws lines over those drawn before, or beneath them where there is no terminal and something changed.
+class LiveLines {
+ public:
+  void show(const PadSnapshot& snapshot) {
+    std::vector<std::string> lines;
+    lines.reserve(snapshot.pads.size());
+    for (const PadView& pad : snapshot.pads) {
+      lines.push_back(live_line(pad));
+    }
+    if (lines == shown_) {
+      return;
+    }
+    on_terminal_ ? redraw(lines) : append(lines);
+    std::fflush(stdout);
+    shown_ = std::move(lines);
+  }
+
+ private:
+  void redraw(const std::vector<std::string>& lines) const {
+    if (!shown_.empty()) {
+      fmt::print("\x1b[{}A\x1b[J", shown_.size());
+    }
+    for (const std::string& line : lines) {
+      fmt::print("{}\n", line);
+    }
+  }
+
+  void append(const std::vector<std::string>& lines) const {
+    for (const std::string& line : lines) {
+      if (std::find(shown_.begin(), shown_.end(), line) == shown_.end()) {
+        fmt::print("{}\n", line);
+      }
+    }
+  }
+
+  bool on_terminal_ = ::isatty(STDOUT_FILENO) != 0;
+  std::vector<std::string> shown_;
+};
+
+//! How long a command goes on: as it was told, else for ever; but a fixture in a hurry ends.
+double duration_s(const PadOptions& options, bool hurry, double otherwise) {
+  return options.for_s > 0.0 ? options.for_s : hurry ? 10.0 : otherwise;
+}
+
+void show_live(PadHub& hub, Pace& pace, double duration_s) {
+  LiveLines lines;
+  const double end_s = pace.now_s() + duration_s;
+  while (pace.now_s() < end_s && !interrupted()) {
+    hub.poll();
+    lines.show(hub.snapshot());
+    pace.next_frame();
+  }
+}
+
+//! The session of the pad with that number, in the order they were found.
+const PadSession* session_of(const PadHub& hub, int number) {
+  const auto index = static_cast<std::size_t>(number - 1);
+  return index < hub.sessions().size() ? hub.sessions()[index].get() : nullptr;
+}
+
+//! The profile that is about this one pad, made from the one that it had where there is none.
+PadProfile& own_profile(PadSettings& settings, const PadIdentity& pad) {
+  const std::string device = device_id(pad.vendor, pad.product);
+  const auto found = std::find_if(settings.pads.begin(), settings.pads.end(), [&](const PadProfile& profile) {
+    return profile.device == device && profile.serial == pad.serial;
+  });
+  if (found != settings.pads.end()) {
+    return *found;
+  }
+  PadProfile profile = profile_for(settings, pad);
+  profile.device = device;
+  profile.name.clear();
+  profile.serial = pad.serial;
+  settings.pads.push_back(std::move(profile));
+  return settings.pads.back();
+}
+
+fs::path calibration_file(const PadOptions& options) {
+  const fs::path path = !options.out.empty()        ? fs::path(options.out)
+                        : !options.settings.empty() ? fs::path(options.settings)
+                                                    : default_pad_settings_path();
+  if (path.empty()) {
+    throw Error("pad --calibrate", "there is no home folder to keep settings in", "name a file with --out");
+  }
+  return path;
+}
+
+void report(const PadProfile& profile, const std::vector<std::string>& unmoved) {
+  for (const auto& [name, range] : profile.calibration) {
+    fmt::print("{:>16}: {} to {}, at rest {}\n", name, range.least, range.greatest, range.centre);
+  }
+  fmt::print("dead zones: left stick {}, right stick {}\n", profile.left_stick.dead_zone,
+             profile.right_stick.dead_zone);
+  if (!unmoved.empty()) {
+    fmt::print("left as they were, because they were hardly moved: {}\n", fmt::join(unmoved, ", "));
+  }
+}
+
+void calibrate(PadHub& hub, Pace& pace, PadSettings settings, const PadOptions& options, double duration_s) {
+  const fs::path file = calibration_file(options);
+  fmt::print(
+      "Leave the controller alone for a moment. Then move each stick round its edge, press both triggers down, and "
+      "let\n"
+      "go of everything: that ends it. Ctrl-C leaves everything as it was.\n");
+  std::fflush(stdout);
+  const double end_s = pace.now_s() + duration_s;
+  std::unique_ptr<PadCalibrator> calibrator;
+  const PadSession* session = nullptr;
+  while (pace.now_s() < end_s && !interrupted()) {
+    hub.poll();
+    if (const PadSession* const now = session_of(hub, options.pad); now != session) {
+      session = now;
+      calibrator = now != nullptr ? std::make_unique<PadCalibrator>(now->layout()) : nullptr;
+    }
+    if (calibrator != nullptr && session->reports() > 0) {
+      calibrator->take(session->raw(), pace.now_s());
+      if (calibrator->is_done(pace.now_s())) {
+        PadProfile& profile = own_profile(settings, *session->identity());
+        profile = calibrator->applied_to(profile);
+        report(profile, calibrator->unmoved());
+        write_pad_settings(file, settings);
+        fmt::print("written to {}\n", file.string());
+        return;
+      }
+    }
+    pace.next_frame();
+  }
+  throw Error("pad --calibrate",
+              session == nullptr ? "there is no such controller" : "the controller was not moved and let go",
+              "see `ergodome pad`; nothing was written");
+}
+
+void run(const PadOptions& options) {
+  const bool hurry = !options.fixture.empty() && ::isatty(STDOUT_FILENO) == 0;
+  Pace pace(hurry);
+  const PadSettings settings = read_settings(options);
+  std::unique_ptr<HidApi> api = open_api(options, pace);
+  constexpr double for_ever_s = 1e9;
+  if (options.calibrate) {
+    PadHub hub(std::move(api), settings, [&] { return pace.now_s(); });
+    calibrate(hub, pace, settings, options, duration_s(options, hurry, 120.0));
+  } else if (options.live) {
+    PadHub hub(std::move(api), settings, [&] { return pace.now_s(); });
+    show_live(hub, pace, duration_s(options, hurry, for_ever_s));
+  } else if (!options.out.empty()) {
+    write_settings(*api, settings, options.out);
+  } else {
+    list_pads(*api, settings, settings_file(options));
+  }
+}
+
+}  // namespace
+
+void add_pad_command(CLI::App& app) {
+  auto* command = app.add_subcommand("pad", "List controllers, show what they do, measure them, write their settings");
+  auto options = std::make_shared<PadOptions>();
+  auto* live = command->add_flag("--live", options->live, "show what sticks and buttons do, until Ctrl-C");
+  command
+      ->add_flag("--calibrate", options->calibrate,
+                 "measure a controller's sticks and triggers, and write the settings")
+      ->excludes(live);
+  command->add_option("--pad", options->pad, "which controller to measure, from 1 in the order they are listed")
+      ->check(CLI::Range(1, 16));
+  command->add_option("--for", options->for_s, "end after so many seconds")->check(CLI::Range(0.1, 1e9));
+  command->add_option("--settings", options->settings,
+                      "file to read; default: $XDG_CONFIG_HOME/ergodome/pads.toml, or in ~/.config");
+  command->add_option("--out", options->out, "file to write settings to, with comments; an older one is kept as .bak");
+  command->add_option("--fixture", options->fixture, "play recorded reports in place of controllers");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome
