@@ -1,0 +1,43 @@
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/pads/decoders/decoders.h"
+#include "calibration/pad_response.h"
+#include "kernels/core/error.h"
+
+// Two bytes say how long the descriptor is; then come the descriptor and reports, each behind its length. Any descriptor is either read,
+// and then any report is decoded to numbers in range, or an Error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) {
+    return 0;
+  }
+  const std::span<const std::uint8_t> input(data + 2, size - 2);
+  const std::size_t length = std::min<std::size_t>(data[0] | (data[1] << 8U), input.size());
+  std::unique_ptr<ergodome::PadDecoder> decoder;
+  try {
+    decoder = ergodome::make_by_descriptor(input.first(length));
+  } catch (const ergodome::Error&) {
+    return 0;
+  }
+  if (decoder == nullptr) {
+    return 0;
+  }
+  const ergodome::PadResponse response(decoder->layout(), {});
+  ergodome::RawPad pad = ergodome::at_rest(decoder->layout());
+  std::span<const std::uint8_t> rest = input.subspan(length);
+  while (!rest.empty()) {
+    const std::size_t bytes = std::min<std::size_t>(rest[0], rest.size() - 1);
+    const std::vector<std::uint8_t> report(rest.begin() + 1, rest.begin() + 1 + static_cast<std::ptrdiff_t>(bytes));
+    rest = rest.subspan(1 + bytes);
+    decoder->decode(report, pad);
+    const ergodome::PadState state = response.apply(pad, {}, {});
+    for (const float axis : state.axes) {
+      if (!(axis >= -1.001F && axis <= 1.001F)) {
+        __builtin_trap();
+      }
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,21 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "calibration/pad_settings.h"
+#include "kernels/core/error.h"
+
+// Any text is either settings, which then read back the same from their own text, or an Error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  ergodome::PadSettings settings;
+  try {
+    settings = ergodome::parse_pad_settings({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+  } catch (const ergodome::Error&) {
+    return 0;
+  }
+  if (ergodome::parse_pad_settings(ergodome::to_toml(settings), "again.toml") != settings) {
+    __builtin_trap();
+  }
+  return 0;
+}
