@@ -1,0 +1,183 @@
+#include "app/remote/command_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <vector>
+
+#include "content/files/toml_table.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+using Kind = TransportCommand::Kind;
+
+constexpr double most_chapters = 10'000;
+constexpr double most_steps = 1e6;
+constexpr std::size_t longest_tag = 35;  // BCP 47 advises buffers of that size.
+
+constexpr std::array rules = {
+    CommandRule{Kind::play, "play"},
+    CommandRule{Kind::pause, "pause"},
+    CommandRule{Kind::toggle_pause, "toggle_pause"},
+    CommandRule{Kind::seek, "seek", Argument::number, 0.0, greatest_show_time_s},
+    CommandRule{Kind::seek_by, "seek_by", Argument::number, -greatest_show_time_s, greatest_show_time_s},
+    CommandRule{Kind::step, "step", Argument::whole, -most_steps, most_steps},
+    CommandRule{Kind::speed, "speed", Argument::number, -greatest_speed, greatest_speed},
+    CommandRule{Kind::chapter, "chapter", Argument::chapter, 0.0, most_chapters},
+    CommandRule{Kind::next_chapter, "next_chapter"},
+    CommandRule{Kind::previous_chapter, "previous_chapter"},
+    CommandRule{Kind::loop, "loop", Argument::flag},
+    CommandRule{Kind::blackout, "blackout", Argument::flag},
+    CommandRule{Kind::toggle_blackout, "toggle_blackout"},
+    CommandRule{Kind::exposure, "exposure", Argument::number, -20.0, 20.0},
+    CommandRule{Kind::baseline, "baseline", Argument::number, 0.0, 1e6},
+    CommandRule{Kind::language, "language", Argument::language_tag},
+    CommandRule{Kind::next_language, "next_language"},
+    CommandRule{Kind::captions, "captions", Argument::flag},
+    CommandRule{Kind::volume, "volume", Argument::number, 0.0, 1.0},
+    CommandRule{Kind::free_flight, "free_flight"},
+    CommandRule{Kind::return_to_path, "return"},
+    CommandRule{Kind::reset, "reset"},
+    CommandRule{Kind::reload, "reload"},
+};
+
+std::string in_lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+double whole_number(std::string_view place, double number, double least, double greatest) {
+  if (std::trunc(checked_number(place, number, least, greatest)) != number) {
+    throw Error(std::string(place), fmt::format("{} is not a whole number", number),
+                "send a number without a fraction");
+  }
+  return number;
+}
+
+//! A truth; numbers 0 and 1 are one as well.
+bool truth(std::string_view place, const CommandArgument& argument) {
+  if (const bool* const given = std::get_if<bool>(&argument)) {
+    return *given;
+  }
+  const double* const number = std::get_if<double>(&argument);
+  if (number == nullptr || (*number != 0.0 && *number != 1.0)) {
+    throw Error(std::string(place), "takes true or false", "send true, false, 1 or 0");
+  }
+  return *number == 1.0;
+}
+
+double number_of(std::string_view place, const CommandArgument& argument) {
+  const double* const number = std::get_if<double>(&argument);
+  if (number == nullptr) {
+    throw Error(std::string(place), "takes a number", "send one");
+  }
+  return *number;
+}
+
+std::string language_of(std::string_view place, const CommandArgument& argument) {
+  const std::string* const tag = std::get_if<std::string>(&argument);
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  if (tag == nullptr || tag->size() > longest_tag || !std::all_of(tag->begin(), tag->end(), fits)) {
+    throw Error(std::string(place), "takes the tag of a language", "send one such as \"en\" or \"de\"");
+  }
+  return *tag;
+}
+
+//! Index of the chapter with a title: written the same, or else but for upper and lower case.
+double index_of_title(std::string_view place, const std::string& title, const std::vector<ChapterStatus>& chapters) {
+  const auto same = [&](const auto& change) {
+    return std::find_if(chapters.begin(), chapters.end(),
+                        [&](const ChapterStatus& chapter) { return change(chapter.title) == change(title); });
+  };
+  auto found = same([](const std::string& text) { return text; });
+  if (found == chapters.end()) {
+    found = same(in_lower_case);
+  }
+  if (found == chapters.end()) {
+    throw Error(std::string(place), "the show has no chapter of that title",
+                chapters.empty() ? "this show has no chapters" : "the first is \"" + chapters.front().title + "\"");
+  }
+  return static_cast<double>(found - chapters.begin());
+}
+
+double chapter_index(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {
+  if (const std::string* const title = std::get_if<std::string>(&argument)) {
+    return index_of_title(rule.name, *title, status.chapters);
+  }
+  const double count = static_cast<double>(status.chapters.size());
+  const double index = whole_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
+  if (index >= count) {
+    throw Error(std::string(rule.name), fmt::format("there is no chapter {}", index),
+                count == 0 ? "this show has no chapters" : fmt::format("the last is {}", count - 1));
+  }
+  return index;
+}
+
+}  // namespace
+
+std::span<const CommandRule> command_rules() { return rules; }
+
+const CommandRule* rule_of(std::string_view name) {
+  const auto* const found =
+      std::find_if(rules.begin(), rules.end(), [&](const CommandRule& rule) { return rule.name == name; });
+  return found == rules.end() ? nullptr : found;
+}
+
+std::string nearest_command(std::string_view word) {
+  // A long word is near to none, and is not worth the comparing.
+  if (word.size() > longest_tag) {
+    return {};
+  }
+  std::vector<std::string> names;
+  names.reserve(rules.size());
+  for (const CommandRule& rule : rules) {
+    names.emplace_back(rule.name);
+  }
+  return nearest_word(word, names);
+}
+
+double checked_number(std::string_view place, double number, double least, double greatest) {
+  if (!std::isfinite(number)) {
+    throw Error(std::string(place), "the number is not finite", "send an ordinary number");
+  }
+  if (number < least || number > greatest) {
+    throw Error(std::string(place), fmt::format("{} is out of range", number),
+                fmt::format("send a number from {} to {}", least, greatest));
+  }
+  return number;
+}
+
+TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {
+  TransportCommand command = {rule.kind, 0.0, {}};
+  switch (rule.argument) {
+    case Argument::none:
+      break;
+    case Argument::number:
+      command.value = checked_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
+      break;
+    case Argument::whole:
+      command.value = std::holds_alternative<std::monostate>(argument)
+                          ? 1.0
+                          : whole_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
+      break;
+    case Argument::flag:
+      command.value = truth(rule.name, argument) ? 1.0 : 0.0;
+      break;
+    case Argument::language_tag:
+      command.text = language_of(rule.name, argument);
+      break;
+    case Argument::chapter:
+      command.value = chapter_index(rule, argument, status);
+      break;
+  }
+  return command;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "app/playback/transport.h"
+
+namespace ergodome {
+
+//! What a command takes with it.
+enum class Argument {
+  none,
+  number,        //!< within [least, greatest]
+  whole,         //!< the same without a fraction; 1 where it is absent
+  flag,          //!< true or false, 1 or 0
+  language_tag,  //!< letters, digits, - and _
+  chapter        //!< its index from 0, or its title
+};
+
+//! What is known of a command: OSC and the page in a browser accept exactly this.
+struct CommandRule {
+  TransportCommand::Kind kind = TransportCommand::Kind::play;
+  std::string_view name;
+  Argument argument = Argument::none;
+  double least = 0.0;
+  double greatest = 0.0;
+};
+
+//! Every command.
+std::span<const CommandRule> command_rules();
+
+//! The rule of a name, or nullptr.
+const CommandRule* rule_of(std::string_view name);
+
+//! The known name that is closest to a word; empty when none is close.
+std::string nearest_command(std::string_view word);
+
+//! What came with a command: nothing, a truth, a number or a text.
+using CommandArgument = std::variant<std::monostate, bool, double, std::string>;
+
+//! The command, with its argument held to the rule; titles of chapters are looked up in the status. Throws Error with the command's name as
+//! its place where the argument is missing, of another type, not finite or out of range.
+TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status);
+
+//! A number held to bounds; throws Error where it is NaN, infinite or outside.
+double checked_number(std::string_view place, double number, double least, double greatest);
+
+//! Greatest distance of show times from zero [s]: three hundred years.
+inline constexpr double greatest_show_time_s = 1e10;
+//! Greatest speed, forwards and backwards.
+inline constexpr double greatest_speed = 100.0;
+
+}  // namespace ergodome

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <httplib.h>
+
+#include <string>
+
+#include "app/remote/net_address.h"
+#include "app/remote/stop_signal.h"
+
+namespace ergodome {
+
+//! A connection as httplib reads and writes it, with what httplib has no bounds for: the head of a request is read whole, within a size
+//! and a time, before httplib sees it; a client that takes nothing for a while is given up; and everything ends with the stop signal.
+class HttpStream : public httplib::Stream {
+ public:
+  static constexpr std::size_t most_head_bytes = 8192;
+  static constexpr std::size_t most_head_lines = 64;
+  static constexpr std::chrono::milliseconds head_time{3000};
+  static constexpr std::chrono::milliseconds body_time{2000};
+  static constexpr std::chrono::milliseconds write_time{2000};
+
+  //! The socket must be non-blocking.
+  HttpStream(Descriptor socket, const NetAddress& peer, const StopSignal& stop)
+      : socket_(std::move(socket)), peer_(peer), stop_(stop) {}
+
+  //! Waits for the next request, as long as an idle connection may be kept, and reads its head. False where there is none, or none that is
+  //! worth an answer.
+  bool read_head(std::chrono::milliseconds idle_time);
+
+  //! Whether a body follows, according to the head that was read last.
+  [[nodiscard]] bool has_body() const { return has_body_; }
+  [[nodiscard]] const NetAddress& peer() const { return peer_; }
+
+  [[nodiscard]] bool is_readable() const override;
+  [[nodiscard]] bool is_writable() const override;
+  ssize_t read(char* data, std::size_t size) override;
+  ssize_t write(const char* data, std::size_t size) override;
+  void get_remote_ip_and_port(std::string& host, int& port) const override;
+  void get_local_ip_and_port(std::string& host, int& port) const override;
+  [[nodiscard]] socket_t socket() const override { return socket_.get(); }
+
+ private:
+  using Instant = std::chrono::steady_clock::time_point;
+
+  bool receive(Instant deadline);
+  [[nodiscard]] bool is_read_up() const { return position_ >= buffer_.size(); }
+  bool keep_plain_lines(std::size_t end);
+
+  Descriptor socket_;
+  NetAddress peer_;
+  const StopSignal& stop_;
+  std::string buffer_;        // received
+  std::size_t position_ = 0;  // of what httplib reads next
+  Instant body_deadline_;
+  bool has_body_ = false;
+};
+
+}  // namespace ergodome

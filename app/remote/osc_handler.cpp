@@ -1,0 +1,244 @@
+#include "app/remote/osc_handler.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/remote/command_rules.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr std::string_view root = "/ergodome/";
+constexpr std::size_t longest_quote = 60;
+
+//! A name that came from outside, fit to be shown: short, and nothing but letters that can be read.
+std::string quotable(const std::string& text) {
+  std::string result = text.substr(0, longest_quote);
+  std::replace_if(
+      result.begin(), result.end(), [](unsigned char c) { return std::isprint(c) == 0; }, '?');
+  return result;
+}
+
+steady_clock::time_point after(steady_clock::time_point from, double seconds) {
+  return from + std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+//! How long until a message is to be heeded [s]; 0 where its time is past.
+double wait_s(const OscMessage& message, const OscInstant& now) {
+  const double wait = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
+  if (wait > OscHandler::longest_wait_s) {
+    throw Error("bundle", fmt::format("its time is {:.0f} s ahead", wait),
+                fmt::format("send it within {:.0f} s of its time, and set the clocks of both machines",
+                            OscHandler::longest_wait_s));
+  }
+  return std::max(wait, 0.0);
+}
+
+CommandArgument argument_at(const OscMessage& message, std::size_t index) {
+  return index < message.arguments.size() ? message.arguments[index] : CommandArgument{};
+}
+
+void expect_at_most(const OscMessage& message, std::size_t count) {
+  if (message.arguments.size() > count) {
+    throw Error(message.address.substr(root.size()), fmt::format("has {} arguments", message.arguments.size()),
+                fmt::format("send at most {}", count));
+  }
+}
+
+//! Buttons of control surfaces send 1 when pressed and 0 when released: what takes no argument heeds the former alone.
+bool is_release(const CommandArgument& argument) {
+  const double* const number = std::get_if<double>(&argument);
+  const bool* const flag = std::get_if<bool>(&argument);
+  return (number != nullptr && *number == 0.0) || (flag != nullptr && !*flag);
+}
+
+double number_at(const OscMessage& message, std::size_t index, std::string_view name, double least, double greatest) {
+  const CommandArgument argument = argument_at(message, index);
+  const double* const number = std::get_if<double>(&argument);
+  if (number == nullptr) {
+    throw Error(std::string(name), "takes a number", "send one");
+  }
+  return checked_number(name, *number, least, greatest);
+}
+
+}  // namespace
+
+std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, const NetAddress& from,
+                                             const OscInstant& now) {
+  std::vector<OscDatagram> answers;
+  const auto complain = [&](const std::string& address, const Error& error) {
+    if (complaints_.allows(now.steady)) {
+      spdlog::warn("OSC from {}: {}", from.host(), error.what());
+      const OscOutput complaint = {"/ergodome/error", {quotable(address), std::string(error.what())}};
+      answers.push_back({from, osc_packet({&complaint, 1})});
+    }
+  };
+  std::vector<OscMessage> messages;
+  try {
+    messages = parse_osc(packet);
+  } catch (const Error& error) {
+    complain("", error);
+  }
+  for (const OscMessage& message : messages) {
+    try {
+      if (const std::optional<OscOutput> answer = heed(message, from, now)) {
+        answers.push_back({from, osc_packet({&*answer, 1})});
+      }
+    } catch (const Error& error) {
+      complain(message.address, error);
+    }
+  }
+  return answers;
+}
+
+std::optional<OscOutput> OscHandler::heed(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
+  if (message.address == "/ergodome/clock") {
+    follow_clock(message, now);
+  } else if (message.address == "/ergodome/subscribe") {
+    subscribe(message, from, now);
+  } else if (message.address == "/ergodome/unsubscribe") {
+    unsubscribe(message, from);
+  } else if (message.address == "/ergodome/ping") {
+    return OscOutput{"/ergodome/pong", {}};
+  } else {
+    command(message, now);
+  }
+  return std::nullopt;
+}
+
+void OscHandler::command(const OscMessage& message, const OscInstant& now) {
+  const bool ours = message.address.starts_with(root);
+  const std::string name = ours ? message.address.substr(root.size()) : message.address;
+  const CommandRule* const rule = ours ? rule_of(name) : nullptr;
+  if (rule == nullptr) {
+    const std::string nearest = nearest_command(name);
+    throw Error(quotable(message.address), "unknown address",
+                nearest.empty() ? "OSC.md lists them" : fmt::format("did you mean {}{}?", root, nearest));
+  }
+  expect_at_most(message, 1);
+  const CommandArgument argument = argument_at(message, 0);
+  if (rule->argument == Argument::none && is_release(argument)) {
+    return;
+  }
+  TransportCommand command = checked_command(*rule, argument, board_.read());
+  const double wait = wait_s(message, now);
+  if (wait == 0.0) {
+    commands_.push(std::move(command));
+    return;
+  }
+  if (waiting_.size() >= most_waiting) {
+    throw Error("bundle", fmt::format("{} commands are waiting for their time already", most_waiting),
+                "send them later");
+  }
+  const steady_clock::time_point due = after(now.steady, wait);
+  const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), due,
+                                      [](auto time, const Waiting& each) { return time < each.due; });
+  waiting_.insert(place, {due, std::move(command)});
+}
+
+void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) {
+  if (!clock_) {
+    throw Error("clock", "the player does not follow a clock", "start it so that it does");
+  }
+  expect_at_most(message, 2);
+  ClockFix fix;
+  fix.show_time_s = number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s);
+  if (message.arguments.size() == 2) {
+    fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
+  }
+  // A bundle's time says when its word was right, be that before or after now.
+  const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
+  fix.at = after(now.steady, checked_number("clock: time of the bundle", ahead_s, -longest_wait_s, longest_wait_s));
+  clock_(fix);
+}
+
+namespace {
+
+//! Where a subscriber wants its feedback: [host,] port, or back to where the message came from.
+NetAddress subscriber_address(const OscMessage& message, const NetAddress& from) {
+  expect_at_most(message, 2);
+  if (message.arguments.empty()) {
+    return from;
+  }
+  const std::string* const host = std::get_if<std::string>(message.arguments.data());
+  const std::size_t port_at = host == nullptr ? 0 : 1;
+  const int port = static_cast<int>(number_at(message, port_at, "subscribe: port", 1, 65'535));
+  if (host == nullptr) {
+    expect_at_most(message, 1);
+    return from.with_port(port);
+  }
+  const std::optional<NetAddress> wanted = NetAddress::parse(*host, port);
+  if (!wanted || wanted->family() != from.family()) {
+    throw Error("subscribe", "the host is not an address in digits", "send one such as \"192.168.1.20\"");
+  }
+  // Else anyone could have this machine send to anyone.
+  if (wanted->host() != from.host() && !from.is_loopback()) {
+    throw Error("subscribe", "only this machine may subscribe others",
+                "send the message from where feedback is wanted");
+  }
+  return *wanted;
+}
+
+}  // namespace
+
+void OscHandler::subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
+  const NetAddress to = subscriber_address(message, from);
+  const steady_clock::time_point until = now.steady + subscription;
+  const auto known = std::find_if(subscribers_.begin(), subscribers_.end(),
+                                  [&](const Subscriber& subscriber) { return subscriber.to == to; });
+  if (known != subscribers_.end()) {
+    known->until = until;
+    return;
+  }
+  if (subscribers_.size() >= most_subscribers) {
+    throw Error("subscribe", fmt::format("there are {} subscribers already", most_subscribers),
+                "end another one with /ergodome/unsubscribe, or wait until it expires");
+  }
+  if (subscribers_.empty()) {
+    next_feedback_ = now.steady;
+  }
+  subscribers_.push_back({to, until});
+}
+
+void OscHandler::unsubscribe(const OscMessage& message, const NetAddress& from) {
+  const NetAddress to = subscriber_address(message, from);
+  std::erase_if(subscribers_, [&](const Subscriber& subscriber) { return subscriber.to == to; });
+}
+
+std::vector<OscDatagram> OscHandler::tick(steady_clock::time_point now) {
+  while (!waiting_.empty() && waiting_.front().due <= now) {
+    commands_.push(std::move(waiting_.front().command));
+    waiting_.erase(waiting_.begin());
+  }
+  std::erase_if(subscribers_, [&](const Subscriber& subscriber) { return subscriber.until <= now; });
+  std::vector<OscDatagram> feedback;
+  if (!subscribers_.empty() && next_feedback_ <= now) {
+    const std::vector<char> packet = osc_packet(osc_status(board_.read()));
+    for (const Subscriber& subscriber : subscribers_) {
+      feedback.push_back({subscriber.to, packet});
+    }
+    // After a long stall the feedback goes on from now instead of catching up.
+    next_feedback_ = std::max(next_feedback_ + feedback_interval, now);
+  }
+  return feedback;
+}
+
+std::optional<steady_clock::time_point> OscHandler::next_tick() const {
+  std::optional<steady_clock::time_point> next;
+  if (!subscribers_.empty()) {
+    next = next_feedback_;
+  }
+  if (!waiting_.empty()) {
+    next = next ? std::min(*next, waiting_.front().due) : waiting_.front().due;
+  }
+  return next;
+}
+
+}  // namespace ergodome

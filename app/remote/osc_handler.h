@@ -1,0 +1,83 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/playback/clock_fix.h"
+#include "app/playback/transport.h"
+#include "app/remote/net_address.h"
+#include "app/remote/osc_message.h"
+#include "app/remote/rate_limit.h"
+
+namespace ergodome {
+
+//! What a master clock's word is given to; called on the remote control's thread.
+using ClockListener = std::function<void(const ClockFix&)>;
+
+//! The same instant by the clock that never jumps and by the time of day.
+struct OscInstant {
+  std::chrono::steady_clock::time_point steady;
+  OscTime of_day = osc_at_once;
+};
+
+//! Something to be sent.
+struct OscDatagram {
+  NetAddress to;
+  std::vector<char> bytes;
+};
+
+//! What OSC messages do (OSC.md lists their addresses): without a socket or a clock of its own.
+//!
+//! Everything that it keeps is bounded: commands of bundles that wait for their time, subscribers, answers a second.
+class OscHandler {
+ public:
+  static constexpr std::size_t most_waiting = 256;
+  static constexpr std::size_t most_subscribers = 16;
+  static constexpr double longest_wait_s = 60.0;
+  static constexpr std::chrono::seconds subscription{30};
+  static constexpr std::chrono::milliseconds feedback_interval{100};
+
+  OscHandler(CommandQueue& commands, const StatusBoard& board, ClockListener clock)
+      : commands_(commands), board_(board), clock_(std::move(clock)) {}
+
+  //! Does what a packet says and gives the answers to it. Never throws for a packet's sake.
+  std::vector<OscDatagram> receive(std::span<const std::byte> packet, const NetAddress& from, const OscInstant& now);
+
+  //! Does what has come due: commands of bundles, feedback for subscribers.
+  std::vector<OscDatagram> tick(std::chrono::steady_clock::time_point now);
+
+  //! When `tick` is to be called next; empty where nothing waits.
+  [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> next_tick() const;
+
+ private:
+  struct Waiting {
+    std::chrono::steady_clock::time_point due;
+    TransportCommand command;
+  };
+  struct Subscriber {
+    NetAddress to;
+    std::chrono::steady_clock::time_point until;
+  };
+
+  std::optional<OscOutput> heed(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  void command(const OscMessage& message, const OscInstant& now);
+  void follow_clock(const OscMessage& message, const OscInstant& now);
+  void subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  void unsubscribe(const OscMessage& message, const NetAddress& from);
+
+  CommandQueue& commands_;
+  const StatusBoard& board_;
+  ClockListener clock_;
+  std::vector<Waiting> waiting_;  // in order of time
+  std::vector<Subscriber> subscribers_;
+  std::chrono::steady_clock::time_point next_feedback_;
+  RateLimit complaints_{10.0, 10.0};
+};
+
+//! What a subscriber is told, ten times a second.
+std::vector<OscOutput> osc_status(const PlayerStatus& status);
+
+}  // namespace ergodome

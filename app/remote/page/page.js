@@ -1,0 +1,256 @@
+// The operator's page: puts the player's status on the screen and a person's wishes into commands.
+
+import { Connection } from "./connection.js";
+import { Fader, Toggle } from "./controls.js";
+import { FrameGraph } from "./graph.js";
+
+const most_log_lines = 300;
+const refused_ms = 5000;
+
+const find = (id) => document.getElementById(id);
+const put = (element, text) => {
+  // Only what changes is written: screen readers and selections are left in peace.
+  if (element.textContent !== text) {
+    element.textContent = text;
+  }
+};
+const make = (tag, text = "", className = "") => Object.assign(document.createElement(tag), { textContent: text, className });
+const number = (value, digits) => (typeof value === "number" ? value.toFixed(digits).replace("-", "\u2212") : "\u2013");
+
+// "1:05.3", "-0:02", "2:00:00".
+function clock(seconds, digits) {
+  if (typeof seconds !== "number") {
+    return "\u2013";
+  }
+  const rounded = Number(Math.abs(seconds).toFixed(digits));
+  const whole = Math.floor(rounded);
+  const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  const fraction = digits > 0 ? (rounded - whole).toFixed(digits).slice(1) : "";
+  const two = (n) => String(n).padStart(2, "0");
+  return `${seconds < 0 ? "\u2212" : ""}${h > 0 ? `${h}:${two(m)}` : m}:${two(s)}${fraction}`;
+}
+
+let status = {};
+let refusedTimer;
+
+function showRefused(text) {
+  const line = find("refused");
+  line.hidden = false;
+  put(line, text);
+  clearTimeout(refusedTimer);
+  refusedTimer = setTimeout(() => { line.hidden = true; }, refused_ms);
+}
+
+function showState(isConnected) {
+  document.body.classList.remove("waiting");
+  document.body.classList.toggle("lost", !isConnected);
+  put(find("connection"), isConnected ? "Connected" : "Connection lost, trying again");
+}
+
+const connection = new Connection({ onStatus: takeStatus, onLog: showLog, onState: showState, onRefused: showRefused });
+const send = (kind, argument) => connection.send(kind, argument);
+
+// Transport ---------------------------------------------------------------------------------------------------------------------------
+
+const playing = new Toggle(find("toggle_pause"), (on) => send(on ? "play" : "pause"), (on) => {
+  // It says what a touch does.
+  put(find("toggle_pause"), on ? "Pause" : "Play");
+  find("toggle_pause").setAttribute("aria-label", on ? "Pause" : "Play");
+});
+const toggles = {
+  loop: new Toggle(find("loop"), (on) => send("loop", { value: on })),
+  captions: new Toggle(find("captions"), (on) => send("captions", { value: on })),
+  blackout: new Toggle(find("blackout"), (on) => send("blackout", { value: on })),
+  free_flight: new Toggle(find("free_flight"), (on) => send(on ? "free_flight" : "return")),
+};
+
+for (const kind of ["previous_chapter", "next_chapter", "reset", "reload"]) {
+  find(kind).addEventListener("click", () => send(kind));
+}
+find("step_back").addEventListener("click", () => send("step", { value: -1 }));
+find("step_on").addEventListener("click", () => send("step", { value: 1 }));
+for (const button of document.querySelectorAll("[data-speed]")) {
+  button.addEventListener("click", () => send("speed", { value: Number(button.dataset.speed) }));
+}
+
+const seek = new Fader(find("seek"), {
+  interval_ms: 200,
+  near: 0.5,
+  onChange: (value) => send("seek", { value }),
+  onDraw: (value, input) => {
+    put(find("time"), clock(value, 1));
+    input.setAttribute("aria-valuetext", `${clock(value, 0)} of ${clock(status.duration_s, 0)}`);
+  },
+});
+// Arrow keys go by seconds: the bar's own steps are a tenth of one.
+find("seek").addEventListener("keydown", (event) => {
+  const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+  if (by !== undefined) {
+    event.preventDefault();
+    const input = event.target;
+    seek.change(Math.min(Number(input.max), Math.max(0, Number(input.value) + by)));
+  }
+});
+
+document.addEventListener("keydown", (event) => {
+  const isFree = !event.ctrlKey && !event.altKey && !event.metaKey && !event.target.closest("button, input");
+  if (event.key === " " && isFree) {
+    event.preventDefault();
+    find("toggle_pause").click();
+  }
+});
+
+// Faders ------------------------------------------------------------------------------------------------------------------------------
+
+const units = {
+  exposure: (value) => `${value > 0 ? "+" : ""}${number(value, 1)} EV`,
+  baseline: (value) => `${number(value, value < 1 ? 3 : 1)} M`,
+  volume: (value) => `${number(100 * value, 0)} %`,
+};
+const faders = {};
+for (const [kind, text] of Object.entries(units)) {
+  faders[kind] = new Fader(find(kind), {
+    onChange: (value) => send(kind, { value }),
+    onDraw: (value, input) => {
+      put(find(`${kind}-value`), text(value));
+      input.setAttribute("aria-valuetext", text(value));
+    },
+  });
+}
+for (const button of document.querySelectorAll("[data-home]")) {
+  button.addEventListener("click", () => faders[button.dataset.home].change(Number(button.dataset.value)));
+}
+
+// Lists are rebuilt only when what they show has changed: a list under a finger stays.
+function rebuild(list, content, makeItems) {
+  const key = JSON.stringify(content);
+  if (list.dataset.key !== key) {
+    list.dataset.key = key;
+    list.replaceChildren(...makeItems());
+  }
+}
+
+function showLanguages() {
+  const languages = status.languages || [];
+  const list = find("languages");
+  list.hidden = languages.length < 2;
+  rebuild(list, languages, () => languages.map((tag) => {
+    const button = make("button", tag);
+    button.type = "button";
+    button.lang = tag;
+    button.addEventListener("click", () => send("language", { text: tag }));
+    return button;
+  }));
+  for (const button of list.children) {
+    button.setAttribute("aria-pressed", String(button.textContent === status.language));
+  }
+}
+
+function showChapters() {
+  const chapters = status.chapters || [];
+  find("no-chapters").hidden = chapters.length > 0;
+  rebuild(find("chapters"), chapters, () => chapters.map((chapter, index) => {
+    const button = make("button");
+    button.type = "button";
+    button.append(make("span", clock(chapter.time_s, 0)), chapter.title || `Chapter ${index + 1}`);
+    button.addEventListener("click", () => send("chapter", { value: index }));
+    const item = make("li");
+    item.append(button);
+    return item;
+  }));
+  [...find("chapters").children].forEach((item, index) => {
+    item.firstChild.toggleAttribute("aria-current", index === status.chapter);
+  });
+  rebuild(find("marks"), [chapters, status.duration_s], () => chapters.map((chapter) => {
+    const mark = make("i");
+    mark.style.left = `${(100 * chapter.time_s) / (status.duration_s || 1)}%`;
+    return mark;
+  }));
+  find("previous_chapter").disabled = find("next_chapter").disabled = chapters.length === 0;
+}
+
+function showPads() {
+  const pads = status.pads || [];
+  find("no-pads").hidden = pads.length > 0;
+  rebuild(find("pads"), pads.map((pad) => [pad.name, pad.connection]), () => pads.map((pad) => {
+    const item = make("li");
+    item.append(make("span", pad.name || "Unknown pad"), make("span", "", "word"), make("span", pad.connection, "by"));
+    return item;
+  }));
+  [...find("pads").children].forEach((item, index) => {
+    item.classList.toggle("active", pads[index].active);
+    put(item.querySelector(".word"), pads[index].active ? "in use" : "");
+  });
+}
+
+const graph = new FrameGraph(find("graph"));
+
+function showFrames() {
+  put(find("frame_ms"), number(status.frame_ms, 1));
+  put(find("worst_frame_ms"), number(status.worst_frame_ms, 1));
+  put(find("dropped_frames"), String(status.dropped_frames));
+  graph.add(status.frame_ms);
+  graph.draw();
+  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Computed by", status.backend]];
+  rebuild(find("facts"), facts, () => facts.filter(([, fact]) => fact).flatMap(([name, fact]) => [make("dt", name), make("dd", fact)]));
+}
+
+function showTransport() {
+  put(find("title"), status.title || "Ergodome");
+  playing.show(status.playing);
+  for (const [kind, toggle] of Object.entries(toggles)) {
+    toggle.show(status[kind]);
+  }
+  const bar = find("seek");
+  bar.max = status.duration_s || 1;
+  bar.disabled = !(status.duration_s > 0) || status.free_flight;
+  put(find("duration"), clock(status.duration_s, 0));
+  put(find("mode"), status.free_flight ? "free flight" : "");
+  seek.show(status.time_s);
+  put(find("speed"), number(status.speed, 2).replace(/\.?0+$/, ""));
+  for (const button of document.querySelectorAll("[data-speed]")) {
+    button.setAttribute("aria-pressed", String(Number(button.dataset.speed) === status.speed));
+  }
+}
+
+function showFaders() {
+  // A distance beyond the fader's end moves its end, but not under a finger.
+  const baseline = find("baseline");
+  if (status.baseline > Number(baseline.max)) {
+    baseline.max = 2 * status.baseline;
+    baseline.step = baseline.max / 200;
+  }
+  baseline.disabled = !status.stereo;
+  document.querySelector("[data-home='baseline']").disabled = !status.stereo;
+  faders.exposure.show(status.exposure_stops);
+  faders.baseline.show(status.baseline);
+  faders.volume.show(status.volume);
+}
+
+function takeStatus(news) {
+  status = news;
+  showTransport();
+  showFaders();
+  showLanguages();
+  showChapters();
+  showPads();
+  showFrames();
+  find("problem").hidden = !status.problem;
+  put(find("problem"), status.problem || "");
+}
+
+function showLog(lines) {
+  const list = find("log");
+  const isAtEnd = list.scrollTop + list.clientHeight >= list.scrollHeight - 8;
+  for (const line of lines) {
+    const item = make("li", "", line.level);
+    item.append(make("time", new Date(line.time_ms).toLocaleTimeString([], { hour12: false })), line.text);
+    list.append(item);
+  }
+  while (list.children.length > most_log_lines) {
+    list.firstChild.remove();
+  }
+  if (isAtEnd) {
+    list.scrollTop = list.scrollHeight;
+  }
+}

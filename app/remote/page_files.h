@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ergodome {
+
+//! A file of the status page, from the folder page/, as it was when the program was built.
+struct PageFile {
+  std::string_view name;  //!< "page.js"
+  std::string_view bytes;
+};
+
+//! All of them.
+std::span<const PageFile> page_files();
+
+}  // namespace ergodome

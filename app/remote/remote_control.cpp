@@ -1,0 +1,113 @@
+#include "app/remote/remote_control.h"
+
+#include <fmt/format.h>
+
+#include "app/remote/osc_server.h"
+#include "app/remote/web_server.h"
+#include "app/remote/web_token.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+NetAddress address_of(const std::string& host, int port, const std::string& option) {
+  const std::string digits = host == "localhost" ? "127.0.0.1" : host;
+  const std::optional<NetAddress> address = NetAddress::parse(digits, port);
+  if (!address) {
+    throw Error(option, fmt::format("'{}' is not an address", host),
+                "give one in digits, such as 127.0.0.1, 192.168.1.20 or ::1; 0.0.0.0 is every address of this machine");
+  }
+  return *address;
+}
+
+//! The token that others have to give; none is needed where nobody else can reach the page.
+std::string token_of(const RemoteOptions& options, const NetAddress& address) {
+  if (!options.web_token.empty()) {
+    return checked_web_token(options.web_token, "--web-token");
+  }
+  if (!options.web_token_file.empty()) {
+    return web_token_in(options.web_token_file);
+  }
+  return address.is_loopback() ? "" : new_web_token();
+}
+
+//! Addresses that a person can type: all of the machine's where the server listens at any.
+std::vector<NetAddress> reachable(const NetAddress& bound) {
+  if (!bound.is_any()) {
+    return {bound};
+  }
+  std::vector<NetAddress> result;
+  for (const NetAddress& address : outward_addresses()) {
+    if (address.family() == bound.family()) {
+      result.push_back(address.with_port(bound.port()));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_remote_options(CLI::App& command, RemoteOptions& options) {
+  const auto port = CLI::Range(0, 65'535);
+  command.add_option("--web", options.web_port, "port of the status page for browsers (0: any); see app/remote/WEB.md")
+      ->check(port);
+  command
+      .add_option("--web-bind", options.web_bind, "address that the page listens at; others than loopback need a token")
+      ->capture_default_str();
+  command.add_option("--web-token", options.web_token,
+                     "token that other machines have to give (default: a new one, printed once)");
+  command.add_option("--web-token-file", options.web_token_file, "file that holds the token, made where there is none");
+  command.add_option("--osc", options.osc_port, "UDP port for OSC (0: any); see app/remote/OSC.md")->check(port);
+  command
+      .add_option("--osc-bind", options.osc_bind, "address that OSC listens at; whoever reaches it controls the show")
+      ->capture_default_str();
+}
+
+RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& commands, const StatusBoard& board,
+                             std::shared_ptr<LogRing> log, ClockListener clock) {
+  if (options.web_port) {
+    const NetAddress address = address_of(options.web_bind, *options.web_port, "--web-bind");
+    token_ = token_of(options, address);
+    web_ = std::make_unique<WebServer>(address, token_, commands, board, std::move(log));
+  }
+  if (options.osc_port) {
+    const NetAddress address = address_of(options.osc_bind, *options.osc_port, "--osc-bind");
+    osc_ = std::make_unique<OscServer>(address, commands, board, std::move(clock));
+  }
+}
+
+RemoteControl::~RemoteControl() = default;
+
+std::vector<std::string> RemoteControl::greeting() const {
+  std::vector<std::string> lines;
+  if (web_) {
+    const NetAddress bound = web_->address();
+    if (bound.is_any()) {
+      lines.push_back(fmt::format("status page: http://localhost:{}/", bound.port()));
+    } else if (bound.is_loopback()) {
+      lines.push_back(fmt::format("status page: http://{}/", bound.text()));
+    }
+    for (const NetAddress& address : reachable(bound)) {
+      if (!address.is_loopback()) {
+        lines.push_back(fmt::format("status page: http://{}/?token={}", address.text(), token_));
+      }
+    }
+  }
+  if (osc_) {
+    const bool outside = !osc_->address().is_loopback();
+    lines.push_back(fmt::format("OSC: {}{}", osc_->address().text(),
+                                outside ? " (whoever reaches this port controls the show)" : ""));
+  }
+  return lines;
+}
+
+std::optional<NetAddress> RemoteControl::web_address() const {
+  return web_ ? std::optional(web_->address()) : std::nullopt;
+}
+
+std::optional<NetAddress> RemoteControl::osc_address() const {
+  return osc_ ? std::optional(osc_->address()) : std::nullopt;
+}
+
+}  // namespace ergodome

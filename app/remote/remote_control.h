@@ -1,0 +1,56 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/playback/transport.h"
+#include "app/remote/log_ring.h"
+#include "app/remote/osc_handler.h"
+
+namespace ergodome {
+
+class OscServer;
+class WebServer;
+
+//! How a running show may be controlled from outside; nothing listens unless a port is given.
+struct RemoteOptions {
+  std::optional<int> web_port;  //!< 0: any free one
+  std::string web_bind = "127.0.0.1";
+  std::string web_token;
+  std::string web_token_file;
+  std::optional<int> osc_port;
+  std::string osc_bind = "127.0.0.1";
+};
+
+//! Adds --web, --web-bind, --web-token, --web-token-file, --osc and --osc-bind to a command.
+void add_remote_options(CLI::App& command, RemoteOptions& options);
+
+//! The status page and the OSC server of a running show: commands go into the queue, the status is read from the board. Both have threads of
+//! their own and never hold up the player; the destructor ends them within a moment, whatever clients do.
+class RemoteControl {
+ public:
+  //! Starts what the options ask for. `clock` hears of OSC's master clock, and may be empty. Queue and board must outlive this. Throws
+  //! Error where a port is in use, an address is not this machine's, or a token is not fit to be one.
+  RemoteControl(const RemoteOptions& options, CommandQueue& commands, const StatusBoard& board,
+                std::shared_ptr<LogRing> log, ClockListener clock);
+  ~RemoteControl();
+  RemoteControl(const RemoteControl&) = delete;
+  RemoteControl& operator=(const RemoteControl&) = delete;
+
+  //! What to tell the person who started the show, in lines: where the page is and, where others may reach it, its token. To be printed
+  //! once and never logged.
+  [[nodiscard]] std::vector<std::string> greeting() const;
+
+  [[nodiscard]] std::optional<NetAddress> web_address() const;
+  [[nodiscard]] std::optional<NetAddress> osc_address() const;
+
+ private:
+  std::string token_;
+  std::unique_ptr<WebServer> web_;
+  std::unique_ptr<OscServer> osc_;
+};
+
+}  // namespace ergodome
