@@ -1,0 +1,217 @@
+#include "app/remote/osc_handler.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+#include "tests/app/remote/osc_packets.h"
+#include "tests/support/fake_player.h"
+
+namespace ergodome {
+namespace {
+
+using Kind = TransportCommand::Kind;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using std::chrono::steady_clock;
+using test::bundle_of;
+using test::packet_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+//! The handler with clocks that the test sets.
+class Osc : public testing::Test {
+ protected:
+  Osc() { board_.post(test::example_status()); }
+
+  [[nodiscard]] OscTime in_seconds(double wait_s) const {
+    return now_.of_day + static_cast<OscTime>(static_cast<std::int64_t>(wait_s * 4294967296.0));
+  }
+
+  std::vector<OscDatagram> receive(const std::vector<std::byte>& packet) {
+    return handler_.receive(packet, sender_, now_);
+  }
+
+  //! The commands that a packet gave.
+  template <class... Values>
+  std::deque<TransportCommand> commands_of(const std::string& address, const char* types, Values... values) {
+    EXPECT_THAT(receive(packet_of(address, types, values...)), IsEmpty()) << address;
+    return commands_.take_all();
+  }
+
+  //! The sentence of the only answer, an error.
+  std::string complaint_about(const std::vector<std::byte>& packet) {
+    const std::vector<OscDatagram> answers = receive(packet);
+    EXPECT_THAT(commands_.take_all(), IsEmpty());
+    if (answers.size() != 1) {
+      return "";
+    }
+    const std::vector<OscMessage> messages = test::messages_in(answers[0].bytes);
+    EXPECT_EQ(messages.at(0).address, "/ergodome/error");
+    return std::get<std::string>(messages[0].arguments.at(1));
+  }
+
+  CommandQueue commands_;
+  StatusBoard board_;
+  std::vector<ClockFix> fixes_;
+  OscHandler handler_{commands_, board_, [this](const ClockFix& fix) { fixes_.push_back(fix); }};
+  NetAddress sender_ = *NetAddress::parse("127.0.0.1", 5000);
+  OscInstant now_ = {steady_clock::time_point(seconds(1000)), OscTime{3'900'000'000U} << 32U};
+};
+
+TEST_F(Osc, NumbersOfEveryTypeAreHeeded) {
+  EXPECT_THAT(commands_of("/ergodome/seek", "f", 1.5), ElementsAre(TransportCommand{Kind::seek, 1.5, ""}));
+  EXPECT_THAT(commands_of("/ergodome/seek", "d", 0.1), ElementsAre(TransportCommand{Kind::seek, 0.1, ""}));
+  EXPECT_THAT(commands_of("/ergodome/seek", "i", 7), ElementsAre(TransportCommand{Kind::seek, 7.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/loop", "F"), ElementsAre(TransportCommand{Kind::loop, 0.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/loop", "f", 1.0), ElementsAre(TransportCommand{Kind::loop, 1.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/chapter", "s", "Return"), ElementsAre(TransportCommand{Kind::chapter, 2.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/language", "s", "de"), ElementsAre(TransportCommand{Kind::language, 0.0, "de"}));
+}
+
+TEST_F(Osc, ButtonsActWhenPressedAndNotWhenReleased) {
+  EXPECT_THAT(commands_of("/ergodome/play", ""), ElementsAre(TransportCommand{Kind::play, 0.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/play", "f", 1.0), ElementsAre(TransportCommand{Kind::play, 0.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/play", "f", 0.0), IsEmpty());
+  EXPECT_THAT(commands_of("/ergodome/return", "F"), IsEmpty());
+}
+
+TEST_F(Osc, WhatIsWrongIsAnsweredWithASentence) {
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "s", "soon")), HasSubstr("takes a number"));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/pley", "")), HasSubstr("did you mean /ergodome/play?"));
+  EXPECT_THAT(complaint_about(packet_of("/other", "")), HasSubstr("unknown address"));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/volume", "f", 1.5)), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "ff", 1.0, 2.0)), HasSubstr("at most 1"));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "t", lo_timetag{1, 1})), HasSubstr("type"));
+  EXPECT_THAT(complaint_about({std::byte{'?'}}), HasSubstr("address"));
+}
+
+TEST_F(Osc, NumbersThatAreNotFiniteOrTooLargeAreRefused) {
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity(), 1e300}) {
+    for (const char* name :
+         {"seek", "seek_by", "speed", "exposure", "baseline", "volume", "step", "chapter", "clock"}) {
+      now_.steady += seconds(1);
+      EXPECT_NE(complaint_about(packet_of(std::string("/ergodome/") + name, "d", value)), "") << name << " " << value;
+    }
+  }
+  EXPECT_THAT(fixes_, IsEmpty());
+}
+
+TEST_F(Osc, ComplaintsAreLimited) {
+  std::size_t answers = 0;
+  for (int i = 0; i < 1000; ++i) {
+    answers += receive(packet_of("/nothing", "")).size();
+  }
+  EXPECT_EQ(answers, 10U);
+}
+
+TEST_F(Osc, BundlesWaitForTheirTime) {
+  receive(bundle_of(in_seconds(2.0), {packet_of("/ergodome/play", ""), packet_of("/ergodome/seek", "i", 5)}));
+  EXPECT_THAT(commands_.take_all(), IsEmpty());
+  EXPECT_EQ(handler_.next_tick(), now_.steady + seconds(2));
+  handler_.tick(now_.steady + milliseconds(1999));
+  EXPECT_THAT(commands_.take_all(), IsEmpty());
+  handler_.tick(now_.steady + seconds(2));
+  EXPECT_THAT(commands_.take_all(),
+              ElementsAre(TransportCommand{Kind::play, 0.0, ""}, TransportCommand{Kind::seek, 5.0, ""}));
+  EXPECT_FALSE(handler_.next_tick().has_value());
+}
+
+TEST_F(Osc, BundlesOfThePastAreHeededAtOnce) {
+  receive(bundle_of(in_seconds(-2.0), {packet_of("/ergodome/play", "")}));
+  EXPECT_EQ(commands_.take_all().size(), 1U);
+}
+
+TEST_F(Osc, BundlesOfTheFarFutureAreRefused) {
+  EXPECT_THAT(complaint_about(bundle_of(in_seconds(3600.0), {packet_of("/ergodome/play", "")})), HasSubstr("3600 s"));
+}
+
+TEST_F(Osc, AFloodOfBundlesThatWaitIsBounded) {
+  for (int i = 0; i < 10'000; ++i) {
+    receive(bundle_of(in_seconds(1.0), {packet_of("/ergodome/play", "")}));
+  }
+  handler_.tick(now_.steady + seconds(2));
+  EXPECT_EQ(commands_.take_all().size(), OscHandler::most_waiting);
+}
+
+TEST_F(Osc, AMasterClockIsHeard) {
+  receive(packet_of("/ergodome/clock", "d", 12.25));
+  receive(packet_of("/ergodome/clock", "df", 13.0, 0.5));
+  receive(bundle_of(in_seconds(-0.5), {packet_of("/ergodome/clock", "d", 20.0)}));
+  ASSERT_EQ(fixes_.size(), 3U);
+  EXPECT_EQ(fixes_[0].show_time_s, 12.25);
+  EXPECT_EQ(fixes_[0].speed, 1.0);
+  EXPECT_EQ(fixes_[0].at, now_.steady);
+  EXPECT_EQ(fixes_[1].speed, 0.5);
+  EXPECT_EQ(fixes_[2].at, now_.steady - milliseconds(500));
+}
+
+TEST_F(Osc, AClockThatNobodyFollowsIsRefused) {
+  OscHandler deaf(commands_, board_, ClockListener());
+  EXPECT_EQ(deaf.receive(packet_of("/ergodome/clock", "d", 1.0), sender_, now_).size(), 1U);
+}
+
+TEST_F(Osc, SubscribersAreToldTenTimesASecondUntilTheyExpire) {
+  receive(packet_of("/ergodome/subscribe", ""));
+  int packets = 0;
+  steady_clock::time_point now = now_.steady;
+  for (; now < now_.steady + seconds(60); now += milliseconds(10)) {
+    for (const OscDatagram& datagram : handler_.tick(now)) {
+      EXPECT_EQ(datagram.to, sender_);
+      ++packets;
+    }
+  }
+  EXPECT_EQ(packets, 300);
+  EXPECT_FALSE(handler_.next_tick().has_value());
+}
+
+TEST_F(Osc, SubscribersThatRenewStay) {
+  for (int i = 0; i < 4; ++i) {
+    receive(packet_of("/ergodome/subscribe", "si", "127.0.0.1", 9001));
+    now_.steady += seconds(20);
+    EXPECT_THAT(handler_.tick(now_.steady), testing::SizeIs(1)) << i;
+  }
+  receive(packet_of("/ergodome/unsubscribe", "si", "127.0.0.1", 9001));
+  EXPECT_THAT(handler_.tick(now_.steady + seconds(1)), IsEmpty());
+}
+
+TEST_F(Osc, SubscribersAreFew) {
+  for (int port = 6000; port < 6100; ++port) {
+    receive(packet_of("/ergodome/subscribe", "i", port));
+  }
+  EXPECT_EQ(handler_.tick(now_.steady).size(), OscHandler::most_subscribers);
+}
+
+TEST_F(Osc, NobodyFromOutsideSubscribesOthers) {
+  sender_ = *NetAddress::parse("192.0.2.7", 5000);
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/subscribe", "si", "192.0.2.99", 80)),
+              HasSubstr("only this machine"));
+  EXPECT_THAT(receive(packet_of("/ergodome/subscribe", "si", "192.0.2.7", 9001)), IsEmpty());
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/subscribe", "si", "example.org", 80)), HasSubstr("digits"));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/subscribe", "i", 70'000)), HasSubstr("65535"));
+}
+
+TEST_F(Osc, FeedbackSaysWhatThePlayerDoes) {
+  PlayerStatus status = test::example_status();
+  status.time_s = 1e9 + 0.25;
+  status.title = std::string(500, 'x');
+  board_.post(status);
+  receive(packet_of("/ergodome/subscribe", ""));
+  const std::vector<OscDatagram> feedback = handler_.tick(now_.steady);
+  ASSERT_EQ(feedback.size(), 1U);
+  EXPECT_LT(feedback[0].bytes.size(), 1472U) << "more than a packet of Ethernet holds";
+  std::map<std::string, std::vector<OscArgument>> told;
+  for (const OscMessage& message : test::messages_in(feedback[0].bytes)) {
+    told[message.address] = message.arguments;
+  }
+  EXPECT_EQ(told.at("/ergodome/status/time_exact"), std::vector<OscArgument>{1e9 + 0.25});
+  EXPECT_EQ(told.at("/ergodome/status/playing"), std::vector<OscArgument>{false});
+  EXPECT_EQ(told.at("/ergodome/status/chapter"), (std::vector<OscArgument>{0.0, std::string("Departure")}));
+}
+
+}  // namespace
+}  // namespace ergodome

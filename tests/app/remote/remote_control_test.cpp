@@ -1,0 +1,102 @@
+#include "app/remote/remote_control.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <algorithm>
+
+#include "tests/support/errors.h"
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class RemoteControlTest : public testing::Test {
+ protected:
+  std::unique_ptr<RemoteControl> started(const RemoteOptions& options) {
+    return std::make_unique<RemoteControl>(options, commands_, board_, log_, ClockListener());
+  }
+  std::string refusal(const RemoteOptions& options) {
+    return test::error_of([&] { started(options); });
+  }
+
+  CommandQueue commands_;
+  StatusBoard board_;
+  std::shared_ptr<LogRing> log_ = std::make_shared<LogRing>();
+};
+
+RemoteOptions parsed(std::vector<std::string> words) {
+  CLI::App app;
+  RemoteOptions options;
+  add_remote_options(app, options);
+  std::reverse(words.begin(), words.end());
+  app.parse(words);
+  return options;
+}
+
+TEST_F(RemoteControlTest, ListensNowhereUnlessAsked) {
+  const auto remote = started(parsed({}));
+  EXPECT_FALSE(remote->web_address().has_value());
+  EXPECT_FALSE(remote->osc_address().has_value());
+  EXPECT_TRUE(remote->greeting().empty());
+}
+
+TEST_F(RemoteControlTest, ListensAtLoopbackUnlessToldOtherwise) {
+  const auto remote = started(parsed({"--web", "0", "--osc", "0"}));
+  EXPECT_TRUE(remote->web_address()->is_loopback());
+  EXPECT_TRUE(remote->osc_address()->is_loopback());
+  EXPECT_THAT(remote->greeting().at(0), Not(HasSubstr("token")));
+}
+
+TEST_F(RemoteControlTest, MakesATokenForTheNetworkAndPrintsItsUse) {
+  const auto remote = started(parsed({"--web", "0", "--web-bind", "0.0.0.0"}));
+  const std::string last = remote->greeting().back();
+  if (outward_addresses().empty()) {
+    GTEST_SKIP() << "this machine has no address but loopback";
+  }
+  const std::size_t at = last.find("/?token=");
+  ASSERT_NE(at, std::string::npos);
+  const NetAddress outward = outward_addresses().front();
+  httplib::Client client(outward.host(), remote->web_address()->port());
+  EXPECT_EQ(client.Get("/api/status")->status, 401);
+  EXPECT_EQ(client.Get("/api/status", {{"Authorization", "Bearer " + last.substr(at + 8)}})->status, 200);
+  httplib::Client inside("127.0.0.1", remote->web_address()->port());
+  EXPECT_EQ(inside.Get("/api/status")->status, 200) << "loopback needs no token, wherever else the page listens";
+  EXPECT_TRUE(log_->after(0).empty()) << "a token in the log";
+}
+
+TEST_F(RemoteControlTest, NamesTheRemedyWhereAPortIsInUse) {
+  const auto first = started(parsed({"--web", "0", "--osc", "0"}));
+  RemoteOptions same;
+  same.web_port = first->web_address()->port();
+  EXPECT_THAT(refusal(same), HasSubstr("choose another port with --web"));
+  same.web_port.reset();
+  same.osc_port = first->osc_address()->port();
+  EXPECT_THAT(refusal(same), HasSubstr("choose another port with --osc"));
+}
+
+TEST_F(RemoteControlTest, RefusesAddressesThatAreNoneOrNotHere) {
+  EXPECT_THAT(refusal(parsed({"--web", "0", "--web-bind", "example.org"})), HasSubstr("in digits"));
+  EXPECT_THAT(refusal(parsed({"--osc", "0", "--osc-bind", "198.51.100.7"})), HasSubstr("no such address"));
+  EXPECT_THAT(refusal(parsed({"--web", "0", "--web-token", "short"})), HasSubstr("16 to 128"));
+  EXPECT_THROW(parsed({"--web", "65536"}), CLI::Error);
+}
+
+TEST_F(RemoteControlTest, AFloodOfOscLeavesTheQueueBounded) {
+  const auto remote = started(parsed({"--osc", "0"}));
+  const Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  const NetAddress to = *remote->osc_address();
+  const std::string packet("/ergodome/play\0\0,\0\0\0", 20);
+  for (int i = 0; i < 20'000; ++i) {
+    ::sendto(socket.get(), packet.data(), packet.size(), 0, to.get(), to.size());
+  }
+  const std::size_t taken = commands_.take_all().size();
+  EXPECT_GT(taken, 0U);
+  EXPECT_LE(taken, 1024U);
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,31 @@
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "app/remote/command_rules.h"
+#include "app/remote/json_command.h"
+#include "kernels/core/error.h"
+
+namespace {
+
+ergodome::PlayerStatus show_with_chapters() {
+  ergodome::PlayerStatus status;
+  status.chapters = {{0.0, "one"}, {1.0, "two"}};
+  return status;
+}
+
+}  // namespace
+
+// What was accepted obeys a rule: its number is finite.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const ergodome::PlayerStatus status = show_with_chapters();
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const ergodome::TransportCommand command = ergodome::parse_json_command(text, status);
+    if (!(command.value >= -ergodome::greatest_show_time_s && command.value <= ergodome::greatest_show_time_s)) {
+      __builtin_trap();
+    }
+  } catch (const ergodome::Error&) {
+  }
+  return 0;
+}

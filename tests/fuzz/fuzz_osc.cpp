@@ -1,0 +1,50 @@
+#include <spdlog/spdlog.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "app/remote/command_rules.h"
+#include "app/remote/osc_handler.h"
+
+namespace {
+
+ergodome::PlayerStatus show_with_chapters() {
+  ergodome::PlayerStatus status;
+  status.chapters = {{0.0, "one"}, {1.0, "two"}};
+  return status;
+}
+
+//! A number that is worth nothing to a player must not come through.
+void expect_finite(double number) {
+  if (!(number >= -ergodome::greatest_show_time_s && number <= ergodome::greatest_show_time_s)) {
+    __builtin_trap();
+  }
+}
+
+}  // namespace
+
+// A packet goes through liblo and the handler, with an answer to it and what comes due; what reaches the player is finite.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  spdlog::set_level(spdlog::level::off);
+  ergodome::CommandQueue commands;
+  ergodome::StatusBoard board;
+  board.post(show_with_chapters());
+  ergodome::OscHandler handler(commands, board, [](const ergodome::ClockFix& fix) {
+    expect_finite(fix.show_time_s);
+    expect_finite(fix.speed);
+  });
+  const ergodome::OscInstant now = {std::chrono::steady_clock::time_point(std::chrono::seconds(1)),
+                                    ergodome::OscTime{1} << 32U};
+  const std::span<const std::byte> packet = std::as_bytes(std::span(data, size));
+  for (const ergodome::OscDatagram& answer :
+       handler.receive(packet, *ergodome::NetAddress::parse("127.0.0.1", 9000), now)) {
+    // What we send can be read.
+    ergodome::parse_osc(std::as_bytes(std::span(answer.bytes)));
+  }
+  handler.tick(now.steady + std::chrono::minutes(2));
+  for (const ergodome::TransportCommand& command : commands.take_all()) {
+    expect_finite(command.value);
+  }
+  return 0;
+}
