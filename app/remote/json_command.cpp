@@ -28,7 +28,7 @@ json flat_object(std::string_view text) {
     nested = nested || (opens && depth > 0);
     return depth <= 1;
   };
-  const json object = json::parse(text.begin(), text.end(), keep_flat, false);
+  json object = json::parse(text.begin(), text.end(), keep_flat, false);
   if (object.is_discarded() || !object.is_object() || nested) {
     throw Error("command", nested ? "has something nested in it" : "is not a JSON object", form);
   }
