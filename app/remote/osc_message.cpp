@@ -35,20 +35,27 @@ std::uint32_t big_endian(std::span<const std::byte> bytes) {
   return number;
 }
 
-OscArgument argument_of(char type, lo_arg* argument) {
+//! A number of liblo's, which stands where the packet had it: on four bytes, even where its type asks for eight.
+template <class Number>
+double number_at(const void* place) {
+  Number number;
+  std::memcpy(&number, place, sizeof number);
+  return static_cast<double>(number);
+}
+
+OscArgument argument_of(char type, const void* place) {
   switch (type) {
     case LO_INT32:
-      return static_cast<double>(argument->i32);
+      return number_at<std::int32_t>(place);
     case LO_INT64:
-      return static_cast<double>(argument->i64);
+      return number_at<std::int64_t>(place);
     case LO_FLOAT:
-      return static_cast<double>(argument->f32);
+      return number_at<float>(place);
     case LO_DOUBLE:
-      return argument->f64;
+      return number_at<double>(place);
     case LO_STRING:
-      return std::string(&argument->s);
     case LO_SYMBOL:
-      return std::string(&argument->S);
+      return std::string(static_cast<const char*>(place));
     case LO_TRUE:
       return true;
     case LO_FALSE:

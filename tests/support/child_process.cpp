@@ -18,6 +18,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
   output_ = Descriptor(ends[0]);
   Descriptor input(ends[1]);
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) {
     arguments.push_back(const_cast<char*>(word.c_str()));
   }

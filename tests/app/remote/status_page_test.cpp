@@ -16,19 +16,19 @@ using test::becomes_true;
 //! A person in front of the page, with one browser for all tests.
 class StatusPage : public testing::Test {
  protected:
-  static void SetUpTestSuite() { browser_ = test::WebDriver::start(why_not_).release(); }
+  static void SetUpTestSuite() { browser = test::WebDriver::start(why_not).release(); }
   static void TearDownTestSuite() {
-    delete browser_;
-    browser_ = nullptr;
+    delete browser;
+    browser = nullptr;
   }
 
   void SetUp() override {
-    if (browser_ == nullptr) {
-      GTEST_SKIP() << "no browser: " << why_not_;
+    if (browser == nullptr) {
+      GTEST_SKIP() << "no browser: " << why_not;
     }
     serve(0);
-    browser_->set_size(1280, 800);
-    browser_->open("http://" + remote_->web_address()->text() + "/");
+    browser->set_size(1280, 800);
+    browser->open("http://" + remote_->web_address()->text() + "/");
     ASSERT_TRUE(becomes_true([&] { return shows("#connection", "Connected") && shows("#title", "Once around"); }));
   }
 
@@ -41,10 +41,10 @@ class StatusPage : public testing::Test {
   }
 
   static bool has(const std::string& selector) {
-    return browser_->run("return document.querySelector(arguments[0]) !== null", {selector});
+    return browser->run("return document.querySelector(arguments[0]) !== null", {selector});
   }
   static bool shows(const std::string& selector, const std::string& text) {
-    return has(selector) && browser_->text(selector).find(text) != std::string::npos;
+    return has(selector) && browser->text(selector).find(text) != std::string::npos;
   }
 
   //! Whether the player's status gets to be so.
@@ -55,40 +55,40 @@ class StatusPage : public testing::Test {
   //! Keeps what the page looks like in the folder ERGODOME_SCREENSHOTS, for people to see.
   static void take_picture(const std::string& name) {
     if (const char* const folder = std::getenv("ERGODOME_SCREENSHOTS")) {
-      browser_->screenshot(std::filesystem::path(folder) / ("status-page-" + name + ".png"));
+      browser->screenshot(std::filesystem::path(folder) / ("status-page-" + name + ".png"));
     }
   }
 
-  inline static test::WebDriver* browser_ = nullptr;
-  inline static std::string why_not_;
+  inline static test::WebDriver* browser = nullptr;
+  inline static std::string why_not;
   test::FakePlayer player_;
   std::shared_ptr<LogRing> log_ = std::make_shared<LogRing>();
   std::unique_ptr<RemoteControl> remote_;
 };
 
 TEST_F(StatusPage, PlaysAndPauses) {
-  browser_->click("#toggle_pause");
+  browser->click("#toggle_pause");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.playing && status.time_s > 0.2; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#toggle_pause", "Pause") && !shows("#time", "0:00.0"); }));
-  browser_->click("#toggle_pause");
+  browser->click("#toggle_pause");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return !status.playing; }));
 }
 
 TEST_F(StatusPage, SeeksWhereTheBarIsDragged) {
-  browser_->drag("#seek", 0.1, 0.5);
+  browser->drag("#seek", 0.1, 0.5);
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.time_s > 55.0 && status.time_s < 65.0; }));
   EXPECT_TRUE(becomes_true([&] { return shows("#chapters [aria-current]", "The far side"); }));
 }
 
 TEST_F(StatusPage, SeeksByTheArrowKeysWithinTheBar) {
-  browser_->run("document.querySelector('#seek').focus()");
-  browser_->press("\uE014");
-  browser_->press("\uE014");
+  browser->run("document.querySelector('#seek').focus()");
+  browser->press("\uE014");
+  browser->press("\uE014");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.time_s == 2.0; }));
 }
 
 TEST_F(StatusPage, ChangesTheExposure) {
-  browser_->drag("#exposure", 0.5, 0.7);
+  browser->drag("#exposure", 0.5, 0.7);
   // The knob is as wide as a finger, so that a part of the bar is somewhat more than that part of the stops.
   EXPECT_TRUE(player_becomes(
       [](const PlayerStatus& status) { return status.exposure_stops > 1.9 && status.exposure_stops < 2.8; }));
@@ -96,7 +96,7 @@ TEST_F(StatusPage, ChangesTheExposure) {
 }
 
 TEST_F(StatusPage, LeavesAFaderUnderTheFinger) {
-  browser_->drag("#exposure", 0.5, 0.8, false);
+  browser->drag("#exposure", 0.5, 0.8, false);
   ASSERT_TRUE(player_becomes([](const PlayerStatus& status) { return status.exposure_stops > 2.0; }));
   // Somebody else turns it back, and the title tells when the page knows of it.
   player_.change([](PlayerStatus& status) {
@@ -105,12 +105,12 @@ TEST_F(StatusPage, LeavesAFaderUnderTheFinger) {
   });
   ASSERT_TRUE(becomes_true([&] { return shows("#title", "Turned back"); }));
   EXPECT_TRUE(shows("#exposure-value", "+"));
-  browser_->release();
+  browser->release();
   EXPECT_TRUE(becomes_true([&] { return shows("#exposure-value", "\u22124.0"); }));
 }
 
 TEST_F(StatusPage, GoesToAChapterThatIsTouched) {
-  browser_->click("#chapters li:nth-child(3) button");
+  browser->click("#chapters li:nth-child(3) button");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.time_s == 90.0; }));
 }
 
@@ -127,14 +127,14 @@ TEST_F(StatusPage, ShowsAProblemAndTheLogAsTextAlone) {
   log_->push(spdlog::level::warn, "<script>document.title = 'taken'</script>", std::chrono::system_clock::now());
   EXPECT_TRUE(becomes_true([&] { return shows("#problem", "<b>show.toml:7</b>"); }));
   EXPECT_TRUE(becomes_true([&] { return shows("#log .warning", "<script>"); }));
-  EXPECT_EQ(browser_->run("return document.title"), "Ergodome");
+  EXPECT_EQ(browser->run("return document.title"), "Ergodome");
 }
 
 TEST_F(StatusPage, TogglesAndButtonsReachThePlayer) {
   for (const char* id : {"#blackout", "#captions", "#free_flight", "#loop", "[data-speed='2']"}) {
-    browser_->click(id);
+    browser->click(id);
   }
-  browser_->click("#languages button:nth-child(2)");
+  browser->click("#languages button:nth-child(2)");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) {
     return status.blackout && !status.captions && status.free_flight && !status.loop && status.speed == 2.0 &&
            status.language == "de";
@@ -148,22 +148,22 @@ TEST_F(StatusPage, TellsOfALostConnectionAndComesBack) {
   EXPECT_TRUE(becomes_true([&] { return shows("#connection", "Connection lost"); }));
   take_picture("lost");
   serve(port);
-  EXPECT_TRUE(becomes_true([&] { return browser_->text("#connection") == "Connected"; }));
-  browser_->click("#toggle_pause");
+  EXPECT_TRUE(becomes_true([&] { return browser->text("#connection") == "Connected"; }));
+  browser->click("#toggle_pause");
   EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.playing; }));
 }
 
 TEST_F(StatusPage, SaysWhatThePlayerRefused) {
   // A chapter that went away between the page's picture and the touch.
-  browser_->run(
+  browser->run(
       "fetch = (_, options) => Promise.resolve(new Response('{\"error\": \"no such chapter\"}', {status: 400}))");
-  browser_->click("#chapters li:nth-child(1) button");
+  browser->click("#chapters li:nth-child(1) button");
   EXPECT_TRUE(becomes_true([&] { return shows("#refused", "no such chapter"); }));
 }
 
 TEST_F(StatusPage, EveryControlHasANameAndIsLargeEnoughForAFinger) {
-  browser_->set_size(390, 844);
-  const nlohmann::json bad = browser_->run(R"(
+  browser->set_size(390, 844);
+  const nlohmann::json bad = browser->run(R"(
     return [...document.querySelectorAll('button, input')].filter((control) => {
       const box = control.getBoundingClientRect();
       const named = control.getAttribute('aria-label') || control.textContent.trim() || (control.labels && control.labels.length);
@@ -185,8 +185,8 @@ TEST_F(StatusPage, FitsEveryScreen) {
              std::chrono::system_clock::now());
   ASSERT_TRUE(becomes_true([&] { return shows("#pads", "SpaceMouse") && shows("#log", "stays"); }));
   for (const auto& [width, height] : {std::pair{390, 844}, {768, 1024}, {1280, 800}}) {
-    browser_->set_size(width, height);
-    EXPECT_EQ(browser_->run("return document.documentElement.scrollWidth"), width) << "a page that scrolls sideways";
+    browser->set_size(width, height);
+    EXPECT_EQ(browser->run("return document.documentElement.scrollWidth"), width) << "a page that scrolls sideways";
     take_picture(std::to_string(width));
   }
 }
