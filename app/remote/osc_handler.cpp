@@ -148,7 +148,7 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
     throw Error("clock", "the player does not follow a clock", "start it so that it does");
   }
   expect_at_most(message, 2);
-  ClockFix fix;
+  MasterTime fix;
   fix.show_time_s = number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s);
   if (message.arguments.size() == 2) {
     fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
