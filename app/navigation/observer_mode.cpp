@@ -60,9 +60,9 @@ NearestVelocity nearest_velocity(ObserverMotion motion, double spin, double r, d
   }
   const double along = observer_velocity(motion, spin, r, theta, {}).z;
   if (std::isnan(along)) {
-    return {{0.0, 0.0, motion == ObserverMotion::geodesic ? fastest_observer : -fastest_observer}, true};
+    return {{0.0, 0.0, motion == ObserverMotion::geodesic ? fastest_stand_in : -fastest_stand_in}, true};
   }
-  const double cut = std::clamp(along, -fastest_observer, fastest_observer);
+  const double cut = std::clamp(along, -fastest_stand_in, fastest_stand_in);
   return {{0.0, 0.0, cut}, cut != along};
 }
 

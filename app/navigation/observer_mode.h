@@ -22,7 +22,7 @@ struct NearestVelocity {
 };
 
 //! Speed [c] in the ZAMO frame that stand-ins have.
-inline constexpr double fastest_observer = 0.99;
+inline constexpr double fastest_stand_in = 0.99;
 
 //! The velocity of an observer, or the nearest to it that is possible.
 //!

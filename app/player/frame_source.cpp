@@ -43,22 +43,42 @@ PictureAnswer answer_to(const FrameSource::Render& render, const PictureRequest&
 
 }  // namespace
 
+namespace {
+
+//! Brings a show's renderer to a frame.
+void set_up(ShowRenderer& renderer, const PictureRequest& request) {
+  const PlayerFrame& frame = request.frame;
+  renderer.apply(frame.time_s);
+  renderer.set_observer(frame.observer.motion, frame.observer.velocity);
+  renderer.set_exposure(frame.exposure_stops);
+  renderer.set_stereo(frame.stereo);
+  OverlayPass& overlays = renderer.overlays();
+  overlays.set_language(frame.language);
+  overlays.set_captions(frame.captions);
+  overlays.set_extra(request.captions, request.captions_opacity);
+}
+
+}  // namespace
+
 PictureAnswer render_for_window(const PictureRequest& request) {
   ShowRenderer& renderer = *request.renderer;
-  const Projection projection = make_projection(renderer.show().view, request.size_px, request.field_of_view_deg);
-  renderer.set_stereo(request.stereo);
+  const PlayerFrame& frame = request.frame;
+  set_up(renderer, request);
+  const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
+  // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
+  constexpr double patience_s = 0.02;
+  const ShowMoment moment = {frame.path_time_s, patience_s};
   PictureAnswer answer;
-  if (renderer.backend() != Backend::cpu && eye_count(request.stereo) < 2 && !renderer.finishes_pictures()) {
+  if (renderer.backend() != Backend::cpu && eye_count(frame.stereo) < 2 && !renderer.finishes_pictures()) {
     const float* rgba =
-        renderer.render_eye_in_place(request.pose, 0.0, projection, request.mode, request.moment, &answer.picture.lens);
-    answer.on_device = {rgba, projection.width_px, projection.height_px, request.mode != ViewMode::sky,
-                        tone_of(renderer.show().tone)};
+        renderer.render_eye_in_place(frame.pose, 0.0, projection, frame.mode, moment, &answer.picture.lens);
+    answer.on_device = {rgba, projection.width_px, projection.height_px, frame.mode != ViewMode::sky, renderer.tone()};
   } else {
-    answer.picture = renderer.render_window(request.pose, projection, request.mode, request.moment);
-    draw_color_bar(answer.picture, request.mode);
+    answer.picture = renderer.render_window(frame.pose, projection, frame.mode, moment);
+    draw_color_bar(answer.picture, frame.mode);
   }
   if (request.disparity_asked) {
-    answer.disparity = frame_disparity(renderer.show(), request.pose, projection);
+    answer.disparity = frame_disparity(renderer.show(), frame.pose, projection);
   }
   return answer;
 }

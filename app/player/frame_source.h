@@ -5,7 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/player/player_frame.h"
+#include "content/timeline.h"
 #include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 
@@ -14,12 +17,10 @@ namespace ergodome {
 //! A picture that the player wants to show.
 struct PictureRequest {
   std::shared_ptr<ShowRenderer> renderer;  //!< of the show that is on
-  CameraPose pose;
-  ViewMode mode = ViewMode::sky;
-  double field_of_view_deg = 0.0;
-  int size_px = 0;      //!< width of one eye's image
-  ShowMoment moment{};  //!< of a camera on the show's path
-  StereoSettings stereo{};
+  PlayerFrame frame;
+  std::vector<Caption> captions;  //!< that do not come from the show
+  double captions_opacity = 0.0;
+  int size_px = 0;  //!< width of one eye's image
   bool disparity_asked = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/backend_choice.h"
 #include "app/commands.h"
+#include "app/exhibit/kept_settings.h"
 #include "app/lens_options.h"
 #include "app/player/player.h"
 #include "app/player_keys.h"
@@ -20,40 +21,78 @@ struct PlayArguments {
   std::string setup;
   bool size_given = false;
   bool tint_eyes = false;
+  bool exhibit = false;
+  ExhibitOptions exhibit_options;
+  std::string new_controls;
   LensOptions lens;
   PlayOptions options;
 };
 
-//! Makes the show what the setup's projectors need.
-void play_on_projectors(PlayArguments& arguments, Show& show) {
+//! Reads the setup whose projectors are to show the pictures.
+void use_setup(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
   options.setup = read_dome_setup(arguments.setup);
   options.projectors = projector_pictures(*options.setup);
-  fit_to_setup(show, *options.setup);
   if (!arguments.size_given) {
     options.size_px = enough_master_px(options.projectors);
   }
 }
 
-void run(PlayArguments arguments) {
-  arguments.options.free_flight = arguments.options.free_flight || arguments.show.empty();
-  Show show = load_show(arguments.show.empty() ? "free-flight" : arguments.show);
+//! A show as the command line wants it.
+Show loaded_show(const PlayArguments& arguments, const std::string& name) {
+  Show show = load_show(name);
   override_view(show, arguments.projection, arguments.stereo);
   if (has_face_files(show.view)) {
     // A window has them in one picture.
     show.view.cube_files = CubeFiles::cross;
   }
   show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
-  if (!arguments.setup.empty()) {
-    play_on_projectors(arguments, show);
+  if (arguments.options.setup) {
+    fit_to_setup(show, *arguments.options.setup);
   }
   require_features(show);
+  return show;
+}
+
+//! An exhibit keeps its settings and its log, and says nothing on the terminal that nobody sees.
+void use_exhibit(PlayArguments& arguments) {
+  PlayOptions& options = arguments.options;
+  arguments.exhibit_options.state = state_folder();
+  options.services.log_file = state_folder() / "ergodome.log";
+  options.exhibit = arguments.exhibit_options;
+}
+
+void run(PlayArguments arguments) {
+  if (!arguments.new_controls.empty()) {
+    write_default_controls(arguments.new_controls);
+    return;
+  }
+  PlayOptions& options = arguments.options;
+  options.free_flight = options.free_flight || arguments.show.empty();
+  if (!arguments.setup.empty()) {
+    use_setup(arguments);
+  }
+  if (arguments.exhibit) {
+    use_exhibit(arguments);
+  }
+  options.load = [arguments](const std::string& name) { return loaded_show(arguments, name); };
+  const Show show = options.load(arguments.show.empty() ? "free-flight" : arguments.show);
   const Backend backend = choose_backend(arguments.backend);
-  const LensOptions lens = arguments.lens;
-  const auto make = [backend, lens](const Show& any) {
-    return std::make_shared<ShowRenderer>(any, backend, lens_choice(lens), open_stream(any, lens, backend));
+  const bool may_fall_back = arguments.backend == "auto";
+  const auto make = [backend, may_fall_back, lens = arguments.lens](const Show& any) {
+    const auto on = [&](Backend chosen) {
+      return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), open_stream(any, lens, chosen));
+    };
+    try {
+      return on(backend);
+    } catch (const Error&) {
+      if (backend == Backend::cpu || !may_fall_back) {
+        throw;
+      }
+      return on(Backend::cpu);  // the GPU is lost
+    }
   };
-  Player(show, make, arguments.options).run();
+  Player(show, make, options).run();
 }
 
 }  // namespace
@@ -89,6 +128,38 @@ void add_play_command(CLI::App& app) {
   command
       ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")
       ->check(CLI::Range(0.0, 1e9));
+  command->add_option("--language", arguments->options.language, "of captions and narration, by its tag (en, de)");
+  command->add_option("--record", arguments->options.record, "write the flight to this show file (.toml)");
+  command->add_option("--controls", arguments->options.controls, "a map of keys, mouse and pads (.toml)");
+  command->add_option("--write-controls", arguments->new_controls, "write the map of controls to this file, and end");
+  command->add_option("--pad-settings", arguments->options.pad_settings, "settings of pads, made by ergodome pad");
+  command->add_option("--pad-fixture", arguments->options.pad_fixture,
+                      "play recorded pads in place of those that are plugged in");
+  command
+      ->add_option("--clock", arguments->options.services.clock,
+                   "what the show's time follows: own, mtc (MIDI time code), mtc:PORT, osc")
+      ->check([](const std::string& word) {
+        const bool known = word == "own" || word == "osc" || word == "mtc" || word.rfind("mtc:", 0) == 0;
+        return known ? std::string() : "is none of own, mtc, mtc:PORT, osc";
+      })
+      ->capture_default_str();
+  command->add_flag("!--no-sound", arguments->options.services.sound, "play no sound");
+  command
+      ->add_option("--sound-later", arguments->options.services.sound_later_s,
+                   "seconds by which sound is heard later, for displays that take their time")
+      ->check(CLI::Range(-1.0, 1.0));
+  add_remote_options(*command, arguments->options.services.remote);
+  command->add_flag("--exhibit", arguments->exhibit,
+                    "full screen, locked: an attract show until somebody touches something, then free flight");
+  ExhibitOptions& exhibit = arguments->exhibit_options;
+  command->add_option("--attract", exhibit.attract, "with --exhibit: the show that runs by itself")
+      ->capture_default_str();
+  command->add_option("--idle", exhibit.times.idle_s, "with --exhibit: seconds without a touch that end a flight")
+      ->check(CLI::Range(1.0, 86400.0))
+      ->capture_default_str();
+  command->add_option("--session", exhibit.times.session_s, "with --exhibit: seconds of one flight; 0: no limit")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
   command->callback([arguments, size] {
     arguments->size_given = size->count() > 0;

@@ -4,18 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "app/backend_choice.h"
+#include "app/exhibit/supervisor.h"
 #include "app/interrupt.h"
 #include "app/lens_options.h"
+#include "app/pads/hid_fixture.h"
+#include "app/show_loading.h"
 #include "app/stereo_controls.h"
+#include "calibration/pad_settings.h"
+#include "content/files/atomic_file.h"
+#include "content/show_reader.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {
 
 namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+//! A recording is written so often, for the case that the program is stopped hard.
+constexpr std::chrono::seconds recording_interval{10};
+
+//! So many pictures that fail one after another, and their renderer is made anew.
+constexpr int most_failures = 5;
 
 //! The window for pictures of a show; eyes that layouts keep apart are side by side there, and those of quad_buffer fill it.
 ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
@@ -25,59 +38,82 @@ ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
   const bool eye_buffers = layout == StereoLayout::quad_buffer;
   const ImageSize size =
       eye_buffers ? eye : layout_size(keeps_eyes_apart(layout) ? StereoLayout::side_by_side : layout, eye);
-  return {size.width,    size.height,        options.full_screen, eye_buffers,
-          options.setup, options.projectors, options.hide_control};
+  return {size.width,         size.height,         options.full_screen || options.exhibit, eye_buffers, options.setup,
+          options.projectors, options.hide_control};
+}
+
+SessionOptions session_options(const PlayOptions& options, bool free_flight) {
+  return {.free_flight = free_flight, .language = options.language, .one_eye = options.setup.has_value()};
+}
+
+std::unique_ptr<HidApi> hid_api(const PlayOptions& options) {
+  return options.pad_fixture.empty() ? make_hid_library() : play_hid_fixture(options.pad_fixture);
+}
+
+PadSettings pad_settings(const PlayOptions& options) {
+  const std::filesystem::path own = default_pad_settings_path();
+  std::error_code problem;
+  return !options.pad_settings.empty()                                    ? load_pad_settings(options.pad_settings)
+         : !own.empty() && std::filesystem::is_regular_file(own, problem) ? load_pad_settings(own)
+                                                                          : PadSettings();
 }
 
 }  // namespace
 
-Player::Player(const Show& show, RendererLoader::Make make, const PlayOptions& options)
-    : loader_(make),
-      renderer_(make(show)),
-      show_(show),
-      options_(options),
+Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOptions& options)
+    : options_(options),
       screen_(screen_options(show, options)),
+      loader_(make),
+      inputs_(load_controls(options.controls)),
+      pads_(hid_api(options), pad_settings(options)),
       pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
-      flight_(show),
-      flying_(options.free_flight),
-      times_shown_(options.times_shown),
-      shown_stereo_(show.stereo),
-      stereo_(shown_stereo_),
-      field_of_view_deg_(show.view.field_of_view_deg) {
-  backend_ = describe(renderer_->backend());
-  if (by_eye() && screen_.window().buffers() == WindowBuffers::plain) {
-    fmt::print(stderr, "ergodome: this driver has no buffers for each eye; the eyes are side by side\n");
-    stereo_.layout = StereoLayout::side_by_side;
+      services_(options.services, show) {
+  Show first = show;
+  if (options_.exhibit) {
+    exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
+    first = exhibit_->show();
+    scene_renderers_[ExhibitScene::visitor] = make(show);
+    inputs_.set_lock(InputLock::visitors);
+    screen_.window().hide_cursor();
+    services_.tell(spdlog::level::warn, exhibit_->problem());
   }
+  renderer_ = make(first);
+  scene_renderers_[ExhibitScene::attract] = exhibit_ ? renderer_ : nullptr;
+  backend_ = describe(renderer_->backend());
+  begin(first, options_.free_flight && !exhibit_);
+  if (by_eye() && screen_.window().buffers() == WindowBuffers::plain) {
+    services_.tell(spdlog::level::warn, "this driver has no buffers for each eye; the eyes are side by side");
+    session_->use_layout(StereoLayout::side_by_side);
+  }
+  if (!options_.record.empty()) {
+    session_->record();
+  }
+  pads_.start();
 }
 
 Player::~Player() = default;
 
-CameraPose Player::current_pose() const { return flying_ ? flight_.pose() : camera_pose(show(), show_time_s_); }
-
-ShowMoment Player::moment() const {
-  // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
-  constexpr double patience_s = 0.02;
-  return {flying_ ? std::nullopt : std::optional(show_time_s_), patience_s};
-}
-
-bool Player::moving() const {
-  const bool playing = !flying_ && !paused_ && show().duration_s > 0.0;
-  return changed_ || !held_keys_.empty() || playing;
+void Player::begin(const Show& show, bool free_flight) {
+  session_.emplace(show, session_options(options_, free_flight));
+  session_->show_times(options_.times_shown);
+  services_.drive(session_->playback());
+  services_.set_show(show, options_.load);
+  if (exhibit_) {
+    for (const TransportCommand& command : exhibit_->kept_commands()) {
+      session_->playback().apply(command);
+    }
+  }
 }
 
 void Player::run() {
-  auto last = Clock::now();
   while (!screen_.closed() && !interrupted()) {
-    for (const WindowEvent& event : screen_.events()) {
-      handle(event);
-    }
-    const auto now = Clock::now();
-    advance(std::chrono::duration<double>(now - last).count());
-    last = now;
-    update_picture();
+    advance();
     screen_.draw(by_eye());
     end_in_time();
+    tell_supervisor_alive(session_->now_s());
+  }
+  if (!options_.record.empty()) {
+    save_recording();
   }
   if (options_.for_seconds > 0.0) {
     print_statistics();
@@ -87,15 +123,87 @@ void Player::run() {
   }
 }
 
-void Player::update_picture() {
+void Player::advance() {
+  const std::vector<WindowEvent> events = screen_.events();
+  pad_snapshot_ = pads_.snapshot();
+  int width = 0;
+  int height = 0;
+  screen_.window().framebuffer_size(width, height);
+  const double radians_per_px = session_->frame().field_of_view_deg * degree / std::max(width, 1);
+  PlayerInput input = inputs_.gather(events, pad_snapshot_, radians_per_px);
+  input.commands = services_.commands();
+  advance_exhibit(input);
+  session_->advance(input);
+  answer_requests();
+  reload(false);
   take_renderer();
-  if (!renderer_) {
+  update_picture();
+  screen_.set_light(session_->frame().light);
+  services_.follow(session_->playback());
+  update_texts();
+  post_status();
+  if (!options_.record.empty() && Clock::now() - saved_recording_ > recording_interval) {
+    save_recording();
+  }
+}
+
+void Player::advance_exhibit(PlayerInput& input) {
+  if (!exhibit_) {
     return;
   }
-  const PictureRequest wish = {renderer_, current_pose(), mode_,   field_of_view_deg_,
-                               0,         moment(),       stereo_, times_shown_};
-  const bool is_moving = moving();
-  note(pictures_.advance(wish, std::exchange(changed_, false), is_moving));
+  const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
+  if (exhibit_->left()) {
+    screen_.window().close();
+  }
+  if (exhibit_->scene() == ExhibitScene::attract) {
+    input.actions.clear();  // the show is nobody's to change
+    input.steering = {};
+  }
+  if (another) {
+    change_scene();
+  }
+}
+
+void Player::change_scene() {
+  const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
+  renderer_ = scene_renderers_[exhibit_->scene()];
+  if (!renderer_) {
+    loader_.load(exhibit_->show());
+  }
+  begin(exhibit_->show(), visitor);
+  services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
+}
+
+void Player::answer_requests() {
+  for (const KeyAction request : session_->take_requests()) {
+    switch (request) {
+      case KeyAction::quit:
+        screen_.window().close();
+        break;
+      case KeyAction::full_screen:
+        screen_.window().toggle_full_screen();
+        break;
+      case KeyAction::reload:
+        reload(true);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+void Player::reload(bool now) {
+  const auto result = services_.reloaded(now);
+  if (!result) {
+    return;
+  }
+  services_.tell(spdlog::level::err, result->problem);
+  if (result->show) {
+    session_->set_show(*result->show);
+    services_.set_show(*result->show, options_.load);
+    loader_.load(*result->show);
+    services_.tell(spdlog::level::info, fmt::format("{} was read again", result->show->name));
+  }
 }
 
 void Player::take_renderer() {
@@ -103,36 +211,115 @@ void Player::take_renderer() {
   if (!loaded) {
     return;
   }
-  if (loaded->renderer) {
+  // What was loaded for a scene that is over is of no use.
+  const bool wanted = loaded->renderer && loaded->renderer->show().name == session_->show().name;
+  if (wanted) {
     renderer_ = std::move(loaded->renderer);
-    changed_ = true;
+    if (exhibit_) {
+      scene_renderers_[exhibit_->scene()] = renderer_;
+    }
+    backend_ = describe(renderer_->backend());
+    failures_ = 0;
+    session_->show_again();
   } else {
-    say(loaded->problem);
-    loader_.load(show_);
+    services_.tell(spdlog::level::err, loaded->problem);
+    if (!renderer_) {
+      loader_.load(session_->show());
+    }
   }
+}
+
+void Player::update_picture() {
+  if (!renderer_) {
+    return;
+  }
+  PictureRequest wish;
+  wish.renderer = renderer_;
+  wish.frame = session_->frame();
+  wish.disparity_asked = session_->times_shown();
+  bool changed = session_->changed();
+  if (exhibit_) {
+    wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
+    wish.captions_opacity = exhibit_->opacity();
+    changed = changed || std::exchange(captions_opacity_, wish.captions_opacity) != wish.captions_opacity;
+  }
+  note(pictures_.advance(wish, changed, session_->moving()));
 }
 
 void Player::note(PictureNews news) {
   if (news == PictureNews::none) {
     return;
   }
-  if (news == PictureNews::hang) {
-    renderer_.reset();
-    loader_.load(show_);
+  failures_ = news == PictureNews::problem ? failures_ + 1 : 0;
+  if (news == PictureNews::hang || failures_ >= most_failures) {
+    lose_renderer();
+  }
+  if (news == PictureNews::picture) {
+    session_->playback().note_shown(session_->playback().instant());
   }
   if (!first_answer_) {
     first_answer_ = Clock::now();
+    tell_supervisor_ready();
   }
-  say(pictures_.report().problem);
-  screen_.set_text(panel_text());
-  update_title();
+  services_.tell(spdlog::level::err, pictures_.report().problem);
+  screen_.window().set_title(title_text());
 }
 
-void Player::say(const std::string& problem) {
-  if (!problem.empty() && problem != said_problem_) {
-    fmt::print(stderr, "ergodome: {}\n", problem);
+void Player::lose_renderer() {
+  failures_ = 0;
+  renderer_.reset();
+  if (exhibit_) {
+    scene_renderers_[exhibit_->scene()].reset();
   }
-  said_problem_ = problem;
+  loader_.load(session_->show());
+}
+
+void Player::update_texts() {
+  screen_.set_text(PanelPlace::top_left, session_->times_shown() ? times_text() : "");
+  screen_.set_text(PanelPlace::bottom_middle, session_->caption());
+  std::string help;
+  if (session_->help_shown()) {
+    HelpChoice choice;
+    choice.pads = !pad_snapshot_.pads.empty();
+    choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
+    choice.language = session_->playback().language();
+    help = inputs_.controls().help_text(choice);
+  }
+  screen_.set_text(PanelPlace::middle, help);
+}
+
+void Player::post_status() {
+  PlayerStatus status;
+  session_->fill(status);
+  const PictureReport& report = pictures_.report();
+  status.lens = report.lens;
+  status.backend = backend_;
+  status.frame_ms = report.frame_time_ms;
+  status.frames = report.pictures;
+  status.problem = report.problem;
+  frame_times_.note(session_->now_s(), report.frame_time_ms);
+  status.worst_frame_ms = frame_times_.worst_ms();
+  for (const PadView& pad : pad_snapshot_.pads) {
+    status.pads.push_back(
+        {pad.identity->name, pad.identity->connection, pad_snapshot_.time_s - pad.last_input_s < 1.0});
+  }
+  if (exhibit_) {
+    exhibit_->keep(status, session_->playback().baseline().has_value());
+  }
+  services_.post(std::move(status));
+}
+
+void Player::save_recording() {
+  saved_recording_ = Clock::now();
+  const auto flight = session_->recorded("Recorded flight");
+  if (!flight) {
+    return;
+  }
+  try {
+    write_text_atomically(options_.record, to_toml(*flight));
+  } catch (const std::exception& problem) {
+    services_.tell(spdlog::level::err, problem.what());
+  }
 }
 
 void Player::end_in_time() {
@@ -151,121 +338,25 @@ void Player::print_statistics() const {
   }
 }
 
-void Player::handle(const WindowEvent& event) {
-  switch (event.kind) {
-    case WindowEvent::Kind::key_down:
-      held_keys_.insert(event.key);
-      press(event.key);
-      break;
-    case WindowEvent::Kind::key_up:
-      held_keys_.erase(event.key);
-      break;
-    case WindowEvent::Kind::drag: {
-      if (!flying_) {
-        flight_.start_at(current_pose());
-        flying_ = true;
-      }
-      int width = 0;
-      int height = 0;
-      screen_.window().framebuffer_size(width, height);
-      const double radians_per_px = field_of_view_deg_ / 57.29577951308232 / std::max(width, 1);
-      flight_.look(-event.dx * radians_per_px, event.dy * radians_per_px);
-      break;
-    }
-    case WindowEvent::Kind::scroll:
-      field_of_view_deg_ = std::clamp(field_of_view_deg_ * std::exp(-0.1 * event.dy), 0.01,
-                                      show().view.projection == ViewProjection::pinhole ? 170.0 : 360.0);
-      break;
-  }
-  changed_ = true;
-}
-
-void Player::press(int key) {
-  const double duration_s = show().duration_s;
-  switch (action_of(key)) {
-    case KeyAction::quit:
-      screen_.window().close();
-      break;
-    case KeyAction::pause:
-      paused_ = !paused_;
-      break;
-    case KeyAction::seek_back:
-      show_time_s_ = std::max(0.0, show_time_s_ - 2.0);
-      break;
-    case KeyAction::seek_forward:
-      show_time_s_ = std::min(duration_s, show_time_s_ + 2.0);
-      break;
-    case KeyAction::restart:
-      show_time_s_ = 0.0;
-      flying_ = false;
-      break;
-    case KeyAction::fly:
-      flight_.start_at(current_pose());
-      flying_ = !flying_;
-      break;
-    case KeyAction::full_screen:
-      screen_.window().toggle_full_screen();
-      break;
-    case KeyAction::times:
-      times_shown_ = !times_shown_;
-      break;
-    case KeyAction::next_view:
-      mode_ = static_cast<ViewMode>((static_cast<int>(mode_) + 1) % 6);
-      break;
-    default:
-      if (!screen_.has_projectors()) {  // what a dome's projectors show is one eye's
-        stereo_ = adjusted(stereo_, action_of(key), shown_stereo_, current_pose().r);
-      }
-      break;
-  }
-}
-
-void Player::advance(double seconds) {
-  const auto held = [&](KeyAction action) {
-    return std::any_of(held_keys_.begin(), held_keys_.end(), [&](int key) { return action_of(key) == action; }) ? 1.0
-                                                                                                                : 0.0;
-  };
-  const double speed = 0.6 * std::min(seconds, 0.1);
-  const double phi = held(KeyAction::right) - held(KeyAction::left);
-  const double theta = held(KeyAction::down) - held(KeyAction::up);
-  const double out = held(KeyAction::out) - held(KeyAction::in);
-  if (phi != 0.0 || theta != 0.0 || out != 0.0) {
-    if (!flying_) {
-      flight_.start_at(current_pose());
-      flying_ = true;
-    }
-    flight_.orbit(speed * phi, speed * theta, std::exp(speed * out));
-    changed_ = true;
-  }
-  const double duration_s = show().duration_s;
-  if (!flying_ && !paused_ && duration_s > 0.0) {
-    // The show loops; taking the rest keeps the time exact for as long as an exhibit runs.
-    show_time_s_ = std::fmod(show_time_s_ + seconds, duration_s);
-    changed_ = true;
-  }
-}
-
-std::string Player::panel_text() const {
-  if (!times_shown_) {
-    return "";
-  }
+std::string Player::times_text() const {
   const PictureReport& report = pictures_.report();
   std::string text =
       fmt::format("{:.1f} ms at {} px, {} lens, {}", report.frame_time_ms, report.size_px, report.lens, backend_);
-  if (eye_count(stereo_) > 1) {
-    text += "\n" + disparity_caption(stereo_, report.disparity);
+  if (eye_count(session_->frame().stereo) > 1) {
+    text += "\n" + disparity_caption(session_->frame().stereo, report.disparity);
   }
   return text;
 }
 
-void Player::update_title() {
+std::string Player::title_text() const {
   const PictureReport& report = pictures_.report();
-  screen_.window().set_title(fmt::format(
-      "Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}", show().title, show().spin,
-      current_pose().r, show_time_s_, report.frame_time_ms, report.size_px, report.lens, backend_,
-      flying_   ? "  free flight"
-      : paused_ ? "  paused"
-                : ""));
+  const PlayerFrame& frame = session_->frame();
+  return fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}",
+                     session_->show().title, session_->show().spin, frame.pose.r, frame.time_s, report.frame_time_ms,
+                     report.size_px, report.lens, backend_,
+                     session_->flying()                       ? "  free flight"
+                     : session_->playback().instant().playing ? ""
+                                                              : "  paused");
 }
 
 }  // namespace ergodome

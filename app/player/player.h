@@ -1,16 +1,22 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
-#include "app/flight.h"
+#include "app/exhibit/exhibit_scenes.h"
+#include "app/navigation/controls.h"
+#include "app/pads/hid_api.h"
+#include "app/player/frame_times.h"
 #include "app/player/picture_flow.h"
+#include "app/player/player_inputs.h"
 #include "app/player/player_screen.h"
+#include "app/player/player_services.h"
+#include "app/player/player_session.h"
 #include "app/player/renderer_loader.h"
-#include "app/player_keys.h"
 
 namespace ergodome {
 
@@ -24,13 +30,21 @@ struct PlayOptions {
   std::optional<DomeSetup> setup;            //!< of a dome whose projectors show the pictures, too
   std::vector<ProjectorPicture> projectors;  //!< of the setup
   bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
+  std::string language;
+  std::string record;        //!< a show file that the flight is written to; empty: none
+  std::string controls;      //!< a map of controls; empty: the user's own
+  std::string pad_settings;  //!< empty: the user's own
+  std::string pad_fixture;   //!< recorded pads in place of those that are plugged in
+  ServiceOptions services;   //!< sound, clocks, remote control
+  std::optional<ExhibitOptions> exhibit;
+  std::function<Show(const std::string&)> load;  //!< reads a show's file and makes it what the command line asks for
 };
 
 //! Plays a show, or flies through its scene, in a window.
 class Player {
  public:
   //! `make` makes the renderer of a show: at the start, and whenever one is lost.
-  Player(const Show& show, RendererLoader::Make make, const PlayOptions& options);
+  Player(const Show& show, const RendererLoader::Make& make, const PlayOptions& options);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -40,43 +54,44 @@ class Player {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void handle(const WindowEvent& event);
-  void press(int key);
-  void advance(double seconds);
+  //! Goes on with a show, from its start.
+  void begin(const Show& show, bool free_flight);
+  void advance();
+  void answer_requests();
+  void reload(bool now);
+  void take_renderer();
   void update_picture();
   void note(PictureNews news);
-  void take_renderer();
-  void say(const std::string& problem);
+  void lose_renderer();
+  void advance_exhibit(PlayerInput& input);
+  void change_scene();
+  void update_texts();
+  void post_status();
+  void save_recording();
   void end_in_time();
   void print_statistics() const;
-  [[nodiscard]] std::string panel_text() const;
-  void update_title();
-  [[nodiscard]] bool by_eye() const { return stereo_.layout == StereoLayout::quad_buffer; }
-  [[nodiscard]] const Show& show() const { return show_; }
-  [[nodiscard]] CameraPose current_pose() const;
-  [[nodiscard]] ShowMoment moment() const;
-  [[nodiscard]] bool moving() const;
+  [[nodiscard]] std::string times_text() const;
+  [[nodiscard]] std::string title_text() const;
+  [[nodiscard]] bool by_eye() const { return session_->frame().stereo.layout == StereoLayout::quad_buffer; }
 
-  RendererLoader loader_;
-  std::shared_ptr<ShowRenderer> renderer_;  //!< none while a lost one is made anew
-  Show show_;
   PlayOptions options_;
   PlayerScreen screen_;
+  RendererLoader loader_;
+  std::shared_ptr<ShowRenderer> renderer_;  //!< none while a lost one is made anew
+  std::optional<PlayerSession> session_;
+  PlayerInputs inputs_;
+  PadHub pads_;
+  PadSnapshot pad_snapshot_;
   PictureFlow pictures_;
-  Flight flight_;
-  std::set<int> held_keys_;
-  double show_time_s_ = 0.0;
-  bool paused_ = false;
-  bool flying_ = false;
-  bool changed_ = true;
-  bool times_shown_ = false;  //!< over the picture: a full screen has no title
-  ViewMode mode_ = ViewMode::sky;
-  StereoSettings shown_stereo_;  //!< as the show has it
-  StereoSettings stereo_;
-  double field_of_view_deg_ = 0.0;
+  PlayerServices services_;
+  std::optional<ExhibitScenes> exhibit_;
+  std::map<ExhibitScene, std::shared_ptr<ShowRenderer>> scene_renderers_;  //!< of an exhibit: no visitor waits
+  double captions_opacity_ = 0.0;                                          //!< of what is to be read now
   std::string backend_;
-  std::string said_problem_;
+  int failures_ = 0;  //!< pictures that failed in a row
+  FrameTimes frame_times_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
+  Clock::time_point saved_recording_{};
 };
 
 }  // namespace ergodome

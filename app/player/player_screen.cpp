@@ -47,13 +47,20 @@ std::vector<WindowEvent> PlayerScreen::events() {
 
 bool PlayerScreen::closed() const { return window_.closed() || (projectors_ && projectors_->closed()); }
 
-void PlayerScreen::set_text(const std::string& text) {
-  text_ = text;
+void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
+  Text& panel = texts_[place];
+  panel.words = text;
   if (!text.empty()) {
     int width = 0;
     int height = 0;
     window_.framebuffer_size(width, height);
-    panel_.set(text, std::clamp(std::min(width, height) / 50, 11, 36));
+    // Help, in the middle, has columns, and is as large as the window lets it.
+    const bool help = place == PanelPlace::middle;
+    const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
+    const int usual_px = std::clamp(std::min(width, height) / 50, 11, 36);
+    const int fitting_px = std::max(2 * height / (3 * lines + 3), 6);
+    panel.panel.set(text, help ? std::min(usual_px, fitting_px) : usual_px,
+                    help ? TextFace::monospaced : TextFace::proportional);
   }
 }
 
@@ -61,8 +68,10 @@ void PlayerScreen::draw_window(int width, int height, bool by_eye) {
   const auto draw_part = [&](WindowEye eye, PicturePart part) {
     window_.draw_into(eye);
     presenter_.draw(width, height, part);
-    if (!text_.empty()) {
-      panel_.draw(width, height, PanelPlace::top_left);
+    for (auto& [place, text] : texts_) {
+      if (!text.words.empty()) {
+        text.panel.draw(width, height, place);
+      }
     }
   };
   if (by_eye) {

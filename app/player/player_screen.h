@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,8 +41,11 @@ class PlayerScreen {
   [[nodiscard]] std::vector<WindowEvent> events();
   [[nodiscard]] bool closed() const;
 
-  //! Lines of text over the picture, at its top left; none where it is empty.
-  void set_text(const std::string& text);
+  //! Lines of text over the picture, at a place; none where it is empty.
+  void set_text(PanelPlace place, const std::string& text);
+
+  //! Factor on the light of pictures, 0 to 1; text keeps its own.
+  void set_light(double light) { presenter_.set_light(static_cast<float>(light)); }
 
   //! Draws the last picture in all windows. `by_eye`: it holds both eyes side by side, for the buffer of each.
   void draw(bool by_eye);
@@ -55,8 +59,11 @@ class PlayerScreen {
   std::optional<DomeSetup> setup_;
   Window window_;
   Presenter presenter_;
-  TextPanel panel_;
-  std::string text_;
+  struct Text {
+    TextPanel panel;
+    std::string words;
+  };
+  std::map<PanelPlace, Text> texts_;
   std::unique_ptr<ProjectorWindows> projectors_;  //!< where there is a setup
 };
 

@@ -85,8 +85,14 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
   }
 }
 
-void ShowRenderer::expose(std::span<Picture> eyes, double clock_s) {
+Tone ShowRenderer::tone() const {
   Tone tone = tone_of(show_.tone);
+  tone.gain *= static_cast<float>(std::exp2(exposure_stops_));
+  return tone;
+}
+
+void ShowRenderer::expose(std::span<Picture> eyes, double clock_s) {
+  Tone tone = this->tone();
   if (exposure_ && !eyes.front().heat_range) {
     LightMeter meter;
     for (const Picture& eye : eyes) {
@@ -156,7 +162,7 @@ const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double ey
                                                ViewMode mode, const ShowMoment& moment, const char** lens) {
   float* const rgba = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
                                                 picture_settings(mode, moment, eye_offset), lens);
-  draw_overlays({backend(), rgba, tone_of(show_.tone), mode != ViewMode::sky}, projection, eye_offset, mode, moment);
+  draw_overlays({backend(), rgba, tone(), mode != ViewMode::sky}, projection, eye_offset, mode, moment);
   return rgba;
 }
 

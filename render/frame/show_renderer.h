@@ -79,6 +79,12 @@ class ShowRenderer {
   //! What a person may turn while the show plays, until apply() animates it. Throws Error for what cannot be drawn, and keeps the old.
   void set_stereo(const StereoSettings& stereo);
 
+  //! Stops of exposure on top of the show's.
+  void set_exposure(double stops) { exposure_stops_ = stops; }
+
+  //! How pictures are shown, but for exposure that follows the light.
+  [[nodiscard]] Tone tone() const;
+
   //! Captions and images over the pictures: their language, and captions that do not come from the show. They are drawn in what is rendered next.
   [[nodiscard]] OverlayPass& overlays() { return overlays_; }
 
@@ -128,6 +134,7 @@ class ShowRenderer {
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;
+  double exposure_stops_ = 0.0;
   double last_clock_s_ = 0.0;
   double time_s_ = 0.0;  //!< that the numbers are of
 };

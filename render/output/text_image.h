@@ -12,10 +12,13 @@ struct TextImage {
   std::vector<float> coverage;
 };
 
+//! Letters as wide as they are, or all of one width, for columns.
+enum class TextFace { proportional, monospaced };
+
 //! A line of text, cut out close around it; empty where no font is installed.
 TextImage text_image(const std::string& text, int font_px);
 
 //! Lines of text one below the other on common lines, with some room about them; empty where no font is installed.
-TextImage text_lines_image(const std::string& text, int font_px);
+TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional);
 
 }  // namespace ergodome

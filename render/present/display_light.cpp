@@ -26,10 +26,11 @@ constexpr const char* fragment_source = R"(
 out vec4 light;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
+layout(location = 3) uniform float dimmed;
 void main() {
   // Pixel by pixel, and upside down like the picture.
   vec3 seen = max(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb, vec3(0.0));
-  light = vec4(clamp(heat_map ? seen : toned(seen), 0.0, 1.0), 1.0);
+  light = vec4(dimmed * clamp(heat_map ? seen : toned(seen), 0.0, 1.0), 1.0);
 }
 )";
 
@@ -88,6 +89,7 @@ void DisplayLight::update(const PresentedPicture& picture) {
   glUseProgram(state_->program);
   glUniform1i(0, picture.heat_map ? 1 : 0);
   set_tone(picture.tone);
+  glUniform1f(3, picture.light);
   glBindTextureUnit(0, picture.texture);
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);

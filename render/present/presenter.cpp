@@ -19,6 +19,7 @@ struct Presenter::State {
   int height = 0;
   bool heat_map = false;
   Tone tone;
+  float light = 1.0F;
   long version = 0;
   std::unique_ptr<CudaTextureLink> link;
 };
@@ -30,6 +31,7 @@ in vec2 place;
 out vec4 colour;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
+layout(location = 4) uniform float dimmed;
 layout(location = 3) uniform vec2 part;  // of the picture: where it begins, how wide it is
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
@@ -37,7 +39,7 @@ vec3 encoded(vec3 light) {
 void main() {
   // The picture's first row is its top.
   vec3 light = max(texture(picture, vec2(part.x + part.y * place.x, 1.0 - place.y)).rgb, vec3(0.0));
-  colour = vec4(encoded(clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
+  colour = vec4(encoded(dimmed * clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
 }
 )";
 
@@ -91,8 +93,16 @@ void Presenter::upload_from_device(const float* rgba, int width, int height, boo
   state_->link->copy_from_device(rgba);
 }
 
+void Presenter::set_light(float light) {
+  if (light != state_->light) {
+    state_->light = light;
+    ++state_->version;
+  }
+}
+
 PresentedPicture Presenter::shown() const {
-  return {state_->texture, state_->width, state_->height, state_->heat_map, state_->tone, state_->version};
+  return {state_->texture, state_->width, state_->height, state_->heat_map,
+          state_->tone,    state_->light, state_->version};
 }
 
 void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart part) {
@@ -112,6 +122,7 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart 
   glUseProgram(state_->program);
   glUniform1i(0, state_->heat_map ? 1 : 0);
   set_tone(state_->tone);
+  glUniform1f(4, state_->light);
   glUniform2f(3, part == PicturePart::right_half ? 0.5F : 0.0F, static_cast<float>(share));
   glBindTextureUnit(0, state_->texture);
   glBindVertexArray(state_->vertex_array);

@@ -15,7 +15,8 @@ struct PresentedPicture {
   int height = 0;
   bool heat_map = false;  //!< colours already, to which no tone is given
   Tone tone;
-  long version = 0;  //!< another for each picture that was handed over
+  float light = 1.0F;  //!< factor on the display's light
+  long version = 0;    //!< another for each picture that was handed over, or shown in another light
 };
 
 //! What of a picture is drawn: halves are those of eyes side by side.
@@ -36,6 +37,9 @@ class Presenter {
 
   //! Hands over a picture from CUDA device memory (four floats a pixel), without a way through the host.
   void upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone);
+
+  //! Factor on the display's light from now on, 0 to 1.
+  void set_light(float light);
 
   //! The picture that was handed over last. The texture is the presenter's, and valid until the next one.
   [[nodiscard]] PresentedPicture shown() const;

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "render/output/text_image.h"
 #include "render/present/gl_program.h"
 
 namespace ergodome {
@@ -30,6 +29,26 @@ void main() {
 }
 )";
 
+struct PanelCorner {
+  int left;
+  int bottom;
+};
+
+PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pair<int, int> panel) {
+  const auto [width, height] = framebuffer;
+  const int middle = (width - panel.first) / 2;
+  switch (place) {
+    case PanelPlace::top_left:
+      return {0, height - panel.second};
+    case PanelPlace::middle:
+      return {middle, (height - panel.second) / 2};
+    case PanelPlace::bottom_middle:
+      return {middle, height / 20};
+    default:
+      return {middle, height - height / 20 - panel.second};
+  }
+}
+
 }  // namespace
 
 TextPanel::TextPanel() : state_(std::make_unique<State>()) {
@@ -43,12 +62,12 @@ TextPanel::~TextPanel() {
   glDeleteProgram(state_->program);
 }
 
-void TextPanel::set(const std::string& text, int font_px) {
+void TextPanel::set(const std::string& text, int font_px, TextFace face) {
   if (std::pair(text, font_px) == state_->shown) {
     return;
   }
   state_->shown = {text, font_px};
-  const TextImage image = text_lines_image(text, font_px);
+  const TextImage image = text_lines_image(text, font_px, face);
   glDeleteTextures(1, &state_->texture);
   state_->texture = 0;
   state_->width = image.width;
@@ -68,10 +87,8 @@ void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace p
   if (state_->texture == 0) {
     return;
   }
-  const bool corner = place == PanelPlace::top_left;
-  const int top = corner ? framebuffer_height : framebuffer_height - framebuffer_height / 20;
-  const int left = corner ? 0 : (framebuffer_width - state_->width) / 2;
-  glViewport(left, top - state_->height, state_->width, state_->height);
+  const PanelCorner at = corner_of(place, {framebuffer_width, framebuffer_height}, {state_->width, state_->height});
+  glViewport(at.left, at.bottom, state_->width, state_->height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(state_->program);

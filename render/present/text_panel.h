@@ -3,10 +3,12 @@
 #include <memory>
 #include <string>
 
+#include "render/output/text_image.h"
+
 namespace ergodome {
 
 //! Where a panel is in its framebuffer. A dome leaves the corner free.
-enum class PanelPlace { top_middle, top_left };
+enum class PanelPlace { top_middle, top_left, middle, bottom_middle };
 
 //! Lines of text on a dark panel, drawn over what is in a framebuffer.
 class TextPanel {
@@ -18,9 +20,9 @@ class TextPanel {
   TextPanel& operator=(const TextPanel&) = delete;
 
   //! Takes over lines of text; none where it is empty, or where no font is installed.
-  void set(const std::string& text, int font_px);
+  void set(const std::string& text, int font_px, TextFace face = TextFace::proportional);
 
-  //! Draws it near the top of the bound framebuffer of the given size.
+  //! Draws it at its place in the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle);
 
  private:

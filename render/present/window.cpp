@@ -4,6 +4,9 @@
 // After epoxy, which brings OpenGL itself.
 #include <GLFW/glfw3.h>
 
+#include <optional>
+#include <utility>
+
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -12,10 +15,8 @@ struct Window::State {
   GLFWwindow* window = nullptr;
   std::vector<WindowEvent> events;
   WindowBuffers buffers = WindowBuffers::plain;
-  bool dragging = false;
-  double last_x = 0.0;
-  double last_y = 0.0;
-  int windowed[4] = {0, 0, 1024, 1024};  //!< place and size to come back to from full screen
+  std::optional<std::pair<double, double>> pointer;  //!< where it was last
+  int windowed[4] = {0, 0, 1024, 1024};              //!< place and size to come back to from full screen
 };
 
 namespace {
@@ -65,6 +66,10 @@ Window::Window(int width, int height, const std::string& title, bool full_screen
           {action == GLFW_PRESS ? WindowEvent::Kind::key_down : WindowEvent::Kind::key_up, key, 0.0, 0.0});
     }
   });
+  glfwSetMouseButtonCallback(state_->window, [](GLFWwindow* window, int button, int action, int) {
+    events_of(window).push_back(
+        {action == GLFW_PRESS ? WindowEvent::Kind::button_down : WindowEvent::Kind::button_up, button, 0.0, 0.0});
+  });
   glfwSetScrollCallback(state_->window, [](GLFWwindow* window, double dx, double dy) {
     events_of(window).push_back({WindowEvent::Kind::scroll, 0, dx, dy});
   });
@@ -83,13 +88,10 @@ std::vector<WindowEvent> Window::events(double seconds) {
   double x = 0.0;
   double y = 0.0;
   glfwGetCursorPos(state_->window, &x, &y);
-  const bool pressed = glfwGetMouseButton(state_->window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-  if (pressed && state_->dragging && (x != state_->last_x || y != state_->last_y)) {
-    state_->events.push_back({WindowEvent::Kind::drag, 0, x - state_->last_x, y - state_->last_y});
+  if (state_->pointer && *state_->pointer != std::pair(x, y)) {
+    state_->events.push_back({WindowEvent::Kind::pointer, 0, x - state_->pointer->first, y - state_->pointer->second});
   }
-  state_->dragging = pressed;
-  state_->last_x = x;
-  state_->last_y = y;
+  state_->pointer = {x, y};
   std::vector<WindowEvent> since;
   since.swap(state_->events);
   return since;
@@ -126,6 +128,8 @@ void Window::close() { glfwSetWindowShouldClose(state_->window, GLFW_TRUE); }
 bool Window::closed() const { return glfwWindowShouldClose(state_->window) == GLFW_TRUE; }
 
 void Window::hide() { glfwHideWindow(state_->window); }
+
+void Window::hide_cursor() { glfwSetInputMode(state_->window, GLFW_CURSOR, GLFW_CURSOR_HIDDEN); }
 
 void Window::move_to_monitor(int monitor) {
   int count = 0;

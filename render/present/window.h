@@ -8,11 +8,11 @@ namespace ergodome {
 
 //! Something that a person did to the window.
 struct WindowEvent {
-  enum class Kind { key_down, key_up, drag, scroll };
+  enum class Kind { key_down, key_up, button_down, button_up, pointer, scroll };
   Kind kind;
-  int key = 0;      //!< GLFW's number of the key
-  double dx = 0.0;  //!< drag: pixels to the right with the mouse button down; scroll: steps
-  double dy = 0.0;  //!< drag: pixels downwards; scroll: steps upwards
+  int key = 0;      //!< GLFW's number of the key, or of the mouse's button
+  double dx = 0.0;  //!< pointer: pixels to the right; scroll: steps
+  double dy = 0.0;  //!< pointer: pixels downwards; scroll: steps upwards
 };
 
 //! What windows are made of: one buffer for both eyes, or one for each where the driver has them (quad buffer).
@@ -50,6 +50,9 @@ class Window {
 
   //! Takes it off the screen; its context stays.
   void hide();
+
+  //! Takes the cursor out of the picture.
+  void hide_cursor();
 
   //! Moves it to the top left of a monitor, counted from 0.
   void move_to_monitor(int monitor);

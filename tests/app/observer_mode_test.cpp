@@ -23,7 +23,7 @@ TEST(NearestVelocity, IsSlowerThanLightEverywhereOutsideTheGuard) {
         for (const ObserverMotion motion :
              {ObserverMotion::fixed, ObserverMotion::geodesic, ObserverMotion::retrograde}) {
           const double v = speed(nearest_velocity(motion, spin, r, theta).velocity);
-          ASSERT_TRUE(v <= fastest_observer) << spin << ' ' << theta << ' ' << r;
+          ASSERT_TRUE(v <= fastest_stand_in) << spin << ' ' << theta << ' ' << r;
         }
       }
     }
@@ -62,7 +62,7 @@ TEST(NearestVelocity, InTheErgosphereTurnsMoreSlowlyThanTheSpaceAboutIt) {
   const double r = 1.7;
   const NearestVelocity view = nearest_velocity(ObserverMotion::fixed, 0.9, r, pi / 2);
   EXPECT_TRUE(view.nearest);
-  EXPECT_DOUBLE_EQ(view.velocity.z, -fastest_observer);
+  EXPECT_DOUBLE_EQ(view.velocity.z, -fastest_stand_in);
   const KerrFunctions f = kerr_functions(0.9, r, pi / 2);
   const double turning = f.frame_dragging + view.velocity.z * f.sigma * std::sqrt(f.delta) / f.area;
   EXPECT_GT(turning, 0.0);

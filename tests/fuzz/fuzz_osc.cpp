@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ergodome::CommandQueue commands;
   ergodome::StatusBoard board;
   board.post(show_with_chapters());
-  ergodome::OscHandler handler(commands, board, [](const ergodome::ClockFix& fix) {
+  ergodome::OscHandler handler(commands, board, [](const ergodome::MasterTime& fix) {
     expect_finite(fix.show_time_s);
     expect_finite(fix.speed);
   });

@@ -1,0 +1,102 @@
+#include "app/exhibit/exhibit_scenes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace ergodome {
+
+namespace {
+
+constexpr double chord_s = 3.0;
+constexpr double settle_s = 2.0;
+
+Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
+  Caption caption;
+  caption.place.elevation_deg = elevation_deg;
+  caption.letter_deg = letter_deg;
+  caption.width_deg = 70.0;
+  caption.text = std::move(text);
+  return caption;
+}
+
+}  // namespace
+
+ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
+    : options_(std::move(options)),
+      visitor_(std::move(visitor)),
+      attract_(std::move(attract)),
+      exhibit_(options_.times),
+      chord_(chord_s) {
+  if (!options_.state.empty()) {
+    kept_ = read_kept_settings(options_.state / "settings.toml", problem_);
+  }
+  noted_ = kept_;
+}
+
+bool ExhibitScenes::advance(double now_s, bool touched, bool chord_held) {
+  now_s_ = now_s;
+  left_ = left_ || chord_.advance(now_s, chord_held);
+  return exhibit_.advance(now_s, touched);
+}
+
+std::vector<Caption> ExhibitScenes::captions(bool pad) const {
+  if (const auto left_s = exhibit_.ending_in_s()) {
+    const int seconds = static_cast<int>(std::ceil(*left_s));
+    return {caption_at(12.0, 2.0,
+                       {{"en", fmt::format("The next visitor flies in {} s", seconds)},
+                        {"de", fmt::format("In {} s fliegt der nächste Gast", seconds)}})};
+  }
+  if (exhibit_.welcome() <= 0.0) {
+    return {};
+  }
+  const LocalText how =
+      pad ? LocalText{{"en", "Left stick: around the hole and towards it\nRight stick: look about"},
+                      {"de", "Linker Stick: um das Loch herum und darauf zu\nRechter Stick: umsehen"}}
+          : LocalText{{"en", "W A S D: around the hole and towards it\nMouse: look about   F1: more keys"},
+                      {"de", "W A S D: um das Loch herum und darauf zu\nMaus: umsehen   F1: weitere Tasten"}};
+  return {caption_at(22.0, 3.0, {{"en", "Welcome! You are flying."}, {"de", "Willkommen! Sie fliegen."}}),
+          caption_at(12.0, 1.8, how)};
+}
+
+double ExhibitScenes::opacity() const { return exhibit_.ending_in_s() ? 1.0 : exhibit_.welcome(); }
+
+std::vector<TransportCommand> ExhibitScenes::kept_commands() const {
+  using Kind = TransportCommand::Kind;
+  std::vector<TransportCommand> commands = {{Kind::exposure, noted_.exposure_stops, {}},
+                                            {Kind::volume, noted_.volume, {}},
+                                            {Kind::captions, noted_.captions ? 1.0 : 0.0, {}}};
+  if (noted_.baseline >= 0.0) {
+    commands.push_back({Kind::baseline, noted_.baseline, {}});
+  }
+  if (!noted_.language.empty()) {
+    commands.push_back({Kind::language, 0.0, noted_.language});
+  }
+  return commands;
+}
+
+void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
+  const KeptSettings now = {.exposure_stops = status.exposure_stops,
+                            .baseline = baseline_set ? status.baseline : -1.0,
+                            .volume = status.volume,
+                            .language = status.language,
+                            .captions = status.captions};
+  if (now != noted_) {
+    noted_ = now;
+    changed_s_ = now_s_;
+  }
+  if (noted_ == kept_ || options_.state.empty() || now_s_ - changed_s_ < settle_s) {
+    return;
+  }
+  try {
+    write_kept_settings(options_.state / "settings.toml", noted_);
+    problem_.clear();
+  } catch (const std::exception& error) {
+    problem_ = error.what();
+  }
+  kept_ = noted_;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/exhibit/exhibit.h"
+#include "app/exhibit/kept_settings.h"
+#include "app/playback/transport.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+struct ExhibitOptions {
+  ExhibitTimes times;
+  std::string attract = "once-around";  //!< the show that runs by itself
+  std::filesystem::path state;          //!< folder of the settings that are kept; empty: none are
+};
+
+//! What an exhibit does beside showing scenes: it welcomes, counts down, lets an operator out, and keeps what one has set.
+class ExhibitScenes {
+ public:
+  //! `visitor`: the show that people fly through; `attract`: the one that runs by itself.
+  ExhibitScenes(ExhibitOptions options, Show visitor, Show attract);
+
+  //! Once a frame, by a clock that never goes back. Returns whether the scene became another one.
+  bool advance(double now_s, bool touched, bool chord_held);
+
+  [[nodiscard]] ExhibitScene scene() const { return exhibit_.scene(); }
+  //! The scene's show.
+  [[nodiscard]] const Show& show() const { return scene() == ExhibitScene::visitor ? visitor_ : attract_; }
+  //! Whether an operator has held the chord long enough.
+  [[nodiscard]] bool left() const { return left_; }
+
+  //! What is to be read by visitors now, and how much of it is to be seen. `pad`: one is there to fly with.
+  [[nodiscard]] std::vector<Caption> captions(bool pad) const;
+  [[nodiscard]] double opacity() const;
+
+  //! What was set before the last end of the program, as commands; and why there may be none.
+  [[nodiscard]] std::vector<TransportCommand> kept_commands() const;
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+  //! Notes what is set now; writes it when it has not changed for a while. A disk that refuses is told in problem().
+  void keep(const PlayerStatus& status, bool baseline_set);
+
+ private:
+  ExhibitOptions options_;
+  Show visitor_;
+  Show attract_;
+  Exhibit exhibit_;
+  HeldSwitch chord_;
+  bool left_ = false;
+  double now_s_ = 0.0;
+  KeptSettings kept_;   //!< in the file
+  KeptSettings noted_;  //!< now
+  double changed_s_ = 0.0;
+  std::string problem_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,106 @@
+#include "app/player/player_inputs.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ergodome {
+
+namespace {
+
+//! A stick that is moved so far is moved by a person.
+constexpr float deliberate = 0.15F;
+
+bool is_for_visitors(KeyAction action) {
+  const auto facts = std::ranges::find(all_actions(), action, &ActionFacts::action);
+  return facts != all_actions().end() && facts->user == ActionUser::visitor && action != KeyAction::quit;
+}
+
+bool is_moved(const PadState& pad) {
+  return pad.buttons.any() || std::ranges::any_of(pad.axes, [](float axis) { return std::abs(axis) > deliberate; });
+}
+
+}  // namespace
+
+void PlayerInputs::add(const std::vector<KeyAction>& actions, PlayerInput& input) const {
+  for (const KeyAction action : actions) {
+    if (lock_ == InputLock::open || is_for_visitors(action)) {
+      input.actions.push_back(action);
+    }
+  }
+}
+
+void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput& input) {
+  touched_ = true;
+  switch (event.kind) {
+    case WindowEvent::Kind::key_down:
+      add(controls_.pressed(event.key, held_keys_), input);
+      held_keys_.insert(event.key);
+      break;
+    case WindowEvent::Kind::key_up:
+      held_keys_.erase(event.key);
+      break;
+    case WindowEvent::Kind::button_down:
+      add(controls_.mouse_pressed(event.key), input);
+      held_buttons_.insert(event.key);
+      break;
+    case WindowEvent::Kind::button_up:
+      held_buttons_.erase(event.key);
+      break;
+    case WindowEvent::Kind::pointer:
+      mouse.right_px += event.dx;
+      mouse.down_px += event.dy;
+      break;
+    case WindowEvent::Kind::scroll:
+      mouse.wheel_steps += event.dy;
+      add(controls_.wheel_turned(event.dy), input);
+      break;
+  }
+  mouse.buttons.insert(held_buttons_.begin(), held_buttons_.end());
+}
+
+void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
+  const PadState now = pads.merged();
+  // A button that went down and up between two frames was pressed all the same.
+  PadState released = now;
+  PadState pressed = now;
+  for (std::size_t i = 0; i < pad_button_count; ++i) {
+    if (pads.presses(static_cast<PadButton>(i)) > 0) {
+      released.buttons.reset(i);
+      pressed.buttons.set(i);
+    } else {
+      released.buttons.set(i, now.buttons.test(i));
+    }
+  }
+  released.axes = pad_before_.axes;
+  add(controls_.pressed(released, pressed), input);
+  touched_ = touched_ || pressed.buttons.any() || is_moved(now);
+  pad_before_ = now;
+}
+
+void PlayerInputs::find_chord(const PadState& pad) {
+  const auto holds = [&](int left, int right) { return held_keys_.contains(left) || held_keys_.contains(right); };
+  const bool keys = held_keys_.contains(GLFW_KEY_Q) && holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) &&
+                    holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  const bool buttons = pad.pressed(PadButton::select) && pad.pressed(PadButton::start) &&
+                       pad.pressed(PadButton::left_shoulder) && pad.pressed(PadButton::right_shoulder);
+  chord_held_ = keys || buttons;
+}
+
+PlayerInput PlayerInputs::gather(std::span<const WindowEvent> events, const PadSnapshot& pads, double radians_per_px) {
+  touched_ = false;
+  PlayerInput input;
+  MouseState mouse;
+  mouse.buttons = held_buttons_;
+  mouse.radians_per_px = radians_per_px;
+  for (const WindowEvent& event : events) {
+    take(event, mouse, input);
+  }
+  take_pads(pads, input);
+  find_chord(pad_before_);
+  input.steering = controls_.steering(held_keys_, mouse, pad_before_);
+  return input;
+}
+
+}  // namespace ergodome

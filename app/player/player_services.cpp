@@ -1,0 +1,98 @@
+#include "app/player/player_services.h"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::chrono::seconds osc_patience{2};
+
+//! Lines on the terminal look like the program's other messages.
+spdlog::sink_ptr terminal_sink() {
+  auto sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+  sink->set_pattern("ergodome: %v");
+  return sink;
+}
+
+std::vector<spdlog::sink_ptr> sinks_of(const ServiceOptions& options, const std::shared_ptr<LogRing>& ring) {
+  std::vector<spdlog::sink_ptr> sinks = {log_ring_sink(ring)};
+  if (options.log_on_terminal) {
+    sinks.push_back(terminal_sink());
+  }
+  return sinks;
+}
+
+}  // namespace
+
+PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
+    : ring_(std::make_shared<LogRing>()), log_(open_log(options.log_file, sinks_of(options, ring_))) {
+  if (options.clock == "osc") {
+    clock_ = std::make_shared<ExternalClock>("OSC", osc_patience);
+  } else if (options.clock.starts_with("mtc")) {
+    clock_ = make_midi_clock();
+    const std::string port = options.clock.size() > 4 ? options.clock.substr(4) : "";
+    midi_ = std::make_unique<MidiClockInput>(clock_, port, std::nullopt);
+    tell(spdlog::level::info, fmt::format("the show follows MIDI time code on {}", midi_->port()));
+  }
+  if (options.sound) {
+    sound_ = std::make_unique<AudioPlayer>(options.sound_later_s);
+    sound_->set_soundtrack(soundtrack_of(show));
+  }
+  const auto listener = [clock = options.clock == "osc" ? clock_ : nullptr](const MasterTime& heard) {
+    if (clock) {
+      clock->post({show_time(heard.show_time_s), heard.speed,
+                   std::chrono::duration_cast<MonotonicTime>(heard.at.time_since_epoch())});
+    }
+  };
+  remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, listener);
+  for (const std::string& line : remote_->greeting()) {
+    // For the person who started the show; it may hold the token, so it goes to no log.
+    fmt::print("{}\n", line);
+  }
+  std::fflush(stdout);
+}
+
+void PlayerServices::set_show(const Show& show, ShowReload::Loader load) {
+  reload_ = std::make_unique<ShowReload>(file_of(show), show, std::move(load));
+  if (sound_) {
+    sound_->set_soundtrack(soundtrack_of(show));
+  }
+}
+
+std::vector<TransportCommand> PlayerServices::commands() {
+  const std::deque<TransportCommand> all = queue_.take_all();
+  return {all.begin(), all.end()};
+}
+
+void PlayerServices::follow(const Playback& playback) {
+  if (!sound_) {
+    return;
+  }
+  sound_->follow(playback.audio_cue());
+  for (const std::string& problem : sound_->take_problems()) {
+    tell(spdlog::level::warn, problem);
+  }
+}
+
+void PlayerServices::post(PlayerStatus status) { board_.post(std::move(status)); }
+
+std::optional<ShowReload::Result> PlayerServices::reloaded(bool now) {
+  if (!reload_) {
+    return std::nullopt;
+  }
+  return now ? std::optional(reload_->reload()) : reload_->poll(steady_time());
+}
+
+void PlayerServices::tell(spdlog::level::level_enum level, const std::string& message) {
+  if (!message.empty() && message != told_) {
+    log_->log(level, "{}", message);
+  }
+  told_ = message;
+}
+
+}  // namespace ergodome

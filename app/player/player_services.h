@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/exhibit/log_file.h"
+#include "app/playback/audio_player.h"
+#include "app/playback/midi_clock_input.h"
+#include "app/playback/playback.h"
+#include "app/playback/show_reload.h"
+#include "app/remote/log_ring.h"
+#include "app/remote/remote_control.h"
+
+namespace ergodome {
+
+struct ServiceOptions {
+  RemoteOptions remote;
+  std::string clock = "own";  //!< "mtc", "mtc:PORT" or "osc": what the show's time follows
+  bool sound = true;
+  double sound_later_s = 0.0;      //!< for displays that take their time
+  std::filesystem::path log_file;  //!< empty: none
+  bool log_on_terminal = true;
+};
+
+//! What a running show has beside its pictures: sound, a clock from outside, remote control, a log, and an eye on its file.
+class PlayerServices {
+ public:
+  //! Throws Error where a port is in use or a clock's input is missing.
+  PlayerServices(const ServiceOptions& options, const Show& show);
+
+  //! Another show, or another version of it. `watched`: its file is looked at, to be read again when it changes.
+  void set_show(const Show& show, ShowReload::Loader load);
+
+  //! Makes the session's clock follow what the options say.
+  void drive(Playback& playback) const { playback.follow(clock_); }
+
+  //! What OSC and the page asked for since the last call.
+  [[nodiscard]] std::vector<TransportCommand> commands();
+
+  //! Once a frame: sound goes where the show is.
+  void follow(const Playback& playback);
+  void post(PlayerStatus status);
+
+  //! A version of the show's file that was saved since the last call, or why there is none; `now` reads it, changed or not.
+  [[nodiscard]] std::optional<ShowReload::Result> reloaded(bool now);
+
+  //! Writes a line to the log, unless it is the one that was written last.
+  void tell(spdlog::level::level_enum level, const std::string& message);
+
+ private:
+  std::shared_ptr<LogRing> ring_;
+  std::shared_ptr<spdlog::logger> log_;
+  std::string told_;
+  CommandQueue queue_;
+  StatusBoard board_;
+  std::shared_ptr<ExternalClock> clock_;  //!< none: the show's own
+  std::unique_ptr<MidiClockInput> midi_;
+  std::unique_ptr<AudioPlayer> sound_;
+  std::unique_ptr<ShowReload> reload_;
+  std::unique_ptr<RemoteControl> remote_;  //!< last: its threads use what stands above
+};
+
+}  // namespace ergodome

@@ -1,0 +1,303 @@
+#include "app/player/player_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/stereo_controls.h"
+#include "content/animated_show.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double message_s = 4.0;
+constexpr double wheel_zoom = 0.1;  //!< logarithm of the field of view for a step
+constexpr double narrowest_deg = 0.01;
+constexpr double widest_screen_deg = 170.0;
+constexpr double widest_dome_deg = 360.0;
+
+bool same_pose(const CameraPose& a, const CameraPose& b) {
+  return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
+}
+
+bool same_observer(const ObserverView& a, const ObserverView& b) {
+  return a.motion == b.motion && a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y &&
+         a.velocity.z == b.velocity.z;
+}
+
+//! Whether two frames want the same picture. The display's light is no matter of pictures.
+bool same_picture(const PlayerFrame& a, const PlayerFrame& b) {
+  return a.time_s == b.time_s && same_pose(a.pose, b.pose) && same_observer(a.observer, b.observer) &&
+         a.mode == b.mode && a.field_of_view_deg == b.field_of_view_deg && a.path_time_s == b.path_time_s &&
+         a.stereo == b.stereo && a.exposure_stops == b.exposure_stops && a.language == b.language &&
+         a.captions == b.captions;
+}
+
+bool does_something(const Steering& steering) { return steering != Steering(); }
+
+//! Whether the camera is to go anywhere, or to turn.
+bool steers(Steering steering) {
+  steering.zoom = 0.0;
+  steering.faster = 0.0;
+  return steering != Steering();
+}
+
+}  // namespace
+
+PlayerSession::PlayerSession(const Show& show, SessionOptions options)
+    : options_(std::move(options)),
+      show_(show),
+      show_now_(show_at(show, 0.0)),
+      playback_(show, {.language = options_.language, .source = options_.source}),
+      stereo_(show.stereo) {
+  navigator_.emplace(show_now_);
+  if (options_.free_flight) {
+    navigator_->leave_path();
+  }
+  look(0.0);
+}
+
+void PlayerSession::set_show(const Show& show) {
+  const bool was_flying = flying();
+  show_ = show;
+  show_now_ = show_at(show, show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0);
+  stereo_ = show.stereo;
+  convergence_.reset();
+  playback_.set_show(show);
+  navigator_.emplace(show_now_);
+  if (was_flying) {
+    navigator_->leave_path();
+  }
+  changed_ = true;
+  begun_ = false;
+}
+
+void PlayerSession::advance(const PlayerInput& input) {
+  const double before_s = now_s();
+  playback_.advance();
+  for (const TransportCommand& command : input.commands) {
+    apply(command);
+  }
+  for (const KeyAction action : input.actions) {
+    press(action);
+  }
+  if (!input.actions.empty() || does_something(input.steering.rates) || does_something(input.steering.amounts)) {
+    touched_s_ = now_s();
+  }
+  playback_.advance();
+  const double seconds = std::max(now_s() - before_s, 0.0);
+  navigate(input, seconds);
+  const PlayerFrame before = std::exchange(frame_, {});
+  look(seconds);
+  changed_ = !begun_ || !same_picture(before, frame_);
+  begun_ = true;
+  if (recorder_) {
+    recorder_->note(now_s(), frame_.pose);
+  }
+}
+
+void PlayerSession::navigate(const PlayerInput& input, double seconds) {
+  // A show that stands still does not change, however long its clock runs.
+  const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
+  animate(show_now_, time_s);
+  zoom_steps_ += input.steering.amounts.zoom + 5.0 * seconds * std::clamp(input.steering.rates.zoom, -1.0, 1.0);
+  zoom_steps_ = std::clamp(zoom_steps_, -100.0, 150.0);
+  if (steers(input.steering.rates) || steers(input.steering.amounts)) {
+    navigator_->leave_path();
+  }
+  navigator_->set_spin(show_now_.spin);
+  navigator_->advance(seconds, input.steering, camera_pose(show_, time_s));
+}
+
+void PlayerSession::look(double seconds) {
+  const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
+  const std::string& language = playback_.language();
+  // Off its path only numbers that change tell one time of a show from another.
+  frame_.time_s = flying() && show_.timeline.animations.empty() ? 0.0 : time_s;
+  frame_.pose = navigator_->pose();
+  if (!flying()) {
+    frame_.path_time_s = time_s;
+  }
+  const ObserverView wanted = observer_view(observer_, show_.camera, navigator_->own_observer(language), show_now_.spin,
+                                            frame_.pose.r, frame_.pose.theta, language);
+  frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
+  if (!flying() && observer_ == ObserverMode::natural) {
+    // Baked lenses are the show's observer's, who need not be told.
+    frame_.observer.motion = show_.camera.motion;
+    frame_.observer.velocity = show_.camera.velocity;
+  }
+  frame_.mode = mode_;
+  frame_.field_of_view_deg = field_of_view_deg();
+  frame_.stereo = stereo_now();
+  frame_.exposure_stops = playback_.exposure_stops();
+  frame_.language = language;
+  frame_.captions = playback_.captions();
+  frame_.light = playback_.light();
+}
+
+double PlayerSession::field_of_view_deg() const {
+  const double widest = show_.view.projection == ViewProjection::pinhole ? widest_screen_deg : widest_dome_deg;
+  return std::clamp(show_now_.view.field_of_view_deg * std::exp(-wheel_zoom * zoom_steps_), narrowest_deg,
+                    std::max(widest, show_now_.view.field_of_view_deg));
+}
+
+StereoSettings PlayerSession::stereo_now() const {
+  StereoSettings stereo = stereo_;
+  stereo.baseline = playback_.baseline().value_or(show_now_.stereo.baseline);
+  stereo.convergence = convergence_.value_or(show_now_.stereo.convergence);
+  return stereo;
+}
+
+bool PlayerSession::moving() const {
+  return changed_ || navigator_->moved() || (!flying() && playback_.instant().playing && show_.duration_s > 0.0);
+}
+
+void PlayerSession::apply(const TransportCommand& command) {
+  switch (playback_.apply(command)) {
+    case CommandOutcome::refused:
+      say(playback_.refusal());
+      return;
+    case CommandOutcome::done:
+      if (command.kind == TransportCommand::Kind::next_language) {
+        say(playback_.language());
+      }
+      return;
+    case CommandOutcome::elsewhere:
+      break;
+  }
+  switch (command.kind) {
+    case TransportCommand::Kind::free_flight:
+      navigator_->leave_path();
+      break;
+    case TransportCommand::Kind::return_to_path:
+      navigator_->return_to_path();
+      break;
+    case TransportCommand::Kind::reset:
+      convergence_.reset();
+      stereo_ = show_.stereo;
+      zoom_steps_ = 0.0;
+      observer_ = ObserverMode::natural;
+      mode_ = ViewMode::sky;
+      if (flying()) {
+        navigator_->reset();
+      }
+      break;
+    case TransportCommand::Kind::reload:
+      requests_.push_back(KeyAction::reload);
+      break;
+    default:
+      break;
+  }
+}
+
+void PlayerSession::press(KeyAction action) {
+  PlayerStatus status;
+  fill(status);
+  if (action == KeyAction::reload) {
+    requests_.push_back(action);
+  } else if (action == KeyAction::captions) {
+    apply({TransportCommand::Kind::captions, playback_.captions() ? 0.0 : 1.0, {}});
+  } else if (const auto command = transport_command(action, status)) {
+    apply(*command);
+  } else {
+    press_view(action);
+  }
+}
+
+void PlayerSession::press_view(KeyAction action) {
+  const std::string& language = playback_.language();
+  switch (action) {
+    case KeyAction::quit:
+    case KeyAction::full_screen:
+    case KeyAction::leave_exhibit:
+      requests_.push_back(action);
+      break;
+    case KeyAction::help:
+      help_shown_ = !help_shown_;
+      break;
+    case KeyAction::times:
+      times_shown_ = !times_shown_;
+      changed_ = true;
+      break;
+    case KeyAction::next_view:
+      mode_ = static_cast<ViewMode>((static_cast<int>(mode_) + 1) % 6);
+      break;
+    case KeyAction::next_flight_mode:
+      navigator_->next_mode();
+      say(std::string(navigator_->mode_name(language)));
+      break;
+    case KeyAction::reverse_orbit:
+      navigator_->reverse_orbit();
+      break;
+    case KeyAction::next_observer:
+      observer_ = next_observer(observer_);
+      break;
+    default:
+      adjust_stereo(action);
+      break;
+  }
+}
+
+void PlayerSession::adjust_stereo(KeyAction action) {
+  if (options_.one_eye) {
+    return;
+  }
+  const StereoSettings before = stereo_now();
+  const StereoSettings after = adjusted(before, action, show_now_.stereo, frame_.pose.r);
+  if (action == KeyAction::baseline_reset) {
+    apply({TransportCommand::Kind::baseline, show_now_.stereo.baseline, {}});
+    convergence_.reset();
+  } else if (after.baseline != before.baseline) {
+    apply({TransportCommand::Kind::baseline, after.baseline, {}});
+  }
+  if (after.convergence != before.convergence && action != KeyAction::baseline_reset) {
+    convergence_ = after.convergence;
+  }
+  stereo_ = after;
+}
+
+std::vector<KeyAction> PlayerSession::take_requests() { return std::exchange(requests_, {}); }
+
+void PlayerSession::say(std::string message) {
+  message_ = std::move(message);
+  message_until_s_ = now_s() + message_s;
+}
+
+std::string PlayerSession::caption() const {
+  std::string text;
+  if (flying()) {
+    text = fmt::format("{}: {}", navigator_->mode_name(playback_.language()), frame_.observer.sentence);
+  } else if (observer_ != ObserverMode::natural) {
+    text = frame_.observer.sentence;
+  }
+  if (now_s() < message_until_s_) {
+    text += (text.empty() ? "" : "\n") + message_;
+  }
+  return text;
+}
+
+void PlayerSession::record() { recorder_.emplace(); }
+
+std::optional<Show> PlayerSession::recorded(const std::string& title) const {
+  if (!recorder_ || recorder_->empty()) {
+    return std::nullopt;
+  }
+  Show scene = show_now_;
+  scene.stereo = frame_.stereo;
+  scene.camera.motion = frame_.observer.motion;
+  scene.camera.velocity = frame_.observer.velocity;
+  return recorded_show(scene, recorder_->keys(scene), title);
+}
+
+void PlayerSession::fill(PlayerStatus& status) const {
+  playback_.fill(status);
+  status.free_flight = flying();
+  status.observer = frame_.observer.sentence;
+  status.stereo = eye_count(stereo_) > 1;
+  status.baseline = stereo_now().baseline;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/navigation/actions.h"
+#include "app/navigation/navigator.h"
+#include "app/navigation/observer_mode.h"
+#include "app/playback/playback.h"
+#include "app/player/flight_recorder.h"
+#include "app/player/player_frame.h"
+
+namespace ergodome {
+
+//! What people did since the last frame.
+struct PlayerInput {
+  SteeringInput steering;
+  std::vector<KeyAction> actions;          //!< of keys, pads and the mouse
+  std::vector<TransportCommand> commands;  //!< of OSC and of the page
+};
+
+struct SessionOptions {
+  bool free_flight = false;
+  std::string language;  //!< empty: the show's own
+  bool one_eye = false;  //!< what is shown is the head's picture: eyes cannot be changed
+  TimeSource source = steady_time;
+};
+
+//! A show that is playing, or is flown through: all of the player but its windows, its threads and its pictures.
+class PlayerSession {
+ public:
+  PlayerSession(const Show& show, SessionOptions options);
+
+  //! Goes on with another version of the show: time and what was set stay; a camera in free flight starts anew.
+  void set_show(const Show& show);
+
+  //! Once a frame.
+  void advance(const PlayerInput& input);
+
+  [[nodiscard]] const PlayerFrame& frame() const { return frame_; }
+  //! Whether the last `advance` called for another picture than the one before.
+  [[nodiscard]] bool changed() const { return changed_; }
+  //! Whether it will change again at once.
+  [[nodiscard]] bool moving() const;
+  [[nodiscard]] bool flying() const { return navigator_->course() != Navigator::Course::path; }
+  //! When anybody did something last: by the clock of the options [s].
+  [[nodiscard]] double touched_s() const { return touched_s_; }
+  [[nodiscard]] double now_s() const { return seconds_of(playback_.instant().now); }
+
+  //! Calls for the picture once more: its renderer is another one.
+  void show_again() { begun_ = false; }
+  //! A stereo layout in place of the show's.
+  void use_layout(StereoLayout layout) { stereo_.layout = layout; }
+
+  //! What was asked for and is not the session's matter, since the last call: quit, full_screen, reload, leave_exhibit.
+  [[nodiscard]] std::vector<KeyAction> take_requests();
+
+  [[nodiscard]] bool help_shown() const { return help_shown_; }
+  [[nodiscard]] bool times_shown() const { return times_shown_; }
+  void show_times(bool shown) { times_shown_ = shown; }
+  //! Lines about the way of flying and who looks, and what was changed last; empty on the show's path a while after.
+  [[nodiscard]] std::string caption() const;
+
+  //! From now on the flight is written down; what was so far is forgotten.
+  void record();
+  //! The flight as a show; nothing while there is none.
+  [[nodiscard]] std::optional<Show> recorded(const std::string& title) const;
+  [[nodiscard]] bool recording_full() const { return recorder_ && recorder_->full(); }
+
+  void fill(PlayerStatus& status) const;
+  [[nodiscard]] Playback& playback() { return playback_; }
+  [[nodiscard]] const Playback& playback() const { return playback_; }
+  [[nodiscard]] const Show& show() const { return show_; }
+
+ private:
+  void apply(const TransportCommand& command);
+  void press(KeyAction action);
+  void press_view(KeyAction action);
+  void adjust_stereo(KeyAction action);
+  void navigate(const PlayerInput& input, double seconds);
+  void look(double seconds);
+  void say(std::string message);
+  [[nodiscard]] StereoSettings stereo_now() const;
+  [[nodiscard]] double field_of_view_deg() const;
+
+  SessionOptions options_;
+  Show show_;      //!< as its file has it
+  Show show_now_;  //!< with its numbers as they are now
+  Playback playback_;
+  std::optional<Navigator> navigator_;
+  ObserverMode observer_ = ObserverMode::natural;
+  ObserverFade observer_fade_;
+  std::optional<FlightRecorder> recorder_;
+
+  ViewMode mode_ = ViewMode::sky;
+  double zoom_steps_ = 0.0;
+  StereoSettings stereo_;              //!< as a person set it, but for the next two
+  std::optional<double> convergence_;  //!< in place of the show's [M]
+  bool help_shown_ = false;
+  bool times_shown_ = false;
+  std::string message_;
+  double message_until_s_ = -1.0;
+
+  PlayerFrame frame_;
+  bool begun_ = false;
+  bool changed_ = true;
+  double touched_s_ = -1e300;
+  std::vector<KeyAction> requests_;
+};
+
+}  // namespace ergodome
