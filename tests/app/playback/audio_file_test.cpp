@@ -32,7 +32,8 @@ double heard_burst_s(const std::filesystem::path& path) {
   EXPECT_TRUE(file.read(file.rate_hz(), false, samples));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (std::abs(samples[i]) > 0.1F) {
-      return 1.0 + static_cast<double>(i / static_cast<std::size_t>(file.channels())) / file.rate_hz();
+      const std::size_t frame = i / static_cast<std::size_t>(file.channels());
+      return 1.0 + static_cast<double>(frame) / file.rate_hz();
     }
   }
   return 0.0;
@@ -98,12 +99,13 @@ TEST_F(AudioFiles, ThatAreCutOffSayEitherSoAtOnceOrWhenTheyEnd) {
 
 TEST_F(AudioFiles, ThatAreNoSoundAreErrorsWithARemedy) {
   std::ofstream(folder_ / "text.wav") << "this is not a sound";
-  std::ofstream(folder_ / "empty.wav");
-  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "text.wav"); }), testing::HasSubstr("is no sound file"));
-  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "text.wav"); }), testing::HasSubstr("give a WAV, FLAC, Ogg or MP3"));
-  EXPECT_NE(error_of([&] { AudioFile(folder_ / "empty.wav"); }), "");
-  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "none.wav"); }), testing::HasSubstr("is not a file"));
-  EXPECT_THAT(error_of([&] { AudioFile{folder_}; }), testing::HasSubstr("is not a file"));
+  std::ofstream(folder_ / "empty.wav") << "";
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "text.wav"); }), testing::HasSubstr("is no sound file"));
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "text.wav"); }),
+              testing::HasSubstr("give a WAV, FLAC, Ogg or MP3"));
+  EXPECT_NE(error_of([&] { const AudioFile file(folder_ / "empty.wav"); }), "");
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "none.wav"); }), testing::HasSubstr("is not a file"));
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_); }), testing::HasSubstr("is not a file"));
 }
 
 TEST_F(AudioFiles, OfTooManyChannelsOrOfNoLengthAreErrors) {
@@ -111,9 +113,10 @@ TEST_F(AudioFiles, OfTooManyChannelsOrOfNoLengthAreErrors) {
   test::write_sound(folder_ / "many.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 9, 0.01}, silence);
   test::write_sound(folder_ / "slow.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 4000, 1, 0.01}, silence);
   test::write_sound(folder_ / "short.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1, 0.0}, silence);
-  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "many.wav"); }), testing::HasSubstr("has 9 channels"));
-  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "slow.wav"); }), testing::HasSubstr("4000 samples a second"));
-  EXPECT_THAT(error_of([&] { AudioFile(folder_ / "short.wav"); }), testing::HasSubstr("has no length"));
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "many.wav"); }), testing::HasSubstr("has 9 channels"));
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "slow.wav"); }),
+              testing::HasSubstr("4000 samples a second"));
+  EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "short.wav"); }), testing::HasSubstr("has no length"));
 }
 
 }  // namespace

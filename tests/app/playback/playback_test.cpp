@@ -218,14 +218,6 @@ TEST_F(TransportCommands, AnotherVersionOfTheShowKeepsWhatWasSet) {
   EXPECT_EQ(status().duration_s, 90.0);
 }
 
-TEST(LocalText, TheWiderLanguageStandsInForOne) {
-  const LocalText text = {{"de", "Loch"}, {"en", "hole"}};
-  EXPECT_EQ(text_in(text, "de-AT"), "Loch");
-  EXPECT_EQ(text_in(text, "fr"), "hole");
-  EXPECT_EQ(text_in({{"it", "buco"}}, "fr"), "buco");
-  EXPECT_EQ(text_in({}, "fr"), "");
-}
-
 TEST(PlaybackLanguage, APersonsChoiceComesFirstAndItsWiderLanguageNext) {
   FakeTime time;
   EXPECT_EQ(Playback(show_with_chapters(), {"fr", 1s, time.source()}).language(), "fr");
