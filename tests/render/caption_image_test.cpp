@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "render/overlay/overlay_image.h"
 #include "tests/support/folder_test.h"
@@ -53,6 +54,18 @@ TEST(Captions, ReplaceWhatIsNotUtf8) {
 
 TEST(Captions, LeaveOutControlCharacters) {
   EXPECT_EQ(caption("a\x1b\r\x07z").image.texels, caption("az").image.texels);
+}
+
+TEST(Captions, TakeAnyBytes) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 60; ++i) {
+    std::string bytes;
+    for (unsigned k = 0; k < 5U + random() % 60U; ++k) {
+      bytes.push_back(static_cast<char>(random() % 256U));
+    }
+    const CaptionImage words = set_caption(bytes, {8, static_cast<double>(random() % 300U)});
+    EXPECT_EQ(words.image.texels.empty(), words.image.width == 0);
+  }
 }
 
 TEST(Captions, OfNothingToSeeAreNone) {

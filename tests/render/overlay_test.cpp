@@ -492,16 +492,6 @@ TEST_F(Overlays, BehindTheDomeAreWhereThePictureHasTheSky) {
   }
 }
 
-TEST(TextIn, TakesTheLanguageOrWhatComesNearest) {
-  const LocalText text = {{"de", "Hallo"}, {"en", "Hello"}, {"fr", "Bonjour"}};
-  EXPECT_EQ(text_in(text, "fr"), "Bonjour");
-  EXPECT_EQ(text_in(text, "de-AT"), "Hallo");
-  EXPECT_EQ(text_in(text, "it"), "Hello");
-  EXPECT_EQ(text_in({{"", "plain"}, {"en", "Hello"}}, "it"), "plain");
-  EXPECT_EQ(text_in({{"ja", "こんにちは"}}, "it"), "こんにちは");
-  EXPECT_EQ(text_in({}, "it"), "");
-}
-
 TEST_F(Overlays, AreSetInTheLanguageThatIsChosen) {
   Caption caption = caption_of("");
   caption.text = {{"en", "A"}, {"de", "Ein sehr viel längerer Text"}};
