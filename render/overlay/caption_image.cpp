@@ -65,15 +65,14 @@ Held<PangoFontDescription> font_of(PangoContext* context, int line_px) {
 
 //! Lines as Pango lays them out. Letters' places do not hang on the size: no hints.
 struct Lines {
-  Owned<PangoFontMap> fonts;
   Owned<PangoContext> context;
   Owned<PangoLayout> layout;
 };
 
 Lines lay_out(const std::string& text, const CaptionType& type) {
   Lines lines;
-  lines.fonts.reset(pango_cairo_font_map_new());
-  lines.context.reset(pango_font_map_create_context(lines.fonts.get()));
+  // The thread's own fonts, which Pango keeps: they are opened once.
+  lines.context.reset(pango_font_map_create_context(pango_cairo_font_map_get_default()));
   const Held<cairo_font_options_t> options(cairo_font_options_create());
   cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);

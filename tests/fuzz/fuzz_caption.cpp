@@ -1,0 +1,15 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "render/overlay/caption_image.h"
+
+// The first byte chooses where lines are broken, the rest is the text.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) {
+    return 0;
+  }
+  const std::string text(data + 1, data + size);
+  ergodome::set_caption(text, {8, 4.0 * data[0]});
+  return 0;
+}
