@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,11 +14,8 @@
 
 namespace ergodome::test {
 
-inline std::filesystem::path fixture_path(const std::string& name) {
-  return std::filesystem::path(ERGODOME_TEST_DATA_DIR) / "hid" / (name + ".toml");
-}
-
-inline HidFixture fixture(const std::string& name) { return load_hid_fixture(fixture_path(name)); }
+//! A fixture of tests/data/hid, by its name.
+HidFixture fixture(const std::string& name);
 
 //! A profile that shows what a decoder reads: no dead zones, straight curves.
 inline PadProfile straight_profile() {
