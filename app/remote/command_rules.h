@@ -47,8 +47,8 @@ TransportCommand checked_command(const CommandRule& rule, const CommandArgument&
 //! A number held to bounds; throws Error where it is NaN, infinite or outside.
 double checked_number(std::string_view place, double number, double least, double greatest);
 
-//! Greatest distance of show times from zero [s]: three hundred years.
-inline constexpr double greatest_show_time_s = 1e10;
+//! Greatest distance of show times from zero [s]: beyond it the show's clock has none.
+inline constexpr double greatest_show_time_s = 4e9;
 //! Greatest speed, forwards and backwards.
 inline constexpr double greatest_speed = 100.0;
 

@@ -148,14 +148,16 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
     throw Error("clock", "the player does not follow a clock", "start it so that it does");
   }
   expect_at_most(message, 2);
-  MasterTime fix;
-  fix.show_time_s = number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s);
+  ClockFix fix;
+  fix.show_time = show_time(number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s));
   if (message.arguments.size() == 2) {
     fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
   }
   // A bundle's time says when its word was right, be that before or after now.
   const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
-  fix.at = after(now.steady, checked_number("clock: time of the bundle", ahead_s, -longest_wait_s, longest_wait_s));
+  const steady_clock::time_point right_at =
+      after(now.steady, checked_number("clock: time of the bundle", ahead_s, -longest_wait_s, longest_wait_s));
+  fix.received = right_at.time_since_epoch();
   clock_(fix);
 }
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "app/playback/external_clock.h"
 #include "app/playback/transport.h"
-#include "app/remote/master_time.h"
 #include "app/remote/net_address.h"
 #include "app/remote/osc_message.h"
 #include "app/remote/rate_limit.h"
@@ -15,7 +15,7 @@
 namespace ergodome {
 
 //! What a master clock's word is given to; called on the remote control's thread.
-using ClockListener = std::function<void(const MasterTime&)>;
+using ClockListener = std::function<void(const ClockFix&)>;
 
 //! The same instant by the clock that never jumps and by the time of day.
 struct OscInstant {

@@ -30,8 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ergodome::CommandQueue commands;
   ergodome::StatusBoard board;
   board.post(show_with_chapters());
-  ergodome::OscHandler handler(commands, board, [](const ergodome::MasterTime& fix) {
-    expect_finite(fix.show_time_s);
+  ergodome::OscHandler handler(commands, board, [](const ergodome::ClockFix& fix) {
+    expect_finite(ergodome::seconds_of(fix.show_time));
     expect_finite(fix.speed);
   });
   const ergodome::OscInstant now = {std::chrono::steady_clock::time_point(std::chrono::seconds(1)),

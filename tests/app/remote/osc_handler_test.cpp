@@ -143,11 +143,11 @@ TEST_F(Osc, AMasterClockIsHeard) {
   receive(packet_of("/ergodome/clock", "df", 13.0, 0.5));
   receive(bundle_of(in_seconds(-0.5), {packet_of("/ergodome/clock", "d", 20.0)}));
   ASSERT_EQ(fixes_.size(), 3U);
-  EXPECT_EQ(fixes_[0].show_time_s, 12.25);
+  EXPECT_EQ(fixes_[0].show_time, milliseconds(12'250));
   EXPECT_EQ(fixes_[0].speed, 1.0);
-  EXPECT_EQ(fixes_[0].at, now_.steady);
+  EXPECT_EQ(fixes_[0].received, now_.steady.time_since_epoch());
   EXPECT_EQ(fixes_[1].speed, 0.5);
-  EXPECT_EQ(fixes_[2].at, now_.steady - milliseconds(500));
+  EXPECT_EQ(fixes_[2].received, (now_.steady - milliseconds(500)).time_since_epoch());
 }
 
 TEST_F(Osc, AClockThatNobodyFollowsIsRefused) {
