@@ -64,7 +64,7 @@ std::string checked_web_token(const std::string& token, const std::string& place
 std::string web_token_in(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
-    const std::string token = new_web_token();
+    std::string token = new_web_token();
     write_privately(file, token + "\n");
     return token;
   }
