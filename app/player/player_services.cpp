@@ -43,10 +43,9 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     sound_ = std::make_unique<AudioPlayer>(options.sound_later_s);
     sound_->set_soundtrack(soundtrack_of(show));
   }
-  const auto listener = [clock = options.clock == "osc" ? clock_ : nullptr](const MasterTime& heard) {
+  const auto listener = [clock = options.clock == "osc" ? clock_ : nullptr](const ClockFix& fix) {
     if (clock) {
-      clock->post({show_time(heard.show_time_s), heard.speed,
-                   std::chrono::duration_cast<MonotonicTime>(heard.at.time_since_epoch())});
+      clock->post(fix);
     }
   };
   remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, listener);

@@ -56,8 +56,8 @@ class Osc : public testing::Test {
 
   CommandQueue commands_;
   StatusBoard board_;
-  std::vector<MasterTime> fixes_;
-  OscHandler handler_{commands_, board_, [this](const MasterTime& fix) { fixes_.push_back(fix); }};
+  std::vector<ClockFix> fixes_;
+  OscHandler handler_{commands_, board_, [this](const ClockFix& fix) { fixes_.push_back(fix); }};
   NetAddress sender_ = *NetAddress::parse("127.0.0.1", 5000);
   OscInstant now_ = {steady_clock::time_point(seconds(1000)), OscTime{3'900'000'000U} << 32U};
 };
