@@ -27,7 +27,6 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
     }
   }
   auto log = std::make_shared<spdlog::logger>("ergodome", sinks.begin(), sinks.end());
-  log->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
   log->flush_on(spdlog::level::info);
   // A disk that fills up must not stop a show; whatever sink fails, the others go on.
   log->set_error_handler([](const std::string&) {});

@@ -1,6 +1,7 @@
 #include "app/player/player_screen.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "app/setup_show.h"
 #include "render/output/image_writer.h"
@@ -13,6 +14,22 @@ namespace {
 constexpr int widest_px = 1600;
 constexpr int highest_px = 1000;
 constexpr int beside_projectors_px = 700;
+
+//! The largest letters of one width with which a text fits into a window.
+int fitting_px(const std::string& text, int width, int height) {
+  constexpr double letter_width = 0.61;
+  constexpr double line_height = 1.5;
+  std::stringstream lines(text);
+  std::size_t longest = 1;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto letters = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    longest = std::max(longest, static_cast<std::size_t>(letters));
+  }
+  const double by_width = width / (letter_width * static_cast<double>(longest) + 1.0);
+  const double by_height = height / (line_height * count + 1.0);
+  return std::max(static_cast<int>(std::min(by_width, by_height)), 6);
+}
 
 }  // namespace
 
@@ -56,10 +73,8 @@ void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
     window_.framebuffer_size(width, height);
     // Help, in the middle, has columns, and is as large as the window lets it.
     const bool help = place == PanelPlace::middle;
-    const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
     const int usual_px = std::clamp(std::min(width, height) / 50, 11, 36);
-    const int fitting_px = std::max(2 * height / (3 * lines + 3), 6);
-    panel.panel.set(text, help ? std::min(usual_px, fitting_px) : usual_px,
+    panel.panel.set(text, help ? std::min(usual_px, fitting_px(text, width, height)) : usual_px,
                     help ? TextFace::monospaced : TextFace::proportional);
   }
 }

@@ -18,7 +18,7 @@ enum class TextFace { proportional, monospaced };
 //! A line of text, cut out close around it; empty where no font is installed.
 TextImage text_image(const std::string& text, int font_px);
 
-//! Lines of text one below the other on common lines, with some room about them; empty where no font is installed.
+//! Lines of any UTF-8 text one below the other, with some room about them; empty where there is nothing to see or no font.
 TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional);
 
 }  // namespace ergodome

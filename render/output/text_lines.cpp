@@ -1,0 +1,58 @@
+#include <pango/pangocairo.h>
+
+#include <memory>
+
+#include "render/output/text_image.h"
+
+namespace ergodome {
+
+namespace {
+
+struct Free {
+  void operator()(cairo_t* context) const noexcept { cairo_destroy(context); }
+  void operator()(cairo_surface_t* surface) const noexcept { cairo_surface_destroy(surface); }
+  void operator()(PangoFontDescription* font) const noexcept { pango_font_description_free(font); }
+  void operator()(PangoContext* context) const noexcept { g_object_unref(context); }
+  void operator()(PangoLayout* layout) const noexcept { g_object_unref(layout); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Free>;
+
+constexpr int longest_px = 8192;
+
+}  // namespace
+
+TextImage text_lines_image(const std::string& text, int font_px, TextFace face) {
+  const Owned<PangoContext> context(pango_font_map_create_context(pango_cairo_font_map_get_default()));
+  const Owned<PangoLayout> layout(pango_layout_new(context.get()));
+  const Owned<PangoFontDescription> font(
+      pango_font_description_from_string(face == TextFace::monospaced ? "DejaVu Sans Mono" : "DejaVu Sans"));
+  pango_font_description_set_absolute_size(font.get(), static_cast<double>(font_px) * PANGO_SCALE);
+  pango_layout_set_font_description(layout.get(), font.get());
+  pango_layout_set_spacing(layout.get(), font_px * PANGO_SCALE / 4);
+  pango_layout_set_text(layout.get(), text.c_str(), -1);
+  int width = 0;
+  int height = 0;
+  pango_layout_get_pixel_size(layout.get(), &width, &height);
+  const int margin_px = font_px / 2;
+  if (text.empty() || width <= 0 || width > longest_px || height > longest_px) {
+    return {};
+  }
+  TextImage image{width + 2 * margin_px, height + 2 * margin_px, {}};
+  const Owned<cairo_surface_t> surface(cairo_image_surface_create(CAIRO_FORMAT_A8, image.width, image.height));
+  const Owned<cairo_t> drawing(cairo_create(surface.get()));
+  cairo_move_to(drawing.get(), margin_px, margin_px);
+  pango_cairo_show_layout(drawing.get(), layout.get());
+  cairo_surface_flush(surface.get());
+  const unsigned char* const rows = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  image.coverage.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      image.coverage.push_back(static_cast<float>(rows[static_cast<std::ptrdiff_t>(y) * stride + x]) / 255.0F);
+    }
+  }
+  return image;
+}
+
+}  // namespace ergodome
