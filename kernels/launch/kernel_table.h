@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/image/shade_pixels.h"
+#include "kernels/image/warp_pixels.h"
 #include "kernels/launch/instruction_set.h"
 #include "kernels/lens/blend_check.h"
 #include "kernels/lens/grid_build.h"
@@ -45,6 +46,9 @@ struct KernelTable {
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
+  void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< a tile an index
+  void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< the same
+  void (*warp_pixels)(const WarpBatch& batch, int begin, int end);       //!< a group an index
 };
 
 //! The kernels compiled for an instruction set that `has_instruction_set` affirms.

@@ -200,4 +200,23 @@ void draw_overlay(Backend backend, const OverlayBatch& batch) {
   run_on_cpu(active_table().draw_overlay, batch, batch.count, active_table().lanes_float);
 }
 
+void tone_tiles(const ToneBatch& batch) {
+  static WorkCounter counter("tone_tiles");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().tone_tiles, batch, batch.count, 1, grid_grain);
+}
+
+void average_tiles(const AverageBatch& batch) {
+  static WorkCounter counter("average_tiles");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().average_tiles, batch, batch.count, 1, grid_grain);
+}
+
+void warp_pixels(const WarpBatch& batch) {
+  const int groups = warp_groups(batch.width_px) * batch.height_px;
+  static WorkCounter counter("warp_pixels");
+  const WorkScope work(counter, static_cast<long>(batch.width_px) * batch.height_px);
+  run_on_cpu(active_table().warp_pixels, batch, groups, 1, 16 * grain);
+}
+
 }  // namespace ergodome

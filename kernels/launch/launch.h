@@ -68,4 +68,9 @@ void shade_pixels(Backend backend, const ShadeBatch& batch);
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);
 
+//! Makes a master's light for projectors, its averages, and what a projector is sent of it, on the processor; see the batches.
+void tone_tiles(const ToneBatch& batch);
+void average_tiles(const AverageBatch& batch);
+void warp_pixels(const WarpBatch& batch);
+
 }  // namespace ergodome

@@ -2,6 +2,7 @@
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/own_shading.h"
+#include "kernels/launch/own_warping.h"
 #include "kernels/lens/blend_check_kernel.h"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
@@ -89,6 +90,9 @@ const KernelTable& own_kernel_table() {
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
       &run<DrawOverlay<WidePack<float>>, OverlayBatch>,
+      &tone_tiles,
+      &average_tiles,
+      &warp_pixels,
   };
   return table;
 }

@@ -1,39 +1,68 @@
 #include "render/present/headless_projectors.h"
 
+#include "kernels/core/error.h"
+#include "render/present/gl_program.h"
 #include "render/present/headless_context.h"
 #include "render/present/offscreen_frame.h"
 #include "render/present/projector_drawing.h"
 
 namespace ergodome {
 
-struct HeadlessProjectors::State {
+struct HeadlessProjectors::OpenGl {
   // The context outlives all that was made in it.
   HeadlessContext context;
   Presenter presenter;
   DisplayLight light;
   std::vector<std::unique_ptr<ProjectorDrawing>> outputs;
   std::vector<std::unique_ptr<OffscreenFrame>> frames;
+
+  explicit OpenGl(const std::vector<ProjectorPicture>& pictures) {
+    for (const ProjectorPicture& picture : pictures) {
+      outputs.push_back(std::make_unique<ProjectorDrawing>(picture));
+      frames.push_back(std::make_unique<OffscreenFrame>(picture.width_px, picture.height_px));
+    }
+  }
 };
 
-HeadlessProjectors::HeadlessProjectors(const std::vector<ProjectorPicture>& pictures)
-    : state_(std::make_unique<State>()) {
-  for (const ProjectorPicture& picture : pictures) {
-    state_->outputs.push_back(std::make_unique<ProjectorDrawing>(picture));
-    state_->frames.push_back(std::make_unique<OffscreenFrame>(picture.width_px, picture.height_px));
+namespace {
+
+//! Whether OpenGL without a display is there, and a GPU draws it.
+bool has_gpu() {
+  try {
+    const HeadlessContext context;
+    return !draws_in_software();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+HeadlessProjectors::HeadlessProjectors(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer) {
+  if (drawer == ProjectorDrawer::opengl || (drawer == ProjectorDrawer::automatic && has_gpu())) {
+    opengl_ = std::make_unique<OpenGl>(pictures);
+  } else {
+    software_ = std::make_unique<SoftwareProjectors>(pictures);
   }
 }
 
 HeadlessProjectors::~HeadlessProjectors() = default;
 
 void HeadlessProjectors::show(const Picture& master) {
-  state_->presenter.upload(master);
-  state_->light.update(state_->presenter.shown());
+  if (software_) {
+    return software_->show(master);
+  }
+  opengl_->presenter.upload(master);
+  opengl_->light.update(opengl_->presenter.shown());
 }
 
 std::vector<std::uint8_t> HeadlessProjectors::frame(std::size_t projector) {
-  const OffscreenFrame& frame = *state_->frames[projector];
+  if (software_) {
+    return software_->frame(projector);
+  }
+  const OffscreenFrame& frame = *opengl_->frames[projector];
   frame.bind();
-  state_->outputs[projector]->draw(state_->light, frame.width(), frame.height());
+  opengl_->outputs[projector]->draw(opengl_->light, frame.width(), frame.height());
   return frame.read_back();
 }
 

@@ -5,15 +5,19 @@
 #include <vector>
 
 #include "calibration/projector_picture.h"
-#include "render/frame/eye_renderer.h"
+#include "render/present/software_projectors.h"
 
 namespace ergodome {
 
-//! Draws what the projectors of a dome show without a window or a display, through EGL.
+//! Who draws what projectors show without a window: OpenGL on a GPU, else the processor; one of them in any case.
+enum class ProjectorDrawer { automatic, opengl, processor };
+
+//! Draws what the projectors of a dome show without a window or a display: OpenGL through EGL where there is a GPU, else the processor.
 class HeadlessProjectors {
  public:
-  //! Throws Error where no driver gives OpenGL 4.5 without a display, or one has no room for a raster.
-  explicit HeadlessProjectors(const std::vector<ProjectorPicture>& pictures);
+  //! Throws Error where OpenGL is asked for and no driver gives version 4.5 without a display, and where a GPU has no room for a raster.
+  explicit HeadlessProjectors(const std::vector<ProjectorPicture>& pictures,
+                              ProjectorDrawer drawer = ProjectorDrawer::automatic);
   ~HeadlessProjectors();
   HeadlessProjectors(const HeadlessProjectors&) = delete;
   HeadlessProjectors& operator=(const HeadlessProjectors&) = delete;
@@ -25,8 +29,9 @@ class HeadlessProjectors {
   std::vector<std::uint8_t> frame(std::size_t projector);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct OpenGl;
+  std::unique_ptr<OpenGl> opengl_;
+  std::unique_ptr<SoftwareProjectors> software_;  //!< the one or the other
 };
 
 }  // namespace ergodome

@@ -2,12 +2,11 @@
 
 #include <epoxy/gl.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "render/present/gl_program.h"
+#include "render/present/projector_mesh.h"
 
 namespace ergodome {
 
@@ -77,13 +76,6 @@ std::string fragment_source_for(const ProjectorPicture& picture) {
          (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "") + fragment_source;
 }
 
-struct Vertex {
-  float place[2];
-  float source[2];
-  float mask[2];
-  float factor;
-};
-
 Vector3<float> converted(const Vector3<double>& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -111,46 +103,6 @@ GLuint mask_texture(const BlendMap& shown) {
   return texture;
 }
 
-//! The whole raster without light, so that it is lifted where the warp is not drawn; then the nodes.
-std::vector<Vertex> vertices_of(const WarpMesh& warp, const CornerOffsets& corners) {
-  std::vector<Vertex> vertices;
-  vertices.reserve(warp.nodes.size() + 4);
-  for (const auto& [x, y] : {std::array{0.0, 0.0}, std::array{1.0, 0.0}, std::array{1.0, 1.0}, std::array{0.0, 1.0}}) {
-    const RasterPlace mask = moved_back(corners, {x, y});
-    vertices.push_back({{static_cast<float>(x), static_cast<float>(y)},
-                        {0.5F, 0.5F},
-                        {static_cast<float>(mask.x), static_cast<float>(mask.y)},
-                        0.0F});
-  }
-  for (const WarpNode& node : warp.nodes) {
-    const RasterPlace place = moved_place(corners, RasterPlace{node.x, node.y});
-    vertices.push_back({{static_cast<float>(place.x), static_cast<float>(place.y)},
-                        {node.u, node.v},
-                        {node.x, node.y},
-                        node.intensity});
-  }
-  return vertices;
-}
-
-//! Cells as two triangles each, cut as resampled_warp cuts them; those with a corner that is not valid are left out.
-std::vector<std::uint32_t> indices_of(const WarpMesh& warp) {
-  std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
-  const int cells = warp.topology == MeshTopology::polar ? warp.columns : warp.columns - 1;
-  for (int row = 0; row + 1 < warp.rows; ++row) {
-    for (int column = 0; column < cells; ++column) {
-      const int right = (column + 1) % warp.columns;
-      if (!warp.at(column, row).valid || !warp.at(right, row).valid || !warp.at(right, row + 1).valid ||
-          !warp.at(column, row + 1).valid) {
-        continue;
-      }
-      const auto index = [&](int i, int j) { return static_cast<std::uint32_t>(4 + j * warp.columns + i); };
-      indices.insert(indices.end(), {index(column, row), index(right, row), index(right, row + 1), index(column, row),
-                                     index(right, row + 1), index(column, row + 1)});
-    }
-  }
-  return indices;
-}
-
 void set_attribute(GLuint vertex_array, GLuint attribute, int size, std::size_t offset) {
   glEnableVertexArrayAttrib(vertex_array, attribute);
   glVertexArrayAttribFormat(vertex_array, attribute, size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
@@ -163,10 +115,10 @@ ProjectorDrawing::ProjectorDrawing(const ProjectorPicture& picture) : state_(std
   require_gl_45();
   state_->program = linked_program(vertex_source, fragment_source_for(picture));
   glCreateVertexArrays(1, &state_->vertex_array);
-  set_attribute(state_->vertex_array, 0, 2, offsetof(Vertex, place));
-  set_attribute(state_->vertex_array, 1, 2, offsetof(Vertex, source));
-  set_attribute(state_->vertex_array, 2, 2, offsetof(Vertex, mask));
-  set_attribute(state_->vertex_array, 3, 1, offsetof(Vertex, factor));
+  set_attribute(state_->vertex_array, 0, 2, offsetof(MeshVertex, place));
+  set_attribute(state_->vertex_array, 1, 2, offsetof(MeshVertex, source));
+  set_attribute(state_->vertex_array, 2, 2, offsetof(MeshVertex, mask));
+  set_attribute(state_->vertex_array, 3, 1, offsetof(MeshVertex, factor));
   state_->blend = mask_texture(picture.blend);
   state_->black_level = mask_texture(picture.black_level);
   set_warp(picture.warp, picture.corners);
@@ -183,16 +135,16 @@ ProjectorDrawing::~ProjectorDrawing() {
 }
 
 void ProjectorDrawing::set_warp(const WarpMesh& warp, const CornerOffsets& corners) {
-  const std::vector<Vertex> vertices = vertices_of(warp, corners);
-  const std::vector<std::uint32_t> indices = indices_of(warp);
+  const auto [vertices, indices] = projector_mesh(warp, corners);
   const GLuint before[] = {state_->vertices, state_->indices};
   glDeleteBuffers(2, before);
   glCreateBuffers(1, &state_->vertices);
   glCreateBuffers(1, &state_->indices);
-  glNamedBufferStorage(state_->vertices, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), 0);
+  glNamedBufferStorage(state_->vertices, static_cast<GLsizeiptr>(vertices.size() * sizeof(MeshVertex)), vertices.data(),
+                       0);
   glNamedBufferStorage(state_->indices, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
                        0);
-  glVertexArrayVertexBuffer(state_->vertex_array, 0, state_->vertices, 0, sizeof(Vertex));
+  glVertexArrayVertexBuffer(state_->vertex_array, 0, state_->vertices, 0, sizeof(MeshVertex));
   glVertexArrayElementBuffer(state_->vertex_array, state_->indices);
   state_->index_count = static_cast<GLsizei>(indices.size());
 }

@@ -1,10 +1,15 @@
 #include "render/present/projector_windows.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 
 #include "render/output/image_writer.h"
+#include "render/present/gl_program.h"
 #include "render/present/projector_drawing.h"
 #include "render/present/projector_window.h"
+#include "render/present/raster_texture.h"
+#include "render/present/software_projectors.h"
 #include "render/present/text_panel.h"
 
 namespace ergodome {
@@ -16,8 +21,25 @@ struct Screen {
   std::unique_ptr<ProjectorWindow> window;
   std::unique_ptr<ProjectorDrawing> drawing;
   std::unique_ptr<TextPanel> panel;
-  std::unique_ptr<Presenter> raster;  //!< shown instead of the drawing while there is one
+  std::unique_ptr<Presenter> raster;    //!< shown instead of the drawing while there is one
+  std::unique_ptr<RasterTexture> sent;  //!< what the processor drew instead of OpenGL, if it did
+  bool changed = false;  //!< since the windows were opened: a warp takes the processor a second to work out
 };
+
+//! A master that is on the GPU, brought back to host memory: for drivers without a GPU a copy.
+Picture brought_back(const PresentedPicture& shown) {
+  Picture picture;
+  picture.width = shown.width;
+  picture.height = shown.height;
+  picture.tone = shown.tone;
+  if (shown.heat_map) {
+    picture.heat_range.emplace();
+  }
+  picture.rgba.resize(4 * static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height));
+  glGetTextureImage(shown.texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(picture.rgba.size() * sizeof(float)),
+                    picture.rgba.data());
+  return picture;
+}
 
 }  // namespace
 
@@ -25,13 +47,14 @@ struct ProjectorWindows::State {
   Window& control;
   std::unique_ptr<DisplayLight> light;
   std::vector<Screen> screens;
+  std::unique_ptr<SoftwareProjectors> software;  //!< where OpenGL has no GPU
   bool control_shown = true;
   long version = -1;  //!< of the master whose light there is
 };
 
 ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
                                    const std::vector<ProjectorPicture>& pictures, bool hide_control)
-    : state_(std::make_unique<State>(State{control, nullptr, {}})) {
+    : state_(std::make_unique<State>(State{control, nullptr, {}, nullptr})) {
   require_monitors(setup);
   const int monitor = free_monitor(setup);
   state_->control_shown = !hide_control && monitor >= 0;
@@ -43,6 +66,9 @@ ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
   control.make_current();
   control.swap_at_once();
   state_->light = std::make_unique<DisplayLight>();
+  if (draws_in_software()) {
+    state_->software = std::make_unique<SoftwareProjectors>(pictures);
+  }
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     Screen screen;
     screen.window = std::make_unique<ProjectorWindow>(control, setup.projectors[i],
@@ -57,6 +83,7 @@ ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
 ProjectorWindows::~ProjectorWindows() {
   for (Screen& screen : state_->screens) {
     screen.window->make_current();
+    screen.sent.reset();
     screen.raster.reset();
     screen.panel.reset();
     screen.drawing.reset();
@@ -74,16 +101,62 @@ void ProjectorWindows::draw(std::size_t projector) {
   screen.window->framebuffer_size(width, height);
   if (screen.raster) {
     screen.raster->draw(width, height);
+  } else if (screen.sent) {
+    screen.sent->draw();
   } else {
     screen.drawing->draw(*state_->light, width, height);
   }
   screen.panel->draw(width, height);
 }
 
+bool ProjectorWindows::drawn_by_processor(std::size_t projector) const {
+  if (!state_->software) {
+    return false;
+  }
+  int width = 0;
+  int height = 0;
+  state_->screens[projector].window->framebuffer_size(width, height);
+  const ProjectorPicture& picture = state_->software->picture(projector);
+  return !state_->screens[projector].changed && width == picture.width_px && height == picture.height_px;
+}
+
+void ProjectorWindows::update(const PresentedPicture& master) {
+  std::vector<std::size_t> by_processor;
+  for (std::size_t i = 0; i < state_->screens.size(); ++i) {
+    if (drawn_by_processor(i)) {
+      by_processor.push_back(i);
+    }
+  }
+  if (by_processor.size() < state_->screens.size()) {
+    state_->light->update(master);
+  }
+  if (by_processor.empty() || master.texture == 0) {
+    return;
+  }
+  state_->software->show(brought_back(master));
+  for (const std::size_t i : by_processor) {
+    const ProjectorPicture& picture = state_->software->picture(i);
+    Screen& screen = state_->screens[i];
+    screen.window->make_current();
+    if (!screen.sent) {
+      screen.sent = std::make_unique<RasterTexture>(picture.width_px, picture.height_px);
+    }
+    screen.sent->upload(state_->software->frame(i).data());
+  }
+  state_->control.make_current();
+}
+
+void ProjectorWindows::draw_by_opengl(std::size_t projector) {
+  Screen& screen = state_->screens[projector];
+  screen.sent.reset();
+  screen.changed = true;
+  state_->version = -1;  // OpenGL may have no light of it yet
+}
+
 void ProjectorWindows::show(const PresentedPicture& master) {
   state_->control.make_current();
   if (master.version != state_->version) {
-    state_->light->update(master);
+    update(master);
     state_->version = master.version;
   }
   for (std::size_t i = 0; i < state_->screens.size(); ++i) {
@@ -100,6 +173,7 @@ void ProjectorWindows::show(const PresentedPicture& master) {
 void ProjectorWindows::change(std::size_t projector, const ProjectorPicture& picture) {
   const Screen& screen = state_->screens[projector];
   screen.window->make_current();
+  draw_by_opengl(projector);
   screen.drawing->set_warp(picture.warp, picture.corners);
   screen.drawing->set_colour(picture);
   state_->control.make_current();
@@ -108,6 +182,7 @@ void ProjectorWindows::change(std::size_t projector, const ProjectorPicture& pic
 void ProjectorWindows::replace(std::size_t projector, const ProjectorPicture& picture) {
   Screen& screen = state_->screens[projector];
   screen.window->make_current();
+  draw_by_opengl(projector);
   screen.drawing = std::make_unique<ProjectorDrawing>(picture);
   state_->control.make_current();
 }

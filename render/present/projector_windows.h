@@ -11,7 +11,8 @@
 
 namespace ergodome {
 
-//! The windows of a dome's projectors, which show one domemaster. It is on the GPU once, in the control window's context.
+//! The windows of a dome's projectors, which show one domemaster. It is on the GPU once, in the control window's context. Where OpenGL has
+//! no GPU the processor draws what the projectors are sent, until their warps are changed.
 class ProjectorWindows {
  public:
   //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills; without one, or with `hide_control`, it
@@ -52,6 +53,13 @@ class ProjectorWindows {
  private:
   struct State;
   void draw(std::size_t projector);
+  [[nodiscard]] bool drawn_by_processor(std::size_t projector) const;
+
+  //! Makes light or rasters of a new master.
+  void update(const PresentedPicture& master);
+
+  //! From now on; its context must be current.
+  void draw_by_opengl(std::size_t projector);
 
   std::unique_ptr<State> state_;
 };

@@ -1,10 +1,13 @@
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "content/show_reader.h"
 #include "kernels/core/error.h"
@@ -13,8 +16,10 @@
 #include "render/present/headless_context.h"
 #include "render/present/offscreen_frame.h"
 #include "render/present/projector_drawing.h"
+#include "render/present/software_projectors.h"
 
-// What a projector adds to a frame: the master is rendered by the CPU, then warped and blended by OpenGL, on the GPU or by Mesa's software.
+// What a projector adds to a frame: the master is rendered by the CPU, then warped and blended by OpenGL, on the GPU or by Mesa's software,
+// and by the CPU.
 namespace {
 
 using namespace ergodome;
@@ -39,12 +44,24 @@ ProjectorPicture wide_projector() {
 double seconds(const auto& action) {
   const auto start = Clock::now();
   action();
-  glFinish();
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-//! Means over the run: the master's rendering, its upload, its tone and averages (once for all projectors), and the projector's drawing.
-//! `share`: tone, averages and drawing over the rendering.
+//! The same in the time of processors, of all threads: other programs do not count.
+double processor_seconds(const auto& action) {
+  const auto now = [] {
+    std::timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  const double start = now();
+  action();
+  return now() - start;
+}
+
+//! Means over the run: the master's rendering; by OpenGL its upload, its tone and averages (once for all projectors), and the projector's
+//! drawing; by the CPU tone and averages of what the projector shows, and its drawing. Shares: tone, averages and drawing over the rendering;
+//! the CPU's, each frame by itself and in processor time, with the least and the greatest.
 void projector(benchmark::State& state) {
   std::unique_ptr<HeadlessContext> context;
   try {
@@ -64,20 +81,42 @@ void projector(benchmark::State& state) {
   Presenter presenter;
   DisplayLight light;
   ProjectorDrawing drawing(wide_projector());
-  double sums[4] = {};
+  SoftwareProjectors software({wide_projector()});
+  std::vector<std::uint8_t> rgb(std::size_t{3} * 2560 * 1600);
+  double sums[6] = {};
+  std::vector<double> shares;
   for (auto _ : state) {
     Picture master;
-    sums[0] += seconds([&] { master = renderer.render_eye(pose, 0.0, projection, ViewMode::sky); });
+    const double render = processor_seconds(
+        [&] { sums[0] += seconds([&] { master = renderer.render_eye(pose, 0.0, projection, ViewMode::sky); }); });
     sums[1] += seconds([&] { presenter.upload(master); });
-    sums[2] += seconds([&] { light.update(presenter.shown()); });
+    sums[2] += seconds([&] {
+      light.update(presenter.shown());
+      glFinish();
+    });
     raster.bind();
-    sums[3] += seconds([&] { drawing.draw(light, 2560, 1600); });
+    sums[3] += seconds([&] {
+      drawing.draw(light, 2560, 1600);
+      glFinish();
+    });
+    if (shares.empty()) {
+      software.show(master);  // works the warp out
+    }
+    shares.push_back(processor_seconds([&] {
+                       sums[4] += seconds([&] { software.show(master); });
+                       sums[5] += seconds([&] { software.frame(0, rgb.data()); });
+                     }) /
+                     render);
   }
-  const char* const names[4] = {"render_ms", "upload_ms", "tone_ms", "warp_ms"};
-  for (int i = 0; i < 4; ++i) {
+  const char* const names[6] = {"render_ms", "gl_upload_ms", "gl_tone_ms", "gl_warp_ms", "cpu_tone_ms", "cpu_warp_ms"};
+  for (int i = 0; i < 6; ++i) {
     state.counters[names[i]] = 1e3 * sums[i] / static_cast<double>(state.iterations());
   }
-  state.counters["share"] = (sums[2] + sums[3]) / sums[0];
+  std::ranges::sort(shares);
+  state.counters["gl_share"] = (sums[2] + sums[3]) / sums[0];
+  state.counters["cpu_share"] = shares[shares.size() / 2];
+  state.counters["cpu_share_least"] = shares.front();
+  state.counters["cpu_share_most"] = shares.back();
   state.SetLabel(std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", " +
                  std::to_string(thread_count()) + " threads");
 }

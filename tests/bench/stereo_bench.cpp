@@ -1,5 +1,11 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "content/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
@@ -9,13 +15,21 @@ namespace {
 
 using namespace ergodome;
 
+Show bench_show(const char* stereo) {
+  return parse_show(
+      std::string("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 8\npitch_deg = -25\n"
+                  "[view]\nprojection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n[stereo]\n") +
+          stereo,
+      "bench.toml");
+}
+
+constexpr const char* physical_eyes = "layout = \"separate\"\nbaseline = 0.1\n";
+constexpr const char* flat_eyes = "layout = \"separate\"\nbaseline = 0.1\nmodel = \"flat\"\n";
+constexpr const char* omni_eyes = "layout = \"separate\"\nbaseline = 0.1\nmodel = \"omni\"\n";
+
 void stereo_frame(benchmark::State& state, const char* stereo) {
   const int size = static_cast<int>(state.range(0));
-  const Show show =
-      parse_show(std::string("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 8\npitch_deg = -25\n"
-                             "[view]\nprojection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n[stereo]\n") +
-                     stereo,
-                 "bench.toml");
+  const Show show = bench_show(stereo);
   ShowRenderer renderer(show, Backend::cpu);
   const Projection projection = make_projection(show.view, size, 0.0);
   CameraPose pose = camera_pose(show, 0.0);
@@ -31,8 +45,56 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
 }
 
 BENCHMARK_CAPTURE(stereo_frame, mono, "")->Apply(sizes);
-BENCHMARK_CAPTURE(stereo_frame, physical, "layout = \"separate\"\nbaseline = 0.1\n")->Apply(sizes);
-BENCHMARK_CAPTURE(stereo_frame, flat, "layout = \"separate\"\nbaseline = 0.1\nmodel = \"flat\"\n")->Apply(sizes);
-BENCHMARK_CAPTURE(stereo_frame, omni, "layout = \"separate\"\nbaseline = 0.1\nmodel = \"omni\"\n")->Apply(sizes);
+BENCHMARK_CAPTURE(stereo_frame, physical, physical_eyes)->Apply(sizes);
+BENCHMARK_CAPTURE(stereo_frame, flat, flat_eyes)->Apply(sizes);
+BENCHMARK_CAPTURE(stereo_frame, omni, omni_eyes)->Apply(sizes);
+
+//! Seconds of processor time that all threads have taken: other programs do not count.
+double processor_s() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double middle(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+//! Frames of each model in turn: middle processor time of one eye's, and the middle, least and greatest of the ratios of each round.
+void stereo_in_turn(benchmark::State& state) {
+  const int size = static_cast<int>(state.range(0));
+  constexpr const char* models[] = {"", physical_eyes, flat_eyes, omni_eyes};
+  std::vector<std::unique_ptr<ShowRenderer>> renderers;
+  for (const char* const model : models) {
+    renderers.push_back(std::make_unique<ShowRenderer>(bench_show(model), Backend::cpu));
+  }
+  const Projection projection = make_projection(renderers[0]->show().view, size, 0.0);
+  CameraPose pose = camera_pose(renderers[0]->show(), 0.0);
+  std::vector<double> times[4];
+  for (auto _ : state) {
+    pose.r -= 1e-6;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double begin = processor_s();
+      benchmark::DoNotOptimize(renderers[i]->render_window(pose, projection, ViewMode::sky).rgba.data());
+      times[i].push_back(processor_s() - begin);
+    }
+  }
+  const auto ratios = [&](std::size_t above, std::size_t below, const std::string& name) {
+    std::vector<double> each;
+    for (std::size_t i = 0; i < times[above].size(); ++i) {
+      each.push_back(times[above][i] / times[below][i]);
+    }
+    state.counters[name] = middle(each);
+    state.counters[name + "_least"] = *std::ranges::min_element(each);
+    state.counters[name + "_most"] = *std::ranges::max_element(each);
+  };
+  state.counters["mono_ms"] = 1e3 * middle(times[0]);
+  ratios(1, 0, "physical_over_mono");
+  ratios(2, 0, "flat_over_mono");
+  ratios(3, 1, "omni_over_physical");
+}
+
+BENCHMARK(stereo_in_turn)->Apply(sizes);
 
 }  // namespace

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "calibration/warp_conversion.h"
@@ -20,13 +23,13 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the dome of these tests
 
-//! The projectors' pictures as EGL draws them; skipped where there is no driver.
-class ProjectorFrames : public FolderTest {
+//! The projectors' pictures as OpenGL and the processor draw them; OpenGL's are skipped where there is no driver.
+class ProjectorFrames : public FolderTest, public testing::WithParamInterface<ProjectorDrawer> {
  protected:
   void open(const std::vector<ProjectorPicture>& pictures) {
     try {
-      driver_was_loaded = true;
-      projectors_ = std::make_unique<HeadlessProjectors>(pictures);
+      driver_was_loaded = driver_was_loaded || GetParam() == ProjectorDrawer::opengl;
+      projectors_ = std::make_unique<HeadlessProjectors>(pictures, GetParam());
     } catch (const Error& problem) {
       GTEST_SKIP() << problem.what();
     }
@@ -40,10 +43,12 @@ Picture master_of(int size, const std::function<Vector3<float>(double u, double 
   Picture picture;
   picture.width = size;
   picture.height = size;
+  picture.rgba.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  auto to = picture.rgba.begin();
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const Vector3<float> c = light((x + 0.5) / size, (y + 0.5) / size);
-      picture.rgba.insert(picture.rgba.end(), {c.x, c.y, c.z, 1.0F});
+      to = std::ranges::copy(std::array{c.x, c.y, c.z, 1.0F}, to).out;
     }
   }
   return picture;
@@ -102,7 +107,7 @@ float mask_at(const BlendMap& mask, double x, double y, int channel) {
                                       std::lerp(at(left, top + 1), at(left + 1, top + 1), column - left), row - top));
 }
 
-TEST_F(ProjectorFrames, AreWhatTheFormulaSays) {
+TEST_P(ProjectorFrames, AreWhatTheFormulaSays) {
   const ProjectorPicture picture = curved_picture();
   ASSERT_NO_FATAL_FAILURE(open({picture}));
   if (!projectors_) {
@@ -144,7 +149,7 @@ TEST_F(ProjectorFrames, AreWhatTheFormulaSays) {
   EXPECT_LT(wrong, 3 * 60);
 }
 
-TEST_F(ProjectorFrames, LiftBlacksWhereNothingIsDrawn) {
+TEST_P(ProjectorFrames, LiftBlacksWhereNothingIsDrawn) {
   ProjectorPicture picture = curved_picture();
   picture.black_level = {};
   picture.gain = {1.0, 1.0, 1.0};
@@ -162,7 +167,7 @@ TEST_F(ProjectorFrames, LiftBlacksWhereNothingIsDrawn) {
   EXPECT_NEAR(shown[right + 1], 255.0 * std::pow(0.05, 1.0 / 1.9), 1.0);
 }
 
-TEST_F(ProjectorFrames, CornersTakeThePictureAlong) {
+TEST_P(ProjectorFrames, CornersTakeThePictureAlong) {
   ProjectorPicture picture = curved_picture();
   picture.warp = {};
   picture.warp.columns = 2;
@@ -182,7 +187,7 @@ TEST_F(ProjectorFrames, CornersTakeThePictureAlong) {
   EXPECT_GT(red(89), 60);
 }
 
-TEST_F(ProjectorFrames, WhatIsDrawnSmallIsAveraged) {
+TEST_P(ProjectorFrames, WhatIsDrawnSmallIsAveraged) {
   // Fine stripes, fifteen master pixels to one of the projector: grey, not a pattern of its own.
   ProjectorPicture picture = curved_picture();
   picture.warp = {};
@@ -314,24 +319,110 @@ class ThrownFrames : public ProjectorFrames {
   }
 };
 
-TEST_F(ThrownFrames, OfThreeProjectorsShowTheMaster) {
+TEST_P(ThrownFrames, OfThreeProjectorsShowTheMaster) {
   expect_master(calibrated_in(folder_, three(1000), {1024, 0.1}));
 }
 
-TEST_F(ThrownFrames, OfSixProjectorsShowTheMaster) {
+TEST_P(ThrownFrames, OfSixProjectorsShowTheMaster) {
   if (sanitized) {
     GTEST_SKIP() << "the dome of three is enough";
   }
   expect_master(calibrated_in(folder_, six(700), {1024, 0.1}));
 }
 
-TEST_F(ThrownFrames, OfProjectorsWithoutFilesShowTheMaster) {
+TEST_P(ThrownFrames, OfProjectorsWithoutFilesShowTheMaster) {
   if (sanitized) {
     GTEST_SKIP() << "the dome of three is enough";
   }
   DomeSetup setup = three(1000);
   setup.projectors[1].gamma = 1.8;
   expect_master(setup);
+}
+
+constexpr const char* drawer_names[] = {"automatic", "opengl", "processor"};
+std::string name_of_drawer(const testing::TestParamInfo<ProjectorDrawer>& drawer) {
+  return drawer_names[static_cast<int>(drawer.param)];
+}
+constexpr auto drawers = {ProjectorDrawer::opengl, ProjectorDrawer::processor};
+INSTANTIATE_TEST_SUITE_P(By, ProjectorFrames, testing::ValuesIn(drawers), name_of_drawer);
+INSTANTIATE_TEST_SUITE_P(By, ThrownFrames, testing::ValuesIn(drawers), name_of_drawer);
+
+//! How two frames of a projector differ.
+struct FrameDifference {
+  int largest = 0;
+  std::size_t beyond_one = 0;
+};
+
+FrameDifference difference_of(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  FrameDifference found;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const int off = std::abs(static_cast<int>(a[i]) - static_cast<int>(b[i]));
+    found.largest = std::max(found.largest, off);
+    found.beyond_one += off > 1 ? 1 : 0;
+  }
+  return found;
+}
+
+//! A projector's frame by OpenGL beside the processor's.
+FrameDifference between_drawers(const ProjectorPicture& picture, const Picture& master) {
+  HeadlessProjectors opengl({picture}, ProjectorDrawer::opengl);
+  HeadlessProjectors processor({picture}, ProjectorDrawer::processor);
+  opengl.show(master);
+  processor.show(master);
+  return difference_of(opengl.frame(0), processor.frame(0));
+}
+
+TEST(ProjectorDrawers, DifferInTheLastBitAlone) {
+  driver_was_loaded = true;
+  try {
+    const HeadlessProjectors there({curved_picture()}, ProjectorDrawer::opengl);
+  } catch (const Error& problem) {
+    GTEST_SKIP() << problem.what();
+  }
+  ProjectorPicture grey = curved_picture();
+  grey.width_px = 93;  // not a multiple of what is drawn at a time
+  grey.black_level = {};
+  grey.blend = {3, 2, 1, 16, {0.0F, 0.5F, 1.0F, 0.3F, 0.6F, 0.9F}};
+  ProjectorPicture plain = grey;
+  plain.blend = {};
+  plain.gamma = 0.8;
+  plain.corners.right = {0.05, -0.1, 0.02, 0.0};
+  plain.corners.down = {0.0, 0.03, -0.04, 0.1};
+  for (const ToneCurve curve : {ToneCurve::shoulder, ToneCurve::reinhard, ToneCurve::filmic, ToneCurve::gamma}) {
+    for (const ProjectorPicture& picture : {curved_picture(), grey, plain}) {
+      // Larger and smaller than the raster, with odd sides, too.
+      for (const int size : {33, 64, 301}) {
+        Picture master = master_of(size, soft_colours);
+        master.tone = {curve, 1.5F, 3.0F, 2.2F};
+        const FrameDifference found = between_drawers(picture, master);
+        // Rims of the hole and of the mesh may fall to either side.
+        EXPECT_LT(found.beyond_one, 3U * 8U) << size << " px, largest " << found.largest;
+      }
+    }
+  }
+}
+
+TEST(ProcessorFrames, ReadMastersOfOnePixel) {
+  ProjectorPicture picture = curved_picture();
+  HeadlessProjectors projectors({picture}, ProjectorDrawer::processor);
+  const Picture white = master_of(1, [](double, double) { return Vector3<float>{0.5F, 0.5F, 0.5F}; });
+  const Picture larger = master_of(64, [](double, double) { return Vector3<float>{0.5F, 0.5F, 0.5F}; });
+  projectors.show(white);
+  const auto one = projectors.frame(0);
+  projectors.show(larger);
+  EXPECT_EQ(difference_of(one, projectors.frame(0)).largest, 0);
+}
+
+TEST(ProcessorFrames, WhatIsNoNumberIsBlack) {
+  ProjectorPicture picture = curved_picture();
+  picture.black_level_lift = {};
+  HeadlessProjectors projectors({picture}, ProjectorDrawer::processor);
+  projectors.show(master_of(64, [](double, double) {
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    return Vector3<float>{none, -1.0F, none};
+  }));
+  const auto shown = projectors.frame(0);
+  EXPECT_EQ(*std::ranges::max_element(shown), 0);
 }
 
 }  // namespace

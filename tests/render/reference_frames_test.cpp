@@ -176,8 +176,10 @@ TEST(NumberFrame, IsAsItWasLookedAt) {
   expect_like("projector_number", *seen);
 }
 
-//! A pattern on each of the three projectors of a dome.
-TEST(ProjectorReferences, AreAsTheyWereLookedAt) {
+//! A pattern on each of the three projectors of a dome, by OpenGL and by the processor.
+class ProjectorReferences : public testing::TestWithParam<ProjectorDrawer> {};
+
+TEST_P(ProjectorReferences, AreAsTheyWereLookedAt) {
   DomeSetup setup = test::three(320);
   setup.projectors[2].black_level_lift = {0.02, 0.02, 0.02};
   setup.projectors[1].gain = {1.0, 0.8, 0.6};
@@ -186,8 +188,8 @@ TEST(ProjectorReferences, AreAsTheyWereLookedAt) {
   const Picture master = draw_test_pattern(TestPattern::orientation, make_projection(view, 512, 0.0));
   std::unique_ptr<HeadlessProjectors> projectors;
   try {
-    test::driver_was_loaded = true;
-    projectors = std::make_unique<HeadlessProjectors>(projector_pictures(setup));
+    test::driver_was_loaded = test::driver_was_loaded || GetParam() == ProjectorDrawer::opengl;
+    projectors = std::make_unique<HeadlessProjectors>(projector_pictures(setup), GetParam());
   } catch (const Error& problem) {
     GTEST_SKIP() << problem.what();
   }
@@ -199,6 +201,11 @@ TEST(ProjectorReferences, AreAsTheyWereLookedAt) {
   }
   expect_like("projectors", row);
 }
+
+INSTANTIATE_TEST_SUITE_P(By, ProjectorReferences, testing::Values(ProjectorDrawer::opengl, ProjectorDrawer::processor),
+                         [](const auto& drawer) {
+                           return drawer.param == ProjectorDrawer::opengl ? "opengl" : "processor";
+                         });
 
 }  // namespace
 }  // namespace ergodome

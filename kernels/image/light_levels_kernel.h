@@ -1,0 +1,118 @@
+#pragma once
+
+#include "kernels/core/lanes.h"
+#include "kernels/core/quad.h"
+#include "kernels/core/transcendental.h"
+#include "kernels/image/light_levels.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! a^p for a >= 0 and p > 0, to a few units in the last place times the exponent's size; below 1e-34 it stays there.
+template <int N>
+inline Pack<float, N> power(const Pack<float, N>& a, float p) {
+  const Pack<float, N> logarithm = natural_logarithm(maximum(a, Pack<float, N>(1e-37F)));
+  return exponential(maximum(logarithm * p, Pack<float, N>(-80.0F)));
+}
+
+//! kernels/image/tone_curve.h's formulas for each lane; what is no number is black.
+template <int N>
+inline Pack<float, N> toned(const Tone& tone, const Pack<float, N>& light) {
+  using T = Pack<float, N>;
+  const T x = maximum(light * tone.gain, T(0.0F));
+  switch (tone.curve) {
+    case ToneCurve::reinhard:
+      return select(x < T(1e18F), x * (x * (1.0F / (tone.white * tone.white)) + 1.0F) / (x + 1.0F), T(1.0F));
+    case ToneCurve::filmic:
+      return select(x < T(1e4F), x * (x * 2.51F + 0.03F) / (x * (x * 2.43F + 0.59F) + 0.14F), T(1.0F));
+    case ToneCurve::gamma:
+      return power(x, 1.0F / tone.gamma);
+    case ToneCurve::shoulder:
+      break;
+  }
+  const auto bent = x > T(tone_knee);
+  if (!any(bent)) {
+    return x;
+  }
+  const T over = minimum((x - tone_knee) * (1.0F / (1.0F - tone_knee)), T(80.0F));
+  return select(bent, T(1.0F) - exponential(-over) * (1.0F - tone_knee), x);
+}
+
+namespace detail {
+//! Columns and rows of a tile.
+struct TileBounds {
+  int left;
+  int right;
+  int top;
+  int bottom;
+};
+
+ERGO_HD TileBounds tile_bounds(const LightLevel& level, std::int32_t tile) {
+  const int across = light_tiles(level.width);
+  const int left = tile % across * light_tile_px;
+  const int top = tile / across * light_tile_px;
+  const int right = left + light_tile_px;
+  const int bottom = top + light_tile_px;
+  return {left, right < level.width ? right : level.width, top, bottom < level.height ? bottom : level.height};
+}
+}  // namespace detail
+
+//! Index i stands for a tile.
+template <class T>
+struct ToneTiles {
+  ToneBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const detail::TileBounds tile = detail::tile_bounds(batch.to, batch.tiles[index]);
+    const int count = 4 * (tile.right - tile.left);
+    for (int row = tile.top; row < tile.bottom; ++row) {
+      const long first = 4 * (static_cast<long>(row) * batch.to.width + tile.left);
+      for (int i = 0; i < count; i += RealTraits<T>::lane_count) {
+        const T light = load_lanes<T>(batch.from + first, i, count);
+        const T shown = batch.as_it_is ? maximum(light, T(0.0F)) : toned(batch.tone, light);
+        store_lanes(batch.to.rgba + first, i, count, minimum(shown, T(1.0F)));
+      }
+    }
+  }
+};
+
+//! Index i stands for a tile. A texel is what lies at its middle in the finer level, between the four texels next to it: their mean where
+//! the finer level's sides are even.
+struct AverageTiles {
+  AverageBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const detail::TileBounds tile = detail::tile_bounds(batch.to, batch.tiles[index]);
+    for (int row = tile.top; row < tile.bottom; ++row) {
+      const Place y = place(row, batch.to.height, batch.from.height);
+      const float* const upper = batch.from.rgba + 4 * (static_cast<long>(y.first) * batch.from.width);
+      const float* const lower = batch.from.rgba + 4 * (static_cast<long>(y.second) * batch.from.width);
+      float* const to = batch.to.rgba + 4 * (static_cast<long>(row) * batch.to.width);
+      for (int column = tile.left; column < tile.right; ++column) {
+        const Place x = place(column, batch.to.width, batch.from.width);
+        store_quad(to + 4 * column, (1.0F - y.part) * between(upper, x) + y.part * between(lower, x));
+      }
+    }
+  }
+
+ private:
+  //! Two neighbours, and how far between them.
+  struct Place {
+    int first;
+    int second;
+    float part;
+  };
+
+  ERGO_HD static Place place(int at, int size, int finer_size) {
+    const float exact =
+        (static_cast<float>(at) + 0.5F) * (static_cast<float>(finer_size) / static_cast<float>(size)) - 0.5F;
+    const int first = static_cast<int>(exact);
+    const int second = first + 1 < finer_size ? first + 1 : first;
+    return {first, second, exact - static_cast<float>(first)};
+  }
+
+  ERGO_HD static Quad between(const float* row, const Place& x) {
+    return (1.0F - x.part) * load_quad(row + 4 * x.first) + x.part * load_quad(row + 4 * x.second);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,232 @@
+#pragma once
+
+#include <cstring>
+
+#include "kernels/core/lanes.h"
+#include "kernels/core/quad.h"
+#include "kernels/image/warp_pixels.h"
+
+// On the processor alone: a GPU warps with its own texture units (render/present/projector_drawing.h).
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+//! Two neighbouring texels.
+struct QuadPair {
+  using Register __attribute__((vector_size(32))) = float;
+  Register part;
+};
+
+inline QuadPair::Register load_quad_pair(const float* from) {
+  QuadPair::Register pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
+
+//! Whole numbers of an array as numbers, one in each lane.
+template <class T, class Whole>
+inline T load_whole(const Whole* from) {
+  constexpr int lanes = RealTraits<T>::lane_count;
+  using Narrow __attribute__((vector_size(lanes * sizeof(Whole)))) = Whole;
+  Narrow narrow;
+  std::memcpy(&narrow, from, sizeof narrow);
+  return real_of<T>(__builtin_convertvector(narrow, IntegerOf<T>));
+}
+
+//! round(255 a^p) in the lowest byte of each lane, the other bytes undefined, for a in [2^-100, 1] and p in (0, 1], or for
+//! greater p where a^p is at least 2^-100. To 0.01 before it is rounded: polynomials fitted by least squares, reweighted to even errors
+//! out, to log2(1 + t) / t and (2^t - 1) / t, so that 1 gives 255.
+template <int N>
+inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N>& a, float p) {
+  using Integer = typename PackMask<float, N>::Register;
+  using Register = typename Pack<float, N>::Register;
+  // a = m 2^e with m in [√½, √2).
+  const Integer bits = (Integer)a.lanes - 0x3f3504f3;
+  const Pack<float, N> e(__builtin_convertvector(bits >> 23, Register));
+  const Pack<float, N> t = Pack<float, N>((Register)((bits & 0x007fffff) + 0x3f3504f3)) - 1.0F;
+  const Pack<float, N> bend = ((0.25265691F * t - 0.39457493F) * t + 0.48668662F) * t - 0.72024182F;
+  const Pack<float, N> power = (bend * (t * t) + (1.44257800F * t + e)) * p;
+  // The nearest whole number is in the lowest bits of what is added to 1.5 * 2^23, and goes to the exponent.
+  constexpr float magic = 12582912.0F;
+  const Pack<float, N> whole = round_to_nearest(power);
+  const Integer exponent = (Integer)(whole + magic).lanes << 23;
+  const Pack<float, N> x = power - whole;
+  const Pack<float, N> mantissa = (((2.46877094F * x + 14.2595662F) * x + 61.2561791F) * x + 176.745980F) * x + 255.0F;
+  const Pack<float, N> value((Register)((Integer)mantissa.lanes + exponent));
+  return (Integer)(value + magic).lanes;
+}
+
+//! Bytes of three channels of 16 pixels, one pixel after the other.
+using Bytes16 __attribute__((vector_size(16))) = std::uint8_t;
+inline void interleave(const Bytes16& r, const Bytes16& g, const Bytes16& b, std::uint8_t* to) {
+  // Two of three at a time: from 16 on numbers are the second operand's, and zeros stand where the third goes.
+  const Bytes16 rg0 = __builtin_shufflevector(r, g, 0, 16, 0, 1, 17, 0, 2, 18, 0, 3, 19, 0, 4, 20, 0, 5);
+  const Bytes16 rg1 = __builtin_shufflevector(r, g, 21, 0, 6, 22, 0, 7, 23, 0, 8, 24, 0, 9, 25, 0, 10, 26);
+  const Bytes16 rg2 = __builtin_shufflevector(r, g, 0, 11, 27, 0, 12, 28, 0, 13, 29, 0, 14, 30, 0, 15, 31, 0);
+  const Bytes16 all0 = __builtin_shufflevector(rg0, b, 0, 1, 16, 3, 4, 17, 6, 7, 18, 9, 10, 19, 12, 13, 20, 15);
+  const Bytes16 all1 = __builtin_shufflevector(rg1, b, 0, 21, 2, 3, 22, 5, 6, 23, 8, 9, 24, 11, 12, 25, 14, 15);
+  const Bytes16 all2 = __builtin_shufflevector(rg2, b, 26, 1, 2, 27, 4, 5, 28, 7, 8, 29, 10, 11, 30, 13, 14, 31);
+  std::memcpy(to, &all0, 16);
+  std::memcpy(to + 16, &all1, 16);
+  std::memcpy(to + 32, &all2, 16);
+}
+}  // namespace detail
+
+//! Index i stands for a group of pixels. `T` is a pack of floats.
+template <class T, bool Coloured>
+struct WarpPixels {
+  WarpBatch batch;
+
+  void operator()(int index) const {
+    const WarpGroup& group = batch.groups[index];
+    const int row = index / warp_groups(batch.width_px);
+    const int column = (index - row * warp_groups(batch.width_px)) * warp_group_px;
+    const int inside = batch.width_px - column < warp_group_px ? batch.width_px - column : warp_group_px;
+    Quad light[warp_group_px];
+    if (group.levels == 0 || (group.levels & (group.levels - 1)) != 0) {
+      std::memset(light, 0, sizeof light);
+    }
+    for (unsigned levels = group.levels; levels != 0; levels &= levels - 1) {
+      look(index, __builtin_ctz(levels), light);
+    }
+    Channels channels;
+    take_apart(light, channels);
+    send(index, channels, batch.rgb + 3 * (static_cast<long>(row) * batch.width_px + column), inside);
+  }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+  static_assert(warp_group_px % lanes == 0);
+
+  //! Of a group's pixels: the upper left of the four texels around each, and how far between them.
+  struct Places {
+    alignas(64) std::int32_t texel[warp_group_px];
+    alignas(64) float across[warp_group_px];
+    alignas(64) float down[warp_group_px];
+  };
+
+  //! Red, green and blue of a group's pixels.
+  struct Channels {
+    alignas(64) float part[3][warp_group_px];
+  };
+
+  //! Between two of `size` texels: the first one's number, and how far from it.
+  static T first_of_two(const T& place, int size, T& part) {
+    const T within = minimum(maximum(place, T(0.0F)), T(static_cast<float>(size - 1)));
+    const T first = real_of<T>(truncated(minimum(within, T(static_cast<float>(size > 1 ? size - 2 : 0)))));
+    part = within - first;
+    return first;
+  }
+
+  void find(int index, const LightLevel& level, Places& places) const {
+    const WarpGroup& group = batch.groups[index];
+    const LightLevel& finest = batch.light.level[0];
+    const float scale_x = static_cast<float>(level.width) / static_cast<float>(finest.width);
+    const float scale_y = static_cast<float>(level.height) / static_cast<float>(finest.height);
+    for (int i = 0; i < warp_group_px; i += lanes) {
+      const int at = warp_group_px * index + i;
+      const T x = detail::load_whole<T>(batch.x + at) * group.step_x + group.x;
+      const T y = detail::load_whole<T>(batch.y + at) * group.step_y + group.y;
+      T across;
+      T down;
+      const auto column = truncated(first_of_two((x + 0.5F) * scale_x - 0.5F, level.width, across));
+      const auto line = truncated(first_of_two((y + 0.5F) * scale_y - 0.5F, level.height, down));
+      const IntegerOf<T> texel = line * level.width + column;
+      std::memcpy(places.texel + i, &texel, sizeof texel);
+      std::memcpy(places.across + i, &across, sizeof across);
+      std::memcpy(places.down + i, &down, sizeof down);
+    }
+  }
+
+  //! Light between four texels.
+  static Quad light_at(const LightLevel& level, const Places& places, int i) {
+    const float* const upper = level.rgba + 4 * static_cast<long>(places.texel[i]);
+    const float* const lower = level.height > 1 ? upper + 4 * static_cast<long>(level.width) : upper;
+    const auto above = detail::load_quad_pair(upper);
+    const auto middle = above + places.down[i] * (detail::load_quad_pair(lower) - above);
+    Quad left;
+    Quad right;
+    std::memcpy(&left, &middle, sizeof left);
+    std::memcpy(&right, reinterpret_cast<const char*>(&middle) + sizeof left, sizeof right);
+    return {left.part + places.across[i] * (right.part - left.part)};
+  }
+
+  //! Light of the pixels that look at a level and the next.
+  void look(int index, int finer, Quad* light) const {
+    const LightLevel& level = batch.light.level[finer];
+    const bool alone = (batch.groups[index].levels & (batch.groups[index].levels - 1)) == 0;
+    const std::uint8_t* const chosen = batch.level + warp_group_px * static_cast<long>(index);
+    Places places;
+    find(index, level, places);
+    if (alone && batch.groups[index].blended == 0) {
+      for (int i = 0; i < warp_group_px; ++i) {
+        light[i] = light_at(level, places, i);
+      }
+      return;
+    }
+    const LightLevel& next = batch.light.level[finer + 1 < batch.light.count ? finer + 1 : finer];
+    Places wider;
+    find(index, next, wider);
+    for (int i = 0; i < warp_group_px; ++i) {
+      if (!alone && chosen[i] / warp_level_steps != finer) {
+        continue;
+      }
+      const float part = static_cast<float>(chosen[i] % warp_level_steps) * (1.0F / warp_level_steps);
+      const Quad fine = light_at(level, places, i);
+      const Quad coarse = light_at(next, wider, i);
+      light[i] = {fine.part + part * (coarse.part - fine.part)};
+    }
+  }
+
+  static void take_apart(const Quad* light, Channels& to) {
+    for (int i = 0; i < warp_group_px; i += 4) {
+      const Quad::Register a = light[i].part;
+      const Quad::Register b = light[i + 1].part;
+      const Quad::Register c = light[i + 2].part;
+      const Quad::Register d = light[i + 3].part;
+      const Quad::Register ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+      const Quad::Register cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+      const Quad::Register ab_blue = __builtin_shufflevector(a, b, 2, 6, 2, 6);
+      const Quad::Register cd_blue = __builtin_shufflevector(c, d, 2, 6, 2, 6);
+      store_quad(&to.part[0][i], {__builtin_shufflevector(ab, cd, 0, 1, 4, 5)});
+      store_quad(&to.part[1][i], {__builtin_shufflevector(ab, cd, 2, 3, 6, 7)});
+      store_quad(&to.part[2][i], {__builtin_shufflevector(ab_blue, cd_blue, 0, 1, 4, 5)});
+    }
+  }
+
+  static T square_of(const std::uint16_t* root) {
+    const T number = detail::load_whole<T>(root);
+    return number * number;
+  }
+
+  //! Blends and lifts light, and writes the values that are sent.
+  void send(int index, const Channels& light, std::uint8_t* rgb, int count) const {
+    using Bytes __attribute__((vector_size(lanes))) = std::uint8_t;
+    const std::uint16_t* const factor = batch.factor + (Coloured ? 6 : 1) * warp_group_px * static_cast<long>(index);
+    detail::Bytes16 bytes[3];
+    for (int channel = 0; channel < 3; ++channel) {
+      for (int i = 0; i < warp_group_px; i += lanes) {
+        T shown;
+        std::memcpy(&shown, light.part[channel] + i, sizeof shown);
+        T sent;
+        if constexpr (Coloured) {
+          const std::uint16_t* const own = factor + channel * warp_group_px + i;
+          sent = shown * square_of(own) * batch.factor_scale[channel] +
+                 square_of(own + 3 * warp_group_px) * batch.lift_scale[channel];
+        } else {
+          sent = shown * square_of(factor + i) * batch.factor_scale[channel] + batch.lift_scale[channel];
+        }
+        const T value = minimum(maximum(sent, T(batch.least)), T(1.0F));
+        const Bytes narrow = __builtin_convertvector(detail::eight_bit_power(value, batch.exponent), Bytes);
+        std::memcpy(reinterpret_cast<char*>(&bytes[channel]) + i, &narrow, sizeof narrow);
+      }
+    }
+    if (count == warp_group_px) {
+      return detail::interleave(bytes[0], bytes[1], bytes[2], rgb);
+    }
+    std::uint8_t last[3 * warp_group_px];
+    detail::interleave(bytes[0], bytes[1], bytes[2], last);
+    std::memcpy(rgb, last, 3 * static_cast<std::size_t>(count));
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

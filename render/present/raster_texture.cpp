@@ -1,0 +1,31 @@
+#include "render/present/raster_texture.h"
+
+#include <epoxy/gl.h>
+
+namespace ergodome {
+
+RasterTexture::RasterTexture(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {
+  glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
+  glTextureStorage2D(texture_, 1, GL_RGBA8, width_px, height_px);
+  glCreateFramebuffers(1, &framebuffer_);
+  glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+}
+
+RasterTexture::~RasterTexture() {
+  glDeleteFramebuffers(1, &framebuffer_);
+  glDeleteTextures(1, &texture_);
+}
+
+void RasterTexture::upload(const std::uint8_t* rgb) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(texture_, 0, 0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, rgb);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void RasterTexture::draw() const {
+  // The texture's first row is the top, a framebuffer's the bottom.
+  glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, width_px_, height_px_, 0, height_px_, width_px_, 0, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ergodome {
+
+//! Bytes as a display is sent them, in the OpenGL context that is current when it is made and used.
+class RasterTexture {
+ public:
+  RasterTexture(int width_px, int height_px);
+  ~RasterTexture();
+  RasterTexture(const RasterTexture&) = delete;
+  RasterTexture& operator=(const RasterTexture&) = delete;
+
+  //! Takes over RGB bytes of its size, the top row first.
+  void upload(const std::uint8_t* rgb);
+
+  //! Copies them to the window's framebuffer, which is as large.
+  void draw() const;
+
+ private:
+  int width_px_;
+  int height_px_;
+  unsigned texture_ = 0;
+  unsigned framebuffer_ = 0;
+};
+
+}  // namespace ergodome
