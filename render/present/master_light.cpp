@@ -72,13 +72,13 @@ MasterLight::MasterLight(const LightTiles& tiles) {
   }
 }
 
-void MasterLight::update(const Picture& picture) {
+void MasterLight::update(const Picture& picture, float dimmed) {
   for (int i = 0; i < levels_.count; ++i) {
     const std::vector<std::int32_t>& tiles = tiles_[static_cast<std::size_t>(i)];
     const int count = static_cast<int>(tiles.size());
     if (i == 0) {
-      tone_tiles(
-          {picture.rgba.data(), levels_.level[0], picture.tone, picture.heat_range.has_value(), tiles.data(), count});
+      tone_tiles({picture.rgba.data(), levels_.level[0], picture.tone, picture.heat_range.has_value(), dimmed,
+                  tiles.data(), count});
     } else if (count > 0) {
       average_tiles({levels_.level[i - 1], levels_.level[i], tiles.data(), count});
     }

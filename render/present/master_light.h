@@ -48,8 +48,8 @@ class MasterLight {
   //! Makes room. `tiles` must be complete.
   explicit MasterLight(const LightTiles& tiles);
 
-  //! Makes the light of a picture of the size that the tiles are of.
-  void update(const Picture& picture);
+  //! Makes the light of a picture of the size that the tiles are of; `dimmed` is a factor on it.
+  void update(const Picture& picture, float dimmed = 1.0F);
 
   [[nodiscard]] const LightLevels& levels() const { return levels_; }
 

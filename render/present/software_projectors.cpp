@@ -23,9 +23,9 @@ void SoftwareProjectors::prepare(int width, int height) {
   }
 }
 
-void SoftwareProjectors::show(const Picture& master) {
+void SoftwareProjectors::show(const Picture& master, float dimmed) {
   prepare(master.width, master.height);
-  light_.update(master);
+  light_.update(master, dimmed);
 }
 
 void SoftwareProjectors::replace(std::size_t projector, const ProjectorPicture& picture) {

@@ -14,7 +14,7 @@ class SoftwareProjectors {
   explicit SoftwareProjectors(std::vector<ProjectorPicture> pictures) : pictures_(std::move(pictures)) {}
 
   //! Takes over a domemaster, in linear light; it stays until the next one. The first, and one of another size, takes longer.
-  void show(const Picture& master);
+  void show(const Picture& master, float dimmed = 1.0F);
 
   //! Takes over a projector's picture; the next master shows it.
   void replace(std::size_t projector, const ProjectorPicture& picture);
