@@ -208,9 +208,9 @@ PadProfile& own_profile(PadSettings& settings, const PadIdentity& pad) {
 }
 
 fs::path calibration_file(const PadOptions& options) {
-  const fs::path path = !options.out.empty()        ? fs::path(options.out)
-                        : !options.settings.empty() ? fs::path(options.settings)
-                                                    : default_pad_settings_path();
+  fs::path path = !options.out.empty()        ? fs::path(options.out)
+                  : !options.settings.empty() ? fs::path(options.settings)
+                                              : default_pad_settings_path();
   if (path.empty()) {
     throw Error("pad --calibrate", "there is no home folder to keep settings in", "name a file with --out");
   }

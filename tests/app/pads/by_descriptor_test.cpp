@@ -13,7 +13,7 @@ struct Known {
   std::string_view untold;    //!< buttons among its vendor's bits
 };
 
-void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
+std::ostream& operator<<(std::ostream& out, const Known& known) { return out << known.name; }
 
 class KnownPad : public testing::TestWithParam<Known> {};
 
