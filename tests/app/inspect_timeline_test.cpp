@@ -12,11 +12,15 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* long_show =
+constexpr const char* spinning_show =
     "duration_s = 9\n[camera]\n[[camera.key]]\nr = 8\n[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 1, value = "
     "0.25 }, { t_s = 4, value = 0.75 }]\n[[chapter]]\nt_s = 2\ntitle = { en = \"The shadow\", de = \"Der Schatten\" }\n"
-    "[[caption]]\nfrom_s = 1\nto_s = 2\ntext = \"Grüße\\nan alle\"\n[[overlay]]\nimage = \"logo.png\"\nfrom_s = 0\n"
-    "to_s = 1\n[[audio]]\nfile = \"words.ogg\"\nlanguage = \"fr\"\n";
+    "[[caption]]\nfrom_s = 1\nto_s = 2\ntext = \"Grüße\\nan alle\"\n";
+
+//! The same with files of which one is missing.
+const std::string long_show = std::string(spinning_show) +
+                              "[[overlay]]\nimage = \"logo.png\"\nfrom_s = 0\nto_s = 1\n[[audio]]\n"
+                              "file = \"words.ogg\"\nlanguage = \"fr\"\n";
 
 TEST_F(CommandLine, InspectTellsWhatAShowDoesWithTime) {
   write("long.toml", long_show);
@@ -52,8 +56,8 @@ TEST_F(CommandLine, BakeRefusesASpinThatChangesAndLeavesNothing) {
 }
 
 TEST_F(CommandLine, RendersAnAnimatedShow) {
-  write("long.toml", long_show);
-  ASSERT_EQ(run("render long.toml --frames 30:32 --size 32 --backend cpu"), 0) << output_;
+  write("spinning.toml", spinning_show);
+  ASSERT_EQ(run("render spinning.toml --frames 30:32 --size 32 --backend cpu"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("3 frames"));
 }
 

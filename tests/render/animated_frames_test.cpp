@@ -19,7 +19,7 @@ Show starry_show() {
       "duration_s = 2\n[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 9\n[sky]\nmap = \"grid\"\nstars = "
       "\"bright_stars\"\nfaintest_mag = 3\n[effects]\nmagnification = true\npsf = {}\n"
       "diffraction = { size_px = 33 }\nbloom = { radius_px = 4 }\n[view]\nsize_px = 48\n[tone]\nauto = {}\n[stereo]\n"
-      "layout = \"side_by_side\"\nbaseline = 0.1\nconvergence = 8\n",
+      "baseline = 0.1\nconvergence = 8\n",
       "show.toml");
 }
 
@@ -56,6 +56,9 @@ class EachAnimatedNumber : public testing::TestWithParam<Change> {};
 TEST_P(EachAnimatedNumber, GivesThePictureOfAShowThatStandsStillThere) {
   const Change& change = GetParam();
   Show show = animated_show(change.path, change.from, change.to);
+  if (std::string_view(change.path).starts_with("stereo.")) {
+    show.stereo.layout = StereoLayout::side_by_side;
+  }
   show.tone.automatic->adapt_s = 0.0;  // the light of pictures before does not count
   ShowRenderer renderer(show, Backend::cpu);
   // Forth and back: what was applied before leaves nothing behind.
@@ -111,7 +114,7 @@ TEST(AnotherShow, GivesThePictureOfARendererOfItsOwn) {
   others[1].effects.diffraction.reset();
   others[2].effects.redshift = true;
   others[3].sky.filter = SkyFilter::point;
-  others[4].stereo.layout = StereoLayout::mono;
+  others[4].stereo.layout = StereoLayout::side_by_side;
   others[4].tone.automatic.reset();
   ShowRenderer renderer(first, Backend::cpu);
   picture_at(renderer, 0.0);
@@ -151,6 +154,7 @@ TEST(AnotherShow, ThatCannotBeReadLeavesTheOldOne) {
   EXPECT_THROW(renderer.set_show(broken), Error);
   broken = starry_show();
   broken.title = "broken";
+  broken.stereo.layout = StereoLayout::side_by_side;
   broken.stereo.model = StereoModel::omni;
   EXPECT_THROW(renderer.set_show(broken), Error);
   EXPECT_NE(renderer.show().title, "broken");
