@@ -85,9 +85,6 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     services_.tell(spdlog::level::warn, "this driver has no buffers for each eye; the eyes are side by side");
     session_->use_layout(StereoLayout::side_by_side);
   }
-  if (!options_.record.empty()) {
-    session_->record();
-  }
   pads_.start();
 }
 
@@ -96,6 +93,9 @@ Player::~Player() = default;
 void Player::begin(const Show& show, bool free_flight) {
   session_.emplace(show, session_options(options_, free_flight));
   session_->show_times(options_.times_shown);
+  if (!options_.record.empty()) {
+    session_->record();
+  }
   services_.drive(session_->playback());
   services_.set_show(show, options_.load);
   if (exhibit_) {

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace ergodome::test {
 
@@ -18,7 +19,18 @@ void CommandLine::SetUp() {
 }
 
 int CommandLine::run(const std::string& arguments) {
-  const std::string command = "cd '" + folder_.string() + "' && '" ERGODOME_PROGRAM "' " + arguments + " 2>&1";
+  return run_command("cd '" + folder_.string() + "' && '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
+}
+
+bool CommandLine::has_display() { return std::system("command -v xvfb-run >/dev/null") == 0; }
+
+int CommandLine::run_on_display(const std::string& arguments, const std::string& environment) {
+  // Drivers keep memory; whose it is cannot be told once they are unloaded.
+  return run_command("cd '" + folder_.string() + "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 " + environment +
+                     " xvfb-run -a -s '-screen 0 800x600x24' '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
+}
+
+int CommandLine::run_command(const std::string& command) {
   FILE* pipe = ::popen(command.c_str(), "r");
   output_.clear();
   char buffer[4096];

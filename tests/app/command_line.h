@@ -18,9 +18,17 @@ class CommandLine : public FolderTest {
   //! Runs the program in the test's folder; all that it prints goes to output_.
   int run(const std::string& arguments);
 
+  //! The same on a virtual display of its own; `environment` stands before the program.
+  int run_on_display(const std::string& arguments, const std::string& environment);
+  //! Whether there is anything to make one with.
+  static bool has_display();
+
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
   std::string output_;
+
+ private:
+  int run_command(const std::string& command);
 };
 
 }  // namespace ergodome::test

@@ -7,8 +7,10 @@
 #include <random>
 
 #include "app/show_loading.h"
+#include "content/files/atomic_file.h"
 #include "content/show_reader.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/killed_writer.h"
 
 namespace ergodome {
 namespace {
@@ -112,6 +114,25 @@ TEST_F(RecordedShow, IsReadAgainWithTheSamePath) {
     EXPECT_NEAR(camera_pose(read, t).r, camera_pose(show, t).r, 1e-9);
     EXPECT_LT(angle_between(camera_pose(read, t).orientation, camera_pose(show, t).orientation), 1e-6);
   }
+}
+
+TEST_F(RecordedShow, IsOldOrNewWhateverMomentTheProgramIsKilledIn) {
+  const Show scene = load_show("free-flight");
+  const std::filesystem::path file = folder_ / "flight.toml";
+  test::kill_while_writing(
+      [&](int i) {
+        std::vector<CameraKey> keys(2 + static_cast<std::size_t>(i % 100));
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+          keys[k].time_s = static_cast<double>(k);
+        }
+        write_text_atomically(file, to_toml(recorded_show(scene, keys, "A flight")));
+      },
+      [&] {
+        if (std::filesystem::exists(file)) {
+          EXPECT_EQ(read_show(file).title, "A flight");
+        }
+      });
+  EXPECT_TRUE(std::filesystem::exists(file));
 }
 
 }  // namespace

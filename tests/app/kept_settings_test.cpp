@@ -1,15 +1,12 @@
 #include "app/exhibit/kept_settings.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fstream>
-#include <thread>
 
 #include "app/exhibit/log_file.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/killed_writer.h"
 
 namespace ergodome {
 namespace {
@@ -43,24 +40,17 @@ TEST_F(KeptSettingsTest, OfADamagedFileAreTheUsualOnesAndTheFileIsKept) {
   }
 }
 
-//! Writes settings again and again in a process of its own, which is killed at any moment.
 TEST_F(KeptSettingsTest, AreOldOrNewWhateverMomentTheProgramIsKilledIn) {
   const std::filesystem::path file = folder_ / "settings.toml";
-  for (int round = 0; round < 20; ++round) {
-    const pid_t child = fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      for (int i = 0;; ++i) {
+  test::kill_while_writing(
+      [&](int i) {
         write_kept_settings(file, {.exposure_stops = (i % 40) / 4.0, .language = std::string(1 + i % 30, 'x')});
-      }
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5 + 3 * round));
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-    std::string problem;
-    read_kept_settings(file, problem);
-    EXPECT_EQ(problem, "");
-  }
+      },
+      [&] {
+        std::string problem;
+        read_kept_settings(file, problem);
+        EXPECT_EQ(problem, "");
+      });
   for (const auto& each : std::filesystem::directory_iterator(folder_)) {
     EXPECT_EQ(each.path(), file);
   }

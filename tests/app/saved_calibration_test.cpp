@@ -8,6 +8,7 @@
 #include "calibration/projector_picture.h"
 #include "calibration/warp_conversion.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/killed_writer.h"
 #include "tests/support/simulated_dome.h"
 
 namespace ergodome {
@@ -92,6 +93,17 @@ TEST_F(SavedCalibration, MovesMasksOfBlackLevelsToo) {
   const DomeSetup read = read_dome_setup(folder_ / "dome.toml");
   EXPECT_EQ(read.projectors[1].black_level_mask, "2_p1_black.png");
   EXPECT_EQ(read.projectors[1].black_level_lift.y, 0.02);
+}
+
+TEST_F(SavedCalibration, IsOldOrNewWhateverMomentTheProgramIsKilledIn) {
+  save_calibration(folder_ / "dome.toml", setup_, corners_);
+  test::kill_while_writing(
+      [&](int i) {
+        DomeSetup turned = setup_;
+        turned.rotation_deg = i % 90;
+        save_calibration(folder_ / "dome.toml", turned, corners_);
+      },
+      [&] { EXPECT_NO_THROW(projector_pictures(read_dome_setup(folder_ / "dome.toml"))); });
 }
 
 }  // namespace

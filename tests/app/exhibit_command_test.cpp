@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "content/camera_path.h"
+#include "content/show_reader.h"
+#include "tests/app/command_line.h"
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+
+//! An exhibit on a virtual display, and a visitor whose pad is a recording.
+class ExhibitInAWindow : public test::CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    if (!has_display()) {
+      GTEST_SKIP() << "no virtual display here (xvfb-run)";
+    }
+    write("attract.toml", "duration_s = 10\n" + scene_);
+    write("visitor.toml", scene_);
+  }
+
+  int exhibit(const std::string& options) {
+    return run_on_display(
+        "play visitor.toml --exhibit --attract attract.toml --no-sound --backend cpu --size 64 " + options,
+        "XDG_STATE_HOME='" + folder_.string() + "/state' XDG_CONFIG_HOME='" + folder_.string() + "'");
+  }
+
+  [[nodiscard]] std::string log() const {
+    std::ifstream file(folder_ / "state/ergodome/ergodome.log");
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  std::string scene_ =
+      "[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 64\n";
+};
+
+TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
+  ASSERT_EQ(exhibit("--record flight.toml --for 6 --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml'"), 0)
+      << output_;
+  EXPECT_THAT(log(), HasSubstr("a visitor has come"));
+  const Show flight = read_show(folder_ / "flight.toml");
+  EXPECT_GT(flight.duration_s, 1.0);
+  const CameraPose first = camera_pose(flight, 0.0);
+  const CameraPose last = camera_pose(flight, flight.duration_s);
+  EXPECT_TRUE(std::abs(last.r - first.r) > 0.01 || std::abs(last.phi - first.phi) > 0.01);
+}
+
+TEST_F(ExhibitInAWindow, ShowsTheAttractShowWhenNobodyComes) {
+  ASSERT_EQ(exhibit("--for 2 --screenshot shot.png"), 0) << output_;
+  EXPECT_THAT(log(), testing::Not(HasSubstr("a visitor has come")));
+}
+
+}  // namespace
+}  // namespace ergodome
