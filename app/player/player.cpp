@@ -74,8 +74,10 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     first = exhibit_->show();
     scene_renderers_[ExhibitScene::visitor] = make(show);
     inputs_.set_lock(InputLock::visitors);
-    screen_.window().hide_cursor();
     services_.tell(spdlog::level::warn, exhibit_->problem());
+  }
+  if (options_.full_screen || exhibit_) {
+    screen_.window().hide_cursor();
   }
   renderer_ = make(first);
   scene_renderers_[ExhibitScene::attract] = exhibit_ ? renderer_ : nullptr;
