@@ -17,7 +17,7 @@ void fit_to_setup(Show& show, const DomeSetup& setup);
 //! The projectors' names for files: what of them is plain, and different for each.
 std::vector<std::string> plain_names(const DomeSetup& setup);
 
-//! Writes what the projectors show of numbered frames, through EGL.
+//! Writes what the projectors show of numbered frames, without a display.
 class ProjectorFrames {
  public:
   //! Throws Error as HeadlessProjectors does.

@@ -45,7 +45,9 @@ struct AverageBatch {
   int count;
 };
 
+inline namespace ERGO_TARGET {
 //! How many tiles lie side by side in a picture.
 constexpr int light_tiles(int size) { return (size + light_tile_px - 1) / light_tile_px; }
+}  // namespace ERGO_TARGET
 
 }  // namespace ergodome

@@ -45,7 +45,9 @@ struct WarpBatch {
   std::uint8_t* rgb;  //!< three bytes a pixel, the top row first
 };
 
+inline namespace ERGO_TARGET {
 //! Groups of a row of pixels.
 constexpr int warp_groups(int width_px) { return (width_px + warp_group_px - 1) / warp_group_px; }
+}  // namespace ERGO_TARGET
 
 }  // namespace ergodome
