@@ -32,15 +32,11 @@ inline namespace ERGO_TARGET {
 namespace detail {
 ERGO_HD Quad overlay_texel(const std::uint16_t* texels, int width, int column, int row) {
   const std::uint16_t* at = texels + 4 * (static_cast<long>(row) * width + column);
-  float part[4];
+  alignas(16) float part[4];
   for (int i = 0; i < 4; ++i) {
     part[i] = static_cast<float>(at[i]);
   }
-#if defined(__CUDACC__)
-  return {make_float4(part[0], part[1], part[2], part[3])};
-#else
-  return {Quad::Register{part[0], part[1], part[2], part[3]}};
-#endif
+  return load_quad(part);
 }
 
 //! Between the four texels about a place of a level; beyond the sides as at them. In units of 1 / 65535.
@@ -74,17 +70,19 @@ ERGO_HD Quad overlay_look(const OverlayTexture& texture, float level, float s, f
 }
 }  // namespace detail
 
-//! Light and alpha that a pixel sees of a texture: the mean over its footprint, taken at up to eight places along its longer axis from the level
-//! whose texels are as wide as it is. A footprint of a texel that lies on one gives that texel.
+//! Light and alpha that a pixel sees of a texture: the mean over its footprint, an ellipse. Looks lie beside each other, up to eight along its
+//! longer axis and two along the shorter, in the level whose texels are as far apart. A footprint of a texel that lies on one gives that texel.
 ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootprint& footprint) {
   constexpr float most_looks = 8.0F;
+  // A footprint that is wider than a texel by no more than this is of one.
+  constexpr float slack = 0.05F;
   const float width = static_cast<float>(texture.width);
   const float height = static_cast<float>(texture.height);
   const float ux = footprint.s_along_x * width;
   const float uy = footprint.s_along_y * width;
   const float vx = footprint.t_along_x * height;
   const float vy = footprint.t_along_y * height;
-  // The ellipse of the footprint: eigenvalues and the larger one's vector of J Jᵀ.
+  // The ellipse: eigenvalues of J Jᵀ, and the larger one's vector.
   const float a = ux * ux + uy * uy;
   const float b = ux * vx + uy * vy;
   const float c = vx * vx + vy * vy;
@@ -92,22 +90,27 @@ ERGO_HD Quad filtered_overlay(const OverlayTexture& texture, const OverlayFootpr
   const float apart = sqrt(0.25F * (a - c) * (a - c) + b * b);
   const float longer = sqrt(middle + apart);
   const float shorter = safe_sqrt(middle - apart);
-  // Looks begin to be more than one where the axes differ visibly.
-  const float looks = minimum(::floorf(longer / maximum(shorter, 1.0F) + 0.75F), most_looks);
-  const int count = looks > 1.0F ? static_cast<int>(looks) : 1;
-  const float level = ::log2f(maximum(longer / static_cast<float>(count), 1.0F));
-  float along_u = a >= c ? middle + apart - c : b;
-  float along_v = a >= c ? b : middle + apart - a;
-  const float length = sqrt(along_u * along_u + along_v * along_v);
-  const float scale = length > 0.0F ? longer / (length * static_cast<float>(count)) : 0.0F;
-  along_u = along_u * scale / width;
-  along_v = along_v * scale / height;
+  const float axis_u = a >= c ? middle + apart - c : b;
+  const float axis_v = a >= c ? b : middle + apart - a;
+  const float length = sqrt(axis_u * axis_u + axis_v * axis_v);
+  const float u = length > 0.0F ? axis_u / length : 1.0F;
+  const float v = length > 0.0F ? axis_v / length : 0.0F;
+  const float looks = ::ceilf(longer / maximum(0.5F * shorter, 1.0F) - slack);
+  const int along = static_cast<int>(minimum(maximum(looks, 1.0F), most_looks));
+  const int across = shorter > 1.0F + slack ? 2 : 1;
+  const float step = longer / static_cast<float>(along);
+  const float side_step = shorter / static_cast<float>(across);
+  const float level = ::log2f(maximum(maximum(step, side_step), 1.0F));
   Quad sum = quad_of(0.0F);
-  for (int i = 0; i < count; ++i) {
-    const float place = static_cast<float>(i) - 0.5F * static_cast<float>(count - 1);
-    sum = sum + detail::overlay_look(texture, level, footprint.s + place * along_u, footprint.t + place * along_v);
+  for (int k = 0; k < across; ++k) {
+    const float beside = side_step * (static_cast<float>(k) - 0.5F * static_cast<float>(across - 1));
+    for (int i = 0; i < along; ++i) {
+      const float ahead = step * (static_cast<float>(i) - 0.5F * static_cast<float>(along - 1));
+      sum = sum + detail::overlay_look(texture, level, footprint.s + (ahead * u - beside * v) / width,
+                                       footprint.t + (ahead * v + beside * u) / height);
+    }
   }
-  return (1.0F / (65535.0F * static_cast<float>(count))) * sum;
+  return (1.0F / (65535.0F * static_cast<float>(along * across))) * sum;
 }
 
 }  // namespace ERGO_TARGET

@@ -45,6 +45,12 @@ void check_overlay(const Overlay& overlay, const std::filesystem::path& path, in
   }
 }
 
+//! Lines bend on domes and spheres; on a flat screen they are straight.
+OverlaySheet caption_sheet(const Projection& projection, const DomePlace& place, double across, double upright) {
+  return projection.kind == ProjectionKind::pinhole ? flat_sheet(place, 2.0 * std::atan(0.5 * across), across / upright)
+                                                    : bent_sheet(place, across, upright);
+}
+
 Error too_much(const std::string& folder) {
   return {folder, fmt::format("its images take more than {} GiB", most_image_bytes >> 30),
           "make them smaller, or use fewer"};
@@ -162,8 +168,8 @@ void OverlayPass::draw_caption(const OverlayTarget& target, const Projection& pr
   const double upright = angle * set.texture.layout.height;
   const PlacedOverlay placed = placed_overlay(projection, caption.place, across, upright);
   if (placed.shown) {
-    draw_sheet(target, projection, set.texture, bent_sheet(placed.place, placed.scale * across, placed.scale * upright),
-               opacity);
+    draw_sheet(target, projection, set.texture,
+               caption_sheet(projection, placed.place, placed.scale * across, placed.scale * upright), opacity);
   }
 }
 
