@@ -39,7 +39,7 @@ std::optional<Controls::SteerBinding> steer_binding_of(std::string_view text) {
 }
 
 std::string text_of(const Controls::SteerBinding& binding) {
-  const std::string name = name_of(binding.input);
+  std::string name = name_of(binding.input);
   if (binding.scale == 1.0) {
     return name;
   }

@@ -18,8 +18,8 @@ struct FixturePlayer::Playing {
   }
 
   [[nodiscard]] double time_of(std::size_t index) const {
-    const double rounds = device.repeat_s > 0.0 ? std::floor(static_cast<double>(index / device.timeline.size())) : 0.0;
-    return rounds * device.repeat_s + event(index).t_s;
+    const std::size_t round = index / device.timeline.size();
+    return (device.repeat_s > 0.0 ? static_cast<double>(round) * device.repeat_s : 0.0) + event(index).t_s;
   }
 
   [[nodiscard]] bool is_end(std::size_t index) const {

@@ -1,6 +1,7 @@
 #include "app/pads/hid_text.h"
 
 #include <cstdint>
+#include <type_traits>
 
 namespace ergodome {
 
@@ -42,7 +43,7 @@ std::string trimmed(const std::string& text) {
 std::string text_of(const wchar_t* text) {
   std::string out;
   for (std::size_t i = 0; text != nullptr && i < longest && text[i] != L'\0'; ++i) {
-    const auto point = static_cast<std::uint32_t>(text[i]);
+    const auto point = std::uint32_t{static_cast<std::make_unsigned_t<wchar_t>>(text[i])};
     if (is_shown(point)) {
       append_utf8(out, point);
     }

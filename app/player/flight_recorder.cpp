@@ -39,7 +39,7 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
   key.phi = pose.phi;
   // The columns of yaw * pitch * roll, as key_orientation() multiplies them.
   const glm::dmat3 m = glm::mat3_cast(glm::normalize(glm::inverse(key_orientation(CameraKey())) * pose.orientation));
-  const glm::dvec3 back = m[2];
+  const glm::dvec3& back = m[2];
   const double sine = std::clamp(-back.y, -1.0, 1.0);
   key.pitch = std::asin(sine);
   if (std::hypot(back.x, back.z) > 1e-9) {

@@ -143,8 +143,10 @@ void blur_lines(std::vector<float>& values, int lines, long line, int count, lon
       sum += static_cast<double>(before[static_cast<std::size_t>(k)]);
     }
     for (int k = 0; k < count; ++k) {
-      sum += k + reach < count ? static_cast<double>(before[static_cast<std::size_t>(k + reach)]) : 0.0;
-      sum -= k - reach - 1 >= 0 ? static_cast<double>(before[static_cast<std::size_t>(k - reach - 1)]) : 0.0;
+      const int entering = k + reach;
+      const int leaving = k - reach - 1;
+      sum += entering < count ? static_cast<double>(before[static_cast<std::size_t>(entering)]) : 0.0;
+      sum -= leaving >= 0 ? static_cast<double>(before[static_cast<std::size_t>(leaving)]) : 0.0;
       first[k * step] = static_cast<float>(std::max(sum, 0.0) / (2 * reach + 1));
     }
   }

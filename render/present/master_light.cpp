@@ -25,7 +25,8 @@ void LightTiles::want(int level, int left, int right, int top, int bottom) {
   const int last_row = std::min(bottom, at.height - 1) / light_tile_px;
   for (int row = std::max(top, 0) / light_tile_px; row <= last_row; ++row) {
     for (int column = std::max(left, 0) / light_tile_px; column <= last_column; ++column) {
-      at.wanted[static_cast<std::size_t>(row * across + column)] = 1;
+      const int tile = row * across + column;
+      at.wanted[static_cast<std::size_t>(tile)] = 1;
     }
   }
 }

@@ -74,8 +74,8 @@ TEST(CameraPath, SpeedAndAccelerationAreTheSameOnBothSidesOfEveryKey) {
   const double h = 1e-3;
   for (const CameraKey& key : show.camera.keys) {
     std::array<std::array<double, 6>, 7> at{};
-    for (int i = -3; i <= 3; ++i) {
-      at[static_cast<std::size_t>(i + 3)] = seen_from(key, camera_pose(show, key.time_s + i * h));
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      at[i] = seen_from(key, camera_pose(show, key.time_s + (static_cast<double>(i) - 3.0) * h));
     }
     for (std::size_t k = 0; k < 6; ++k) {
       // One-sided differences, with errors of the order h².

@@ -391,7 +391,8 @@ TEST_F(Overlays, HaveNoDarkFringes) {
   disc.width = disc.height = size;
   disc.tone = as_it_is;
   for (int i = 0; i < size * size; ++i) {
-    const double radius = std::hypot(i % size - 31.5, i / size - 31.5);
+    const int row = i / size;
+    const double radius = std::hypot(i % size - 31.5, row - 31.5);
     const auto alpha = static_cast<float>(std::clamp(0.5 * (24.0 - radius), 0.0, 1.0));
     const float light = alpha > 0.0F ? 1.0F : 0.0F;
     disc.rgba.insert(disc.rgba.end(), {light, light, light, alpha});
@@ -426,10 +427,11 @@ TEST_F(Overlays, ThatAreDomemastersComeBackPixelForPixel) {
   const auto expected = tone_mapped(master);
   int compared = 0;
   for (int i = 0; i < 512 * 512; ++i) {
-    if (image_coverage(projection, i % 512 + 0.5, i / 512 + 0.5) == 1.0) {
+    const int row = i / 512;
+    if (image_coverage(projection, i % 512 + 0.5, row + 0.5) == 1.0) {
       ++compared;
       ASSERT_NEAR(seen[3UL * static_cast<std::size_t>(i)], expected[3UL * static_cast<std::size_t>(i)], 1)
-          << i % 512 << " " << i / 512;
+          << i % 512 << " " << row;
     }
   }
   EXPECT_GT(compared, 200000);

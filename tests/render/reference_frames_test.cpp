@@ -132,7 +132,8 @@ class OverlayFrames : public FramesOfASky {
     picture.width = picture.height = size;
     picture.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
     for (int i = 0; i < size * size; ++i) {
-      const double zenith_deg = 90.0 * std::hypot(i % size + 0.5 - 128.0, i / size + 0.5 - 128.0) / 128.0;
+      const int row = i / size;
+      const double zenith_deg = 90.0 * std::hypot(i % size + 0.5 - 128.0, row + 0.5 - 128.0) / 128.0;
       const float alpha = zenith_deg > 40.0 && zenith_deg < 45.0 ? 0.7F : 0.0F;
       picture.rgba.insert(picture.rgba.end(), {0.1F * alpha, 0.9F * alpha, alpha, alpha});
     }
