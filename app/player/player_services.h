@@ -19,6 +19,7 @@ namespace ergodome {
 struct ServiceOptions {
   RemoteOptions remote;
   std::string clock = "own";  //!< "mtc", "mtc:PORT" or "osc": what the show's time follows
+  std::string clock_start;    //!< the time code at which the show begins ("01:00:00:00"); empty: midnight
   bool sound = true;
   double sound_later_s = 0.0;      //!< for displays that take their time
   std::filesystem::path log_file;  //!< empty: none
