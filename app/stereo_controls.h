@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/player_keys.h"
+#include "app/navigation/actions.h"
 #include "content/show.h"
 #include "render/frame/eye_disparity.h"
 

@@ -56,13 +56,7 @@ enum class KeyAction {
   tint_eyes,
   next_layout,
   next_model,
-  leave_exhibit,
-  left,  //!< this and the rest: for players that steer by single keys (player_keys.h); no map binds them
-  right,
-  up,
-  down,
-  in,
-  out
+  leave_exhibit
 };
 
 //! Who an action is for: visitors with a pad reach theirs without a keyboard.

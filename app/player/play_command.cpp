@@ -1,11 +1,13 @@
+#include <fmt/format.h>
+
 #include <memory>
+#include <sstream>
 
 #include "app/backend_choice.h"
 #include "app/commands.h"
 #include "app/exhibit/kept_settings.h"
 #include "app/lens_options.h"
 #include "app/player/player.h"
-#include "app/player_keys.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
 
@@ -27,6 +29,17 @@ struct PlayArguments {
   LensOptions lens;
   PlayOptions options;
 };
+
+//! The keys, a line each, for --help.
+std::string key_help() {
+  std::string text = "Keys:\n";
+  std::istringstream lines(Controls().help_text({.pads = false}));
+  for (std::string line; std::getline(lines, line);) {
+    text += fmt::format("  {}\n", line);
+  }
+  text.pop_back();
+  return text;
+}
 
 //! Reads the setup whose projectors are to show the pictures.
 void use_setup(PlayArguments& arguments) {
@@ -142,6 +155,10 @@ void add_play_command(CLI::App& app) {
         const bool known = word == "own" || word == "osc" || word == "mtc" || word.rfind("mtc:", 0) == 0;
         return known ? std::string() : "is none of own, mtc, mtc:PORT, osc";
       })
+      ->capture_default_str();
+  command
+      ->add_option("--clock-start", arguments->options.services.clock_start,
+                   "with --clock mtc: the time code at which the show begins")
       ->capture_default_str();
   command->add_flag("!--no-sound", arguments->options.services.sound, "play no sound");
   command

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "app/backend_choice.h"
 #include "app/exhibit/supervisor.h"
 #include "app/interrupt.h"
 #include "app/lens_options.h"
 #include "app/pads/hid_fixture.h"
+#include "app/player/player_texts.h"
 #include "app/show_loading.h"
-#include "app/stereo_controls.h"
 #include "calibration/pad_settings.h"
-#include "content/files/atomic_file.h"
-#include "content/show_reader.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {
@@ -23,9 +20,6 @@ namespace ergodome {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
-
-//! A recording is written so often, for the case that the program is stopped hard.
-constexpr std::chrono::seconds recording_interval{10};
 
 //! So many pictures that fail one after another, and their renderer is made anew.
 constexpr int most_failures = 5;
@@ -63,25 +57,25 @@ PadSettings pad_settings(const PlayOptions& options) {
 Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOptions& options)
     : options_(options),
       screen_(screen_options(show, options)),
-      loader_(make),
+      renderers_(make),
       inputs_(load_controls(options.controls)),
       pads_(hid_api(options), pad_settings(options)),
       pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
-      services_(options.services, show) {
+      services_(options.services, show),
+      recording_(options.record) {
   Show first = show;
   if (options_.exhibit) {
     exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
     first = exhibit_->show();
-    scene_renderers_[ExhibitScene::visitor] = make(show);
+    renderers_.prepare(ExhibitScene::visitor, show);
     inputs_.set_lock(InputLock::visitors);
     services_.tell(spdlog::level::warn, exhibit_->problem());
   }
   if (options_.full_screen || exhibit_) {
     screen_.window().hide_cursor();
   }
-  renderer_ = make(first);
-  scene_renderers_[ExhibitScene::attract] = exhibit_ ? renderer_ : nullptr;
-  backend_ = describe(renderer_->backend());
+  renderers_.prepare(ExhibitScene::attract, first);
+  renderers_.enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
   if (by_eye() && screen_.window().buffers() == WindowBuffers::plain) {
     services_.tell(spdlog::level::warn, "this driver has no buffers for each eye; the eyes are side by side");
@@ -95,7 +89,7 @@ Player::~Player() = default;
 void Player::begin(const Show& show, bool free_flight) {
   session_.emplace(show, session_options(options_, free_flight));
   session_->show_times(options_.times_shown);
-  if (!options_.record.empty()) {
+  if (recording_.wanted()) {
     session_->record();
   }
   services_.drive(session_->playback());
@@ -114,9 +108,7 @@ void Player::run() {
     end_in_time();
     tell_supervisor_alive(session_->now_s());
   }
-  if (!options_.record.empty()) {
-    save_recording();
-  }
+  recording_.save(*session_);
   if (options_.for_seconds > 0.0) {
     print_statistics();
   }
@@ -144,9 +136,7 @@ void Player::advance() {
   services_.follow(session_->playback());
   update_texts();
   post_status();
-  if (!options_.record.empty() && Clock::now() - saved_recording_ > recording_interval) {
-    save_recording();
-  }
+  keep_recording();
 }
 
 void Player::advance_exhibit(PlayerInput& input) {
@@ -168,10 +158,7 @@ void Player::advance_exhibit(PlayerInput& input) {
 
 void Player::change_scene() {
   const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
-  renderer_ = scene_renderers_[exhibit_->scene()];
-  if (!renderer_) {
-    loader_.load(exhibit_->show());
-  }
+  renderers_.enter(exhibit_->scene(), exhibit_->show());
   begin(exhibit_->show(), visitor);
   services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
 }
@@ -203,40 +190,26 @@ void Player::reload(bool now) {
   if (result->show) {
     session_->set_show(*result->show);
     services_.set_show(*result->show, options_.load);
-    loader_.load(*result->show);
+    renderers_.renew(*result->show);
     services_.tell(spdlog::level::info, fmt::format("{} was read again", result->show->name));
   }
 }
 
 void Player::take_renderer() {
-  auto loaded = loader_.take();
-  if (!loaded) {
-    return;
-  }
-  // What was loaded for a scene that is over is of no use.
-  const bool wanted = loaded->renderer && loaded->renderer->show().name == session_->show().name;
-  if (wanted) {
-    renderer_ = std::move(loaded->renderer);
-    if (exhibit_) {
-      scene_renderers_[exhibit_->scene()] = renderer_;
-    }
-    backend_ = describe(renderer_->backend());
+  const SceneRenderers::News news = renderers_.advance(session_->show());
+  services_.tell(spdlog::level::err, news.problem);
+  if (news.another) {
     failures_ = 0;
     session_->show_again();
-  } else {
-    services_.tell(spdlog::level::err, loaded->problem);
-    if (!renderer_) {
-      loader_.load(session_->show());
-    }
   }
 }
 
 void Player::update_picture() {
-  if (!renderer_) {
+  if (!renderers_.current()) {
     return;
   }
   PictureRequest wish;
-  wish.renderer = renderer_;
+  wish.renderer = renderers_.current();
   wish.frame = session_->frame();
   wish.disparity_asked = session_->times_shown();
   bool changed = session_->changed();
@@ -254,7 +227,8 @@ void Player::note(PictureNews news) {
   }
   failures_ = news == PictureNews::problem ? failures_ + 1 : 0;
   if (news == PictureNews::hang || failures_ >= most_failures) {
-    lose_renderer();
+    failures_ = 0;
+    renderers_.lose(session_->show());
   }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());
@@ -264,20 +238,13 @@ void Player::note(PictureNews news) {
     tell_supervisor_ready();
   }
   services_.tell(spdlog::level::err, pictures_.report().problem);
-  screen_.window().set_title(title_text());
-}
-
-void Player::lose_renderer() {
-  failures_ = 0;
-  renderer_.reset();
-  if (exhibit_) {
-    scene_renderers_[exhibit_->scene()].reset();
-  }
-  loader_.load(session_->show());
+  screen_.window().set_title(title_text(pictures_.report(), *session_, renderers_.backend()));
 }
 
 void Player::update_texts() {
-  screen_.set_text(PanelPlace::top_left, session_->times_shown() ? times_text() : "");
+  screen_.set_text(
+      PanelPlace::top_left,
+      session_->times_shown() ? times_text(pictures_.report(), session_->frame().stereo, renderers_.backend()) : "");
   screen_.set_text(PanelPlace::bottom_middle, session_->caption());
   std::string help;
   if (session_->help_shown()) {
@@ -295,7 +262,7 @@ void Player::post_status() {
   session_->fill(status);
   const PictureReport& report = pictures_.report();
   status.lens = report.lens;
-  status.backend = backend_;
+  status.backend = renderers_.backend();
   status.frame_ms = report.frame_time_ms;
   status.frames = report.pictures;
   status.problem = report.problem;
@@ -311,14 +278,9 @@ void Player::post_status() {
   services_.post(std::move(status));
 }
 
-void Player::save_recording() {
-  saved_recording_ = Clock::now();
-  const auto flight = session_->recorded("Recorded flight");
-  if (!flight) {
-    return;
-  }
+void Player::keep_recording() {
   try {
-    write_text_atomically(options_.record, to_toml(*flight));
+    recording_.keep(*session_);
   } catch (const std::exception& problem) {
     services_.tell(spdlog::level::err, problem.what());
   }
@@ -335,30 +297,9 @@ void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
     fmt::print("{} pictures after the first in {:.1f} s\n", pictures_.report().pictures - 1, options_.for_seconds);
   }
-  if (const auto streamed = renderer_ ? renderer_->stream_statistics() : std::nullopt) {
+  if (const auto streamed = renderers_.current() ? renderers_.current()->stream_statistics() : std::nullopt) {
     ergodome::print_statistics(*streamed);
   }
-}
-
-std::string Player::times_text() const {
-  const PictureReport& report = pictures_.report();
-  std::string text =
-      fmt::format("{:.1f} ms at {} px, {} lens, {}", report.frame_time_ms, report.size_px, report.lens, backend_);
-  if (eye_count(session_->frame().stereo) > 1) {
-    text += "\n" + disparity_caption(session_->frame().stereo, report.disparity);
-  }
-  return text;
-}
-
-std::string Player::title_text() const {
-  const PictureReport& report = pictures_.report();
-  const PlayerFrame& frame = session_->frame();
-  return fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}",
-                     session_->show().title, session_->show().spin, frame.pose.r, frame.time_s, report.frame_time_ms,
-                     report.size_px, report.lens, backend_,
-                     session_->flying()                       ? "  free flight"
-                     : session_->playback().instant().playing ? ""
-                                                              : "  paused");
 }
 
 }  // namespace ergodome

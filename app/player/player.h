@@ -2,8 +2,6 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,7 +14,8 @@
 #include "app/player/player_screen.h"
 #include "app/player/player_services.h"
 #include "app/player/player_session.h"
-#include "app/player/renderer_loader.h"
+#include "app/player/recording_file.h"
+#include "app/player/scene_renderers.h"
 
 namespace ergodome {
 
@@ -62,22 +61,18 @@ class Player {
   void take_renderer();
   void update_picture();
   void note(PictureNews news);
-  void lose_renderer();
   void advance_exhibit(PlayerInput& input);
   void change_scene();
   void update_texts();
   void post_status();
-  void save_recording();
+  void keep_recording();
   void end_in_time();
   void print_statistics() const;
-  [[nodiscard]] std::string times_text() const;
-  [[nodiscard]] std::string title_text() const;
   [[nodiscard]] bool by_eye() const { return session_->frame().stereo.layout == StereoLayout::quad_buffer; }
 
   PlayOptions options_;
   PlayerScreen screen_;
-  RendererLoader loader_;
-  std::shared_ptr<ShowRenderer> renderer_;  //!< none while a lost one is made anew
+  SceneRenderers renderers_;
   std::optional<PlayerSession> session_;
   PlayerInputs inputs_;
   PadHub pads_;
@@ -85,13 +80,11 @@ class Player {
   PictureFlow pictures_;
   PlayerServices services_;
   std::optional<ExhibitScenes> exhibit_;
-  std::map<ExhibitScene, std::shared_ptr<ShowRenderer>> scene_renderers_;  //!< of an exhibit: no visitor waits
-  double captions_opacity_ = 0.0;                                          //!< of what is to be read now
-  std::string backend_;
-  int failures_ = 0;  //!< pictures that failed in a row
+  double captions_opacity_ = 0.0;  //!< of what is to be read now
+  int failures_ = 0;               //!< pictures that failed in a row
   FrameTimes frame_times_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
-  Clock::time_point saved_recording_{};
+  RecordingFile recording_;
 };
 
 }  // namespace ergodome

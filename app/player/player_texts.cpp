@@ -1,0 +1,28 @@
+#include "app/player/player_texts.h"
+
+#include <fmt/format.h>
+
+#include "app/stereo_controls.h"
+
+namespace ergodome {
+
+std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend) {
+  std::string text =
+      fmt::format("{:.1f} ms at {} px, {} lens, {}", report.frame_time_ms, report.size_px, report.lens, backend);
+  if (eye_count(stereo) > 1) {
+    text += fmt::format("\n{}", disparity_caption(stereo, report.disparity));
+  }
+  return text;
+}
+
+std::string title_text(const PictureReport& report, const PlayerSession& session, const std::string& backend) {
+  const PlayerFrame& frame = session.frame();
+  return fmt::format("Ergodome  {}  a {:.6g}  r {:.4g} M  {:.1f} s  {:.1f} ms at {} px  {} lens  {}{}",
+                     session.show().title, session.show().spin, frame.pose.r, frame.time_s, report.frame_time_ms,
+                     report.size_px, report.lens, backend,
+                     session.flying()                       ? "  free flight"
+                     : session.playback().instant().playing ? ""
+                                                            : "  paused");
+}
+
+}  // namespace ergodome

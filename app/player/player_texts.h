@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "app/player/picture_flow.h"
+#include "app/player/player_session.h"
+
+namespace ergodome {
+
+//! Frame time, size, lens and backend of the last picture; in stereo what its eyes see, too.
+std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend);
+
+//! A window's title: the show, the hole, where the camera is, and what the last picture took.
+std::string title_text(const PictureReport& report, const PlayerSession& session, const std::string& backend);
+
+}  // namespace ergodome

@@ -1,0 +1,59 @@
+#include "app/player/scene_renderers.h"
+
+#include <utility>
+
+#include "app/backend_choice.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What cannot be made now may be possible later, but not in the next frame.
+constexpr std::chrono::seconds patience{1};
+
+}  // namespace
+
+void SceneRenderers::use(std::shared_ptr<ShowRenderer> renderer) {
+  current_ = std::move(renderer);
+  if (current_) {
+    backend_ = describe(current_->backend());
+  }
+}
+
+void SceneRenderers::enter(ExhibitScene scene, const Show& show) {
+  scene_ = scene;
+  again_.reset();
+  use(of_scenes_[scene]);
+  if (!current_) {
+    loader_.load(show);
+  }
+}
+
+void SceneRenderers::lose(const Show& show) {
+  current_.reset();
+  of_scenes_[scene_].reset();
+  loader_.load(show);
+}
+
+SceneRenderers::News SceneRenderers::advance(const Show& show) {
+  if (again_ && Clock::now() >= *again_) {
+    again_.reset();
+    loader_.load(show);
+  }
+  auto loaded = loader_.take();
+  if (!loaded) {
+    return {};
+  }
+  // What was loaded for a scene that is over is of no use.
+  if (loaded->renderer && loaded->renderer->show().name == show.name) {
+    of_scenes_[scene_] = loaded->renderer;
+    use(std::move(loaded->renderer));
+    return {true, ""};
+  }
+  if (!current_) {
+    again_ = Clock::now() + (loaded->renderer ? std::chrono::seconds(0) : patience);
+  }
+  return {false, loaded->problem};
+}
+
+}  // namespace ergodome
