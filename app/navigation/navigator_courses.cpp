@@ -1,0 +1,118 @@
+// Where a camera is going, and how: between a show's path and free flight, and between the ways to fly.
+#include <array>
+
+#include "app/navigation/navigator.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+void Navigator::leave_path() {
+  if (course_ == Course::free) {
+    return;
+  }
+  if (course_ == Course::path && settings_.from == FlightStart::first_key) {
+    reset();
+    return;
+  }
+  take_velocity_of(before_, place_, frame_s_);
+  course_ = Course::free;
+  return_.reset();
+  mouse_turn_ = mouse_way_ = glm::dvec3(0.0);
+  take_east_from_view();
+}
+
+void Navigator::reset() {
+  place_ = before_ = start_;
+  course_ = Course::free;
+  mode_ = settings_.mode;
+  orbit_sense_ = 1.0;
+  ride_.reset();
+  return_.reset();
+  asked_velocity_.reset();
+  take_velocity_of(place_, place_, 0.0);
+  mouse_turn_ = mouse_way_ = glm::dvec3(0.0);
+  take_east_from_view();
+}
+
+void Navigator::start_return() {
+  const double seconds = frame_s_ > 0.0 ? frame_s_ : 1.0;
+  const bool known = frame_s_ > 0.0;
+  const CameraPlace camera[2] = {known ? before_ : place_, place_};
+  const CameraPose path[2] = {known ? path_before_ : path_, path_};
+  return_.emplace(space_, settings_, camera, path, seconds);
+}
+
+void Navigator::return_to_path() {
+  if (course_ != Course::free) {
+    return;
+  }
+  start_return();
+  ride_.reset();
+  asked_velocity_.reset();
+  course_ = Course::returning;
+}
+
+void Navigator::advance_return(double seconds) {
+  place_ = return_->advance(seconds, path_);
+  if (return_->arrived()) {
+    return_.reset();
+    course_ = Course::path;
+  }
+}
+
+void Navigator::set_mode(FlightMode mode) {
+  leave_path();
+  if (mode != mode_) {
+    ride_.reset();  // the velocity that it had is the ship's now
+    asked_velocity_.reset();
+    take_east_from_view();
+  }
+  mode_ = mode;
+}
+
+void Navigator::reverse_orbit() {
+  orbit_sense_ = -orbit_sense_;
+  ride_.reset();
+}
+
+void Navigator::ride(const Vector3<double>& velocity) {
+  if (!(dot(velocity, velocity) < 1.0)) {
+    throw Error("orbit", "would be faster than light", "choose a speed below 1");
+  }
+  set_mode(FlightMode::geodesic);
+  ride_.reset();
+  asked_velocity_ = velocity;
+}
+
+std::optional<ObserverView> Navigator::own_observer(std::string_view language) const {
+  if (course_ != Course::free) {
+    return std::nullopt;
+  }
+  const CameraPose here = pose();
+  if (ride_) {
+    ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
+    const bool german = language == "de";
+    view.name = german ? "auf seiner Umlaufbahn" : "on its own orbit";
+    view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
+    if (ride_->held()) {
+      view.sentence += german ? " (sie führt hinaus: die Zeit steht)" : " (it leads out of bounds: time stands still)";
+    }
+    return view;
+  }
+  if (mode_ == FlightMode::hover) {
+    return observer_of(ObserverMotion::fixed, {}, spin_, here.r, here.theta, language);
+  }
+  return std::nullopt;
+}
+
+std::string_view Navigator::mode_name(std::string_view language) const {
+  constexpr std::array<std::string_view, 4> english = {"around the hole", "space ship", "hovering", "free fall"};
+  constexpr std::array<std::string_view, 4> german = {"um das Loch", "Raumschiff", "Schweben", "freier Fall"};
+  if (course_ != Course::free) {
+    const bool back = course_ == Course::returning;
+    return language == "de" ? (back ? "zurück zur Vorführung" : "Vorführung") : (back ? "back to the show" : "show");
+  }
+  return (language == "de" ? german : english)[static_cast<std::size_t>(mode_)];
+}
+
+}  // namespace ergodome
