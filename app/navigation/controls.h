@@ -28,6 +28,7 @@ struct HelpChoice {
   bool pads = true;                           //!< a column for them, too
   ActionUser reader = ActionUser::presenter;  //!< visitors get their own actions alone
   std::string_view language = "en";           //!< "de", or English
+  bool columns = true;  //!< else lines of words for any letters: of the pad alone where there is one
 };
 
 //! What keys, mouse and pads do: a map that a file may change (CONTROLS.md).
@@ -55,7 +56,7 @@ class Controls {
   [[nodiscard]] std::vector<KeyAction> mouse_pressed(int button) const;
   [[nodiscard]] std::vector<KeyAction> wheel_turned(double steps) const;
 
-  //! The map as lines for people, in columns for letters of one width: keys and mouse, pad, what they do now. What is bound to nothing is
+  //! The map as lines for people: keys and mouse, pad, what they do now; columns are for letters of one width. What is bound to nothing is
   //! left out.
   [[nodiscard]] std::string help_text(const HelpChoice& choice) const;
 

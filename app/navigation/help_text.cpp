@@ -41,7 +41,21 @@ class HelpLines {
     }
   }
 
-  [[nodiscard]] std::string text() const {
+  [[nodiscard]] std::string text() const { return choice_.columns ? in_columns() : in_words(); }
+
+ private:
+  [[nodiscard]] std::string in_words() const {
+    std::string text;
+    for (const HelpLine& line : lines_) {
+      const std::string& inputs = line[choice_.pads ? 1 : 0];
+      if (!inputs.empty()) {
+        text.append(inputs).append(": ").append(line[2]).append("\n");
+      }
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string in_columns() const {
     std::array<std::size_t, 2> widths = {0, 0};
     for (const HelpLine& line : lines_) {
       for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -60,7 +74,6 @@ class HelpLines {
     return text;
   }
 
- private:
   HelpChoice choice_;
   HelpLine line_;
   std::vector<HelpLine> lines_;

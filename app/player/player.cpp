@@ -212,13 +212,36 @@ void Player::update_picture() {
   wish.renderer = renderers_.current();
   wish.frame = session_->frame();
   wish.disparity_asked = session_->times_shown();
-  bool changed = session_->changed();
-  if (exhibit_) {
+  const bool words_changed = add_words(wish);
+  note(pictures_.advance(wish, words_changed || session_->changed(), session_->moving()));
+}
+
+bool Player::add_words(PictureRequest& wish) {
+  if (!exhibit_) {
+    return false;
+  }
+  if (options_.setup && session_->help_shown()) {
+    wish.captions = {help_caption(help_text(false))};
+    wish.captions_opacity = 1.0;
+  } else {
     wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
     wish.captions_opacity = exhibit_->opacity();
-    changed = changed || std::exchange(captions_opacity_, wish.captions_opacity) != wish.captions_opacity;
   }
-  note(pictures_.advance(wish, changed, session_->moving()));
+  std::vector<LocalText> words;
+  for (const Caption& caption : wish.captions) {
+    words.push_back(caption.text);
+  }
+  const bool faded = std::exchange(words_opacity_, wish.captions_opacity) != wish.captions_opacity;
+  return std::exchange(words_, words) != words || faded;
+}
+
+std::string Player::help_text(bool columns) const {
+  HelpChoice choice;
+  choice.pads = !pad_snapshot_.pads.empty();
+  choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
+  choice.language = session_->playback().language();
+  choice.columns = columns;
+  return inputs_.controls().help_text(choice);
 }
 
 void Player::note(PictureNews news) {
@@ -246,15 +269,7 @@ void Player::update_texts() {
       PanelPlace::top_left,
       session_->times_shown() ? times_text(pictures_.report(), session_->frame().stereo, renderers_.backend()) : "");
   screen_.set_text(PanelPlace::bottom_middle, session_->caption());
-  std::string help;
-  if (session_->help_shown()) {
-    HelpChoice choice;
-    choice.pads = !pad_snapshot_.pads.empty();
-    choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
-    choice.language = session_->playback().language();
-    help = inputs_.controls().help_text(choice);
-  }
-  screen_.set_text(PanelPlace::middle, help);
+  screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(true) : "");
 }
 
 void Player::post_status() {

@@ -63,6 +63,9 @@ class Player {
   void note(PictureNews news);
   void advance_exhibit(PlayerInput& input);
   void change_scene();
+  //! Puts what visitors are to read into the picture; whether that is something else than before.
+  bool add_words(PictureRequest& wish);
+  [[nodiscard]] std::string help_text(bool columns) const;
   void update_texts();
   void post_status();
   void keep_recording();
@@ -80,8 +83,9 @@ class Player {
   PictureFlow pictures_;
   PlayerServices services_;
   std::optional<ExhibitScenes> exhibit_;
-  double captions_opacity_ = 0.0;  //!< of what is to be read now
-  int failures_ = 0;               //!< pictures that failed in a row
+  std::vector<LocalText> words_;  //!< in the picture, for visitors
+  double words_opacity_ = 0.0;
+  int failures_ = 0;  //!< pictures that failed in a row
   FrameTimes frame_times_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   RecordingFile recording_;

@@ -25,4 +25,13 @@ std::string title_text(const PictureReport& report, const PlayerSession& session
                                                             : "  paused");
 }
 
+Caption help_caption(const std::string& help) {
+  Caption caption;
+  caption.place.elevation_deg = 32.0;
+  caption.letter_deg = 1.6;
+  caption.width_deg = 80.0;
+  caption.text = {{"en", help}};
+  return caption;
+}
+
 }  // namespace ergodome

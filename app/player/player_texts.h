@@ -4,6 +4,7 @@
 
 #include "app/player/picture_flow.h"
 #include "app/player/player_session.h"
+#include "content/timeline.h"
 
 namespace ergodome {
 
@@ -12,5 +13,8 @@ std::string times_text(const PictureReport& report, const StereoSettings& stereo
 
 //! A window's title: the show, the hole, where the camera is, and what the last picture took.
 std::string title_text(const PictureReport& report, const PlayerSession& session, const std::string& backend);
+
+//! A help that is to be read on a dome, where no text lies over a window.
+Caption help_caption(const std::string& help);
 
 }  // namespace ergodome

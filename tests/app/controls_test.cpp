@@ -184,6 +184,14 @@ TEST(ControlsHelp, LeavesOutForVisitorsWhatIsThePresenters) {
   EXPECT_THAT(help, Not(HasSubstr("leave the exhibit")));
 }
 
+TEST(Controls, HelpInWordsTellsOfThePadAloneWhereThereIsOne) {
+  const std::string with = Controls().help_text({.reader = ActionUser::visitor, .columns = false});
+  EXPECT_THAT(with, HasSubstr(": this help\n"));
+  EXPECT_THAT(with, Not(HasSubstr("F1")));
+  EXPECT_THAT(with, Not(HasSubstr("  ")));
+  EXPECT_THAT(Controls().help_text({.pads = false, .columns = false}), HasSubstr("F1: this help\n"));
+}
+
 TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   const std::string english = Controls().help_text({});
   const std::string german = Controls().help_text({.language = "de"});
