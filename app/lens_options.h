@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
 #include "content/show.h"
 #include "render/lens/lens_source.h"
 #include "render/lens/station_stream.h"
+
+namespace CLI {
+class App;
+}
 
 namespace ergodome {
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "app/remote/osc_server.h"
 #include "app/remote/web_server.h"
 #include "app/remote/web_token.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,10 @@
 #include "app/playback/transport.h"
 #include "app/remote/log_ring.h"
 #include "app/remote/osc_handler.h"
+
+namespace CLI {
+class App;
+}
 
 namespace ergodome {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <httplib.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "tests/support/errors.h"
