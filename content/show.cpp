@@ -29,8 +29,8 @@ std::vector<std::string> missing_features(const Show& show) {
   if (eye_count(stereo) < 2) {
     return missing;
   }
-  if (stereo.model == StereoModel::omni && !show.sky.stars.empty()) {
-    missing.emplace_back("stars are not drawn in the stereo model omni yet (stereo.model, sky.stars)");
+  if (stereo.model == StereoModel::omni && !show.sky.stars.empty() && show.sky.star_method == StarMethod::gather) {
+    missing.emplace_back("pixels do not gather stars in the stereo model omni (stereo.model, stars.method)");
   }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;

@@ -6,6 +6,7 @@
 #include "kernels/lens/blend_check.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
+#include "kernels/lens/omni_batches.h"
 #include "kernels/lens/quadtree_look_up.h"
 #include "kernels/overlay/draw_overlay.h"
 #include "kernels/stars/patch_measure.h"
@@ -31,13 +32,18 @@ struct KernelTable {
   void (*trace_nodes_double)(const NodeBatch<double>& batch, int begin, int end);
   void (*check_cells_float)(const CheckBatch<float>& batch, int begin, int end);
   void (*check_cells_double)(const CheckBatch<double>& batch, int begin, int end);
+  void (*trace_omni_nodes)(const OmniNodeBatch& batch, int begin, int end);
+  void (*check_omni_cells)(const OmniCheckBatch& batch, int begin, int end);
   void (*check_blend)(const BlendCheckBatch& batch, int begin, int end);
   void (*look_up_pixels)(const LookUpBatch& batch, int begin, int end);
+  void (*look_up_omni_pixels)(const OmniLookUpBatch& batch, int begin, int end);
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
   void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index
   void (*read_quadtree_pixels)(const QuadtreePixelBatch& batch, int begin, int end);
   void (*find_star_images_float)(const StarImageBatch<float>& batch, int begin, int end);
   void (*find_star_images_double)(const StarImageBatch<double>& batch, int begin, int end);
+  void (*find_omni_star_images_float)(const OmniStarBatch<float>& batch, int begin, int end);
+  void (*find_omni_star_images_double)(const OmniStarBatch<double>& batch, int begin, int end);
   void (*measure_patch)(const PatchMeasureBatch& batch, int begin, int end);  //!< the one index 0
   void (*search_stars)(const StarSearchBatch& batch, int begin, int end);     //!< the one index 0
   void (*find_patch_sides)(const PatchSideBatch& batch, int begin, int end);

@@ -101,6 +101,18 @@ void check_cells(const CheckBatch<double>& batch) {
   run_on_cpu(active_table().check_cells_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
+void trace_nodes(const OmniNodeBatch& batch) {
+  static WorkCounter counter("trace_nodes");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().trace_omni_nodes, batch, batch.count, active_table().lanes_float, grid_grain);
+}
+
+void check_cells(const OmniCheckBatch& batch) {
+  static WorkCounter counter("check_cells");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().check_omni_cells, batch, batch.count, active_table().lanes_float, grid_grain);
+}
+
 void check_blend(const BlendCheckBatch& batch) {
   static WorkCounter counter("check_blend");
   const WorkScope work(counter, batch.count);
@@ -116,6 +128,14 @@ void look_up_pixels(Backend backend, const LookUpBatch& batch) {
     return look_up_pixels_cuda(batch);
   }
   run_on_cpu(active_table().look_up_pixels, batch, pixels, active_table().lanes_float);
+}
+
+void look_up_pixels(const OmniLookUpBatch& batch) {
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  static WorkCounter plain("look_up_omni_pixels");
+  static WorkCounter with_footprints("look_up_omni_pixels, footprints");
+  const WorkScope work(has_footprints(batch.pixels.out) ? with_footprints : plain, pixels);
+  run_on_cpu(active_table().look_up_omni_pixels, batch, pixels, active_table().lanes_float);
 }
 
 void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch) {
@@ -153,6 +173,18 @@ void find_star_images(const StarImageBatch<double>& batch) {
   static WorkCounter counter("find_star_images, double");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
+void find_star_images(const OmniStarBatch<float>& batch) {
+  static WorkCounter counter("find_star_images");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().find_omni_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
+}
+
+void find_star_images(const OmniStarBatch<double>& batch) {
+  static WorkCounter counter("find_star_images, double");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().find_omni_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
 void measure_patch(const PatchMeasureBatch& batch) { active_table().measure_patch(batch, 0, 1); }

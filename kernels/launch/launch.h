@@ -32,11 +32,18 @@ void trace_nodes(const NodeBatch<double>& batch);
 void check_cells(Backend backend, const CheckBatch<float>& batch);
 void check_cells(const CheckBatch<double>& batch);
 
+//! The same for an eye that turns with the direction, on the CPU alone.
+void trace_nodes(const OmniNodeBatch& batch);
+void check_cells(const OmniCheckBatch& batch);
+
 //! Compares a lens between stations with traced rays; see BlendCheckBatch. On the CPU alone.
 void check_blend(const BlendCheckBatch& batch);
 
 //! Reads the pixels of an image from a lens grid; see LookUpBatch.
 void look_up_pixels(Backend backend, const LookUpBatch& batch);
+
+//! The same for an eye that turns with the direction, on the CPU alone.
+void look_up_pixels(const OmniLookUpBatch& batch);
 
 //! Reads rays from a lens grid; see LookUpRaysBatch.
 void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch);
@@ -50,6 +57,8 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 //! Finds images of stars on the processor, in host memory; see StarImageBatch.
 void find_star_images(const StarImageBatch<float>& batch);
 void find_star_images(const StarImageBatch<double>& batch);
+void find_star_images(const OmniStarBatch<float>& batch);
+void find_star_images(const OmniStarBatch<double>& batch);
 
 //! The search for images of stars, on the thread that calls: what patches do to light, stars in a part of the sky, on which side of patches' borders stars are,
 //! where patches hold them, and where one that is not one to one does. See the batches.

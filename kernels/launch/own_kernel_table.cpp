@@ -2,6 +2,7 @@
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/own_shading.h"
+#include "kernels/launch/own_turning_eyes.h"
 #include "kernels/launch/own_warping.h"
 #include "kernels/lens/blend_check_kernel.h"
 #include "kernels/lens/grid_build_kernel.h"
@@ -75,13 +76,18 @@ const KernelTable& own_kernel_table() {
       &run<TraceNodes<WidePack<double>>, NodeBatch<double>>,
       &run<CheckCells<WidePack<float>>, CheckBatch<float>>,
       &run<CheckCells<WidePack<double>>, CheckBatch<double>>,
+      &trace_omni_nodes,
+      &check_omni_cells,
       &run<CheckBlend<WidePack<double>>, BlendCheckBatch>,
       &look_up_pixels,
+      &look_up_omni_pixels,
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,
       &run<ReadQuadtreePixels, QuadtreePixelBatch>,
       &run<FindStarImages<WidePack<float>>, StarImageBatch<float>>,
       &run<FindStarImages<WidePack<double>>, StarImageBatch<double>>,
+      &find_omni_star_images,
+      &find_omni_star_images,
       &run<MeasurePatch<WidePack<float>>, PatchMeasureBatch>,
       &run<SearchStars<WidePack<float>>, StarSearchBatch>,
       &run<FindPatchSides<WidePack<float>>, PatchSideBatch>,

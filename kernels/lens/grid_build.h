@@ -9,18 +9,19 @@
 
 namespace ergodome {
 
-//! What the kernels that trace a grid's rays share: the camera in the rain frame at φ = 0, and the chart.
-template <class S>
+//! What the kernels that trace a grid's rays share: the camera in the rain frame at φ = 0, or the cameras of an eye that turns with the
+//! direction (OmniCameraOf) in the view's axes, and the chart.
+template <class S, class Camera = CameraStationOf<S>>
 struct GridCamera {
-  CameraStationOf<S> rain;
+  Camera rays;
   LensChart chart;
   IntegrationSettings settings;
 };
 
 //! Nodes of a grid to trace. A node's first pad is 1 when its ray came from the sky and converged, else 0.
-template <class S>
+template <class S, class Camera = CameraStationOf<S>>
 struct NodeBatch {
-  GridCamera<S> camera;
+  GridCamera<S, Camera> camera;
   int count;
   const float* gamma_turns;
   const float* s;
@@ -44,9 +45,9 @@ inline constexpr int checks_a_cell = 6;
 inline constexpr float inner_check = 0.3F;
 
 //! Cells to check by traced rays: kernel index i stands for check i % checks_a_cell of cell i / checks_a_cell.
-template <class S>
+template <class S, class Camera = CameraStationOf<S>>
 struct CheckBatch {
-  GridCamera<S> camera;
+  GridCamera<S, Camera> camera;
   AberrationOf<S> observer;  //!< whose screen counts
   S pixel;                   //!< angle of a pixel on that screen [rad]
   int count;                 //!< checks: checks_a_cell a cell

@@ -11,15 +11,16 @@ namespace detail {
 template <class T>
 inline constexpr int grid_order = sizeof(ScalarOf<T>) == 4 ? 10 : 16;
 
-//! Follows a ray of the rain frame to the sky, if it comes from there.
-template <class T>
-ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>>& camera, const Vector3<T>& n, MaskOf<RealOf<T>>& reached) {
+//! Follows a ray of a grid's camera to the sky, if it comes from there.
+template <class T, class Camera>
+ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>, Camera>& camera, const Vector3<T>& n,
+                            MaskOf<RealOf<T>>& reached) {
   using Real = RealOf<T>;
-  const CameraStationOf<ScalarOf<T>>& rain = camera.rain;
-  const RayStart<T> start = start_ray(rain, n);
-  const auto bright = comes_from_sky(rain.spin, rain.horizon_r, plain_start(start));
+  const Camera& rays = camera.rays;
+  const RayStart<T> start = start_ray(rays, n);
+  const auto bright = comes_from_sky(rays.spin, rays.horizon_r, plain_start(start));
   Real steps(ScalarOf<T>(0));
-  return trace_taylor<grid_order<T>>(rain.spin, start, bright, camera.settings, steps, reached).sky;
+  return trace_taylor<grid_order<T>>(rays.spin, start, bright, camera.settings, steps, reached).sky;
 }
 
 //! The least displacement δ of a camera direction with J δ = `miss`, by the normal equations; its length [rad]. J, from the derivatives
@@ -47,11 +48,11 @@ ERGO_HD T screen_displacement(const Vector3<T>& along_gamma, const Vector3<T>& a
 }  // namespace detail
 
 //! Traces the nodes of a batch with their derivatives; index i stands for the nodes i * lanes, i * lanes + 1, ...
-template <class T>
+template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct TraceNodes {
   using S = ScalarOf<T>;
   using M = MixedDual<T>;
-  NodeBatch<S> batch;
+  NodeBatch<S, Camera> batch;
 
   ERGO_HD void operator()(int index) const {
     constexpr int lanes = RealTraits<T>::lane_count;
@@ -91,10 +92,10 @@ struct TraceNodes {
 //!
 //! The error is what a viewer sees: with the patch's Jacobian J [per radian on the screen], the least displacement δ of the camera
 //! direction for which J δ = read sky - traced sky.
-template <class T>
+template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct CheckCells {
   using S = ScalarOf<T>;
-  CheckBatch<S> batch;
+  CheckBatch<S, Camera> batch;
 
   ERGO_HD void operator()(int index) const {
     constexpr int lanes = RealTraits<T>::lane_count;

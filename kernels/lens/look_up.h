@@ -2,6 +2,7 @@
 
 #include "kernels/lens/lens_grid.h"
 #include "kernels/metric/frame_boost.h"
+#include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -51,6 +52,28 @@ struct LookUpBatch {
   LensBlend lens;
   AberrationOf<float> aberration;
 };
+
+//! The same for an eye that turns with the direction: its grid lies in the view's axes, and `aberration` changes nothing.
+struct OmniLookUpBatch {
+  PixelBatch pixels;
+  LensBlend lens;
+  AberrationOf<float> aberration;
+  OmniCameraOf<float> camera;
+};
+
+inline namespace ERGO_TARGET {
+
+//! What pixels of a batch are traced by, where they are.
+ERGO_HD const CameraStationOf<float>& camera_of(const LookUpBatch& batch) { return batch.pixels.camera; }
+ERGO_HD const OmniCameraOf<float>& camera_of(const OmniLookUpBatch& batch) { return batch.camera; }
+
+//! The energy at infinity of light that is seen in a direction, for an observed energy of 1.
+template <class T>
+ERGO_HD T energy_of(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
+  return detail::evaluate(camera.energy, n);
+}
+
+}  // namespace ERGO_TARGET
 
 //! Rays of one camera, read from lens grids; `rays.method` and the channels `steps`, `error_estimate` and `mino_time` speak of the
 //! rays that are traced (steps 0: read from the grid).

@@ -9,13 +9,13 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Reads the pixels of a batch from a lens grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints`
 //! compiles their derivatives in: a picture without pays nothing.
-template <class T, bool Footprints>
+template <class T, bool Footprints, class Batch = LookUpBatch>
 struct LookUpPixels {
   using D = Dual<T>;
   using Ray = std::conditional_t<Footprints, D, T>;
   using S = ScalarOf<T>;
 
-  LookUpBatch batch;
+  Batch batch;
 
   ERGO_HD void operator()(int index) const {
     const PixelBatch& pixels = batch.pixels;
@@ -60,7 +60,7 @@ struct LookUpPixels {
   //! Lanes that did not come to an end keep what the grid has, which is all that float can tell.
   ERGO_HD void trace(const Vector3<Ray>& n, const MaskOf<T>& traced, Vector3<Ray>& sky, T& steps, T& estimate) const {
     const PixelBatch& pixels = batch.pixels;
-    const RayStart<Ray> start = start_ray(pixels.camera, n);
+    const RayStart<Ray> start = start_ray(camera_of(batch), n);
     const auto bright = traced & comes_from_sky(pixels.camera.spin, pixels.camera.horizon_r, plain_start(start));
     MaskOf<T> reached = bright;
     const RayEnd<Ray> end =
@@ -79,7 +79,7 @@ struct LookUpPixels {
     store_lanes(out.error_estimate, first, count, estimate);
     if (out.frequency_ratio != nullptr) {
       const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
-      store_lanes(out.frequency_ratio, first, count, S(1) / detail::evaluate(batch.pixels.camera.energy, direction));
+      store_lanes(out.frequency_ratio, first, count, S(1) / energy_of(camera_of(batch), direction));
     }
   }
 };

@@ -73,6 +73,9 @@ ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, Obser
           {{1.0, 0.0, 0.0}, (1.0 + f.rain_speed) / lapse}};
 }
 
+//! Aberration of an observer whose frame is the one that directions are in: none.
+ERGO_HD Aberration no_aberration() { return {{{1.0, 0.0, 0.0}, 1.0}, {{1.0, 0.0, 0.0}, 1.0}}; }
+
 template <class S>
 ERGO_HD FrameBoostOf<S> converted_boost(const FrameBoost& b) {
   return {{static_cast<S>(b.axis.x), static_cast<S>(b.axis.y), static_cast<S>(b.axis.z)}, static_cast<S>(b.stretch)};

@@ -6,9 +6,11 @@
 namespace ergodome {
 
 //! Images of stars that are known roughly, to be found exactly. Arrays hold `count` elements.
-template <class S>
+//!
+//! Directions are in the camera's observer's frame, or for eyes that turn with the direction (OmniCameraOf) in the view's axes.
+template <class S, class Camera = CameraStationOf<S>>
 struct StarImageBatch {
-  CameraStationOf<S> camera;  //!< directions are in its observer's frame, stars as from φ = 0
+  Camera camera;  //!< stars are as from φ = 0
   IntegrationSettings settings;
   S tolerance;  //!< how far images may be from where they should be [rad]
   int count;

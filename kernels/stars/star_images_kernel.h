@@ -12,12 +12,12 @@ namespace ergodome::inline ERGO_TARGET {
 //! precision of the rays, and the last one's Jacobian is that of the image. Mostly one is enough: what a step leaves is told from how
 //! the map changes on the way, which is on the scale of the distance to the shadow's edge, times the ratio of the map's singular
 //! values.
-template <class T>
+template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct FindStarImages {
   using D = Dual<T>;
   using S = ScalarOf<T>;
 
-  StarImageBatch<S> batch;
+  StarImageBatch<S, Camera> batch;
 
   ERGO_HD void operator()(int index) const {
     // In double for images next to caustics, which lie far from where they are sought.

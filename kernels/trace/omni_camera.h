@@ -8,6 +8,8 @@ namespace ergodome {
 //! direction - energy, axial momentum, outward rate, dm/dλ along x, y, z - each a constant and three weights. They are those of CameraStation,
 //! in the view's axes, and with m in axes that turn with the head's azimuth alone.
 inline constexpr int omni_numbers = 28;
+//! Where among them the form of the energy begins.
+inline constexpr int omni_energy = 4;
 
 //! Highest degree of the polynomials.
 inline constexpr int omni_most_degree = 10;
@@ -44,11 +46,13 @@ inline namespace ERGO_TARGET {
 template <class T>
 ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view, T& right, T& back) {
   using S = ScalarOf<T>;
+  using Real = RealOf<T>;
   const T zero(S(0));
   const T one(S(1));
   const T across = sqrt(view.x * view.x + view.z * view.z + S(1e-20));
   const T ramp = (across - camera.fade_begin) * camera.fade_scale;
-  const T part = select(ramp > zero, select(ramp < one, ramp, one), zero);
+  const Real height = value_of(ramp);
+  const T part = select(height > Real(S(0)), select(height < Real(S(1)), ramp, one), zero);
   const T share = (part * part * (S(3) - S(2) * part)) * camera.offset / across;
   right = -(view.z * share);
   back = view.x * share;
@@ -89,7 +93,9 @@ ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, cons
     return sum;
   };
   const auto form = [&](int i) {
-    return number(4 + 4 * i) + (number(5 + 4 * i) * n.x + number(6 + 4 * i) * n.y + number(7 + 4 * i) * n.z);
+    return number(omni_energy + 4 * i) +
+           (number(omni_energy + 4 * i + 1) * n.x + number(omni_energy + 4 * i + 2) * n.y +
+            number(omni_energy + 4 * i + 3) * n.z);
   };
   RayStart<T> ray;
   ray.energy = form(0);
@@ -103,6 +109,18 @@ ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, cons
   ray.polar_constant = dot(ray.m_rate, ray.m_rate) - (a * a) * (ray.m.z * ray.m.z);
   ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
   return ray;
+}
+
+//! The same by the name that it has for a single camera: kernels are written for both.
+template <class T>
+ERGO_HD RayStart<T> start_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  return start_omni_ray(camera, view);
+}
+
+//! The energy at infinity of light that an eye sees in a direction, for an observed energy of 1.
+template <class T>
+ERGO_HD T energy_of(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  return start_omni_ray(camera, view).energy;
 }
 
 }  // namespace ERGO_TARGET

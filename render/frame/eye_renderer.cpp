@@ -155,7 +155,8 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 
 std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
                                                const PictureSettings& settings) {
-  return settings.stars != nullptr ? settings.stars->find(eye, projection, settings.shutter) : std::vector<StarPoint>();
+  return settings.stars != nullptr ? settings.stars->find(settings.star_eye.value_or(eye), projection, settings.shutter)
+                                   : std::vector<StarPoint>();
 }
 
 float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,

@@ -27,6 +27,7 @@ struct PictureSettings {
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
   StarPass* stars = nullptr;           //!< drawn where they are given, on the sky's own view
+  std::optional<StarEye> star_eye;     //!< what sees them, in place of the picture's eye
   std::optional<Shutter> shutter;      //!< stars leave trails
   bool clear_outside = false;          //!< stars or bloom may spread light beyond the image
   std::optional<BloomSettings> bloom;  //!< of whole pictures alone: render_in_place leaves it out

@@ -9,7 +9,6 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/shadow_mask.h"
 #include "render/lens/flat_shadow.h"
-#include "render/lens/omni_camera.h"
 #include "render/output/stereo_layout.h"
 #include "render/overlay/overlay_place.h"
 #include "render/plan/frame_needs.h"
@@ -79,6 +78,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       sky_(show_, backend),
       stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_)),
       renderer_(backend, stream_),
+      omni_lenses_(backend),
       overlays_(show_.timeline, show_.folder) {
   if (show_.tone.automatic) {
     exposure_.emplace(*show_.tone.automatic);
@@ -110,7 +110,7 @@ std::optional<StreamStatistics> ShowRenderer::stream_statistics() const {
   return stream_ ? std::optional(stream_->statistics()) : std::nullopt;
 }
 
-Shutter ShowRenderer::shutter_at(double time_s, double eye_offset) const {
+std::vector<CameraPose> ShowRenderer::shutter_poses(double time_s) const {
   const double half = 0.5 * show_.effects.trails->shutter_s;
   const CameraPose open = camera_pose(show_, time_s - half);
   const CameraPose close = camera_pose(show_, time_s + half);
@@ -119,11 +119,11 @@ Shutter ShowRenderer::shutter_at(double time_s, double eye_offset) const {
   const double way = std::abs(close.phi - open.phi) + std::abs(close.theta - open.theta) +
                      std::abs(std::log(close.r / open.r)) + 0.1 * turn;
   const int steps = std::clamp(static_cast<int>(std::ceil(way / longest_trail_step)), 1, most_trail_steps);
-  Shutter shutter;
+  std::vector<CameraPose> poses;
   for (int i = -steps; i <= steps; ++i) {
-    shutter.eyes.push_back(eye_camera(show_, camera_pose(show_, time_s + half * i / steps), eye_offset));
+    poses.push_back(camera_pose(show_, time_s + half * i / steps));
   }
-  return shutter;
+  return poses;
 }
 
 PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& moment, double eye_offset) const {
@@ -147,7 +147,10 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   }
   // In free flight nobody knows where the camera will be when the shutter closes.
   if (needs.trails && moment.time_s) {
-    settings.shutter = shutter_at(*moment.time_s, eye_offset);
+    settings.shutter.emplace();
+    for (const CameraPose& pose : shutter_poses(*moment.time_s)) {
+      settings.shutter->eyes.emplace_back(eye_camera(show_, pose, eye_offset));
+    }
   }
   return settings;
 }
@@ -237,22 +240,44 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
   return eyes;
 }
 
-std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
-                                                    const ShowMoment& moment) {
+std::shared_ptr<const OmniCamera> ShowRenderer::omni_cameras(const CameraPose& pose, double tolerance) const {
   constexpr double degree = 3.14159265358979323846 / 180.0;
   const StereoSettings& stereo = show_.stereo;
+  return std::make_shared<const OmniCamera>(
+      backend(), [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); },
+      OmniSettings{0.5 * stereo.baseline, stereo.convergence, degree * stereo.fade_from_deg,
+                   degree * stereo.fade_to_deg, tolerance});
+}
+
+std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                                    const ShowMoment& moment) {
   const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); };
-  const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   PictureSettings settings = picture_settings(mode, moment, 0.0);
   const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
-  const OmniCamera cameras(backend(), eye_at,
-                           {0.5 * stereo.baseline, stereo.convergence, degree * stereo.fade_from_deg,
-                            degree * stereo.fade_to_deg, tolerance});
+  const std::shared_ptr<const OmniCamera> cameras = omni_cameras(pose, tolerance);
+  // Without a baseline stars are the head's, to the last bit.
+  const bool own_stars = settings.stars != nullptr && show_.stereo.baseline > 0.0;
+  std::vector<CameraPose> shutter;
+  std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
+  if (own_stars && settings.shutter) {
+    shutter = shutter_poses(*moment.time_s);
+    for (const CameraPose& each : shutter) {
+      shutter_cameras.push_back(omni_cameras(each, tolerance));
+    }
+  }
   std::vector<Picture> eyes;
   for (const double side : {-1.0, 1.0}) {
-    const OmniLens lens(backend(), cameras, side, eye_at, projection, settings.accuracy.tolerance_px);
-    settings.given = &lens;
-    eyes.push_back(renderer_.render(head, projection, sky_.cube(), settings));
+    const std::shared_ptr<const OmniEye> eye = make_omni_eye(cameras, side, eye_at);
+    const auto lens = omni_lenses_.choose(eye, projection, mode, settings.lens, settings.accuracy);
+    settings.given = lens.get();
+    if (own_stars) {
+      settings.star_eye.emplace(eye);
+    }
+    for (std::size_t i = 0; i < shutter.size(); ++i) {
+      const auto there = [&](const Vector3<double>& offset) { return eye_camera(show_, shutter[i], offset); };
+      settings.shutter->eyes[i] = StarEye(make_omni_eye_for_trails(shutter_cameras[i], side, there));
+    }
+    eyes.push_back(renderer_.render(eye_at({0.0, 0.0, 0.0}), projection, sky_.cube(), settings));
   }
   return eyes;
 }

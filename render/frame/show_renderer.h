@@ -11,6 +11,7 @@
 #include "render/frame/cube_pictures.h"
 #include "render/frame/eye_renderer.h"
 #include "render/frame/view_projection.h"
+#include "render/lens/omni_chooser.h"
 #include "render/output/auto_exposure.h"
 #include "render/overlay/overlay_pass.h"
 #include "render/plan/frame_needs.h"
@@ -121,8 +122,11 @@ class ShowRenderer {
   void finish_eyes(std::vector<Picture>& eyes, const Projection& projection, ViewMode mode, const ShowMoment& moment,
                    double clock_s);
 
-  //! The eyes while the shutter is open about a time of the show.
-  [[nodiscard]] Shutter shutter_at(double time_s, double eye_offset) const;
+  //! The cameras of the eyes that turn with the direction, at a pose; cameras may be off by `tolerance` [rad].
+  [[nodiscard]] std::shared_ptr<const OmniCamera> omni_cameras(const CameraPose& pose, double tolerance) const;
+
+  //! Where the head is while the shutter is open about a time of the show: an odd number of poses.
+  [[nodiscard]] std::vector<CameraPose> shutter_poses(double time_s) const;
   [[nodiscard]] PictureSettings picture_settings(ViewMode mode, const ShowMoment& moment, double eye_offset) const;
 
   Show show_;
@@ -131,6 +135,7 @@ class ShowRenderer {
   ShowSky sky_;
   std::unique_ptr<StarPass> stars_;  //!< where the show has any
   EyeRenderer renderer_;
+  OmniChooser omni_lenses_;
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <unordered_map>
+#include <utility>
 
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
@@ -54,12 +56,15 @@ double range_for(const GridSettings& settings, const EdgeCurve& edge) {
   return std::log((pi - static_cast<double>(edge.smallest)) / cut_off(settings, edge));
 }
 
-//! Builds a station level by level, so that the rays of a level are traced as one batch; S is the precision of the rays.
-template <class S>
+//! Builds a station level by level, so that the rays of a level are traced as one batch; S is the precision of the rays, which `rays_at`
+//! gives for the station's place and those beside it.
+template <class S, class Camera>
 class GridBuilder {
  public:
-  GridBuilder(LensStation& station, const GridSettings& settings, GridTracer<S>& tracer)
-      : station_(station), settings_(settings), tracer_(tracer) {}
+  using RaysAt = std::function<Camera(const LensPlace& place)>;
+
+  GridBuilder(LensStation& station, const GridSettings& settings, GridTracer<S, Camera>& tracer, RaysAt rays_at)
+      : station_(station), settings_(settings), tracer_(tracer), rays_at_(std::move(rays_at)) {}
 
   GridStatistics build() {
     tracer_.begin(make_camera({station_.r, station_.theta}, grid_view(station_).chart),
@@ -81,12 +86,9 @@ class GridBuilder {
   }
 
  private:
-  [[nodiscard]] GridCamera<S> make_camera(const LensPlace& place, const LensChart& chart) const {
-    const CameraStation rain = make_camera_station(station_.spin, place.r, place.theta, 0.0, ObserverMotion::rain);
+  [[nodiscard]] GridCamera<S, Camera> make_camera(const LensPlace& place, const LensChart& chart) const {
     const double tolerance = 0.005 * settings_.budget_px * settings_.pixel;
-    return {converted_station<S>(rain),
-            chart,
-            {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
+    return {rays_at_(place), chart, {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
   }
 
   std::vector<OpenCell> root_cells() {
@@ -206,7 +208,8 @@ class GridBuilder {
 
   LensStation& station_;
   const GridSettings& settings_;
-  GridTracer<S>& tracer_;
+  GridTracer<S, Camera>& tracer_;
+  RaysAt rays_at_;
   NodeByPlace node_by_place_;
   std::vector<CellBox> boxes_;
   std::vector<float> error_px_;
@@ -236,10 +239,39 @@ LensStation build_lens_station(double spin, double r, double theta, const GridSe
   station.first = edge.first;
   station.second = edge.second;
   station.range = static_cast<float>(settings.range > 0.0 ? settings.range : range_for(settings, edge));
-  const auto build = [&](auto& with) { return GridBuilder(station, settings, with).build(); };
+  const auto build = [&]<class S>(GridTracer<S>& with) {
+    return GridBuilder<S, CameraStationOf<S>>(station, settings, with,
+                                              [&](const LensPlace& place) {
+                                                return converted_station<S>(make_camera_station(
+                                                    spin, place.r, place.theta, 0.0, ObserverMotion::rain));
+                                              })
+        .build();
+  };
   GridTracer<float> own;
   GridTracer<double> fine;
   const GridStatistics done = settings.fine ? build(fine) : build(tracer != nullptr ? *tracer : own);
+  if (statistics != nullptr) {
+    *statistics = done;
+  }
+  return station;
+}
+
+LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowChart& chart, std::vector<float> edge,
+                               const GridSettings& settings, GridStatistics* statistics) {
+  GridSettings own = settings;
+  own.observer = no_aberration();
+  own.derivatives = false;
+  LensStation station;
+  station.spin = static_cast<double>(cameras.spin);
+  station.edge = std::move(edge);
+  const EdgeCurve curve = edge_view(chart, station.edge);
+  station.centre = curve.centre;
+  station.first = curve.first;
+  station.second = curve.second;
+  station.range = static_cast<float>(own.range > 0.0 ? own.range : range_for(own, curve));
+  GridTracer<float, OmniCameraOf<float>> tracer;
+  const GridStatistics done =
+      GridBuilder<float, OmniCameraOf<float>>(station, own, tracer, [&](const LensPlace&) { return cameras; }).build();
   if (statistics != nullptr) {
     *statistics = done;
   }

@@ -2,6 +2,7 @@
 
 #include "content/lens_station.h"
 #include "kernels/metric/frame_boost.h"
+#include "kernels/shadow/shadow_chart.h"
 #include "render/lens/grid_tracer.h"
 
 namespace ergodome {
@@ -38,6 +39,13 @@ struct GridStatistics {
 //! `tracer` says where rays in float are traced, and keeps its memory for the next grid; without one it is the processor.
 LensStation build_lens_station(double spin, double r, double theta, const GridSettings& settings,
                                GridStatistics* statistics = nullptr, GridTracer<float>* tracer = nullptr);
+
+//! The same for an eye that turns with the direction one looks at, over a chart about the shadow that it sees, in the view's axes.
+//!
+//! `edge`: the shadow's edge about the chart's centre at equal steps of the position angle [rad]. Rays are in float, on the processor;
+//! `settings.observer`, `settings.fine` and `settings.derivatives` mean nothing. The station serves this eye alone, at any azimuth.
+LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowChart& chart, std::vector<float> edge,
+                               const GridSettings& settings, GridStatistics* statistics = nullptr);
 
 //! The range that the chart of a place needs: down to half the budget from the shadow's edge.
 double chart_range(double spin, double r, double theta, const GridSettings& settings);

@@ -27,30 +27,33 @@ void run(Backend backend, const NodeBatch<float>& batch) { trace_nodes(backend, 
 void run(Backend, const NodeBatch<double>& batch) { trace_nodes(batch); }
 void run(Backend backend, const CheckBatch<float>& batch) { check_cells(backend, batch); }
 void run(Backend, const CheckBatch<double>& batch) { check_cells(batch); }
+void run(Backend, const OmniNodeBatch& batch) { trace_nodes(batch); }
+void run(Backend, const OmniCheckBatch& batch) { check_cells(batch); }
 
 }  // namespace
 
-template <class S>
-GridTracer<S>::GridTracer(Backend backend) : backend_(std::is_same_v<S, float> ? backend : Backend::cpu) {}
+template <class S, class Camera>
+GridTracer<S, Camera>::GridTracer(Backend backend)
+    : backend_(std::is_same_v<Camera, CameraStationOf<float>> ? backend : Backend::cpu) {}
 
-template <class S>
-void GridTracer<S>::begin(const GridCamera<S>& camera, const AberrationOf<S>& observer, double pixel) {
+template <class S, class Camera>
+void GridTracer<S, Camera>::begin(const Grid& camera, const AberrationOf<S>& observer, double pixel) {
   camera_ = placed(camera, edge_);
   observer_ = observer;
   pixel_ = static_cast<S>(pixel);
   node_count_ = 0;
 }
 
-template <class S>
-GridCamera<S> GridTracer<S>::placed(const GridCamera<S>& camera, Buffer<float>& edge) const {
+template <class S, class Camera>
+GridCamera<S, Camera> GridTracer<S, Camera>::placed(const Grid& camera, Buffer<float>& edge) const {
   put(backend_, edge, camera.chart.edge.polar_angle, static_cast<std::size_t>(camera.chart.edge.count));
-  GridCamera<S> there = camera;
+  Grid there = camera;
   there.chart.edge.polar_angle = edge.data();
   return there;
 }
 
-template <class S>
-void GridTracer<S>::reserve_nodes(int count) {
+template <class S, class Camera>
+void GridTracer<S, Camera>::reserve_nodes(int count) {
   const std::size_t floats = node_floats * static_cast<std::size_t>(count);
   if (nodes_.size() >= floats) {
     return;
@@ -60,47 +63,48 @@ void GridTracer<S>::reserve_nodes(int count) {
   nodes_.write(kept.data(), kept.size());
 }
 
-template <class S>
-void GridTracer<S>::trace(const GridCamera<S>& camera, const std::vector<float>& gamma_turns,
-                          const std::vector<float>& s, float* nodes) {
+template <class S, class Camera>
+void GridTracer<S, Camera>::trace(const Grid& camera, const std::vector<float>& gamma_turns,
+                                  const std::vector<float>& s, float* nodes) {
   put(backend_, gamma_turns_, gamma_turns.data(), gamma_turns.size());
   put(backend_, s_, s.data(), s.size());
-  run(backend_, NodeBatch<S>{camera, static_cast<int>(gamma_turns.size()), gamma_turns_.data(), s_.data(), nodes});
+  run(backend_,
+      NodeBatch<S, Camera>{camera, static_cast<int>(gamma_turns.size()), gamma_turns_.data(), s_.data(), nodes});
 }
 
-template <class S>
-void GridTracer<S>::add_nodes(const std::vector<float>& gamma_turns, const std::vector<float>& s) {
+template <class S, class Camera>
+void GridTracer<S, Camera>::add_nodes(const std::vector<float>& gamma_turns, const std::vector<float>& s) {
   const int count = static_cast<int>(gamma_turns.size());
   reserve_nodes(node_count_ + count);
   trace(camera_, gamma_turns, s, nodes_.data() + node_floats * static_cast<std::size_t>(node_count_));
   node_count_ += count;
 }
 
-template <class S>
-std::vector<float> GridTracer<S>::nodes() const {
+template <class S, class Camera>
+std::vector<float> GridTracer<S, Camera>::nodes() const {
   std::vector<float> copy(node_floats * static_cast<std::size_t>(node_count_));
   nodes_.read(copy.data(), copy.size());
   return copy;
 }
 
-template <class S>
-void GridTracer<S>::check(const std::vector<GridCell>& cells, std::vector<float>& error_px,
-                          std::vector<float>& area_px) {
+template <class S, class Camera>
+void GridTracer<S, Camera>::check(const std::vector<GridCell>& cells, std::vector<float>& error_px,
+                                  std::vector<float>& area_px) {
   const std::size_t checks = checks_a_cell * cells.size();
   put(backend_, cells_, cells.data(), cells.size());
   make_room(backend_, error_px_, checks);
   make_room(backend_, area_px_, checks);
-  run(backend_, CheckBatch<S>{camera_, observer_, pixel_, static_cast<int>(checks), cells_.data(), nodes_.data(),
-                              error_px_.data(), area_px_.data()});
+  run(backend_, CheckBatch<S, Camera>{camera_, observer_, pixel_, static_cast<int>(checks), cells_.data(),
+                                      nodes_.data(), error_px_.data(), area_px_.data()});
   error_px.resize(checks);
   area_px.resize(checks);
   error_px_.read(error_px.data(), checks);
   area_px_.read(area_px.data(), checks);
 }
 
-template <class S>
-std::vector<float> GridTracer<S>::nodes_of(const GridCamera<S>& camera, const std::vector<float>& gamma_turns,
-                                           const std::vector<float>& s) {
+template <class S, class Camera>
+std::vector<float> GridTracer<S, Camera>::nodes_of(const Grid& camera, const std::vector<float>& gamma_turns,
+                                                   const std::vector<float>& s) {
   Buffer<float> edge;
   const std::size_t floats = node_floats * gamma_turns.size();
   const Buffer<float> made(backend_, floats, buffer_name);
@@ -112,5 +116,6 @@ std::vector<float> GridTracer<S>::nodes_of(const GridCamera<S>& camera, const st
 
 template class GridTracer<float>;
 template class GridTracer<double>;
+template class GridTracer<float, OmniCameraOf<float>>;
 
 }  // namespace ergodome

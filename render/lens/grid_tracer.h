@@ -3,21 +3,25 @@
 #include <vector>
 
 #include "kernels/lens/grid_build.h"
+#include "kernels/lens/omni_batches.h"
 #include "render/backend/buffer.h"
 
 namespace ergodome {
 
 //! Traces the rays of grids in the making, on the processor or on a GPU; a grid's nodes stay where the kernels read them.
 //!
-//! It serves one grid after the other and keeps its memory from each to the next. Rays in double are traced on the processor alone.
-template <class S>
+//! It serves one grid after the other and keeps its memory from each to the next. Rays in double, and those of eyes that turn with the
+//! direction (OmniCameraOf), are traced on the processor alone.
+template <class S, class Camera = CameraStationOf<S>>
 class GridTracer {
+  using Grid = GridCamera<S, Camera>;
+
  public:
   explicit GridTracer(Backend backend = Backend::cpu);
 
   //! Begins a grid without nodes. The edge table of the camera's chart lies in host memory and is copied. `pixel`: angle of a pixel on
   //! the observer's screen [rad].
-  void begin(const GridCamera<S>& camera, const AberrationOf<S>& observer, double pixel);
+  void begin(const Grid& camera, const AberrationOf<S>& observer, double pixel);
 
   //! Traces nodes at (γ [turns], s) and appends them.
   void add_nodes(const std::vector<float>& gamma_turns, const std::vector<float>& s);
@@ -31,17 +35,15 @@ class GridTracer {
   void check(const std::vector<GridCell>& cells, std::vector<float>& error_px, std::vector<float>& area_px);
 
   //! The nodes at (γ, s) of another camera; the grid stays as it is.
-  std::vector<float> nodes_of(const GridCamera<S>& camera, const std::vector<float>& gamma_turns,
-                              const std::vector<float>& s);
+  std::vector<float> nodes_of(const Grid& camera, const std::vector<float>& gamma_turns, const std::vector<float>& s);
 
  private:
-  GridCamera<S> placed(const GridCamera<S>& camera, Buffer<float>& edge) const;
-  void trace(const GridCamera<S>& camera, const std::vector<float>& gamma_turns, const std::vector<float>& s,
-             float* nodes);
+  Grid placed(const Grid& camera, Buffer<float>& edge) const;
+  void trace(const Grid& camera, const std::vector<float>& gamma_turns, const std::vector<float>& s, float* nodes);
   void reserve_nodes(int count);
 
   Backend backend_;
-  GridCamera<S> camera_{};
+  Grid camera_{};
   AberrationOf<S> observer_{};
   S pixel_{};
   int node_count_ = 0;

@@ -18,8 +18,6 @@ namespace {
 constexpr std::size_t kept_grids = 4;
 //! A bake uses up most of its budget; an eye beside the path may take a little more.
 constexpr double beside_slack = 1.25;
-//! Float traces grids well down to this budget [rad].
-constexpr double finest_float_budget = 2e-5;
 
 double error_of(const GridOrder& order) { return order.settings.budget_px * order.settings.pixel; }
 

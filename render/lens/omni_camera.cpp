@@ -10,7 +10,6 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/critical_curve.h"
-#include "render/lens/direct_lens.h"
 #include "render/lens/disk_fit.h"
 
 namespace ergodome {
@@ -152,7 +151,14 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
                 fmt::format("{:.6g} M is too large for the model omni at r = {:.6g} M", 2.0 * reach, head.r),
                 "choose a smaller one, or model = \"physical\"");
   }
-  narrowed_ = Buffer<float>(backend, std::vector<float>(coefficients_.begin(), coefficients_.end()), "omni cameras");
+  narrowed_.assign(coefficients_.begin(), coefficients_.end());
+  for_kernels_ = Buffer<float>(backend, narrowed_, "omni cameras");
+}
+
+OmniCameraOf<float> OmniCamera::on_host(double side) const {
+  OmniCameraOf<float> camera = view(side);
+  camera.coefficients = narrowed_.data();
+  return camera;
 }
 
 OmniCameraOf<float> OmniCamera::view(double side) const {
@@ -165,7 +171,7 @@ OmniCameraOf<float> OmniCamera::view(double side) const {
           narrow(camera_.fade_scale),
           narrow(camera_.inverse_reach),
           camera_.degree,
-          narrowed_.data()};
+          for_kernels_.data()};
 }
 
 OmniCameraOf<double> OmniCamera::exact(double side) const {
@@ -242,41 +248,6 @@ std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const Sha
     static_cast<void>(omni_edge_angle(camera, chart, full_turn * static_cast<double>(first - failed.begin()) / count));
   }
   return polar_angle;
-}
-
-namespace {
-
-EdgeTable omni_edge_table(Backend backend, const OmniCameraOf<double>& camera, const EyePlace& eye_at) {
-  const ShadowChart chart = omni_shadow_chart(camera, eye_at);
-  return {backend, chart, solve_omni_edge(camera, chart, edge_points)};
-}
-
-//! The batch of an eye whose frame is the view itself.
-PixelBatch view_batch(EyeCamera head, const Projection& projection, double tolerance_px) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      head.frame_from_view[i][j] = i == j ? 1.0 : 0.0;
-    }
-  }
-  return pixel_batch(head, projection, tolerance_px);
-}
-
-}  // namespace
-
-OmniLens::OmniLens(Backend backend, const OmniCamera& cameras, double side, const EyePlace& eye_at,
-                   const Projection& projection, double tolerance_px)
-    : backend_(backend),
-      edge_(omni_edge_table(backend, cameras.exact(side), eye_at)),
-      prototype_{view_batch(eye_at({0.0, 0.0, 0.0}), projection, tolerance_px), cameras.view(side)} {
-  set_edge(prototype_.pixels, edge_.view(), projection);
-}
-
-void OmniLens::fill(int first_row, int row_count, const LensPixels& out) const {
-  OmniBatch batch = prototype_;
-  batch.pixels.first_row = first_row;
-  batch.pixels.row_count = row_count;
-  batch.pixels.out = out;
-  trace_omni_pixels(backend_, batch);
 }
 
 }  // namespace ergodome

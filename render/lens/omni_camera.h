@@ -6,9 +6,7 @@
 #include "kernels/shadow/shadow_chart.h"
 #include "kernels/trace/omni_camera.h"
 #include "render/backend/buffer.h"
-#include "render/lens/edge_table.h"
 #include "render/lens/eye_camera.h"
-#include "render/lens/lens_source.h"
 
 namespace ergodome {
 
@@ -33,6 +31,8 @@ class OmniCamera {
 
   //! As kernels read it; `side` -1 for the left eye, 1 for the right one. It points into this object.
   [[nodiscard]] OmniCameraOf<float> view(double side) const;
+  //! The same on the host, whatever the backend.
+  [[nodiscard]] OmniCameraOf<float> on_host(double side) const;
   //! The same on the host, in double.
   [[nodiscard]] OmniCameraOf<double> exact(double side) const;
 
@@ -41,7 +41,8 @@ class OmniCamera {
  private:
   OmniCameraOf<double> camera_{};
   std::vector<double> coefficients_;
-  Buffer<float> narrowed_;
+  std::vector<float> narrowed_;
+  Buffer<float> for_kernels_;
 };
 
 //! A chart about the middle of the shadow that such an eye sees, in the view's axes.
@@ -49,20 +50,5 @@ ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyePlace
 
 //! The shadow's edge about it at `count` position angles [rad]. Throws Error where the shadow does not lie about the chart's middle.
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count);
-
-//! The lens of such an eye: a ray a pixel, each from its own camera. Both arguments outlive it.
-class OmniLens : public LensSource {
- public:
-  OmniLens(Backend backend, const OmniCamera& cameras, double side, const EyePlace& eye_at,
-           const Projection& projection, double tolerance_px);
-
-  void fill(int first_row, int row_count, const LensPixels& out) const override;
-  [[nodiscard]] const char* name() const override { return "direct"; }
-
- private:
-  Backend backend_;
-  EdgeTable edge_;
-  OmniBatch prototype_;
-};
 
 }  // namespace ergodome

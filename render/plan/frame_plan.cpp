@@ -176,12 +176,28 @@ class Planner {
     buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)), reason);
   }
 
+  //! As OmniChooser chooses.
   void plan_omni() {
-    plan_.lens = "direct";
-    pixel_pass(variant("trace_omni_pixels"), why("stereo.model"));
-    buffer("omni cameras", WorkMoment::picture, 0, why("stereo.model"));
-    buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)),
-           why("stereo.model"));
+    const std::string model = why("stereo.model");
+    const bool asked = request_.lens == LensChoice::live || request_.lens == LensChoice::streamed;
+    const bool traced = request_.backend != Backend::cpu || request_.lens == LensChoice::direct ||
+                        shows_rays(request_.mode) ||
+                        (!asked && !is_worth_a_grid(request_.backend, static_cast<double>(pixels_)));
+    buffer("omni cameras", WorkMoment::picture, 0, model);
+    plan_.lens = traced ? "direct" : "live";
+    if (traced) {
+      pixel_pass(variant("trace_omni_pixels"), model);
+      return buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)),
+                    model);
+    }
+    plan_grid(model, !asked);
+    buffer("lens grid", WorkMoment::place, 0, model);
+    pixel_pass(variant("look_up_omni_pixels"), model, !asked);
+    if (!asked) {
+      // Where most of a grid would be left to rays, or these would have to be in double.
+      pixel_pass(variant("trace_omni_pixels"), model, true);
+      buffer("shadow edge", WorkMoment::picture, 0, model);
+    }
   }
 
   void plan_shading() {

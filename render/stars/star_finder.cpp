@@ -28,15 +28,49 @@ float shift_gain(const BlackbodyTable& colours, float log_temperature, float fre
                   read_blackbody(colours, log_temperature).x);
 }
 
+//! From the observer's frame to that of the chart.
+Aberration aberration_of(const StarEye& eye) {
+  const EyeCamera& c = eye.camera;
+  return eye.omni ? no_aberration() : aberration_to_rain(c.spin, c.r, c.theta, c.motion, c.velocity);
+}
+
+//! The energy that the camera in the middle of an eye's sees.
+DirectionForm<double> middle_energy(const OmniEye& eye) {
+  const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
+  const double* c = cameras.coefficients + omni_energy * omni_terms(cameras.degree);
+  const int next = omni_terms(cameras.degree);
+  return {c[0], {c[next], c[2 * next], c[3 * next]}};
+}
+
+//! The most that the energies which an eye's other cameras see may differ from that: the powers of their places are 1 at the most.
+float energy_spread(const OmniEye& eye) {
+  const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
+  const int terms = omni_terms(cameras.degree);
+  const double* c = cameras.coefficients + omni_energy * terms;
+  double spread = 0.0;
+  for (int i = 0; i < 4 * terms; ++i) {
+    spread += i % terms > 0 ? std::abs(c[i]) : 0.0;
+  }
+  // And what converging turns directions by.
+  const Vector3<double> along = middle_energy(eye).along;
+  return static_cast<float>(spread +
+                            std::abs(cameras.offset) * cameras.inverse_convergence * std::sqrt(dot(along, along)));
+}
+
 //! What the search needs of the observer.
 class Observer final : public ImageLight {
  public:
-  Observer(const EyeCamera& eye, const LensStation& station, const BlackbodyTable& colours, bool redshift)
+  Observer(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours, bool redshift)
       : colours_(colours),
         redshift_(redshift),
         chart_(grid_view(station).chart),
-        rain_(make_camera_station(eye.spin, eye.r, eye.theta, 0.0, ObserverMotion::rain)),
-        aberration_(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity)),
+        cameras_(eye.omni),
+        energy_(eye.omni
+                    ? middle_energy(*eye.omni)
+                    : make_camera_station(eye.camera.spin, eye.camera.r, eye.camera.theta, 0.0, ObserverMotion::rain)
+                          .energy),
+        energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
+        aberration_(aberration_of(eye)),
         inverse_zamo_{aberration_.zamo_from_observer.axis, 1.0 / aberration_.zamo_from_observer.stretch},
         inverse_rain_{aberration_.rain_from_zamo.axis, 1.0 / aberration_.rain_from_zamo.stretch} {}
 
@@ -62,7 +96,8 @@ class Observer final : public ImageLight {
   //! What an image of a star in a rain-frame direction gains in brightness, but for its magnification there.
   [[nodiscard]] float gain_towards(const Vector3<double>& rain, const FieldStar& star) const {
     const double scale = observed_scale(aberration_, rain);
-    const double energy = detail::evaluate(rain_.energy, rain) * scale;
+    const double energy =
+        cameras_ ? energy_of(cameras_->cameras->exact(cameras_->side), rain) : detail::evaluate(energy_, rain) * scale;
     const auto frequency_ratio = static_cast<float>(1.0 / std::max(energy, 1e-6));
     return static_cast<float>(scale * scale) *
            (redshift_ ? shift_gain(colours_, star.log_temperature, frequency_ratio) : 1.0F);
@@ -70,7 +105,7 @@ class Observer final : public ImageLight {
 
   [[nodiscard]] AberrationOf<float> observer() const override { return converted_aberration<float>(aberration_); }
 
-  [[nodiscard]] DirectionForm<float> energy() const override { return detail::converted<float>(rain_.energy); }
+  [[nodiscard]] DirectionForm<float> energy() const override { return detail::converted<float>(energy_); }
 
   [[nodiscard]] float greatest_gain(const StarPatch& patch, float magnification) const override {
     const float from = patch.frequency_ratio >= 1.0F ? log_coldest : log_hottest;
@@ -84,14 +119,19 @@ class Observer final : public ImageLight {
  private:
   //! With a margin for what lies between the places that were asked.
   [[nodiscard]] float gain_at(const StarPatch& patch, float magnification, float log_temperature) const {
+    // Cameras beside the middle one may see less energy by so much.
+    const float least = std::max(1.0F - energy_spread_ * patch.frequency_ratio, 0.1F);
     return 1.2F * magnification * patch.brightening *
-           (redshift_ ? shift_gain(colours_, log_temperature, 1.05F * patch.frequency_ratio) : 1.0F);
+           (redshift_ ? shift_gain(colours_, log_temperature, 1.05F * patch.frequency_ratio / least) : 1.0F);
   }
 
   BlackbodyTable colours_;
   bool redshift_;
   LensChart chart_;
-  CameraStation rain_;
+  std::shared_ptr<const OmniEye>
+      cameras_;  //!< of an eye that turns; its chart is in its own frame, and no aberration leads there
+  DirectionForm<double> energy_;  //!< at infinity, of directions of the chart
+  float energy_spread_;           //!< what that may be off by for an eye's other cameras
   Aberration aberration_;
   FrameBoost inverse_zamo_;
   FrameBoost inverse_rain_;
@@ -139,17 +179,18 @@ std::vector<RoughImage> find_rough(const StarField& field, const Observer& obser
 
 }  // namespace
 
-LensStation build_star_station(const EyeCamera& eye, double pixel, GridTracer<float>* tracer) {
+LensStation build_star_station(const StarEye& eye, double pixel, GridTracer<float>* tracer) {
   GridSettings settings;
   settings.pixel = pixel;
   settings.budget_px = grid_budget_px;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  settings.observer = aberration_of(eye);
   settings.fine = false;
   settings.least_area_px = least_area_px;
-  return build_lens_station(eye.spin, eye.r, eye.theta, settings, nullptr, tracer);
+  return eye.omni ? build_omni_station(*eye.omni, settings)
+                  : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, settings, nullptr, tracer);
 }
 
-StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
+StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                          const LensStation& station, const StarSettings& settings) {
   return {station, field, Observer(eye, station, colours, settings.redshift), settings.faintest,
           static_cast<float>(settings.grid_px * settings.pixel)};
@@ -215,12 +256,13 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
 
 }  // namespace
 
-std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
+std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings) {
   const Observer observer(eye, station, colours, settings.redshift);
+  const double phi = eye.camera.phi;
   std::vector<StarCandidate> candidates =
-      candidates_of(find_rough(field, observer, eye.phi, patches, settings.view), field, observer, eye.phi, settings);
+      candidates_of(find_rough(field, observer, phi, patches, settings.view), field, observer, phi, settings);
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;
   refine_images(candidates, eye, settings.pixel, [&](const StarCandidate& c) {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "kernels/sky/blackbody.h"
-#include "render/lens/eye_camera.h"
 #include "render/lens/grid_tracer.h"
+#include "render/stars/star_eye.h"
 #include "render/stars/star_patches.h"
 #include "render/stars/view_cone.h"
 
@@ -12,8 +12,9 @@ namespace ergodome {
 
 //! An image of a star on a camera's sky.
 struct StarImage {
-  int star;                    //!< in the field
-  Vector3<float> direction;    //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
+  int star;  //!< in the field
+  Vector3<float>
+      direction;  //!< unit vector in the observer's frame (e_r, e_θ, e_φ); of an eye that turns, in the view's axes
   float magnification;         //!< of the solid angle; negative where the image is turned over
   float frequency_ratio;       //!< g = ν_observed / ν_emitted
   Vector3<float> illuminance;  //!< linear sRGB whose luminance part is in lx
@@ -29,18 +30,19 @@ struct StarSettings {
   bool magnification = true;  //!< images are as bright as the lens makes them; else as bright as the star
 };
 
-//! Builds a lens grid that leads to the images of stars; `pixel` [rad]. Its nodes are traced by `tracer` if there is one.
-LensStation build_star_station(const EyeCamera& eye, double pixel, GridTracer<float>* tracer = nullptr);
+//! Builds a lens grid that leads to the images of stars; `pixel` [rad]. Its nodes are traced by `tracer` if there is one. The grid of an eye
+//! that turns with the direction is that of all its cameras together: a pixel's image of a star is where its own camera sees the star.
+LensStation build_star_station(const StarEye& eye, double pixel, GridTracer<float>* tracer = nullptr);
 
 //! Turns a lens grid round for an eye at its place: `station` and what it is for are those of find_star_images.
-StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
+StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                          const LensStation& station, const StarSettings& settings);
 
 //! Finds all images of all stars that shine with the asked illuminance.
 //!
 //! The grid that `patches` were made of, by `station` (for the eye's own place), says roughly where images are; traced rays say exactly.
 //! An image is found once, and images that merge at a caustic are capped by the size of the star's disk.
-std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const EyeCamera& eye,
+std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings);
 

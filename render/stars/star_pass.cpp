@@ -64,6 +64,17 @@ bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
   return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
 }
 
+//! Whether one grid serves two eyes: a camera that turns or goes round the axis keeps its own.
+bool served_alike(const StarEye& first, const StarEye& second) {
+  if (first.omni || second.omni) {
+    return first.omni && second.omni && see_alike(*first.omni, *second.omni);
+  }
+  const EyeCamera& a = first.camera;
+  const EyeCamera& b = second.camera;
+  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion &&
+         dot(a.velocity - b.velocity, a.velocity - b.velocity) < 1e-12;
+}
+
 }  // namespace
 
 StarPass::StarPass(const Show& show)
@@ -94,12 +105,10 @@ void StarPass::set_numbers(const Show& show) {
   splat_ = splat_settings(show, spikes_);
 }
 
-const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSettings& asked) {
+const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
-  const auto found = std::ranges::find_if(turned_, [&](const Turned& each) {
-    return each.spin == eye.spin && each.r == eye.r && each.theta == eye.theta && each.pixel == pixel &&
-           each.motion == eye.motion && dot(eye.velocity - each.velocity, eye.velocity - each.velocity) < 1e-12;
-  });
+  const auto found = std::ranges::find_if(
+      turned_, [&](const Turned& each) { return each.pixel == pixel && served_alike(each.eye, eye); });
   if (found != turned_.end()) {
     std::rotate(turned_.begin(), found, found + 1);
     Turned& latest = turned_.front();
@@ -111,8 +120,7 @@ const StarPass::Turned& StarPass::patches_for(const EyeCamera& eye, const StarSe
   }
   LensStation station = build_star_station(eye, pixel, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
-  turned_.insert(turned_.begin(), Turned{eye.spin, eye.r, eye.theta, pixel, eye.motion, eye.velocity, asked.faintest,
-                                         std::move(station), std::move(patches)});
+  turned_.insert(turned_.begin(), Turned{eye, pixel, asked.faintest, std::move(station), std::move(patches)});
   if (turned_.size() > kept) {
     turned_.pop_back();
   }
@@ -130,16 +138,16 @@ std::vector<StarImage> StarPass::gathered_images(const EyeCamera& eye, const Pro
   return images;
 }
 
-std::vector<StarImage> StarPass::images(const EyeCamera& eye, const Projection& projection,
+std::vector<StarImage> StarPass::images(const StarEye& eye, const Projection& projection,
                                         const StarSettings& settings) {
   if (tree_) {
-    return gathered_images(eye, projection, settings);
+    return gathered_images(eye.camera, projection, settings);
   }
   const Turned& turned = patches_for(eye, settings);
   return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
 }
 
-std::vector<StarPoint> StarPass::find(const EyeCamera& eye, const Projection& projection,
+std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,
                                       const std::optional<Shutter>& shutter) {
   if (field_.stars().empty()) {
     return {};
@@ -150,11 +158,11 @@ std::vector<StarPoint> StarPass::find(const EyeCamera& eye, const Projection& pr
   // Trails may come in from anywhere.
   if (!shutter) {
     const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
-    settings.view = view_cone(eye, projection, view_margin + reach_px * largest_pixel_angle(projection));
+    settings.view = view_cone(eye.camera, projection, view_margin + reach_px * largest_pixel_angle(projection));
   }
   const std::vector<StarImage> found = images(eye, projection, settings);
   if (!shutter) {
-    return star_points(found, eye, projection, splat);
+    return star_points(found, eye.camera, projection, splat);
   }
   return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat);
 }

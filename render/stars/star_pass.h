@@ -27,15 +27,14 @@ class StarPass {
   void set_numbers(const Show& show);
 
   //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
-  std::vector<StarPoint> find(const EyeCamera& eye, const Projection& projection,
-                              const std::optional<Shutter>& shutter);
+  std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter);
 
   //! Adds them to rows of a picture in host memory.
   void draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
             float* rgba) const;
 
  private:
-  std::vector<StarImage> images(const EyeCamera& eye, const Projection& projection, const StarSettings& settings);
+  std::vector<StarImage> images(const StarEye& eye, const Projection& projection, const StarSettings& settings);
   std::vector<StarImage> gathered_images(const EyeCamera& eye, const Projection& projection,
                                          const StarSettings& settings) const;
   void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
@@ -45,18 +44,14 @@ class StarPass {
 
   //! A grid that was turned round.
   struct Turned {
-    double spin;
-    double r;
-    double theta;
+    StarEye eye;
     double pixel;
-    ObserverMotion motion;
-    Vector3<double> velocity;
     float faintest;  //!< that the patches were made for
     LensStation station;
     StarPatches patches;
   };
 
-  const Turned& patches_for(const EyeCamera& eye, const StarSettings& settings);
+  const Turned& patches_for(const StarEye& eye, const StarSettings& settings);
 
   BlackbodyColours colours_;
   StarField field_;

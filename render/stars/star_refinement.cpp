@@ -34,8 +34,8 @@ struct RayPrecision {
 };
 
 //! Finds images exactly, as far as rays in S are exact.
-template <class S>
-void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, const RayPrecision& precision) {
+template <class S, class Camera>
+void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, const RayPrecision& precision) {
   constexpr std::size_t channels = 12;
   const std::size_t count = candidates.size();
   std::vector<S> values(channels * count);
@@ -55,19 +55,18 @@ void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, const 
       channel(part)[i] = static_cast<S>(parts[part]);
     }
   });
-  const StarImageBatch<S> batch = {
-      converted_station<S>(make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity)),
-      {precision.tolerance, step_limit, true},
-      static_cast<S>(precision.miss),
-      static_cast<int>(count),
-      {channel(0), channel(1), channel(2)},
-      channel(6),
-      channel(7),
-      {channel(3), channel(4), channel(5)},
-      channel(8),
-      channel(9),
-      channel(10),
-      channel(11)};
+  const StarImageBatch<S, Camera> batch = {camera,
+                                           {precision.tolerance, step_limit, true},
+                                           static_cast<S>(precision.miss),
+                                           static_cast<int>(count),
+                                           {channel(0), channel(1), channel(2)},
+                                           channel(6),
+                                           channel(7),
+                                           {channel(3), channel(4), channel(5)},
+                                           channel(8),
+                                           channel(9),
+                                           channel(10),
+                                           channel(11)};
   find_star_images(batch);
   each([&](std::size_t i) {
     StarCandidate& c = candidates[i];
@@ -78,6 +77,19 @@ void refine(std::vector<StarCandidate>& candidates, const EyeCamera& eye, const 
     c.frequency_ratio = at(10);
     c.miss = at(11);
   });
+}
+
+OmniCameraOf<float> omni_cameras(const OmniEye& eye, float /*precision*/) { return eye.cameras->on_host(eye.side); }
+OmniCameraOf<double> omni_cameras(const OmniEye& eye, double /*precision*/) { return eye.cameras->exact(eye.side); }
+
+template <class S>
+void refine(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision) {
+  if (eye.omni) {
+    return refine_by<S>(omni_cameras(*eye.omni, S{}), candidates, precision);
+  }
+  const EyeCamera& c = eye.camera;
+  refine_by<S>(converted_station<S>(make_camera_station(c.spin, c.r, c.theta, 0.0, c.motion, c.velocity)), candidates,
+               precision);
 }
 
 //! Where double has to seek an image.
@@ -98,7 +110,7 @@ Start double_start(const StarCandidate& c, double pixel) {
 }
 
 //! Follows images next to caustics to the end. Most of what is sought there is none: only what came near is worth rays that cost more.
-void refine_finest(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel) {
+void refine_finest(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel) {
   std::vector<std::size_t> places;
   std::vector<StarCandidate> near;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -114,7 +126,7 @@ void refine_finest(std::vector<StarCandidate>& candidates, const EyeCamera& eye,
 }
 
 //! Seeks in double what float's rounding leaves wrong.
-void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const EyeCamera& eye,
+void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const StarEye& eye,
                   double pixel, const std::function<bool(const StarCandidate&)>& wanted) {
   std::vector<std::size_t> places[2];
   std::vector<StarCandidate> steep[2];
@@ -146,7 +158,7 @@ SingularValues singular_values(const StarCandidate& c) {
   return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
 }
 
-void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel,
+void refine_images(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel,
                    const std::function<bool(const StarCandidate&)>& wanted) {
   const std::vector<StarCandidate> rough = candidates;
   refine<float>(candidates, eye, {float_tolerance, image_tolerance_px * pixel});

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernels/core/vector3.h"
-#include "render/lens/eye_camera.h"
+#include "render/stars/star_eye.h"
 
 namespace ergodome {
 
@@ -12,7 +12,7 @@ namespace ergodome {
 struct StarCandidate {
   int star = -1;
   Vector3<double> on_sky;     //!< the star, for a camera at φ = 0
-  Vector3<double> direction;  //!< of the image, in the observer's frame
+  Vector3<double> direction;  //!< of the image, in the frame of the eye's camera
   double radius = 0.0;
   double edge_distance = 1.0;  //!< and the rest as in StarImageBatch
   double solid_angle = 0.0;
@@ -35,7 +35,7 @@ inline constexpr double image_tolerance_px = 0.005;
 //! Follows images to where rays have them: in float, and in double next to caustics. `pixel`: angle of a pixel [rad]. An image is found
 //! when its `miss` is at most image_tolerance_px pixels. Images of which `wanted` says no, where float is right to some per cent, are not
 //! made better.
-void refine_images(std::vector<StarCandidate>& candidates, const EyeCamera& eye, double pixel,
+void refine_images(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel,
                    const std::function<bool(const StarCandidate&)>& wanted);
 
 }  // namespace ergodome

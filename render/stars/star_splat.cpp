@@ -180,7 +180,7 @@ void add_trails(const StarTrails& trails, const Shutter& shutter, const Projecti
           trails.directions[i * static_cast<std::size_t>(trails.places) + static_cast<std::size_t>(at)];
       double here[2] = {};
       const bool seen =
-          place_on_screen(direction, shutter.eyes[static_cast<std::size_t>(at)], projection, here[0], here[1]);
+          place_on_screen(direction, shutter.eyes[static_cast<std::size_t>(at)].camera, projection, here[0], here[1]);
       if (seen && was_seen) {
         list.add_line(before, here, part * way.illuminance, has_spikes(way.illuminance, settings));
       }

@@ -30,7 +30,7 @@ class Follower {
   }
 
   //! From place `from` to `to`, beside it; `eye` is that of `to`.
-  void step(const EyeCamera& eye, int from, int to) {
+  void step(const StarEye& eye, int from, int to) {
     std::vector<StarCandidate> candidates;
     candidates.reserve(alive_.size());
     for (const std::size_t i : alive_) {
@@ -60,11 +60,11 @@ class Follower {
   }
 
   //! An image where its way so far leads to.
-  StarCandidate candidate(const EyeCamera& eye, std::size_t i, int from, int to) {
+  StarCandidate candidate(const StarEye& eye, std::size_t i, int from, int to) {
     const FieldStar& star = field_.stars()[static_cast<std::size_t>(images_[i].star)];
     const Vector3<double>& d = star.direction;
-    const double sine = std::sin(eye.phi);
-    const double cosine = std::cos(eye.phi);
+    const double sine = std::sin(eye.camera.phi);
+    const double cosine = std::cos(eye.camera.phi);
     const int before = 2 * from - to;
     const bool has_way = before >= trails_.ways[i].first && before <= trails_.ways[i].last;
     Vector3<double> there = widened(place(i, from));

@@ -6,7 +6,7 @@ namespace ergodome {
 
 //! The eye at equal steps of the time that a shutter is open: an odd number of them, the picture's own eye in the middle.
 struct Shutter {
-  std::vector<EyeCamera> eyes;
+  std::vector<StarEye> eyes;
 };
 
 //! Images on their way while a shutter is open.

@@ -243,6 +243,24 @@ TEST_F(FramePlans, HoldForEveryStereoModelAndLayout) {
   }
 }
 
+TEST_F(FramePlans, HoldForStarsInEyesThatTurn) {
+  for (const LensChoice lens : {LensChoice::automatic, LensChoice::live, LensChoice::direct}) {
+    for (const double baseline : {0.0, 0.1}) {
+      SCOPED_TRACE(baseline);
+      Show show = plain_show();
+      show.sky.stars = "bright_stars";
+      show.effects.trails = TrailSettings{0.3};
+      show.view.size_px = 400;
+      show.stereo.layout = StereoLayout::separate;
+      show.stereo.model = StereoModel::omni;
+      show.stereo.baseline = baseline;
+      FrameRequest asked = request();
+      asked.lens = lens;
+      expect_as_planned(show, asked);
+    }
+  }
+}
+
 TEST_F(FramePlans, HoldForEveryLens) {
   for (const LensChoice lens : {LensChoice::automatic, LensChoice::live, LensChoice::direct}) {
     for (const GridScheme scheme : {GridScheme::conforming, GridScheme::quadtree}) {

@@ -101,6 +101,51 @@ TEST(StarsOfAShow, LeaveTrailsAsBrightAsTheyAre) {
   EXPECT_NEAR(with / light_of(rendered(plain)), 1.0, 0.03);
 }
 
+//! Both eyes' pictures of a show in the model omni.
+std::vector<FrameImage> omni_eyes(const std::string& baseline, const std::string& more = plain) {
+  ShowRenderer renderer(
+      star_show(more + "[stereo]\nlayout = \"separate\"\nmodel = \"omni\"\nbaseline = " + baseline + "\n"),
+      Backend::cpu);
+  return renderer.render(5.0, {});
+}
+
+TEST(StarsOfAShow, AreThoseOfOneEyeInTheModelOmniWithoutABaseline) {
+  const Picture one = rendered(plain);
+  for (const FrameImage& eye : omni_eyes("0.0")) {
+    ASSERT_EQ(eye.picture.rgba.size(), one.rgba.size());
+    // The fourth number is the shadow's: the map is black, and light that of stars alone.
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < one.rgba.size(); ++i) {
+      different += i % 4 < 3 && eye.picture.rgba[i] != one.rgba[i] ? 1U : 0U;
+    }
+    EXPECT_EQ(different, 0U);
+  }
+}
+
+TEST(StarsOfAShow, ShineAsMuchInBothEyesOfTheModelOmni) {
+  const double one = light_of(rendered(plain));
+  const auto eyes = omni_eyes("0.4");
+  ASSERT_EQ(eyes.size(), 2U);
+  EXPECT_NE(eyes[0].picture.rgba, eyes[1].picture.rgba);
+  for (const FrameImage& eye : eyes) {
+    EXPECT_NEAR(light_of(eye.picture) / one, 1.0, 0.05);
+  }
+}
+
+TEST(StarsOfAShow, LeaveTrailsInTheModelOmni) {
+  const auto still = omni_eyes("0.4");
+  const auto trailed = omni_eyes("0.4", std::string(plain) + "trails = { shutter_s = 0.2 }\n");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(light_of(trailed[i].picture) / light_of(still[i].picture), 1.0, 0.03);
+  }
+}
+
+TEST(StarsOfAShow, AreRefusedWherePixelsWouldGatherThemInTheModelOmni) {
+  EXPECT_FALSE(
+      missing_features(star_show("[stars]\nmethod = \"gather\"\n[stereo]\nlayout = \"separate\"\nmodel = \"omni\"\n"))
+          .empty());
+}
+
 TEST(BloomOfAShow, KeepsTheLightAndTheRim) {
   const Picture without = rendered(plain);
   const Picture with = rendered(std::string(plain) + "bloom = { strength = 0.3, radius_px = 5 }\n");

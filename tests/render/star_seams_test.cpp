@@ -145,7 +145,7 @@ TEST(StarsAtSeams, KeepTheLightOfTrailsAcrossTheEdgesOfACube) {
     trails.directions.push_back(image_at({1.0 - 0.02 * i, 1.0 - 0.005 * i, 1.0 + 0.03 * i}).direction);
   }
   trails.ways = {{0, 20, {1.0F, 1.0F, 1.0F}}};
-  const Shutter shutter{std::vector<EyeCamera>(21, plain_eye())};
+  const Shutter shutter{std::vector<StarEye>(21, plain_eye())};
   for (const CubeLayout layout : {CubeLayout::cross, CubeLayout::strip}) {
     const Projection projection = make_cube_projection(256, layout);
     const SplatSettings settings{0.7, 1.0F};

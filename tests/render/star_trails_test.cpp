@@ -20,7 +20,7 @@ Shutter orbit_about(const EyeCamera& eye) {
     EyeCamera moved = eye;
     moved.phi += 0.0125 * i;
     moved.r *= 1.0 - 0.0002 * i;
-    shutter.eyes.push_back(moved);
+    shutter.eyes.emplace_back(moved);
   }
   return shutter;
 }
@@ -109,8 +109,8 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
       row[2] = std::cos(angle) * back - std::sin(angle) * up;
     }
   };
-  turn(shutter.eyes[0], -0.02);
-  turn(shutter.eyes[2], 0.02);
+  turn(shutter.eyes[0].camera, -0.02);
+  turn(shutter.eyes[2].camera, 0.02);
   images.resize(1);
   const Projection projection = make_dome_projection(1024, pi, 0.0);
   const auto points = trail_points(star_trails(images, field, shutter, pi / 1024), shutter, projection, {0.5, 1.0F});

@@ -1,0 +1,338 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernels/projection/make_projection.h"
+#include "kernels/projection/pixel_measure.h"
+#include "tests/render/omni_eyes.h"
+#include "tests/support/sanitized.h"
+
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
+
+//! What is off at places nearer to the shadow's edge than this is not looked at: one pixel's change there goes round the hole [px].
+constexpr double ring_px = 2.0;
+//! Where the sky moves by less than this part of what the screen does an image is on a critical curve, and becomes an arc.
+constexpr double least_move = 0.02;
+
+//! Where a star is in a picture.
+struct Spot {
+  double x_px;
+  double y_px;
+};
+
+//! The picture of an eye that turns with the direction, by nothing but single rays from each direction's own camera.
+class OwnRays {
+ public:
+  OwnRays(const EyePlace& eye_at, double offset, double convergence, const Projection& projection)
+      : eye_at_(eye_at), offset_(offset), convergence_(convergence), projection_(projection) {}
+
+  [[nodiscard]] OwnRay ray(const Spot& spot) const {
+    return own_ray(eye_at_, direction_from_pixel(projection_, spot.x_px, spot.y_px), offset_, convergence_);
+  }
+
+  //! The sky at a place of the picture; nothing in the shadow.
+  [[nodiscard]] std::optional<Vector3<double>> sky(const Spot& spot) const {
+    const OwnRay own = ray(spot);
+    return direction_is_bright(own.camera, own.n) ? std::optional(exact_sky(own.camera, own.n)) : std::nullopt;
+  }
+
+  //! The map from the picture to the sky at a place, per pixel.
+  struct Map {
+    Vector3<double> sky;
+    Vector3<double> along_x;
+    Vector3<double> along_y;
+
+    [[nodiscard]] double determinant() const {
+      const Vector3<double> normal = cross(along_x, along_y);
+      return std::sqrt(dot(normal, normal));
+    }
+  };
+
+  [[nodiscard]] std::optional<Map> map(const Spot& spot) const {
+    constexpr double h = 1e-3;
+    const auto middle = sky(spot);
+    const auto right = sky({spot.x_px + h, spot.y_px});
+    const auto left = sky({spot.x_px - h, spot.y_px});
+    const auto below = sky({spot.x_px, spot.y_px + h});
+    const auto above = sky({spot.x_px, spot.y_px - h});
+    if (!middle || !right || !left || !below || !above) {
+      return std::nullopt;
+    }
+    return Map{*middle, (0.5 / h) * (*right - *left), (0.5 / h) * (*below - *above)};
+  }
+
+  //! How far to go in the picture for a star [px], by the map at a place.
+  static Spot way_to(const Map& map, const Vector3<double>& star) {
+    const Vector3<double> missing = star - map.sky;
+    const double a = dot(map.along_x, map.along_x);
+    const double b = dot(map.along_x, map.along_y);
+    const double c = dot(map.along_y, map.along_y);
+    const double p = dot(map.along_x, missing);
+    const double q = dot(map.along_y, missing);
+    const double square = std::max(map.determinant() * map.determinant(), 1e-300);
+    return {(c * p - b * q) / square, (a * q - b * p) / square};
+  }
+
+  //! A star's image by Newton's method from a place nearby; nothing where that leads away.
+  [[nodiscard]] std::optional<Spot> image(Spot spot, const Vector3<double>& star) const {
+    for (int round = 0; round < 12; ++round) {
+      const auto here = map(spot);
+      if (!here) {
+        return std::nullopt;
+      }
+      const Spot way = way_to(*here, star);
+      const double length = std::hypot(way.x_px, way.y_px);
+      const double part = std::min(1.0, 1.0 / length);
+      spot = {spot.x_px + part * way.x_px, spot.y_px + part * way.y_px};
+      if (length < 1e-4) {
+        return spot;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const EyePlace& eye_at_;
+  double offset_;
+  double convergence_;
+  const Projection& projection_;
+};
+
+//! The least that the sky moves by when a pixel's worth is gone in the picture [rad]: the smaller singular value.
+double least_move_of(const OwnRays::Map& map) {
+  const double sum = dot(map.along_x, map.along_x) + dot(map.along_y, map.along_y);
+  const double d = map.determinant();
+  return d / std::sqrt(0.5 * (sum + std::sqrt(std::max(sum * sum - 4.0 * d * d, 0.0))));
+}
+
+struct Case {
+  const char* name;
+  double half_baseline;
+  double convergence;
+  Projection projection;
+};
+
+std::vector<Case> cases() {
+  return {{"dome", 0.5, 0.0, make_dome_projection(160, pi, 0.4)},
+          {"a dome that converges", 0.2, 12.0, make_dome_projection(160, pi, 0.4)},
+          {"equirect", 0.5, 0.0, make_equirectangular_projection(192, 96)},
+          {"cylinder", 0.5, 0.0, make_cylinder_projection(192, 62, 2.0 * pi, -1.0, 1.0)},
+          {"cube", 0.2, 0.0, make_cube_projection(48, CubeLayout::strip)}};
+}
+
+//! The shows of these tests stand here.
+Show place_of_tests() {
+  return parse_show("[hole]\nspin = 0.95\n[camera]\n[[camera.key]]\nr = 9\ntheta_deg = 70\n[sky]\nmap = \"grid\"\n",
+                    "omni_stars.toml");
+}
+
+//! What the search of the program finds for an eye, on the screen.
+struct Found {
+  StarImage image;
+  Spot spot;
+};
+
+class OmniStars : public testing::TestWithParam<std::size_t> {
+ protected:
+  OmniStars()
+      : case_(cases()[GetParam()]),
+        show_(place_of_tests()),
+        pose_(camera_pose(show_, 0.0)),
+        eye_at_([this](const Vector3<double>& offset) { return eye_camera(show_, pose_, offset); }),
+        field_(brightest(sanitized ? 60 : 300), glm::dmat3(1.0), colours().view()) {
+    settings_ = settings_for(9.0);
+    settings_.pixel = pixel_angle(case_.projection);
+    settings_.redshift = true;
+  }
+
+  //! Images in the picture.
+  [[nodiscard]] std::vector<Found> found(double side) const {
+    const auto cameras = std::make_shared<const OmniCamera>(
+        Backend::cpu, eye_at_,
+        OmniSettings{case_.half_baseline, case_.convergence, pi / 3.0, 0.5 * pi, 0.05 * settings_.pixel});
+    const StarEye eye(make_omni_eye(cameras, side, eye_at_));
+    const LensStation station = build_star_station(eye, settings_.pixel);
+    const StarPatches patches = star_patches(field_, colours().view(), eye, station, settings_);
+    std::vector<Found> images;
+    for (const StarImage& image : find_star_images(field_, colours().view(), eye, station, patches, settings_)) {
+      Spot spot{};
+      if (pixel_from_direction(case_.projection, widened(image.direction), spot.x_px, spot.y_px) && is_shown(spot)) {
+        images.push_back({image, spot});
+      }
+    }
+    return images;
+  }
+
+  [[nodiscard]] bool is_shown(const Spot& spot) const {
+    return spot.x_px >= 0.0 && spot.x_px <= case_.projection.width_px && spot.y_px >= 0.0 &&
+           spot.y_px <= case_.projection.height_px && image_coverage(case_.projection, spot.x_px, spot.y_px) >= 1.0;
+  }
+
+  [[nodiscard]] OwnRays rays(double side) const {
+    return {eye_at_, side * case_.half_baseline, case_.convergence, case_.projection};
+  }
+
+  [[nodiscard]] Vector3<double> direction(int star) const {
+    return field_.stars()[static_cast<std::size_t>(star)].direction;
+  }
+
+  //! Whether all is bright within the ring about a place.
+  [[nodiscard]] bool off_the_edge(const OwnRays& rays, const Spot& spot) const {
+    for (int i = 0; i < 8; ++i) {
+      const double turn = 0.25 * pi * i;
+      if (!rays.sky({spot.x_px + ring_px * std::cos(turn), spot.y_px + ring_px * std::sin(turn)})) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  //! Solid angle of a pixel [sr].
+  [[nodiscard]] double pixel_area(const Spot& spot) const {
+    constexpr double h = 1e-3;
+    const auto n = [&](double x, double y) { return direction_from_pixel(case_.projection, x, y); };
+    const Vector3<double> normal = cross((0.5 / h) * (n(spot.x_px + h, spot.y_px) - n(spot.x_px - h, spot.y_px)),
+                                         (0.5 / h) * (n(spot.x_px, spot.y_px + h) - n(spot.x_px, spot.y_px - h)));
+    return std::sqrt(dot(normal, normal));
+  }
+
+  Case case_;
+  Show show_;
+  CameraPose pose_;
+  EyePlace eye_at_;
+  StarField field_;
+  StarSettings settings_;
+};
+
+TEST_P(OmniStars, AreWhereTheirPixelsOwnCameraSeesThem) {
+  for (const double side : {-1.0, 1.0}) {
+    SCOPED_TRACE(std::string(case_.name) + (side < 0.0 ? " left" : " right"));
+    const OwnRays own = rays(side);
+    double largest_px = 0.0;
+    double worst_g = 0.0;
+    double worst_magnification = 0.0;
+    int compared = 0;
+    for (const Found& each : found(side)) {
+      if (!off_the_edge(own, each.spot)) {
+        continue;
+      }
+      const auto map = own.map(each.spot);
+      ASSERT_TRUE(map.has_value());
+      if (least_move_of(*map) < least_move * std::sqrt(pixel_area(each.spot))) {
+        continue;
+      }
+      const Spot way = OwnRays::way_to(*map, direction(each.image.star));
+      largest_px = std::max(largest_px, std::hypot(way.x_px, way.y_px));
+      const OwnRay ray = own.ray(each.spot);
+      const double g = 1.0 / start_ray(ray.camera, ray.n).energy;
+      worst_g = std::max(worst_g, std::abs(static_cast<double>(each.image.frequency_ratio) / g - 1.0));
+      const double magnification = pixel_area(each.spot) / map->determinant();
+      worst_magnification = std::max(
+          worst_magnification, std::abs(std::abs(static_cast<double>(each.image.magnification)) / magnification - 1.0));
+      ++compared;
+    }
+    EXPECT_LT(largest_px, 0.2);
+    EXPECT_LT(worst_g, 1e-3);
+    EXPECT_LT(worst_magnification, 0.05);
+    EXPECT_GT(compared, sanitized ? 20 : 100);
+  }
+}
+
+//! A mesh over a picture, with a corner on each pixel's.
+class PixelMesh {
+ public:
+  PixelMesh(const OwnRays& rays, const Projection& projection)
+      : width_(projection.width_px), height_(projection.height_px) {
+    for (int y = 0; y <= height_; ++y) {
+      for (int x = 0; x <= width_; ++x) {
+        corners_.push_back(rays.sky({static_cast<double>(x), static_cast<double>(y)}));
+      }
+    }
+  }
+
+  //! Pixels whose halves hold a star: their middles.
+  [[nodiscard]] std::vector<Spot> pixels_with(const Vector3<double>& star) const {
+    std::vector<Spot> found;
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        if (holds(x, y, {0, 1, 2}, star) || holds(x, y, {3, 2, 1}, star)) {
+          found.push_back({x + 0.5, y + 0.5});
+        }
+      }
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool holds(int x, int y, const std::array<int, 3>& half, const Vector3<double>& star) const {
+    Vector3<double> sky[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& corner = corners_[static_cast<std::size_t>((y + half[i] / 2) * (width_ + 1) + x + half[i] % 2)];
+      // What is wider than half a radian says nothing of what lies in it.
+      if (!corner || dot(*corner, star) < 0.88) {
+        return false;
+      }
+      sky[i] = *corner;
+    }
+    const double first = dot(star, cross(sky[0], sky[1]));
+    const double second = dot(star, cross(sky[1], sky[2]));
+    const double third = dot(star, cross(sky[2], sky[0]));
+    return (first > 0.0 && second > 0.0 && third > 0.0) || (first < 0.0 && second < 0.0 && third < 0.0);
+  }
+
+  int width_;
+  int height_;
+  std::vector<std::optional<Vector3<double>>> corners_;
+};
+
+TEST_P(OmniStars, AreAllThatASearchPixelByPixelFinds) {
+  if (sanitized) {
+    GTEST_SKIP() << "many rays";
+  }
+  const double faintest = static_cast<double>(settings_.faintest);
+  for (const double side : {-1.0, 1.0}) {
+    SCOPED_TRACE(std::string(case_.name) + (side < 0.0 ? " left" : " right"));
+    const OwnRays own = rays(side);
+    const PixelMesh mesh(own, case_.projection);
+    const std::vector<Found> ours = found(side);
+    int compared = 0;
+    int missed = 0;
+    for (std::size_t star = 0; star < field_.stars().size(); ++star) {
+      for (const Spot& pixel : mesh.pixels_with(field_.stars()[star].direction)) {
+        const auto spot = own.image(pixel, field_.stars()[star].direction);
+        if (!spot || !is_shown(*spot) || !off_the_edge(own, *spot)) {
+          continue;
+        }
+        const auto map = own.map(*spot);
+        const OwnRay ray = own.ray(*spot);
+        const double g = 1.0 / start_ray(ray.camera, ray.n).energy;
+        const double light = static_cast<double>(field_.stars()[star].illuminance) * pixel_area(*spot) /
+                             map->determinant() * std::min(g * g * g * g, 1.0);
+        if (light < 3.0 * faintest || least_move_of(*map) < least_move * std::sqrt(pixel_area(*spot))) {
+          continue;
+        }
+        const bool there = std::ranges::any_of(ours, [&](const Found& each) {
+          return each.image.star == static_cast<int>(star) &&
+                 std::hypot(each.spot.x_px - spot->x_px, each.spot.y_px - spot->y_px) < 0.2;
+        });
+        missed += there ? 0 : 1;
+        ++compared;
+      }
+    }
+    EXPECT_EQ(missed, 0);
+    EXPECT_GT(compared, 100);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Projections, OmniStars, testing::Range<std::size_t>(0, 5));
+
+}  // namespace
+}  // namespace ergodome
