@@ -275,7 +275,10 @@ class PixelMesh {
   [[nodiscard]] bool holds(int x, int y, const std::array<int, 3>& half, const Vector3<double>& star) const {
     Vector3<double> sky[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto& corner = corners_[static_cast<std::size_t>((y + half[i] / 2) * (width_ + 1) + x + half[i] % 2)];
+      const int row = y + half[i] / 2;
+      const int column = x + half[i] % 2;
+      const auto& corner = corners_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
+                                    static_cast<std::size_t>(column)];
       // What is wider than half a radian says nothing of what lies in it.
       if (!corner || dot(*corner, star) < 0.88) {
         return false;

@@ -314,8 +314,9 @@ OmniErrors omni_errors(const Show& show, double half_baseline, double side, cons
   return errors;
 }
 
-void expect_omni(const Show& show, double half_baseline, const Projection& projection, double convergence = 0.0) {
-  for (const LensChoice choice : {LensChoice::direct, LensChoice::live}) {
+void expect_omni(const Show& show, double half_baseline, const Projection& projection, double convergence = 0.0,
+                 const std::vector<LensChoice>& choices = {LensChoice::direct, LensChoice::live}) {
+  for (const LensChoice choice : choices) {
     for (const double side : {-1.0, 1.0}) {
       SCOPED_TRACE(choice == LensChoice::live ? "by a grid" : "by rays");
       const OmniErrors errors = omni_errors(show, half_baseline, side, projection, convergence, choice);
@@ -335,7 +336,8 @@ TEST(OmniEyes, AgreeWithDirectRaysFromEachPixelsOwnCamera) {
     expect_omni(show, half, make_dome_projection(256, pi, 0.4));
   }
   if (!test::sanitized) {
-    expect_omni(show, 0.5, make_dome_projection(512, pi, 0.4));
+    // As large as pictures are that are read from grids of themselves.
+    expect_omni(show, 0.5, make_dome_projection(512, pi, 0.4), 0.0, {LensChoice::live});
   }
   expect_omni(show, 0.5, make_equirectangular_projection(256, 128));
   expect_omni(show, 0.5, make_cylinder_projection(256, 82, 2.0 * pi, -1.0, 1.0));
