@@ -102,9 +102,9 @@ void print(const nlohmann::json& plan) {
     fmt::print("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
                channel["why"].get<std::string>());
   }
-  fmt::print("\npass                          once a        runs    elements  because of\n");
+  fmt::print("\npass                               once a        runs    elements  because of\n");
   for (const auto& pass : plan["passes"]) {
-    fmt::print("  {:<28}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
+    fmt::print("  {:<33}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
                text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
                pass["if_needed"].get<bool>() ? ", if needed" : "");
   }
