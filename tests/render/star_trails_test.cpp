@@ -47,7 +47,8 @@ TEST(StarTrails, EndWhereTheImagesAreWhenTheShutterOpensAndCloses) {
   ASSERT_EQ(trails.ways.size(), images.size());
   std::size_t together = 0;
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto there = images_of(field, side == 0 ? shutter.eyes.front() : shutter.eyes.back(), settings_for(7.0));
+    const StarEye& end = side == 0 ? shutter.eyes.front() : shutter.eyes.back();
+    const auto there = images_of(field, end.camera, settings_for(7.0));
     for (std::size_t i = 0; i < images.size(); ++i) {
       double nearest = 1.0;
       for (const StarImage& image : there) {
