@@ -83,4 +83,23 @@ const std::vector<ReferenceEdgePoint>& reference_edge() {
   return points;
 }
 
+const std::vector<ReferenceCrossing>& reference_crossings() {
+  static const std::vector<ReferenceCrossing> crossings = [] {
+    std::vector<ReferenceCrossing> result;
+    for (const Row& row : read_table("disk.csv")) {
+      ReferenceCrossing crossing{};
+      fill_camera(crossing, row);
+      crossing.id = static_cast<int>(number(row, "id"));
+      crossing.order = static_cast<int>(number(row, "order"));
+      crossing.r_hit = number(row, "r_hit");
+      crossing.phi_hit = number(row, "phi_hit");
+      crossing.delay = number(row, "delay");
+      crossing.g_kepler = number(row, "g_kepler");
+      result.push_back(crossing);
+    }
+    return result;
+  }();
+  return crossings;
+}
+
 }  // namespace ergodome::test

@@ -33,8 +33,20 @@ struct ReferenceEdgePoint {
   Vector3<double> n;
 };
 
+//! A row of tests/data/disk.csv.
+struct ReferenceCrossing {
+  int id;
+  double a, r, theta;
+  ObserverMotion motion;
+  Vector3<double> beta;
+  Vector3<double> n;
+  int order;
+  double r_hit, phi_hit, delay, g_kepler;
+};
+
 const std::vector<ReferenceRay>& reference_rays();
 const std::vector<ReferenceEdgePoint>& reference_edge();
+const std::vector<ReferenceCrossing>& reference_crossings();
 
 //! The error of a sky direction that double-precision input allows near the edge [rad].
 double allowed_sky_error(const ReferenceRay& ray);

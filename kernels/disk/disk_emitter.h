@@ -1,0 +1,94 @@
+#pragma once
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/metric/kerr.h"
+
+// Matter of a thin equatorial disk that runs along +φ, on circular geodesics; against the hole's spin where that is negative. (Bardeen, Press &
+// Teukolsky 1972, section II; inside the last stable orbit Cunningham 1975.)
+namespace ergodome {
+
+//! How matter moves in the equatorial plane.
+template <class S>
+struct DiskFlow {
+  S spin;
+  S stable_r;  //!< innermost stable orbit [M]; inside it matter falls with that orbit's energy and angular momentum
+  S energy;    //!< of that orbit, for mass 1
+  S axial_angular_momentum;  //!< of that orbit [M]
+};
+
+inline namespace ERGO_TARGET {
+
+//! E and L_z of a circular orbit along +φ at radius r, for mass 1. Bardeen, Press & Teukolsky (1972), eqs. 2.12 and 2.13.
+struct CircularOrbit {
+  double energy;
+  double axial_angular_momentum;
+};
+
+ERGO_HD CircularOrbit circular_orbit(double spin, double r) {
+  const double root = ::sqrt(r);
+  const double swirl = spin / (r * root);
+  const double norm = ::sqrt(1.0 - 3.0 / r + 2.0 * swirl);
+  return {(1.0 - 2.0 / r + swirl) / norm, root * (1.0 - 2.0 * swirl + spin * spin / (r * r)) / norm};
+}
+
+//! The disk's flow about a hole. With |a| = 1 along +φ the last stable orbit is the horizon, and nothing falls from it.
+ERGO_HD DiskFlow<double> make_disk_flow(double spin) {
+  const double r = innermost_stable_radius(spin, 1.0);
+  // The limits of 0 / 0 as a goes to 1.
+  constexpr double limit_energy = 0.57735026918962576451;
+  const bool extremal = 1.0 - spin < 1e-12;
+  const CircularOrbit orbit = extremal ? CircularOrbit{limit_energy, 2.0 * limit_energy} : circular_orbit(spin, r);
+  return {spin, r, orbit.energy, orbit.axial_angular_momentum};
+}
+
+template <class S>
+ERGO_HD DiskFlow<S> converted_flow(const DiskFlow<double>& f) {
+  return {static_cast<S>(f.spin), static_cast<S>(f.stable_r), static_cast<S>(f.energy),
+          static_cast<S>(f.axial_angular_momentum)};
+}
+
+//! Light at the disk, with the energy at infinity that goes with an observed energy of 1.
+template <class S>
+struct DiskLight {
+  S r;                       //!< where it left [M]
+  S energy;                  //!< E
+  S axial_angular_momentum;  //!< L_z [M]
+  S shear_constant;          //!< K = Q + (L - a E)² [M²]
+  bool outwards;             //!< it left with r growing
+};
+
+//! ν_emitted / ν_observed for matter on a circular geodesic along +φ: u^t (E - Ω L). Infinite at and inside the photon orbit, where there is none.
+template <class S>
+ERGO_HD S circular_frequency(S spin, const DiskLight<S>& light) {
+  const S swirl = light.r * sqrt(light.r);  // r^(3/2)
+  const S norm = S(1) - S(3) / light.r + S(2) * spin / swirl;
+  const S momentum = light.axial_angular_momentum / (swirl + spin);
+  return norm > S(0) ? (S(1) + spin / swirl) / sqrt(norm) * (light.energy - momentum)
+                     : std::numeric_limits<S>::infinity();
+}
+
+//! The same for matter that falls from the innermost stable orbit. With X, W the photon's r² + a² times E less a L, and dr/dλ, and P, V
+//! the matter's:
+//!   r² ν = (X P - W V) / Δ - (L_m - a E_m)(L - a E),     W² = X² - Δ K,   V² = P² - Δ (r² + (L_m - a E_m)²).
+template <class S>
+ERGO_HD S plunging_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light) {
+  const S a = flow.spin;
+  const S r2 = light.r * light.r;
+  const S delta = r2 - S(2) * light.r + a * a;
+  const S skew = flow.axial_angular_momentum - a * flow.energy;
+  const S light_skew = light.axial_angular_momentum - a * light.energy;
+  const S x = r2 * light.energy - a * light_skew;
+  const S p = r2 * flow.energy - a * skew;
+  const S w = safe_sqrt(x * x - delta * light.shear_constant);
+  const S v = safe_sqrt(p * p - delta * (r2 + skew * skew));
+  return ((x * p + (light.outwards ? w : -w) * v) / delta - skew * light_skew) / r2;
+}
+
+//! ν_emitted / ν_observed anywhere outside the horizon: circular down to the innermost stable orbit, falling inside it.
+template <class S>
+ERGO_HD S disk_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light) {
+  return light.r >= flow.stable_r ? circular_frequency(flow.spin, light) : plunging_frequency(flow, light);
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

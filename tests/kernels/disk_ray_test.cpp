@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "kernels/disk/disk_emitter.h"
+#include "kernels/disk/equatorial_crossings.h"
+#include "kernels/geodesic/polar_closed_form.h"
+#include "tests/kernels/reference_tables.h"
+
+namespace ergodome::test {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr CrossingLimits<double> finest = {1e-7, 1e-15, 4000};
+
+using Crossings = EquatorialCrossing<double>[crossing_orders];
+
+double azimuth_of(const EquatorialCrossing<double>& c) { return std::atan2(c.y, c.x) + c.drag; }
+
+double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * pi)); }
+
+DiskLight<double> light_of(const DiskRay<double>& ray, const EquatorialCrossing<double>& c) {
+  return {1.0 / c.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant, c.u_rate > 0.0};
+}
+
+//! Crossings of a row of the reference table, and the ray.
+struct Traced {
+  DiskRay<double> ray;
+  Crossings crossings;
+  bool finished;
+};
+
+Traced trace(const ReferenceCrossing& row) {
+  const CameraStation camera = station_of(row);
+  Traced t{};
+  t.ray = start_disk_ray(camera, row.n);
+  t.finished = trace_crossings<20, true>(camera.spin, t.ray, finest, true, t.crossings);
+  return t;
+}
+
+TEST(DiskCrossings, HaveTheReferenceRadius) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    const Traced t = trace(row);
+    ASSERT_TRUE(t.finished) << row.id;
+    EXPECT_NEAR(1.0 / t.crossings[row.order].u, row.r_hit, 1e-9) << row.id;
+  }
+}
+
+TEST(DiskCrossings, HaveTheReferenceAzimuth) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    EXPECT_LT(angle_between(azimuth_of(trace(row).crossings[row.order]), row.phi_hit), 1e-9) << row.id;
+  }
+}
+
+TEST(DiskCrossings, HaveTheReferenceDelay) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    EXPECT_NEAR(trace(row).crossings[row.order].delay, row.delay, 1e-9) << row.id;
+  }
+}
+
+TEST(DiskCrossings, HaveTheReferenceShift) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    const Traced t = trace(row);
+    EXPECT_NEAR(1.0 / circular_frequency(row.a, light_of(t.ray, t.crossings[row.order])), row.g_kepler, 1e-9) << row.id;
+  }
+}
+
+TEST(DiskCrossings, AreTheSameWithoutTheDelay) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    const CameraStation camera = station_of(row);
+    const DiskRay<double> ray = start_disk_ray(camera, row.n);
+    Crossings crossings;
+    ASSERT_TRUE((trace_crossings<20, false>(camera.spin, ray, finest, true, crossings)));
+    EXPECT_NEAR(1.0 / crossings[row.order].u, row.r_hit, 1e-9) << row.id;
+  }
+}
+
+TEST(DiskCrossings, AreWhereThePicturesFloatSeesThem) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    const auto camera = converted_station<float>(station_of(row));
+    const Vector3<float> n = {static_cast<float>(row.n.x), static_cast<float>(row.n.y), static_cast<float>(row.n.z)};
+    EquatorialCrossing<float> crossings[crossing_orders];
+    trace_crossings<10, true>(camera.spin, start_disk_ray(camera, n), {1e-3F, 1e-6F, 200}, true, crossings);
+    // Second images amplify the rounding of directions.
+    const double allowed = row.order == 0 ? 2e-4 : 5e-3;
+    EXPECT_NEAR(1.0 / static_cast<double>(crossings[row.order].u) / row.r_hit, 1.0, allowed) << row.id;
+  }
+}
+
+TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
+  // An elliptic function knows the polar position at any Mino time; the crossing's is the integral of the radial motion.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const CameraStation camera = make_camera_station(0.9, 12.0, 1.2, 0.0, ObserverMotion::zamo);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3<double> raw = {-1.0, 0.5 * unit(random), 0.5 * unit(random)};
+    const Vector3<double> n = (1.0 / length(raw)) * raw;
+    const DiskRay<double> ray = start_disk_ray(camera, n);
+    Crossings crossings;
+    ASSERT_TRUE((trace_crossings<20, true>(camera.spin, ray, finest, true, crossings)));
+    if (crossings[0].u <= 0.0) {
+      continue;
+    }
+    const RayStart<double> plain = start_ray(camera, n);
+    const double slowness = std::sqrt(radial_potential(camera.spin, plain, crossings[0].u));
+    EXPECT_NEAR(std::abs(crossings[0].u_rate) / ray.energy, slowness, 1e-9 * (1.0 + slowness));
+    // φ without dragging at the Mino time of the crossing, which the closed form finds by bisection.
+    double low = 0.0;
+    double high = 2.0 / std::sqrt(plain.polar_constant);
+    while (polar_position(camera.spin, plain, high).z > 0.0) {
+      low = high;
+      high *= 1.1;
+    }
+    for (int round = 0; round < 60; ++round) {
+      const double middle = 0.5 * (low + high);
+      (polar_position(camera.spin, plain, middle).z > 0.0 ? low : high) = middle;
+    }
+    const Vector3<double> m = polar_position(camera.spin, plain, low);
+    EXPECT_LT(angle_between(std::atan2(m.y, m.x), std::atan2(crossings[0].y, crossings[0].x)), 1e-9);
+  }
+}
+
+TEST(DiskCrossings, AreNoneForLightThatStaysInThePlane) {
+  const CameraStation camera = make_camera_station(0.5, 10.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
+  Crossings crossings;
+  EXPECT_TRUE((trace_crossings<20, true>(0.5, start_disk_ray(camera, Vector3<double>{-1.0, 0.0, 0.0}), finest, true,
+                                         crossings)));
+  EXPECT_EQ(crossings[0].u, 0.0);
+}
+
+TEST(DiskCrossings, BelowTheHoleAreMirrorImagesOfThoseAbove) {
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    const Traced above = trace(row);
+    const Vector3<double> velocity = {row.beta.x, -row.beta.y, row.beta.z};
+    const CameraStation camera = make_camera_station(row.a, row.r, pi - row.theta, 0.0, row.motion, velocity);
+    Crossings below;
+    trace_crossings<20, true>(camera.spin, start_disk_ray(camera, Vector3<double>{row.n.x, -row.n.y, row.n.z}), finest,
+                              true, below);
+    EXPECT_NEAR(below[row.order].u, above.crossings[row.order].u, 1e-12) << row.id;
+  }
+}
+
+TEST(DiskCrossings, ComeInOrderOfTheDelay) {
+  int second = 0;
+  for (const ReferenceCrossing& row : reference_crossings()) {
+    const Traced t = trace(row);
+    for (int order = 1; order < crossing_orders && t.crossings[order].u > 0.0; ++order) {
+      EXPECT_GT(t.crossings[order].delay, t.crossings[order - 1].delay) << row.id;
+      ++second;
+    }
+  }
+  EXPECT_GT(second, 5);
+}
+
+TEST(DiskFlow, MovesAlongPhiWhateverTheSpin) {
+  // Published radii: 9 M against a hole of spin 1, 1 M with it, 6 M without spin.
+  EXPECT_NEAR(make_disk_flow(-1.0).stable_r, 9.0, 1e-12);
+  EXPECT_NEAR(make_disk_flow(0.0).stable_r, 6.0, 1e-12);
+  EXPECT_NEAR(make_disk_flow(1.0).stable_r, 1.0, 1e-12);
+}
+
+TEST(DiskFlow, HasTheBindingEnergyOfTheLastStableOrbit) {
+  // 1 - √(8/9), 1 - √(1/3), 1 - √(25/27).
+  EXPECT_NEAR(make_disk_flow(0.0).energy, std::sqrt(8.0 / 9.0), 1e-14);
+  EXPECT_NEAR(make_disk_flow(1.0).energy, std::sqrt(1.0 / 3.0), 1e-14);
+  EXPECT_NEAR(make_disk_flow(-1.0).energy, std::sqrt(25.0 / 27.0), 1e-14);
+}
+
+TEST(DiskFlow, ReachesItsLimitAtFullSpin) {
+  const DiskFlow<double> near = make_disk_flow(1.0 - 1e-9);
+  EXPECT_NEAR(near.energy, make_disk_flow(1.0).energy, 2e-3);
+  EXPECT_NEAR(near.axial_angular_momentum, make_disk_flow(1.0).axial_angular_momentum, 4e-3);
+}
+
+TEST(DiskFlow, FallsWithoutAJumpFromTheLastStableOrbit) {
+  for (const double spin : {-0.7, 0.0, 0.5, 0.9}) {
+    const DiskFlow<double> flow = make_disk_flow(spin);
+    const DiskLight<double> light = {flow.stable_r, 1.0, 1.3, 8.0, true};
+    EXPECT_NEAR(plunging_frequency(flow, light) / circular_frequency(spin, light), 1.0, 1e-6) << spin;
+  }
+}
+
+TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
+  // Light straight inwards (principal null, L = a E) onto matter that falls into a hole without spin: ν = (E_m + √(E_m² - f (1 + L²/r²))) / f
+  // for light that goes outwards, f = 1 - 2/r.
+  const DiskFlow<double> flow = make_disk_flow(0.0);
+  const double r = 4.0;
+  const double f = 1.0 - 2.0 / r;
+  const double fall = std::sqrt(flow.energy * flow.energy - f * (1.0 + 12.0 / (r * r)));
+  EXPECT_NEAR(plunging_frequency(flow, {r, 1.0, 0.0, 0.0, true}), (flow.energy + fall) / f, 1e-12);
+  EXPECT_NEAR(plunging_frequency(flow, {r, 1.0, 0.0, 0.0, false}), (flow.energy - fall) / f, 1e-12);
+}
+
+}  // namespace
+}  // namespace ergodome::test
