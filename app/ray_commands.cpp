@@ -5,9 +5,11 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <span>
 #include <type_traits>
 
 #include "app/commands.h"
+#include "app/disk_crossing_table.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "content/files/atomic_file.h"
@@ -34,6 +36,8 @@ struct RayOptions {
   int level = 10;
   std::string interpolation = "spline";
   double blend = 0.0;
+  bool disk = false;
+  bool plunging = false;
 };
 
 const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
@@ -241,6 +245,18 @@ void run_trace(const RayOptions& options) {
   write_text_atomically(options.out, text);
 }
 
+void run_disk(const RayOptions& options) {
+  const std::vector<RayRow> rows = read_ray_table(options.rays);
+  CrossingTableOptions table;
+  table.tolerance = options.tolerance > 0.0 ? options.tolerance : table.tolerance;
+  table.plunging = options.plunging;
+  std::string text = crossing_table_head;
+  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    text += crossing_lines(std::span(rows).subspan(begin, end - begin), table);
+  });
+  write_text_atomically(options.out, text);
+}
+
 void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
                    std::string& text) {
   for (int i = 0; i < count; ++i) {
@@ -276,15 +292,16 @@ void add_trace_command(CLI::App& app) {
   command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")
       ->required();
   command->add_option("--out", options->out, "table to write")->required();
-  command
-      ->add_option("--method", options->method,
-                   "taylor, rk34, cash_karp, closed_form, baseline_rk34; or, through a grid built for each camera: "
-                   "grid, quadtree")
-      ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid", "quadtree"}))
-      ->capture_default_str();
-  command->add_option("--precision", options->precision, "float or double")
-      ->check(CLI::IsMember({"float", "double"}))
-      ->capture_default_str();
+  CLI::Option* const method =
+      command
+          ->add_option("--method", options->method,
+                       "taylor, rk34, cash_karp, closed_form, baseline_rk34; or, through a grid built for each camera: "
+                       "grid, quadtree")
+          ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid", "quadtree"}))
+          ->capture_default_str();
+  CLI::Option* const precision = command->add_option("--precision", options->precision, "float or double")
+                                     ->check(CLI::IsMember({"float", "double"}))
+                                     ->capture_default_str();
   command
       ->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
       ->check(CLI::Range(1e-16, 1.0));
@@ -304,7 +321,19 @@ void add_trace_command(CLI::App& app) {
       ->add_option("--blend", options->blend,
                    "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
       ->check(CLI::Range(0.0, 1e3));
-  command->callback([options] { run_trace(*options); });
+  CLI::Option* const disk =
+      command
+          ->add_flag(
+              "--disk", options->disk,
+              "list each ray's first three crossings of the equatorial plane instead: radius, azimuth, delay, g of a "
+              "circular orbit")
+          ->excludes(method)
+          ->excludes(precision);
+  command
+      ->add_flag("--plunging", options->plunging,
+                 "with --disk: g inside the last stable orbit too, of matter that falls from it")
+      ->needs(disk);
+  command->callback([options] { options->disk ? run_disk(*options) : run_trace(*options); });
 }
 
 void add_edge_command(CLI::App& app) {

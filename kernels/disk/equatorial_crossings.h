@@ -101,7 +101,7 @@ ERGO_HD void expand_delay(ScalarOf<T> spin, const DiskRay<T>& ray, const RealOf<
     if (k == 0) {
       whole_rate = whole_rate + (spin * l - a2 * ray.energy);
     }
-    const T share(inverse_scale * S(1.0 / (k + 1)));
+    const RealOf<T> share = inverse_scale * S(1.0 / (k + 1));
     s.drag[k + 1] = drag_rate[k] * share;
     s.delay[k + 1] = whole_rate * share;
   }
@@ -201,16 +201,16 @@ ERGO_HD CrossingCoefficients<T> crossing_coefficients(ScalarOf<T> spin, const Di
   const S a2 = spin * spin;
   const Real square = inverse_scale * inverse_scale;
   const T a2e2 = a2 * (ray.energy * ray.energy);
-  return {(a2e2 - ray.polar_constant) * T(square),
-          ray.shear_constant * T(S(3) * square),
-          ray.carter * T(S(-2) * a2 * square),
-          ray.polar_constant * T(square),
-          a2e2 * T(square),
+  return {(a2e2 - ray.polar_constant) * square,
+          ray.shear_constant * (S(3) * square),
+          ray.carter * (S(-2) * a2 * square),
+          ray.polar_constant * square,
+          a2e2 * square,
           inverse_scale};
 }
 
 template <int Order, class T, bool WithDelay>
-ERGO_HD void start_series(const DiskRay<T>& ray, const T& inverse_scale, CrossingSeries<Order, T, WithDelay>& s) {
+ERGO_HD void start_series(const DiskRay<T>& ray, const RealOf<T>& inverse_scale, CrossingSeries<Order, T, WithDelay>& s) {
   const T zero(ScalarOf<T>(0));
   s.u[0] = ray.u;
   s.u[1] = ray.u_rate * inverse_scale;
@@ -228,7 +228,7 @@ ERGO_HD void start_series(const DiskRay<T>& ray, const T& inverse_scale, Crossin
 
 //! Coefficients 0 and 1 of the series about h.
 template <int Order, class T, bool WithDelay>
-ERGO_HD void move_series(CrossingSeries<Order, T, WithDelay>& s, const T& h) {
+ERGO_HD void move_series(CrossingSeries<Order, T, WithDelay>& s, const RealOf<T>& h) {
   const auto move = [&h](auto& c) {
     const T value = series_value(c, h);
     c[1] = series_rate(c, h);
@@ -245,7 +245,8 @@ ERGO_HD void move_series(CrossingSeries<Order, T, WithDelay>& s, const T& h) {
 }
 
 template <int Order, class T, bool WithDelay>
-ERGO_HD EquatorialCrossing<T> crossing_at(const CrossingSeries<Order, T, WithDelay>& s, const T& h, const T& scale) {
+ERGO_HD EquatorialCrossing<T> crossing_at(const CrossingSeries<Order, T, WithDelay>& s, const T& h,
+                                          const RealOf<T>& scale) {
   const T none(ScalarOf<T>(0));
   EquatorialCrossing<T> crossing = {series_value(s.u, h), series_rate(s.u, h) * scale, none, none, none, none};
   if constexpr (WithDelay) {
@@ -305,17 +306,17 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
   const Real inverse_scale = Real(S(1)) / scale;
   const detail::CrossingCoefficients<T> coefficients = detail::crossing_coefficients(spin, ray, inverse_scale);
   detail::CrossingSeries<Order, T, WithDelay> s;
-  detail::start_series(ray, T(inverse_scale), s);
+  detail::start_series(ray, inverse_scale, s);
   Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), zero));
   Real count(S(0));
   auto active = active_at_start & ((side > zero) | (side < zero));
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
     detail::expand_crossing(spin, ray, coefficients, s);
     const Real length = detail::crossing_step(s, scale, limits.tolerance);
-    const Real new_side = detail::side_of(value_of(series_value(s.z, T(length))), side);
+    const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
     if (any(crossed)) {
-      const auto crossing = detail::crossing_at(s, detail::time_to_plane(s.z, side, length), T(scale));
+      const auto crossing = detail::crossing_at(s, detail::time_to_plane(s.z, side, length), scale);
       const Real u = value_of(crossing.u);
       const auto outside = crossed & (u > zero) & (u * horizon_r < Real(S(1)));
       for (int order = 0; order < crossing_orders; ++order) {
@@ -324,7 +325,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
       }
       count = select(outside, count + S(1), count);
     }
-    detail::move_series(s, T(length));
+    detail::move_series(s, length);
     side = new_side;
     const Real u = value_of(s.u[0]);
     const auto outwards = value_of(s.u[1]) < zero;
