@@ -51,5 +51,19 @@ ERGO_HD DiskRay<T> start_disk_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   return ray;
 }
 
+//! A ray without its derivatives.
+template <class T>
+ERGO_HD DiskRay<RealOf<T>> plain_ray(const DiskRay<T>& ray) {
+  return {value_of(ray.energy),
+          value_of(ray.axial_angular_momentum),
+          value_of(ray.polar_constant),
+          value_of(ray.carter),
+          value_of(ray.shear_constant),
+          value_of(ray.u),
+          value_of(ray.u_rate),
+          {value_of(ray.m.x), value_of(ray.m.y), value_of(ray.m.z)},
+          {value_of(ray.m_rate.x), value_of(ray.m_rate.y), value_of(ray.m_rate.z)}};
+}
+
 }  // namespace ERGO_TARGET
 }  // namespace ergodome

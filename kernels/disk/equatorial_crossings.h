@@ -21,7 +21,7 @@ struct CrossingLimits {
 //! A place in the equatorial plane where light comes from.
 template <class T>
 struct EquatorialCrossing {
-  T u;       //!< 1 / r [1/M]; 0 where there is none
+  T u;       //!< 1 / r [1/M]; 0 where there is none. Without WithDelay also past infinity, u < 0, and past the horizon
   T u_rate;  //!< du/dλ, backwards: positive for light that was emitted outwards
   T x, y;    //!< (cosφ, sinφ) without frame dragging; with WithDelay alone
   T drag;    //!< φ is the angle of (x, y) and this [rad]; with WithDelay alone
@@ -210,7 +210,8 @@ ERGO_HD CrossingCoefficients<T> crossing_coefficients(ScalarOf<T> spin, const Di
 }
 
 template <int Order, class T, bool WithDelay>
-ERGO_HD void start_series(const DiskRay<T>& ray, const RealOf<T>& inverse_scale, CrossingSeries<Order, T, WithDelay>& s) {
+ERGO_HD void start_series(const DiskRay<T>& ray, const RealOf<T>& inverse_scale,
+                          CrossingSeries<Order, T, WithDelay>& s) {
   const T zero(ScalarOf<T>(0));
   s.u[0] = ray.u;
   s.u[1] = ray.u_rate * inverse_scale;
@@ -265,6 +266,35 @@ ERGO_HD Real side_of(const Real& z, const Real& otherwise) {
   return select(z > Real(S(0)), Real(S(1)), select(z < Real(S(0)), Real(S(-1)), otherwise));
 }
 
+//! Lanes whose light passes the horizon on the way to the end of a step, even if it turns behind it: what comes back is another universe's.
+template <int Order, class T, bool WithDelay>
+ERGO_HD MaskOf<RealOf<T>> falls_within(const CrossingSeries<Order, T, WithDelay>& s, const RealOf<T>& length,
+                                       ScalarOf<T> horizon_r) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real zero(S(0));
+  Real u[Order + 1];
+  ERGO_UNROLL
+  for (int k = 0; k <= Order; ++k) {
+    u[k] = value_of(s.u[k]);
+  }
+  Real highest = series_value(u, length);
+  const auto turns = (u[1] > zero) & (series_rate(u, length) < zero);
+  if (any(turns)) {
+    Real low = zero;
+    Real high = length;
+    constexpr int rounds = 10;
+    for (int round = 0; round < rounds; ++round) {
+      const Real middle = S(0.5) * (low + high);
+      const auto before = series_rate(u, middle) > zero;
+      low = select(before, middle, low);
+      high = select(before, high, middle);
+    }
+    highest = select(turns, series_value(u, low), highest);
+  }
+  return highest * horizon_r > Real(S(1));
+}
+
 //! How long a step may be: neglected terms stay below the tolerance, and the polar motion, which takes π or more of scaled time from
 //! crossing to crossing, meets no two of them.
 template <int Order, class T, bool WithDelay>
@@ -298,9 +328,13 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
     crossing = {none, none, none, none, none, none};
   }
   const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
-  // Time and azimuth have no end before the horizon: what is seen of it there is frozen and dark.
-  const S margin = WithDelay ? S(sizeof(S) == 4 ? 1e-4 : 1e-9) : S(0);
-  const Real innermost_u((S(1) - margin) / horizon_r);
+  // Time and azimuth have no end before the horizon: what is seen of it there is frozen and dark. Without them rays go on a little past
+  // infinity and past the horizon, so that pixels there know how near they are to where light crosses the plane.
+  const S margin = WithDelay ? S(sizeof(S) == 4 ? -1e-4 : -1e-9) : S(0.5);
+  const Real greatest_u((S(1) + (WithDelay ? S(0) : margin)) / horizon_r);
+  const Real innermost_u((S(1) + margin) / horizon_r);
+  const Real least_u(WithDelay ? S(0) : S(-0.2));
+  const Real outermost_u(WithDelay ? limits.outermost_u : S(-0.2));
   const Real scale =
       safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(S(1)));
   const Real inverse_scale = Real(S(1)) / scale;
@@ -309,16 +343,22 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
   detail::start_series(ray, inverse_scale, s);
   Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), zero));
   Real count(S(0));
+  auto fallen = zero > zero;
   auto active = active_at_start & ((side > zero) | (side < zero));
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
     detail::expand_crossing(spin, ray, coefficients, s);
     const Real length = detail::crossing_step(s, scale, limits.tolerance);
     const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
+    fallen = fallen | detail::falls_within(s, length, horizon_r);
     if (any(crossed)) {
       const auto crossing = detail::crossing_at(s, detail::time_to_plane(s.z, side, length), scale);
       const Real u = value_of(crossing.u);
-      const auto outside = crossed & (u > zero) & (u * horizon_r < Real(S(1)));
+      // Light does not come back from where it has left: what the smooth equations say after that is no crossing.
+      const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
+      const auto back = leaving & (value_of(crossing.u_rate) > zero);
+      const auto out_of_hole = fallen & (value_of(crossing.u_rate) < zero);
+      const auto outside = crossed & (!(back | out_of_hole)) & (u > least_u) & (u < greatest_u);
       for (int order = 0; order < crossing_orders; ++order) {
         const Real beyond = count - static_cast<S>(order);
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
@@ -329,7 +369,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
     side = new_side;
     const Real u = value_of(s.u[0]);
     const auto outwards = value_of(s.u[1]) < zero;
-    const auto going = (u > zero) & (u < innermost_u) & !(outwards & (u < Real(limits.outermost_u)));
+    const auto gone = (outwards & (u < outermost_u)) | ((!outwards) & (u < zero)) | (fallen & outwards);
+    const auto going = (u > least_u) & (u < innermost_u) & !gone;
     active = active & going & (count < Real(S(crossing_orders - 0.5)));
   }
   return !active;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/disk/draw_disk.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/warp_pixels.h"
 #include "kernels/launch/instruction_set.h"
@@ -51,6 +52,7 @@ struct KernelTable {
   void (*search_patch)(const PatchSearchBatch& batch, int begin, int end);
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
+  void (*draw_disk)(const DiskBatch& batch, int begin, int end);
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
   void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< a tile an index
   void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< the same

@@ -223,6 +223,19 @@ void shade_pixels(Backend backend, const ShadeBatch& batch) {
   run_on_cpu(active_table().shade_heat_map, batch, batch.count, 1, 16 * grain);
 }
 
+const char* disk_pass_name(bool with_pattern) { return with_pattern ? "draw_disk, pattern" : "draw_disk"; }
+
+void draw_disk(Backend backend, const DiskBatch& batch) {
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  static WorkCounter plain(disk_pass_name(false));
+  static WorkCounter with_pattern(disk_pass_name(true));
+  const WorkScope work(has_pattern(batch.look) ? with_pattern : plain, pixels);
+  if (backend == Backend::cuda) {
+    return draw_disk_cuda(batch);
+  }
+  run_on_cpu(active_table().draw_disk, batch, pixels, active_table().lanes_float);
+}
+
 void draw_overlay(Backend backend, const OverlayBatch& batch) {
   static WorkCounter counter("draw_overlay");
   const WorkScope work(counter, batch.count);

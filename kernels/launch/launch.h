@@ -74,6 +74,12 @@ std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening);
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 
+//! What drawing a disk is counted by; the variant with a pattern is compiled apart.
+const char* disk_pass_name(bool with_pattern);
+
+//! Draws a disk over a picture of the sky, by a ray for each pixel that may see it; see DiskBatch.
+void draw_disk(Backend backend, const DiskBatch& batch);
+
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "kernels/disk/draw_disk.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
@@ -26,6 +27,7 @@ void look_up_pixels_cuda(const LookUpBatch& batch);
 void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
 void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
+void draw_disk_cuda(const DiskBatch& batch);
 void draw_overlay_cuda(const OverlayBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;

@@ -31,6 +31,8 @@ void read_quadtree_rays_cuda(const QuadtreeRaysBatch&) { refuse(); }
 
 void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
+void draw_disk_cuda(const DiskBatch&) { refuse(); }
+
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
 
 void* allocate_cuda(std::size_t) { refuse(); }
