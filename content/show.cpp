@@ -32,6 +32,9 @@ std::vector<std::string> missing_features(const Show& show) {
   if (stereo.model == StereoModel::omni && !show.sky.stars.empty() && show.sky.star_method == StarMethod::gather) {
     missing.emplace_back("pixels do not gather stars in the stereo model omni (stereo.model, stars.method)");
   }
+  if (stereo.model != StereoModel::physical && show.disk) {
+    missing.emplace_back("a disk is drawn in the stereo model physical alone (stereo.model, disk)");
+  }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;
   const auto& animations = show.timeline.animations;

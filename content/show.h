@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "content/disk.h"
 #include "content/flight_settings.h"
 #include "content/timeline.h"
 #include "kernels/image/tone_curve.h"
@@ -219,6 +220,7 @@ struct Show {
   double spin = 0.0;
   CameraSettings camera;
   SkySettings sky;
+  std::optional<DiskSettings> disk;  //!< absent: none is traced
   EffectSettings effects;
   ViewSettings view;
   StereoSettings stereo;

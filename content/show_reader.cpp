@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "content/animated_show.h"
+#include "content/disk_reader.h"
 #include "content/effects_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
@@ -196,6 +197,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     show.sky.star_method = static_cast<StarMethod>(stars.choice("method", 0, {"inverse", "gather"}));
     stars.refuse_unknown_keys();
   });
+  part("disk", [&](const toml::table& table) { show.disk = read_disk(table, file); });
   part("effects", [&](const toml::table& table) { read_effects(table, file, show.effects); });
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
   part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
@@ -215,6 +217,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   read_timeline(root, file, show);
   read_camera(root.table("camera"), file, show);
   check_spin_on_path(file, show);
+  part("disk", [&](const toml::table& table) { check_disk(table, file, show); });
 }
 
 //! Notes where each key of a table stands.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "content/disk_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
 #include "content/show_reader.h"
@@ -170,6 +171,9 @@ std::string to_toml(const Show& show) {
                    {"flight", flight_table(show.flight)},
                    {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                    {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  if (show.disk) {
+    root.insert("disk", disk_table(*show.disk));
+  }
   add_timeline(show.timeline, root);
   std::ostringstream text;
   text << root << '\n';

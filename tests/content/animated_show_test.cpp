@@ -106,7 +106,7 @@ TEST(AnimatedNumber, IsTheSameABillionSecondsLater) {
 }
 
 constexpr const char* parts =
-    "[camera]\n[[camera.key]]\nr = 10\n[view]\nprojection = \"dome\"\n[tone]\nauto = {}\n"
+    "[camera]\n[[camera.key]]\nr = 10\n[view]\nprojection = \"dome\"\n[tone]\nauto = {}\n[disk]\n"
     "[effects]\npsf = {}\ntrails = {}\ndiffraction = {}\nbloom = {}\n";
 
 TEST(AnimatedShow, EveryNumberOfTheListFollowsItsKeysAndKeepsItsLimits) {
