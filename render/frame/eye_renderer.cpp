@@ -171,10 +171,18 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   if (!stars.empty()) {
     draw_stars_in_place(stars, projection, *settings.stars);
   }
+  draw_disk_rows(eye, projection, settings, 0, projection.height_px);
   if (lens != nullptr) {
     *lens = source->name();
   }
   return rgba_.data();
+}
+
+void EyeRenderer::draw_disk_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
+                                 int row, int rows) {
+  if (settings.disk != nullptr) {
+    settings.disk->draw(eye, projection, settings.accuracy.tolerance_px, settings.time_s, row, rows, rgba_.data());
+  }
 }
 
 void EyeRenderer::draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection,
@@ -224,10 +232,19 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     const int rows = std::min(block_rows, projection.height_px - row);
     const std::size_t pixels = width * static_cast<std::size_t>(rows);
     render_rows(*source, shade, settings.polygons, row, rows);
-    rgba_.read(picture.rgba.data() + 4 * width * static_cast<std::size_t>(row), 4 * pixels);
+    float* const light = picture.rgba.data() + 4 * width * static_cast<std::size_t>(row);
+    if (stars.empty()) {
+      draw_disk_rows(eye, projection, settings, row, rows);
+    }
+    rgba_.read(light, 4 * pixels);
     if (!stars.empty()) {
-      settings.stars->draw(stars, projection, row, rows,
-                           picture.rgba.data() + 4 * width * static_cast<std::size_t>(row));
+      settings.stars->draw(stars, projection, row, rows, light);
+      if (settings.disk != nullptr) {
+        // It hides stars too.
+        rgba_.write(light, 4 * pixels);
+        draw_disk_rows(eye, projection, settings, row, rows);
+        rgba_.read(light, 4 * pixels);
+      }
     }
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),

@@ -134,6 +134,7 @@ class ShowRenderer {
   std::shared_ptr<StationStream> stream_;
   ShowSky sky_;
   std::unique_ptr<StarPass> stars_;  //!< where the show has any
+  std::unique_ptr<DiskPass> disk_;   //!< where the show has one
   EyeRenderer renderer_;
   OmniChooser omni_lenses_;
   std::optional<AutoExposure> exposure_;

@@ -49,6 +49,9 @@ void ShowRenderer::apply(double time_s) {
   } else if (change.stars && stars_) {
     stars_->set_numbers(show_);
   }
+  if (disk_) {
+    disk_->set_numbers(show_);
+  }
   if (change.exposure && exposure_) {
     exposure_->set(*show_.tone.automatic);
   }
@@ -69,6 +72,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   if (other_stars && !next.sky.stars.empty()) {
     stars = std::make_unique<StarPass>(next);
   }
+  std::unique_ptr<DiskPass> disk = next.disk && !disk_ ? std::make_unique<DiskPass>(next, backend()) : nullptr;
   overlays_.set_timeline(next.timeline, next.folder);
   // Nothing is thrown from here on.
   if (sky) {
@@ -78,6 +82,13 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     stars_ = std::move(stars);
   } else if (stars_) {
     stars_->set_numbers(next);
+  }
+  if (!next.disk) {
+    disk_.reset();
+  } else if (disk_) {
+    disk_->set_numbers(next);
+  } else {
+    disk_ = std::move(disk);
   }
   if (!next.tone.automatic) {
     exposure_.reset();

@@ -43,6 +43,8 @@ struct FrameNeeds {
   bool trails;  //!< while the camera is on its path
   bool spikes;
   bool bloom;
+  bool disk;
+  bool disk_pattern;
   bool auto_exposure;
   bool clear_outside;  //!< light may be spread beyond the image
 
@@ -61,6 +63,8 @@ inline FrameNeeds frame_needs(const Show& show, ViewMode mode) {
   needs.trails = stars && effects.trails && effects.trails->shutter_s > 0.0;
   needs.spikes = stars && effects.diffraction && effects.diffraction->strength > 0.0;
   needs.bloom = sky && effects.bloom && effects.bloom->strength > 0.0 && effects.bloom->radius_px > 0.0;
+  needs.disk = sky && show.disk && show.disk->opacity > 0.0;
+  needs.disk_pattern = needs.disk && show.disk->pattern != DiskPattern::none && show.disk->contrast > 0.0;
   needs.auto_exposure = sky && show.tone.automatic.has_value();
   needs.clear_outside = needs.bloom || needs.spikes;
   return needs;

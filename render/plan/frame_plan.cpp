@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "content/animated_show.h"
+#include "render/disk/disk_pass.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/edge_table.h"
 #include "render/lens/lens_choice.h"
@@ -51,6 +52,7 @@ class Planner {
     if (needs_.stars) {
       plan_stars();
     }
+    plan_disk();
     plan_light();
     return plan_;
   }
@@ -277,6 +279,26 @@ class Planner {
          true);
     if (needs_.spikes) {
       pass("draw_spikes", WorkMoment::picture, plan_.eyes * blocks_, 0, why("effects.diffraction"), true);
+    }
+  }
+
+  //! A ray for each pixel that may see it, whatever the sky's lens is. Its tables are made whatever is shown.
+  void plan_disk() {
+    if (!show_.disk) {
+      return;
+    }
+    const bool recoloured = find_animation(show_, "disk.temperature_K") != nullptr;
+    buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes,
+           why(recoloured ? "disk.temperature_K" : "disk"));
+    buffer("disk profile", WorkMoment::start, DiskPass::profile_bytes, why("disk"));
+    const bool edges_move =
+        find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
+    if (needs_.disk) {
+      pixel_pass(disk_pass_name(needs_.disk_pattern), why(needs_.disk_pattern ? "disk.pattern" : "disk"),
+                 edges_move || !always_.disk || needs_.disk_pattern != always_.disk_pattern);
+    }
+    if (needs_.disk_pattern && !always_.disk_pattern) {
+      pixel_pass(disk_pass_name(false), why("disk.contrast"), true);
     }
   }
 

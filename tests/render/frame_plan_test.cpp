@@ -56,6 +56,19 @@ const std::vector<Effect>& effects() {
          overlay.presence = {0.0, 1.0, 0.1, 0.1};
          show.timeline.overlays.push_back(overlay);
        }},
+      {"disk",
+       [](Show& show) {
+         if (!show.disk) {
+           show.disk.emplace();
+         }
+       }},
+      {"clouds",
+       [](Show& show) {
+         if (!show.disk) {
+           show.disk.emplace();
+         }
+         show.disk->pattern = DiskPattern::procedural;
+       }},
       {"automatic exposure", [](Show& show) { show.tone.automatic = AutoExposureSettings{}; }},
   };
   return all;
@@ -186,6 +199,17 @@ TEST_F(FramePlans, OfAPlainSkyNameRaysAndLightAlone) {
   EXPECT_EQ(plan.lens, "direct");
 }
 
+TEST_F(FramePlans, NameTheDiskAndWhatCallsForIt) {
+  Show show = plain_show();
+  show.disk.emplace();
+  show.lines["disk"] = 7;
+  const FramePlan plan = plan_frame(show, request());
+  const auto disk = std::ranges::find(plan.passes, "draw_disk", &PlannedPass::name);
+  ASSERT_NE(disk, plan.passes.end());
+  EXPECT_THAT(disk->why, testing::HasSubstr("line 7"));
+  EXPECT_EQ(disk->elements, static_cast<long>(plan.width_px) * plan.height_px);
+}
+
 TEST_F(FramePlans, HoldForEveryEffectAlone) {
   expect_as_planned(plain_show(), request());
   for (const Effect& effect : effects()) {
@@ -291,6 +315,8 @@ Show animated(Show show, const char* path, double value) {
 TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
   for (const auto& [path, value] : std::map<const char*, double>{{"effects.bloom.strength", 0.2},
                                                                  {"effects.diffraction.strength", 0.3},
+                                                                 {"disk.opacity", 1.0},
+                                                                 {"disk.contrast", 1.0},
                                                                  {"effects.trails.shutter_s", 0.1},
                                                                  {"effects.diffraction.scale", 1.5},
                                                                  {"sky.spin_axis.ra_deg", 30.0}}) {

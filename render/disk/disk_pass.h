@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "content/show.h"
+#include "kernels/disk/draw_disk.h"
+#include "render/backend/buffer.h"
+#include "render/lens/eye_camera.h"
+#include "render/stars/blackbody_colours.h"
+
+namespace ergodome {
+
+//! Draws a show's disk, by exact rays, over pictures of what is behind it.
+class DiskPass {
+ public:
+  //! The show must have a disk.
+  DiskPass(const Show& show, Backend backend);
+
+  //! Takes the hole and the disk of a show; what has not changed costs nothing.
+  void set_numbers(const Show& show);
+
+  //! Draws over rows of a picture in the backend's memory: four floats a pixel. `time_s` is the show's, for what is carried round.
+  void draw(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s, int first_row,
+            int row_count, float* rgba) const;
+
+  //! Temperatures in the table.
+  static constexpr int profile_count = 1024;
+  static constexpr long profile_bytes = profile_count * static_cast<long>(sizeof(float));
+
+ private:
+  void make_profile();
+
+  Backend backend_;
+  double spin_ = 0.0;
+  std::optional<DiskSettings> disk_;
+  BlackbodyColours colours_;
+  Buffer<float> profile_;
+  DiskLook look_{};
+};
+
+//! The temperature of a disk at radius r [K], as its own matter measures it; 0 where it does not shine.
+double disk_temperature(const DiskSettings& disk, double spin, double r);
+
+//! Clouds at a show time: see PatternTime.
+PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s);
+
+}  // namespace ergodome

@@ -1,0 +1,253 @@
+#include "render/disk/disk_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/disk/equatorial_crossings.h"
+#include "kernels/disk/page_thorne.h"
+#include "kernels/projection/make_projection.h"
+#include "kernels/sky/blackbody_shift.h"
+
+namespace ergodome {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int size_px = 96;
+constexpr double tolerance_px = 0.02;
+
+//! A camera that looks at the hole, with the spin axis up: right is +e_φ.
+EyeCamera eye_at(double spin, double r, double theta, ObserverMotion motion = ObserverMotion::zamo) {
+  EyeCamera eye{spin, r, theta, 0.0, motion, {}, {}, r, theta};
+  const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
+  std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
+  return eye;
+}
+
+Show show_with(double spin, const DiskSettings& disk) {
+  Show show;
+  show.spin = spin;
+  show.disk = disk;
+  show.effects.redshift = true;
+  return show;
+}
+
+DiskSettings uniform_disk(double inner, double outer) {
+  DiskSettings disk;
+  disk.inner = inner;
+  disk.outer = outer;
+  disk.profile = DiskProfile::uniform;
+  return disk;
+}
+
+struct Drawn {
+  Projection projection;
+  std::vector<float> rgba;
+
+  [[nodiscard]] float alpha(int x, int y) const { return rgba[4 * static_cast<std::size_t>(y * size_px + x) + 3]; }
+  [[nodiscard]] double luminance(int x, int y) const {
+    const float* at = rgba.data() + 4 * static_cast<std::size_t>(y * size_px + x);
+    return static_cast<double>(luminance_of(Vector3<float>{at[0], at[1], at[2]}));
+  }
+};
+
+Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view, double time_s = 0.0) {
+  Drawn drawn{make_pinhole_projection(size_px, size_px, field_of_view), std::vector<float>(4UL * size_px * size_px)};
+  const DiskPass pass(show, Backend::cpu);
+  pass.draw(eye, drawn.projection, tolerance_px, time_s, 0, size_px, drawn.rgba.data());
+  return drawn;
+}
+
+//! The exact ray of a pixel's middle, in double.
+struct ExactRay {
+  DiskRay<double> ray;
+  EquatorialCrossing<double> crossings[crossing_orders];
+};
+
+ExactRay exact_ray(const EyeCamera& eye, const Projection& projection, int x, int y) {
+  const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+  const Vector3<double> view = direction_from_pixel(projection, x + 0.5, y + 0.5);
+  const auto row = [&](int i) {
+    const double* m = eye.frame_from_view[i];
+    return m[0] * view.x + m[1] * view.y + m[2] * view.z;
+  };
+  ExactRay exact{};
+  exact.ray = start_disk_ray(camera, Vector3<double>{row(0), row(1), row(2)});
+  trace_crossings<20, true>(eye.spin, exact.ray, {1e-7, 1e-15, 4000}, true, exact.crossings);
+  return exact;
+}
+
+TEST(DiskPass, CoversThePixelsWhoseExactRaysMeetTheDisk) {
+  for (const double theta : {0.3, 1.4, 1.52}) {
+    const DiskSettings settings = uniform_disk(6.0, 18.0);
+    const EyeCamera eye = eye_at(0.9, 40.0, theta);
+    const Drawn drawn = draw(show_with(0.9, settings), eye, 1.1);
+    int met = 0;
+    for (int y = 0; y < size_px; y += 2) {
+      for (int x = 0; x < size_px; x += 2) {
+        const float alpha = drawn.alpha(x, y);
+        if (alpha > 0.0F && alpha < 1.0F) {
+          continue;
+        }
+        const ExactRay exact = exact_ray(eye, drawn.projection, x, y);
+        const bool meets = std::any_of(std::begin(exact.crossings), std::end(exact.crossings), [&](const auto& each) {
+          return each.u > 0.0 && 1.0 / each.u > 6.0 && 1.0 / each.u < 18.0;
+        });
+        met += meets ? 1 : 0;
+        EXPECT_EQ(alpha > 0.5F, meets) << theta << ": " << x << ", " << y;
+      }
+    }
+    EXPECT_GT(met, 40) << theta;
+  }
+}
+
+TEST(DiskPass, ShowsSecondAndThirdImagesWhereTheyAre) {
+  // Below the hole stands the image of the disk's underside, of order 1.
+  const EyeCamera eye = eye_at(0.0, 40.0, 1.4);
+  const Drawn drawn = draw(show_with(0.0, uniform_disk(6.0, 18.0)), eye, 0.5);
+  bool found = false;
+  for (int y = size_px / 2; y < size_px; ++y) {
+    const ExactRay exact = exact_ray(eye, drawn.projection, size_px / 2, y);
+    const double first = exact.crossings[0].u > 0.0 ? 1.0 / exact.crossings[0].u : 0.0;
+    const double second = exact.crossings[1].u > 0.0 ? 1.0 / exact.crossings[1].u : 0.0;
+    if (!(first > 6.0 && first < 18.0) && second > 6.5 && second < 17.0) {
+      found = found || drawn.luminance(size_px / 2, y) > 0.0;
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
+  // Without spin: 1 + z = (1 + r^(-3/2) b sin(i) sin(α)) / √(1 - 3/r) for an observer at rest at infinity (Luminet 1979, eq. 19), who here
+  // stands at r_o; b follows from the angle ξ at the observer: b = r_o sin(ξ) / √(1 - 2/r_o).
+  const double r_o = 60.0;
+  const double inclination = 1.4;
+  const DiskSettings settings = uniform_disk(6.0, 25.0);
+  const EyeCamera eye = eye_at(0.0, r_o, inclination, ObserverMotion::fixed);
+  const Drawn drawn = draw(show_with(0.0, settings), eye, 0.9);
+  const double lapse = std::sqrt(1.0 - 2.0 / r_o);
+  const double at_rest = std::log(blackbody_tristimulus(settings.temperature_k).y);
+  int compared = 0;
+  for (int x = 0; x < size_px; ++x) {
+    const int y = size_px / 2 - 2;
+    const ExactRay exact = exact_ray(eye, drawn.projection, x, y);
+    const double r = exact.crossings[0].u > 0.0 ? 1.0 / exact.crossings[0].u : 0.0;
+    if (!(r > 6.5 && r < 24.0) || drawn.alpha(x, y) < 1.0F) {
+      continue;
+    }
+    const Vector3<double> view = direction_from_pixel(drawn.projection, x + 0.5, y + 0.5);
+    // Matter on the right goes away: there b sin(α) is positive.
+    const double momentum = r_o * view.x / lapse * std::sin(inclination);
+    const double g = std::sqrt(1.0 - 3.0 / r) / (1.0 + momentum / (r * std::sqrt(r))) / lapse;
+    const double expected = std::exp(std::log(blackbody_tristimulus(g * settings.temperature_k).y) - at_rest);
+    EXPECT_NEAR(drawn.luminance(x, y) / expected, 1.0, 0.01) << x << " r " << r << " g " << g;
+    ++compared;
+  }
+  EXPECT_GT(compared, 30);
+}
+
+TEST(DiskPass, IsBrighterOnTheSideThatComes) {
+  const Drawn drawn = draw(show_with(0.5, uniform_disk(6.0, 18.0)), eye_at(0.5, 40.0, 1.4), 1.1);
+  double left = 0.0;
+  double right = 0.0;
+  for (int y = 0; y < size_px; ++y) {
+    for (int x = 0; x < size_px; ++x) {
+      (x < size_px / 2 ? left : right) += drawn.luminance(x, y);
+    }
+  }
+  EXPECT_GT(left, 2.0 * right);
+}
+
+TEST(DiskPass, HasTheAreaOfItsRingWithinASmallPartOfAPixelsWidth) {
+  // From far above, a ring of radius r stands at b = r + 1 + O(1/r) (Gates, Hadar & Johnson 2021): edges cover pixels in part.
+  const double r_o = 1e5;
+  const double pixel = 600.0 / r_o / size_px;
+  const Drawn drawn = draw(show_with(0.0, uniform_disk(100.0, 250.0)), eye_at(0.0, r_o, 0.0), 600.0 / r_o);
+  double area = 0.0;
+  int partly = 0;
+  for (int y = 0; y < size_px; ++y) {
+    for (int x = 0; x < size_px; ++x) {
+      area += static_cast<double>(drawn.alpha(x, y));
+      partly += drawn.alpha(x, y) > 0.0F && drawn.alpha(x, y) < 1.0F ? 1 : 0;
+    }
+  }
+  const double expected = pi * (251.0 * 251.0 - 101.0 * 101.0) / (r_o * r_o) / (pixel * pixel);
+  EXPECT_NEAR(area / expected, 1.0, 3e-3);
+  EXPECT_GT(partly, 100);
+}
+
+TEST(DiskPass, LetsLightThroughAsFarAsItIsNotOpaque) {
+  DiskSettings settings = uniform_disk(6.0, 18.0);
+  settings.opacity = 0.25;
+  const Drawn drawn = draw(show_with(0.0, settings), eye_at(0.0, 40.0, 0.3), 1.1);
+  float most = 0.0F;
+  for (int y = 0; y < size_px; ++y) {
+    for (int x = 0; x < size_px; ++x) {
+      most = std::max(most, drawn.alpha(x, y));
+    }
+  }
+  // Three crossings at the most: 1 - 0.75³.
+  EXPECT_LE(most, 0.5782F);
+  EXPECT_GE(most, 0.25F);
+}
+
+TEST(DiskPass, CarriesItsCloudsRound) {
+  DiskSettings settings = uniform_disk(6.0, 18.0);
+  settings.pattern = DiskPattern::procedural;
+  const Show show = show_with(0.0, settings);
+  const EyeCamera eye = eye_at(0.0, 40.0, 0.3);
+  const Drawn now = draw(show, eye, 1.1);
+  const Drawn again = draw(show, eye, 1.1);
+  const Drawn later = draw(show, eye, 1.1, 1.0);
+  EXPECT_EQ(now.rgba, again.rgba);
+  EXPECT_NE(now.rgba, later.rgba);
+}
+
+TEST(DiskPattern, GoesOnSmoothlyFromPeriodToPeriodHoweverLateItIs) {
+  const DiskSettings settings = uniform_disk(6.0, 18.0);
+  const double period = static_cast<double>(pattern_time(settings, 0.3, 0.0).period);
+  for (const double start : {0.0, 1e9}) {
+    const std::uint32_t cycle = pattern_time(settings, 0.3, start).cycle;
+    double before_s = start;
+    double after_s = start + 1.01 * period / settings.speed;
+    for (int round = 0; round < 40; ++round) {
+      const double middle_s = 0.5 * (before_s + after_s);
+      (pattern_time(settings, 0.3, middle_s).cycle == cycle ? before_s : after_s) = middle_s;
+    }
+    const PatternTime before = pattern_time(settings, 0.3, before_s);
+    const PatternTime after = pattern_time(settings, 0.3, after_s);
+    EXPECT_EQ(after.cycle, cycle + 1U) << start;
+    const float a = disk_pattern(before, 10.0F, 1.0F, 0.03F, 25.0F, 0.0F);
+    const float b = disk_pattern(after, 10.0F, 1.0F, 0.03F, 25.0F, 0.0F);
+    EXPECT_NEAR(a, b, 0.01F) << start;
+  }
+}
+
+TEST(DiskPattern, FollowsTheFlow) {
+  // What is at φ now was at φ - Ω t before: the light's delay is such a t.
+  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 3.0);
+  PatternTime later = now;
+  later.age += 5.0F;
+  const float rotation = 0.02F;
+  EXPECT_NEAR(disk_pattern(now, 9.0F, 1.0F, rotation, 10.0F, 0.0F),
+              disk_pattern(later, 9.0F, 1.0F, rotation, 15.0F, 0.0F), 1e-4F);
+}
+
+TEST(DiskPattern, ClosesAroundTheDisk) {
+  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 3.0);
+  EXPECT_NEAR(disk_pattern(now, 9.0F, -3.14159265F, 0.02F, 10.0F, 0.0F),
+              disk_pattern(now, 9.0F, 3.14159265F, 0.02F, 10.0F, 0.0F), 1e-3F);
+}
+
+TEST(DiskTemperature, IsTheSettingWhereTheFluxIsGreatest) {
+  DiskSettings settings;
+  settings.temperature_k = 5000.0;
+  EXPECT_NEAR(disk_temperature(settings, 0.0, 9.55), 5000.0, 0.1);
+  EXPECT_NEAR(std::pow(disk_temperature(settings, 0.0, 30.0) / 5000.0, 4.0),
+              page_thorne_flux(0.0, 30.0) / page_thorne_flux(0.0, 9.55), 1e-4);
+  EXPECT_EQ(disk_temperature(settings, 0.0, 6.0), 0.0);
+}
+
+}  // namespace
+}  // namespace ergodome
