@@ -70,6 +70,11 @@ ERGO_HD float cloud_noise(std::uint32_t seed, float log_r, float turn, float blu
 //! camera sees it.
 ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float rotation, float delay, float blur) {
   constexpr float per_turn = 0.15915494F;
+  // At the horizon time and azimuth have no end: whatever hovers there is dark.
+  constexpr float farthest = 1e6F;
+  if (!(::fabsf(phi) < farthest && ::fabsf(delay) < farthest)) {
+    return 0.0F;
+  }
   const float log_r = ::logf(r);
   float sum = 0.0F;
   float squares = 0.0F;

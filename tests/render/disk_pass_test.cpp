@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/disk/page_thorne.h"
@@ -232,6 +234,24 @@ TEST(DiskPattern, FollowsTheFlow) {
   const float rotation = 0.02F;
   EXPECT_NEAR(disk_pattern(now, 9.0F, 1.0F, rotation, 10.0F, 0.0F),
               disk_pattern(later, 9.0F, 1.0F, rotation, 15.0F, 0.0F), 1e-4F);
+}
+
+TEST(DiskPattern, IsNothingWhereTimeHasNoEnd) {
+  const PatternTime now = pattern_time(uniform_disk(6.0, 18.0), 0.0, 3.0);
+  for (const float endless : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_EQ(disk_pattern(now, 9.0F, 1.0F, 0.02F, endless, 0.0F), 0.0F);
+    EXPECT_EQ(disk_pattern(now, 9.0F, endless, 0.02F, 10.0F, 0.0F), 0.0F);
+  }
+}
+
+TEST(DiskPass, IsLightThroughoutAtFullSpin) {
+  DiskSettings settings;
+  settings.pattern = DiskPattern::procedural;
+  for (const double spin : {-1.0, 1.0}) {
+    const Drawn drawn = draw(show_with(spin, settings), eye_at(spin, 40.0, 1.4), 0.5);
+    EXPECT_TRUE(std::all_of(drawn.rgba.begin(), drawn.rgba.end(), [](float x) { return x >= 0.0F && x < 1e6F; }))
+        << spin;
+  }
 }
 
 TEST(DiskPattern, ClosesAroundTheDisk) {
