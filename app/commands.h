@@ -11,6 +11,7 @@ void add_render_command(CLI::App& app);
 void add_play_command(CLI::App& app);
 void add_trace_command(CLI::App& app);
 void add_edge_command(CLI::App& app);
+void add_connect_command(CLI::App& app);
 void add_bake_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_catalogue_command(CLI::App& app);

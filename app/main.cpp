@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   ergodome::add_pad_command(app);
   ergodome::add_trace_command(app);
   ergodome::add_edge_command(app);
+  ergodome::add_connect_command(app);
   ergodome::catch_interrupts();
   try {
     app.parse(argc, argv);

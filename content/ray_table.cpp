@@ -3,86 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 
+#include "content/number_table.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr std::size_t longest_line = 65'536;
-constexpr std::size_t most_rows = 50'000'000;
-
-//! The next line, without its end. Of a line that is too long only the beginning comes: one character more than may be.
-bool read_line(std::istream& stream, std::string& line) {
-  line.resize(longest_line + 2);
-  stream.getline(line.data(), static_cast<std::streamsize>(line.size()));
-  const auto taken = static_cast<std::size_t>(stream.gcount());
-  const bool cut = stream.fail() && taken == longest_line + 1;
-  if (stream.fail() && !cut) {
-    return false;
-  }
-  if (cut) {
-    stream.clear();
-  }
-  line.resize(cut || stream.eof() ? taken : taken - 1);
-  return true;
-}
-
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    std::string_view cell = line.substr(0, comma);
-    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) {
-      cell.remove_prefix(1);
-    }
-    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '"' || cell.back() == '\r')) {
-      cell.remove_suffix(1);
-    }
-    cells.push_back(cell);
-    if (comma == std::string_view::npos) {
-      return cells;
-    }
-    line.remove_prefix(comma + 1);
-  }
-}
-
-//! Column numbers by name.
-class Header {
- public:
-  Header(std::string_view line, std::string file) : file_(std::move(file)), names_(split(line).size()) {
-    std::size_t i = 0;
-    for (const std::string_view name : split(line)) {
-      names_[i++] = name;
-    }
-  }
-
-  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const {
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (names_[i] == name) {
-        return i;
-      }
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::size_t need(std::string_view name) const {
-    const auto column = find(name);
-    if (!column) {
-      throw Error(file_ + ":1", fmt::format("has no column {}", name), "name the columns in the first line");
-    }
-    return *column;
-  }
-
- private:
-  std::string file_;
-  std::vector<std::string> names_;
-};
 
 struct Columns {
   std::optional<std::size_t> id;
@@ -91,35 +20,7 @@ struct Columns {
   std::optional<std::size_t> direction[3];
 };
 
-//! One line while it is taken apart.
-struct Line {
-  std::vector<std::string_view> cells;
-  std::string place;
-
-  [[nodiscard]] std::string_view cell(std::size_t column) const {
-    return column < cells.size() ? cells[column] : std::string_view{};
-  }
-
-  [[nodiscard]] double number(std::size_t column, std::string_view name) const {
-    std::string_view text = cell(column);
-    if (!text.empty() && text.front() == '+') {
-      text.remove_prefix(1);  // from_chars takes no plus sign
-    }
-    double value = 0.0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    // Numbers below the smallest double are zero for our purpose.
-    const bool tiny = problem == std::errc::result_out_of_range && text.find("e-") != std::string_view::npos;
-    if (tiny) {
-      return 0.0;
-    }
-    if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-      throw Error(place, fmt::format("{} is \"{}\", not a number", name, text.substr(0, 40)), "write a finite number");
-    }
-    return value;
-  }
-};
-
-ObserverMotion motion_of(const Line& line, std::string_view word) {
+ObserverMotion motion_of(const TableLine& line, std::string_view word) {
   constexpr std::pair<std::string_view, ObserverMotion> motions[] = {
       {"zamo", ObserverMotion::zamo},         {"static", ObserverMotion::fixed},
       {"geodesic", ObserverMotion::geodesic}, {"retrograde", ObserverMotion::retrograde},
@@ -133,7 +34,8 @@ ObserverMotion motion_of(const Line& line, std::string_view word) {
               "choose one of zamo, static, geodesic, retrograde, rain, boost");
 }
 
-Vector3<double> vector_of(const Line& line, const std::optional<std::size_t> (&columns)[3], std::string_view name) {
+Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t> (&columns)[3],
+                          std::string_view name) {
   Vector3<double> v{0.0, 0.0, 0.0};
   double* const parts[3] = {&v.x, &v.y, &v.z};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -144,7 +46,7 @@ Vector3<double> vector_of(const Line& line, const std::optional<std::size_t> (&c
   return v;
 }
 
-void check(const RayRow& row, const Line& line) {
+void check(const RayRow& row, const TableLine& line) {
   if (!(std::abs(row.spin) <= 1.0)) {
     throw Error(line.place, fmt::format("a is {}", row.spin), "choose a spin from -1 to 1");
   }
@@ -164,36 +66,21 @@ void check(const RayRow& row, const Line& line) {
 }  // namespace
 
 std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions) {
-  std::string text;
-  if (!read_line(stream, text) || text.size() > longest_line) {
-    throw Error(file, "has no header line", "name the columns in the first line");
-  }
-  if (text.starts_with("\xEF\xBB\xBF")) {
-    text.erase(0, 3);  // spreadsheets mark UTF-8 so
-  }
-  const Header header(text, file);
-  Columns columns{header.find("id"),
-                  header.need("a"),
-                  header.need("r"),
-                  header.need("theta"),
-                  header.need("observer"),
-                  {header.find("beta_r"), header.find("beta_theta"), header.find("beta_phi")},
-                  {header.find("n_r"), header.find("n_theta"), header.find("n_phi")}};
+  NumberTable table(stream, file);
+  Columns columns{table.find("id"),
+                  table.need("a"),
+                  table.need("r"),
+                  table.need("theta"),
+                  table.need("observer"),
+                  {table.find("beta_r"), table.find("beta_theta"), table.find("beta_phi")},
+                  {table.find("n_r"), table.find("n_theta"), table.find("n_phi")}};
   if (need_directions) {
     for (const std::string_view name : {"n_r", "n_theta", "n_phi"}) {
-      static_cast<void>(header.need(name));
+      static_cast<void>(table.need(name));
     }
   }
   std::vector<RayRow> rows;
-  for (std::size_t number = 2; read_line(stream, text); ++number) {
-    const std::string place = fmt::format("{}:{}", file, number);
-    if (text.empty() || text == "\r") {
-      continue;
-    }
-    if (text.size() > longest_line || rows.size() >= most_rows) {
-      throw Error(place, "is too much for one table", "split the file; lines up to 64 KiB, 50 million rows");
-    }
-    const Line line{split(text), place};
+  for (TableLine line; table.next(line);) {
     RayRow row;
     row.id = columns.id ? std::string(line.cell(*columns.id)) : std::to_string(rows.size());
     row.spin = line.number(columns.spin, "a");
@@ -208,7 +95,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
       const Vector3<double> n = vector_of(line, columns.direction, "n");
       const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
       if (!(largest > 0.0)) {
-        throw Error(place, "the direction n has no length", "write a direction that is not zero");
+        throw Error(line.place, "the direction n has no length", "write a direction that is not zero");
       }
       const Vector3<double> scaled = (1.0 / largest) * n;
       row.direction = (1.0 / std::sqrt(dot(scaled, scaled))) * scaled;
@@ -219,14 +106,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
 }
 
 std::vector<RayRow> read_ray_table(const std::filesystem::path& path) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", "give the path of a table of rays (.csv)");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw Error(path.string(), "cannot be read", "check its permissions");
-  }
+  std::ifstream stream = open_table(path, "a table of rays");
   return read_ray_table(stream, path.string());
 }
 

@@ -38,7 +38,8 @@ size_px = 64
 
 TEST_F(CommandLine, EveryCommandAnswersHelp) {
   EXPECT_EQ(run("--help"), 0);
-  for (const char* command : {"play", "render", "bake", "inspect", "plan", "catalogue", "calibrate", "trace", "edge"}) {
+  for (const char* command :
+       {"play", "render", "bake", "inspect", "plan", "catalogue", "calibrate", "trace", "edge", "connect"}) {
     EXPECT_EQ(run(std::string(command) + " --help"), 0) << command;
     EXPECT_THAT(output_, HasSubstr("--help"));
   }
