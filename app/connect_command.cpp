@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
+#include <map>
 #include <memory>
 
 #include "app/commands.h"
@@ -12,6 +14,7 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/schwarzschild/connecting_ray.h"
+#include "render/polygon/connection_table.h"
 
 namespace ergodome {
 
@@ -20,6 +23,9 @@ namespace {
 struct ConnectOptions {
   std::string pairs;
   std::string out;
+  std::string method = "closed_form";
+  int rows = 256;
+  int columns = 512;
 };
 
 //! What is written of a ray.
@@ -48,9 +54,57 @@ std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {
   return answers;
 }
 
+//! Rows of one observer, whose table reaches over Müller, Schulz & Weiskopf's radii and as far beyond as its points.
+ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const std::vector<std::size_t>& of_observer,
+                                       const ConnectOptions& options) {
+  ConnectionTableSettings settings;
+  settings.rows = options.rows;
+  settings.columns = options.columns;
+  settings.r_observer_nearest = rows[of_observer.front()].r_observer;
+  settings.r_observer_farthest = settings.r_observer_nearest;
+  for (const std::size_t i : of_observer) {
+    if (rows[i].order > 2) {
+      throw Error(rows[i].place, fmt::format("is of order {}", rows[i].order),
+                  "tables hold orders 1 and 2; choose --method closed_form");
+    }
+    settings.r_nearest = std::min(settings.r_nearest, rows[i].r);
+    settings.r_farthest = std::max(settings.r_farthest, rows[i].r);
+  }
+  return settings;
+}
+
+std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, const ConnectOptions& options) {
+  std::map<double, std::vector<std::size_t>> observers;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    observers[rows[i].r_observer].push_back(i);
+  }
+  std::vector<Answer> answers(rows.size());
+  Progress progress("connecting", static_cast<long>(std::max<std::size_t>(observers.size(), 1)));
+  long done = 0;
+  for (const auto& [r_observer, of_observer] : observers) {
+    if (interrupted()) {
+      throw Error("connect", "stopped; nothing was written", "run it again");
+    }
+    const ConnectionTableSettings settings = table_settings(rows, of_observer, options);
+    const auto start = std::chrono::steady_clock::now();
+    const ConnectionTable table(settings);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    for (const std::size_t i : of_observer) {
+      const SeenPoint point = look_up_connection(table.view(), r_observer, rows[i].r, rows[i].angle);
+      answers[i] = {point.xi, point.travel_time};
+    }
+    fmt::print("r_obs {:.9g}: a table of {} x {} an order, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n", r_observer,
+               settings.rows, settings.columns, settings.r_nearest, settings.r_farthest,
+               table.view().grid.fan_rows * fan_columns, time.count());
+    progress.advance_to(++done);
+  }
+  return answers;
+}
+
 void run_connect(const ConnectOptions& options) {
   const std::vector<PairRow> rows = read_pair_table(options.pairs);
-  const std::vector<Answer> answers = connect_in_closed_form(rows);
+  const std::vector<Answer> answers =
+      options.method == "table" ? connect_through_tables(rows, options) : connect_in_closed_form(rows);
   std::string text = "r_obs,r,phi,order,xi,travel_time\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     text += fmt::format("{},{:.17g},{:.17g}\n", rows[i].text, answers[i].xi, answers[i].travel_time);
@@ -66,6 +120,15 @@ void add_connect_command(CLI::App& app) {
       "connect", "Light rays between observers and points near a hole without spin, from a table to a table");
   command->add_option("--pairs", options->pairs, "table of pairs (CSV: r_obs,r,phi,order; M = 1, radians)")->required();
   command->add_option("--out", options->out, "table to write: the same with xi,travel_time")->required();
+  command->add_option("--method", options->method, "closed_form, or table: through a table made for each observer")
+      ->check(CLI::IsMember({"closed_form", "table"}))
+      ->capture_default_str();
+  command->add_option("--rows", options->rows, "for table: nodes in 1/r")
+      ->check(CLI::Range(4, 8192))
+      ->capture_default_str();
+  command->add_option("--columns", options->columns, "for table: nodes in azimuth, an order")
+      ->check(CLI::Range(4, 8192))
+      ->capture_default_str();
   command->callback([options] { run_connect(*options); });
 }
 

@@ -28,6 +28,21 @@ TEST_F(CommandLine, ConnectFindsTheRaysOfTheReferenceTable) {
   }
 }
 
+TEST_F(CommandLine, ConnectReadsRaysFromATableToo) {
+  const std::string pairs = ERGODOME_TEST_DATA_DIR "/schwarzschild_pairs.csv";
+  ASSERT_EQ(run("connect --pairs '" + pairs + "' --out out.csv --method table --rows 128 --columns 128"), 0) << output_;
+  const auto expected = test::read_csv(pairs);
+  const auto rows = test::read_csv(folder_ / "out.csv");
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(std::stod(rows[i].at("xi")), std::stod(expected[i].at("xi")), 1e-6);
+    EXPECT_NEAR(std::stod(rows[i].at("travel_time")), std::stod(expected[i].at("travel_time")), 1e-4);
+  }
+  write("third.csv", "r_obs,r,phi,order\n40,5,1,1\n40,5,1,3\n");
+  EXPECT_EQ(run("connect --pairs third.csv --out third_out.csv --method table"), 1);
+  EXPECT_THAT(output_, AllOf(HasSubstr("third.csv:3"), HasSubstr("closed_form")));
+}
+
 TEST_F(CommandLine, ConnectNamesTheLineOfABadPairAndLeavesNoFile) {
   write("pairs.csv", "r_obs,r,phi,order\n40,5,1,1\n40,1.5,1,1\n");
   EXPECT_EQ(run("connect --pairs pairs.csv --out out.csv"), 1);

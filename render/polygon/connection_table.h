@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "kernels/schwarzschild/connection_table.h"
+
+namespace ergodome {
+
+//! What a table of connecting rays is for; M = 1. What is given first is Müller, Schulz & Weiskopf's.
+struct ConnectionTableSettings {
+  double r_nearest = 2.5;            //!< of the points [M], above 2
+  double r_farthest = 30.0;          //!< of the points [M]
+  double r_observer_nearest = 40.0;  //!< [M], above 2
+  double r_observer_farthest = 40.0;
+  int rows = 256;     //!< in 1/r
+  int columns = 512;  //!< in azimuth, an order
+  int layers = 1;     //!< observers, evenly in 1/r: 1 for one, else 4 or more
+};
+
+//! Connecting rays of orders 1 and 2 for one observer's radius or a range of them.
+class ConnectionTable {
+ public:
+  //! Makes it on the processor: milliseconds for an observer. Throws Error for settings that make no table.
+  explicit ConnectionTable(const ConnectionTableSettings& settings);
+
+  [[nodiscard]] ConnectionView view() const { return {grid_, nodes_.data()}; }
+
+ private:
+  ConnectionGrid grid_{};
+  std::vector<ConnectionNode> nodes_;
+};
+
+}  // namespace ergodome
