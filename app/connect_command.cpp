@@ -67,6 +67,10 @@ ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const s
       throw Error(rows[i].place, fmt::format("is of order {}", rows[i].order),
                   "tables hold orders 1 and 2; choose --method closed_form");
     }
+    if (std::max(rows[i].r, rows[i].r_observer) > farthest_of_table) {
+      throw Error(rows[i].place, fmt::format("has a radius above {:.9g}", farthest_of_table),
+                  "tables end there; choose --method closed_form");
+    }
     settings.r_nearest = std::min(settings.r_nearest, rows[i].r);
     settings.r_farthest = std::max(settings.r_farthest, rows[i].r);
   }

@@ -14,7 +14,7 @@ namespace {
 void check(const ConnectionTableSettings& settings) {
   const std::string place = "table of connecting rays";
   const auto is_range = [](double nearest, double farthest) {
-    return nearest > 2.0 && farthest >= nearest && farthest <= 1e6;
+    return nearest > 2.0 && farthest >= nearest && farthest <= farthest_of_table;
   };
   if (!is_range(settings.r_nearest, settings.r_farthest) || settings.r_nearest == settings.r_farthest ||
       !is_range(settings.r_observer_nearest, settings.r_observer_farthest)) {

@@ -6,6 +6,9 @@
 
 namespace ergodome {
 
+//! Radii that tables reach to [M]; farther out the closed form serves.
+inline constexpr double farthest_of_table = 1e6;
+
 //! What a table of connecting rays is for; M = 1. What is given first is Müller, Schulz & Weiskopf's.
 struct ConnectionTableSettings {
   double r_nearest = 2.5;            //!< of the points [M], above 2

@@ -41,6 +41,9 @@ TEST_F(CommandLine, ConnectReadsRaysFromATableToo) {
   write("third.csv", "r_obs,r,phi,order\n40,5,1,1\n40,5,1,3\n");
   EXPECT_EQ(run("connect --pairs third.csv --out third_out.csv --method table"), 1);
   EXPECT_THAT(output_, AllOf(HasSubstr("third.csv:3"), HasSubstr("closed_form")));
+  write("far.csv", "r_obs,r,phi,order\n40,5e6,1,1\n");
+  EXPECT_EQ(run("connect --pairs far.csv --out far_out.csv --method table"), 1);
+  EXPECT_THAT(output_, AllOf(HasSubstr("far.csv:2"), HasSubstr("closed_form")));
 }
 
 TEST_F(CommandLine, ConnectNamesTheLineOfABadPairAndLeavesNoFile) {
