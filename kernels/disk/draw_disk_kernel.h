@@ -49,7 +49,7 @@ struct SeenCrossing {
   float delay;  //!< [M], for the pattern
 };
 
-//! What of a photon stays the same on its way; see DiskRay.
+//! What of a photon stays the same on its way; see NearRay.
 struct PhotonConstants {
   float energy;
   float axial_angular_momentum;
@@ -157,7 +157,7 @@ struct DrawDisk {
     const PixelBatch& pixels = batch.pixels;
     const T zero(S(0));
     DiskLanes<T> seen = {zero, zero, zero, T(S(1))};
-    const DiskRay<D> ray = start_disk_ray(pixels.camera, observed_direction(pixels, x_px, y_px));
+    const NearRay<D> ray = start_near_ray(pixels.camera, observed_direction(pixels, x_px, y_px));
     const Mask wanted = lanes & may_reach(ray);
     lanes = zero > zero;
     if (!any(wanted)) {
@@ -184,7 +184,7 @@ struct DrawDisk {
   }
 
   //! Whether light from the disk may come along a ray: from outside the disk it must go inwards, and not turn before the outer edge.
-  ERGO_HD Mask may_reach(const DiskRay<D>& ray) const {
+  ERGO_HD Mask may_reach(const NearRay<D>& ray) const {
     // A pixel's width beyond the edge is still the edge's.
     const S u = S(0.9) / batch.look.outer_r;
     const S a2 = batch.pixels.camera.spin * batch.pixels.camera.spin;
@@ -225,7 +225,7 @@ struct DrawDisk {
   }
 
   //! Azimuth and time at the crossings, of the lanes that see the disk at all.
-  ERGO_HD void trace_pattern(const DiskRay<D>& ray, const CrossingLimits<S>& limits, const Mask& wanted,
+  ERGO_HD void trace_pattern(const NearRay<D>& ray, const CrossingLimits<S>& limits, const Mask& wanted,
                              const Crossings& crossings, S pixel, PlainCrossings& carried) const {
     T covered(S(0));
     for (const EquatorialCrossing<D>& crossing : crossings) {
@@ -239,7 +239,7 @@ struct DrawDisk {
   }
 
   //! Adds the crossings of a lane, the nearest first.
-  ERGO_HD void compose(const DiskRay<D>& ray, const Crossings& crossings, const PlainCrossings& carried, int i, S pixel,
+  ERGO_HD void compose(const NearRay<D>& ray, const Crossings& crossings, const PlainCrossings& carried, int i, S pixel,
                        DiskLanes<T>& to) const {
     const DiskLook& look = batch.look;
     const PhotonConstants photon = {lane(ray.energy.value, i), lane(ray.axial_angular_momentum.value, i),

@@ -63,7 +63,7 @@ Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view, double 
 
 //! The exact ray of a pixel's middle, in double.
 struct ExactRay {
-  DiskRay<double> ray;
+  NearRay<double> ray;
   EquatorialCrossing<double> crossings[crossing_orders];
 };
 
@@ -75,7 +75,7 @@ ExactRay exact_ray(const EyeCamera& eye, const Projection& projection, int x, in
     return m[0] * view.x + m[1] * view.y + m[2] * view.z;
   };
   ExactRay exact{};
-  exact.ray = start_disk_ray(camera, Vector3<double>{row(0), row(1), row(2)});
+  exact.ray = start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)});
   trace_crossings<20, true>(eye.spin, exact.ray, {1e-7, 1e-15, 4000}, true, exact.crossings);
   return exact;
 }
