@@ -122,6 +122,25 @@ MeshFormat format_of(const std::filesystem::path& path) {
   throw Error(path.string(), "is no kind of mesh that is read", wanted);
 }
 
+//! Throws Error unless the lengths in a GLB are those of its bytes: the importer makes room for whatever they say.
+void check_glb(std::string_view bytes, const std::string& place) {
+  constexpr std::size_t head = 12;
+  constexpr std::size_t chunk_head = 8;
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return std::size_t{value};
+  };
+  bool whole = bytes.size() >= head + chunk_head && bytes.starts_with("glTF") && word(8) == bytes.size();
+  for (std::size_t at = head; whole && at < bytes.size();) {
+    whole = bytes.size() - at >= chunk_head && word(at) <= bytes.size() - at - chunk_head;
+    at += whole ? chunk_head + word(at) : 0;
+  }
+  if (!whole) {
+    throw Error(place, "is no GLB, or a torn one", wanted);
+  }
+}
+
 MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& place,
                  const std::filesystem::path& folder) {
   MeshPart part;
@@ -222,6 +241,9 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
                         const std::filesystem::path& folder) {
   if (bytes.size() > largest_mesh_bytes) {
     throw Error(place, "is larger than 1 GiB", "simplify the mesh");
+  }
+  if (format == MeshFormat::glb) {
+    check_glb(bytes, place);
   }
   TriangleMesh mesh;
   try {
