@@ -7,6 +7,7 @@
 #include "content/disk_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
+#include "content/objects/object_reader.h"
 #include "content/show_reader.h"
 #include "content/timeline_writer.h"
 
@@ -174,6 +175,7 @@ std::string to_toml(const Show& show) {
   if (show.disk) {
     root.insert("disk", disk_table(*show.disk));
   }
+  add_objects(show, root);
   add_timeline(show.timeline, root);
   std::ostringstream text;
   text << root << '\n';
