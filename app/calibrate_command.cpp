@@ -83,6 +83,7 @@ void run(const CalibrateOptions& options) {
   DomeSetup setup = read_dome_setup(options.setup);
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> projectors;
+  projectors.reserve(setup.projectors.size());
   for (const ProjectorSetup& projector : setup.projectors) {
     projectors.emplace_back(setup, projector);
   }

@@ -19,6 +19,7 @@ int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; 
 
 std::vector<LoadedProjector> files_of(const DomeSetup& setup) {
   std::vector<LoadedProjector> files;
+  files.reserve(setup.projectors.size());
   for (const ProjectorSetup& projector : setup.projectors) {
     files.push_back(load_projector(setup, projector));
   }

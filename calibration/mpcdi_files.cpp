@@ -18,7 +18,7 @@ constexpr std::size_t most_mask_bytes = std::size_t{512} << 20U;
 
 //! A path as the file writes it, or nothing where it is empty. Throws Error where it could lead elsewhere.
 std::optional<std::string> checked_path(const XmlElement& element) {
-  const std::string path = element.needed_child("path").text();
+  std::string path = element.needed_child("path").text();
   if (path.empty()) {
     return std::nullopt;
   }

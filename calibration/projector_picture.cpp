@@ -117,6 +117,7 @@ std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
     return std::nullopt;
   }
   std::vector<ProjectorOptics> optics;
+  optics.reserve(setup.projectors.size());
   for (const ProjectorSetup& projector : setup.projectors) {
     optics.emplace_back(setup, projector);
   }

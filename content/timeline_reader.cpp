@@ -207,6 +207,7 @@ void check_spin_on_path(const std::string& file, const Show& show) {
     return;
   }
   std::vector<double> times;
+  times.reserve(spin->keys.size() + show.camera.keys.size());
   for (const NumberKey& key : spin->keys) {
     times.push_back(key.time_s);
   }

@@ -54,8 +54,11 @@ std::optional<TimeCode> parse_time_code(std::string_view text, CodeRate rate) {
   const char* at = text.data();
   const char* const end = text.data() + text.size();
   for (int i = 0; i < 4; ++i) {
-    if (i > 0 && (at == end || (*at++ != ':' && at[-1] != ';'))) {
-      return std::nullopt;
+    if (i > 0) {
+      if (at == end || (*at != ':' && *at != ';')) {
+        return std::nullopt;
+      }
+      ++at;
     }
     const auto [stop, problem] = std::from_chars(at, end, numbers[i]);
     if (problem != std::errc{}) {

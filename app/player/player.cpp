@@ -228,6 +228,7 @@ bool Player::add_words(PictureRequest& wish) {
     wish.captions_opacity = exhibit_->opacity();
   }
   std::vector<LocalText> words;
+  words.reserve(wish.captions.size());
   for (const Caption& caption : wish.captions) {
     words.push_back(caption.text);
   }

@@ -86,7 +86,7 @@ Bytes make_frame(FrameKind kind, std::uint32_t number, std::span<const std::byte
 
 FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::string& place) {
   ByteReader from(bytes, place);
-  FrameHeader header{};
+  FrameHeader header;
   header.kind = static_cast<FrameKind>(from.number<std::uint32_t>());
   header.number = from.number<std::uint32_t>();
   header.payload_bytes = from.number<std::uint64_t>();

@@ -199,7 +199,7 @@ TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   EXPECT_THAT(german, HasSubstr("anhalten, weiter"));
 }
 
-TEST(TransportCommands, ComeFromActionsAndWhatIsRunning) {
+TEST(TransportKeys, ComeFromActionsAndWhatIsRunning) {
   PlayerStatus status;
   status.speed = 2.0;
   status.free_flight = true;

@@ -82,6 +82,7 @@ void stereo_in_turn(benchmark::State& state) {
   }
   const auto ratios = [&](std::size_t above, std::size_t below, const std::string& name) {
     std::vector<double> each;
+    each.reserve(times[above].size());
     for (std::size_t i = 0; i < times[above].size(); ++i) {
       each.push_back(times[above][i] / times[below][i]);
     }

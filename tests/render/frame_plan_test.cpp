@@ -192,6 +192,7 @@ class FramePlans : public test::FolderTest {
 TEST_F(FramePlans, OfAPlainSkyNameRaysAndLightAlone) {
   const FramePlan plan = plan_frame(plain_show(), request());
   std::vector<std::string> names;
+  names.reserve(plan.passes.size());
   for (const PlannedPass& pass : plan.passes) {
     names.push_back(pass.name);
   }

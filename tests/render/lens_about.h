@@ -72,6 +72,7 @@ class LensAbout {
     }
     trace_rays(Backend::cpu, batch);
     std::vector<double> changes;
+    changes.reserve(asked.size());
     for (std::size_t place = 0; place < asked.size(); ++place) {
       changes.push_back(change(values, count, rays * place));
     }

@@ -262,6 +262,7 @@ class ThrownFrames : public ProjectorFrames {
  protected:
   void expect_master(const DomeSetup& setup) {
     std::vector<ProjectorOptics> optics;
+    optics.reserve(setup.projectors.size());
     for (const ProjectorSetup& projector : setup.projectors) {
       optics.emplace_back(setup, projector);
     }

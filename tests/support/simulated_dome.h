@@ -56,6 +56,7 @@ inline DomeSetup calibrated_in(const std::filesystem::path& folder, DomeSetup se
   setup.folder = folder;
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> optics;
+  optics.reserve(setup.projectors.size());
   for (const ProjectorSetup& projector : setup.projectors) {
     optics.emplace_back(setup, projector);
   }

@@ -1,0 +1,23 @@
+# How CTest knows the tests of a GoogleTest program.
+include(GoogleTest)
+
+# Each test by its name. Under the sanitizers each suite is one test: to start a program that links OpenImageIO takes a third of a
+# second there, which is longer than most tests.
+function(ergodome_discover_tests target)
+  if(NOT ERGODOME_SANITIZE)
+    gtest_discover_tests(${target} DISCOVERY_TIMEOUT 120)
+    return()
+  endif()
+  set(suites "${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake")
+  add_custom_command(
+    TARGET ${target}
+    POST_BUILD
+    COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:${target}>" -D "OUTPUT=${suites}" -P
+            "${PROJECT_SOURCE_DIR}/cmake/ListTestSuites.cmake"
+    BYPRODUCTS "${suites}"
+    VERBATIM)
+  set(include_file "${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake")
+  file(WRITE "${include_file}" "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"
+                               "  add_test(${target}_NOT_BUILT ${target}_NOT_BUILT)\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include_file}")
+endfunction()
