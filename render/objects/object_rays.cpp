@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "content/objects/object_motion.h"
-#include "kernels/core/error.h"
 #include "render/objects/object_meshes.h"
 
 namespace ergodome {
@@ -36,17 +35,14 @@ ObjectRays::ObjectRays(const Show& show, double time_s) : least_r_(std::numeric_
   }
 }
 
-MeshHit ObjectRays::look(const CameraStation& camera, const Vector3<double>& n, double tolerance) const {
+std::optional<MeshHit> ObjectRays::look(const CameraStation& camera, const Vector3<double>& n, double tolerance) const {
   const double horizon = horizon_radius(camera.spin) * (1.0 + beside_horizon);
   const MeshScene scene = {placed_.data(), static_cast<int>(placed_.size()), std::max(least_r_, horizon),
                            std::max(greatest_r_, 1.01 * horizon)};
   MeshHit hit;
-  if (!trace_meshes<series_order, NearParts::azimuth_and_delay>(camera.spin, camera.cosine_phi, camera.sine_phi,
-                                                                start_near_ray(camera, n), scene,
-                                                                {tolerance, step_limit}, hit)) {
-    throw Error("trace --objects", "a ray did not converge", "give a larger --tolerance");
-  }
-  return hit;
+  const bool converged = trace_meshes<series_order, NearParts::azimuth_and_delay>(
+      camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n), scene, {tolerance, step_limit}, hit);
+  return converged ? std::optional(hit) : std::nullopt;
 }
 
 std::uint32_t ObjectRays::triangle(const MeshHit& hit) const {

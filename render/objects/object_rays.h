@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "content/mesh/triangle_boxes.h"
@@ -15,8 +16,9 @@ class ObjectRays {
   ObjectRays(const Show& show, double time_s);
 
   //! The first object on the ray that a camera sees in direction `n`, unit vector in (e_r, e_θ, e_φ); none: `mesh` is -1. `tolerance` is the local error
-  //! of the path. Throws Error where the ray does not converge.
-  [[nodiscard]] MeshHit look(const CameraStation& camera, const Vector3<double>& n, double tolerance = 1e-12) const;
+  //! of the path. Nothing where the ray does not converge.
+  [[nodiscard]] std::optional<MeshHit> look(const CameraStation& camera, const Vector3<double>& n,
+                                            double tolerance = 1e-12) const;
 
   //! Which of its mesh's triangles a hit is on.
   [[nodiscard]] std::uint32_t triangle(const MeshHit& hit) const;
