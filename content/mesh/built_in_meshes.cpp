@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-MeshVertex vertex_of(const Vector3<double>& position, const Vector3<double>& normal, double u, double v) {
+SurfaceVertex vertex_of(const Vector3<double>& position, const Vector3<double>& normal, double u, double v) {
   return {{static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)},
           {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)},
           {static_cast<float>(u), static_cast<float>(v)}};

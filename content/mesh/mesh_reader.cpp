@@ -169,7 +169,7 @@ MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& pl
   return part;
 }
 
-MeshVertex vertex_of(const aiMesh& mesh, unsigned i) {
+SurfaceVertex vertex_of(const aiMesh& mesh, unsigned i) {
   const aiVector3D& p = mesh.mVertices[i];
   const aiVector3D n = mesh.HasNormals() ? mesh.mNormals[i] : aiVector3D(0.0F, 0.0F, 1.0F);
   const aiVector3D t = mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][i] : aiVector3D();

@@ -11,7 +11,7 @@ namespace {
 constexpr double thinnest = 1e-7;
 
 //! Whether three corners span an area. Not so where a coordinate is no number: every comparison with it fails.
-bool has_area(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
+bool has_area(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c) {
   double along_b[3];
   double along_c[3];
   double longest = 0.0;

@@ -8,7 +8,7 @@
 namespace ergodome {
 
 //! A corner of triangles.
-struct MeshVertex {
+struct SurfaceVertex {
   float position[3];
   float normal[3];   //!< of unit length, outwards
   float texture[2];  //!< u to the right, v upwards; the image, or one checkerboard, is 0 to 1
@@ -24,14 +24,14 @@ struct MeshPart {
 
 //! A surface of triangles, in a unit and about a middle of its own. Their corners run counterclockwise as seen from outside.
 struct TriangleMesh {
-  std::vector<MeshVertex> vertices;
+  std::vector<SurfaceVertex> vertices;
   std::vector<std::uint32_t> indices;  //!< three a triangle
   std::vector<MeshPart> parts;         //!< all indices, in their order
   long dropped_triangles = 0;          //!< left out, because they have no area
 
   [[nodiscard]] long triangle_count() const { return static_cast<long>(indices.size() / 3); }
   [[nodiscard]] long bytes() const {
-    return static_cast<long>(vertices.size() * sizeof(MeshVertex) + indices.size() * sizeof(std::uint32_t));
+    return static_cast<long>(vertices.size() * sizeof(SurfaceVertex) + indices.size() * sizeof(std::uint32_t));
   }
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "content/objects/object_settings.h"
 
 namespace ergodome {
@@ -9,7 +11,10 @@ struct ObjectPlacement {
   Vector3<double> position;  //!< [M]
   double rows[3][3];         //!< a rotation
 
-  bool operator==(const ObjectPlacement&) const = default;
+  bool operator==(const ObjectPlacement& other) const {
+    return position.x == other.position.x && position.y == other.position.y && position.z == other.position.z &&
+           std::equal(&rows[0][0], &rows[0][0] + 9, &other.rows[0][0]);
+  }
 };
 
 //! An object's placement at a show time.

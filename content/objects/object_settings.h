@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "content/mesh/built_in_meshes.h"
+#include "content/mesh/mesh_shapes.h"
 #include "content/timeline.h"
 #include "kernels/schwarzschild/tessellation.h"
 

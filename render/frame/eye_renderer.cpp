@@ -172,6 +172,7 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
     draw_stars_in_place(stars, projection, *settings.stars);
   }
   draw_disk_rows(eye, projection, settings, 0, projection.height_px);
+  draw_objects_in_place(eye, projection, settings);
   if (lens != nullptr) {
     *lens = source->name();
   }
@@ -183,6 +184,21 @@ void EyeRenderer::draw_disk_rows(const EyeCamera& eye, const Projection& project
   if (settings.disk != nullptr) {
     settings.disk->draw(eye, projection, settings.accuracy.tolerance_px, settings.time_s, row, rows, rgba_.data());
   }
+}
+
+void EyeRenderer::draw_objects_in_place(const EyeCamera& eye, const Projection& projection,
+                                        const PictureSettings& settings) {
+  if (settings.objects == nullptr) {
+    return;
+  }
+  if (backend_ == Backend::cpu) {
+    return settings.objects->draw(eye, projection, settings.time_s, rgba_.data());
+  }
+  std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
+                             static_cast<std::size_t>(projection.height_px));
+  rgba_.read(picture.data(), picture.size());
+  settings.objects->draw(eye, projection, settings.time_s, picture.data());
+  rgba_.write(picture.data(), picture.size());
 }
 
 void EyeRenderer::draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection,
@@ -249,6 +265,9 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
                                                [](float e) { return e < 0.0F; });
+  }
+  if (settings.objects != nullptr) {
+    settings.objects->draw(eye, projection, settings.time_s, picture.rgba.data());
   }
   finish(picture, projection, settings);
   return picture;

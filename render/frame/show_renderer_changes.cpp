@@ -73,6 +73,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     stars = std::make_unique<StarPass>(next);
   }
   std::unique_ptr<DiskPass> disk = next.disk && !disk_ ? std::make_unique<DiskPass>(next, backend()) : nullptr;
+  std::unique_ptr<ObjectPass> objects = next.objects.empty() ? nullptr : std::make_unique<ObjectPass>(next);
   overlays_.set_timeline(next.timeline, next.folder);
   // Nothing is thrown from here on.
   if (sky) {
@@ -90,6 +91,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   } else {
     disk_ = std::move(disk);
   }
+  objects_ = std::move(objects);
   if (!next.tone.automatic) {
     exposure_.reset();
   } else if (exposure_) {

@@ -53,6 +53,7 @@ class Planner {
       plan_stars();
     }
     plan_disk();
+    plan_objects();
     plan_light();
     return plan_;
   }
@@ -300,6 +301,26 @@ class Planner {
     if (needs_.disk_pattern && !always_.disk_pattern) {
       pixel_pass(disk_pass_name(false), why("disk.contrast"), true);
     }
+  }
+
+  //! Meshes are read, and OpenGL is opened, whatever is shown: a window goes from view to view.
+  void plan_objects() {
+    if (show_.objects.empty()) {
+      return;
+    }
+    const std::string objects = why("objects");
+    pass("load_meshes", WorkMoment::start, 1, static_cast<long>(show_.objects.size()), objects);
+    pass("open_gl", WorkMoment::start, 1, 1, objects);
+    buffer("meshes", WorkMoment::start, request_.mesh_bytes, objects);
+    if (!needs_.objects) {
+      return;
+    }
+    const bool lit = std::ranges::any_of(show_.objects, &ObjectSettings::lit);
+    const std::string tables = lit ? objects + ", " + why("light") : objects;
+    pass("make_connection_table", WorkMoment::place, 0, 0, tables);
+    buffer("connecting rays", WorkMoment::place, 0, tables);
+    pass("draw_objects", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, objects);
+    buffer("objects' picture", WorkMoment::start, 0, objects);
   }
 
   void plan_light() {

@@ -121,7 +121,7 @@ TEST(MeshReader, ReadsAnObjAndDropsTrianglesWithoutArea) {
   EXPECT_EQ(mesh.triangle_count(), 2);
   EXPECT_EQ(mesh.dropped_triangles, 1);
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-    const MeshVertex& vertex = mesh.vertices[mesh.indices[i]];
+    const SurfaceVertex& vertex = mesh.vertices[mesh.indices[i]];
     EXPECT_FLOAT_EQ(vertex.normal[2], 1.0F);
     EXPECT_FLOAT_EQ(vertex.texture[0], 0.5F * vertex.position[0]);
     EXPECT_FLOAT_EQ(vertex.texture[1], 0.5F * vertex.position[1]);
