@@ -12,6 +12,7 @@
 #include "app/disk_crossing_table.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/shell_crossing_table.h"
 #include "content/files/atomic_file.h"
 #include "content/ray_table.h"
 #include "kernels/core/error.h"
@@ -38,6 +39,7 @@ struct RayOptions {
   double blend = 0.0;
   bool disk = false;
   bool plunging = false;
+  double shell_r = 0.0;
 };
 
 const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
@@ -257,6 +259,17 @@ void run_disk(const RayOptions& options) {
   write_text_atomically(options.out, text);
 }
 
+void run_shell(const RayOptions& options) {
+  const std::vector<RayRow> rows = read_ray_table(options.rays);
+  ShellTableOptions table{options.shell_r};
+  table.tolerance = options.tolerance > 0.0 ? options.tolerance : table.tolerance;
+  std::string text = shell_table_head;
+  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    text += shell_lines(std::span(rows).subspan(begin, end - begin), table);
+  });
+  write_text_atomically(options.out, text);
+}
+
 void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
                    std::string& text) {
   for (int i = 0; i < count; ++i) {
@@ -333,7 +346,22 @@ void add_trace_command(CLI::App& app) {
       ->add_flag("--plunging", options->plunging,
                  "with --disk: g inside the last stable orbit too, of matter that falls from it")
       ->needs(disk);
-  command->callback([options] { options->disk ? run_disk(*options) : run_trace(*options); });
+  CLI::Option* const shell =
+      command
+          ->add_option(
+              "--shell", options->shell_r,
+              "list each ray's crossings of a sphere of this radius [M] instead: polar angle, azimuth, times, g "
+              "of an observer without angular momentum")
+          ->check(CLI::Range(1.0, 1e15))
+          ->excludes(method)
+          ->excludes(precision)
+          ->excludes(disk);
+  command->callback([options, shell] {
+    if (shell->count() > 0) {
+      return run_shell(*options);
+    }
+    options->disk ? run_disk(*options) : run_trace(*options);
+  });
 }
 
 void add_edge_command(CLI::App& app) {
