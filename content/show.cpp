@@ -35,6 +35,9 @@ std::vector<std::string> missing_features(const Show& show) {
   if (stereo.model != StereoModel::physical && show.disk) {
     missing.emplace_back("a disk is drawn in the stereo model physical alone (stereo.model, disk)");
   }
+  if (stereo.model != StereoModel::physical && !show.shells.empty()) {
+    missing.emplace_back("shells are drawn in the stereo model physical alone (stereo.model, shells)");
+  }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;
   const auto& animations = show.timeline.animations;

@@ -8,6 +8,7 @@
 
 #include "content/disk.h"
 #include "content/flight_settings.h"
+#include "content/shells.h"
 #include "content/timeline.h"
 #include "kernels/image/tone_curve.h"
 #include "kernels/metric/observer.h"
@@ -221,6 +222,7 @@ struct Show {
   CameraSettings camera;
   SkySettings sky;
   std::optional<DiskSettings> disk;  //!< absent: none is traced
+  std::vector<ShellSettings> shells;
   EffectSettings effects;
   ViewSettings view;
   StereoSettings stereo;
