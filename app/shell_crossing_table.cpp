@@ -34,7 +34,8 @@ struct LineWriter {
     const double theta = std::atan2(std::hypot(at.m.x, at.m.y), at.m.z);
     const double turned = std::remainder(std::atan2(at.m.y, at.m.x) + at.drag, 2.0 * pi);
     const double phi = turned <= -pi ? pi : turned;
-    const double g = 1.0 / zamo_frequency(row.spin, r, std::cos(theta), ray.energy, ray.axial_angular_momentum);
+    const double g =
+        1.0 / zamo_frequency(row.spin, r, std::sin(theta), std::cos(theta), ray.energy, ray.axial_angular_momentum);
     text += fmt::format("{},{},{:.17g},{:.17g},{:.17g},{:.17g},{},{:.17g}\n", row.id, count, theta, phi, at.time,
                         at.delay, at.u_rate > 0.0 ? 1 : 0, g);
     ++count;

@@ -1,16 +1,13 @@
-#include "kernels/disk/draw_disk_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
+#include "kernels/near_field/draw_near_field_kernel.h"
 
 namespace ergodome {
 
-void draw_disk_cuda(const DiskBatch& batch) {
+void draw_near_field_cuda(const NearFieldBatch& batch) {
   const int count = batch.pixels.row_count * batch.pixels.projection.width_px;
-  if (has_pattern(batch.look)) {
-    launch_cuda("draw_disk", count, DrawDisk<float, true>{batch});
-  } else {
-    launch_cuda("draw_disk", count, DrawDisk<float, false>{batch});
-  }
+  dispatch_near_field<DrawNearField, float>(batch,
+                                            [&](const auto& draw) { launch_cuda("draw_near_field", count, draw); });
 }
 
 }  // namespace ergodome

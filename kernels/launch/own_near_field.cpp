@@ -1,28 +1,16 @@
-#include "kernels/launch/own_disk.h"
+#include "kernels/launch/own_near_field.h"
 
-#include "kernels/disk/draw_disk_kernel.h"
+#include "kernels/near_field/draw_near_field_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {
 
-namespace {
-
-template <bool WithPattern>
-void run(const DiskBatch& batch, int begin, int end) {
-  const DrawDisk<WidePack<float>, WithPattern> draw{batch};
-  for (int index = begin; index < end; ++index) {
-    draw(index);
-  }
-}
-
-}  // namespace
-
-void draw_disk(const DiskBatch& batch, int begin, int end) {
-  if (has_pattern(batch.look)) {
-    run<true>(batch, begin, end);
-  } else {
-    run<false>(batch, begin, end);
-  }
+void draw_near_field(const NearFieldBatch& batch, int begin, int end) {
+  dispatch_near_field<DrawNearField, WidePack<float>>(batch, [&](const auto& draw) {
+    for (int index = begin; index < end; ++index) {
+      draw(index);
+    }
+  });
 }
 
 }  // namespace ergodome::inline ERGO_TARGET
