@@ -14,6 +14,7 @@
 #include "content/flight_reader.h"
 #include "content/objects/object_reader.h"
 #include "content/own_number.h"
+#include "content/shell_reader.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
 
@@ -199,6 +200,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     stars.refuse_unknown_keys();
   });
   part("disk", [&](const toml::table& table) { show.disk = read_disk(table, file); });
+  show.shells = read_shells(root, file);
   part("effects", [&](const toml::table& table) { read_effects(table, file, show.effects); });
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
   part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
@@ -221,6 +223,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   check_spin_on_path(file, show);
   check_objects(root, show);
   part("disk", [&](const toml::table& table) { check_disk(table, file, show); });
+  check_shells(root, file, show);
 }
 
 //! Notes where each key of a table stands.

@@ -8,6 +8,7 @@
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
 #include "content/objects/object_reader.h"
+#include "content/shell_reader.h"
 #include "content/show_reader.h"
 #include "content/timeline_writer.h"
 
@@ -176,6 +177,9 @@ std::string to_toml(const Show& show) {
     root.insert("disk", disk_table(*show.disk));
   }
   add_objects(show, root);
+  if (!show.shells.empty()) {
+    root.insert("shells", shell_tables(show.shells));
+  }
   add_timeline(show.timeline, root);
   std::ostringstream text;
   text << root << '\n';

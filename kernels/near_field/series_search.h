@@ -3,7 +3,16 @@
 #include "kernels/near_field/near_series.h"
 
 // Steps along a ray's series, and where something happens within them.
-namespace ergodome::inline ERGO_TARGET::detail {
+namespace ergodome::inline ERGO_TARGET {
+
+//! How far rays are followed, and how exactly.
+template <class S>
+struct NearLimits {
+  S tolerance;  //!< local error
+  int step_limit;
+};
+
+namespace detail {
 
 //! The h in [from, to] at which a series passes through zero, from the sign of `side`; exact in the dual parts too. It must pass once.
 template <int Order, class T>
@@ -59,4 +68,6 @@ ERGO_HD RealOf<T> near_step(const NearSeries<Order, T, Parts>& s, const RealOf<T
                                      rough_power(Real(tolerance) / next_to_last, S(1.0 / (Order - 1)))));
 }
 
-}  // namespace ergodome::inline ERGO_TARGET::detail
+}  // namespace detail
+
+}  // namespace ergodome::inline ERGO_TARGET

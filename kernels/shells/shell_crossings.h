@@ -13,13 +13,6 @@ struct ShellRadii {
   int count;   //!< at least one
 };
 
-//! How far rays are followed, and how exactly.
-template <class S>
-struct ShellLimits {
-  S tolerance;  //!< local error
-  int step_limit;
-};
-
 //! A place on a ray.
 template <class T>
 struct NearPlace {
@@ -105,7 +98,7 @@ ERGO_HD T time_to_turn(const T (&u)[Order], const RealOf<T>& side, const RealOf<
 //! ray met the step limit. With dual numbers all derivatives are exact ones.
 template <int Order, NearParts Parts, class T, class Visitor>
 ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, const ShellRadii<ScalarOf<T>>& shells,
-                                       const ShellLimits<ScalarOf<T>>& limits, const MaskOf<RealOf<T>>& active_at_start,
+                                       const NearLimits<ScalarOf<T>>& limits, const MaskOf<RealOf<T>>& active_at_start,
                                        Visitor& visitor) {
   static_assert(has_azimuth(Parts));
   using S = ScalarOf<T>;

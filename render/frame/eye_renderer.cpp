@@ -171,7 +171,7 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   if (!stars.empty()) {
     draw_stars_in_place(stars, projection, *settings.stars);
   }
-  draw_disk_rows(eye, projection, settings, 0, projection.height_px);
+  draw_near_rows(eye, projection, settings, 0, projection.height_px);
   draw_objects_in_place(eye, projection, settings);
   if (lens != nullptr) {
     *lens = source->name();
@@ -179,10 +179,11 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   return rgba_.data();
 }
 
-void EyeRenderer::draw_disk_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
+void EyeRenderer::draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                                  int row, int rows) {
-  if (settings.disk != nullptr) {
-    settings.disk->draw(eye, projection, settings.accuracy.tolerance_px, settings.time_s, row, rows, rgba_.data());
+  if (!settings.near_field.empty()) {
+    draw_near_field(backend_, settings.near_field, eye, projection, settings.accuracy.tolerance_px, settings.time_s,
+                    row, rows, rgba_.data());
   }
 }
 
@@ -250,15 +251,15 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     render_rows(*source, shade, settings.polygons, row, rows);
     float* const light = picture.rgba.data() + 4 * width * static_cast<std::size_t>(row);
     if (stars.empty()) {
-      draw_disk_rows(eye, projection, settings, row, rows);
+      draw_near_rows(eye, projection, settings, row, rows);
     }
     rgba_.read(light, 4 * pixels);
     if (!stars.empty()) {
       settings.stars->draw(stars, projection, row, rows, light);
-      if (settings.disk != nullptr) {
+      if (!settings.near_field.empty()) {
         // It hides stars too.
         rgba_.write(light, 4 * pixels);
-        draw_disk_rows(eye, projection, settings, row, rows);
+        draw_near_rows(eye, projection, settings, row, rows);
         rgba_.read(light, 4 * pixels);
       }
     }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "render/backend/buffer.h"
-#include "render/disk/disk_pass.h"
 #include "render/lens/lens_chooser.h"
+#include "render/near_field/near_field.h"
 #include "render/objects/object_pass.h"
 #include "render/output/tone.h"
 #include "render/sky/polygon_filter.h"
@@ -31,7 +31,7 @@ struct PictureSettings {
   StarPass* stars = nullptr;           //!< drawn where they are given, on the sky's own view
   std::optional<StarEye> star_eye;     //!< what sees them, in place of the picture's eye
   std::optional<Shutter> shutter;      //!< stars leave trails
-  const DiskPass* disk = nullptr;      //!< drawn where it is given, over sky and stars
+  NearField near_field;                //!< drawn over sky and stars
   ObjectPass* objects = nullptr;       //!< drawn where they are given, over all that
   double time_s = 0.0;                 //!< of the show, for what moves in it
   bool clear_outside = false;          //!< stars or bloom may spread light beyond the image
@@ -102,8 +102,8 @@ class EyeRenderer {
   //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
   void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
 
-  //! Draws the disk over rows of rgba_, where the picture has one.
-  void draw_disk_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings, int row,
+  //! Draws disk and shells over rows of rgba_, where the picture has any.
+  void draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings, int row,
                       int rows);
 
   //! Draws objects over the whole of rgba_; they come from another driver than the picture, and lie over it in host memory.

@@ -52,6 +52,9 @@ void ShowRenderer::apply(double time_s) {
   if (disk_) {
     disk_->set_numbers(show_);
   }
+  if (shells_) {
+    shells_->set_numbers(show_);
+  }
   if (change.exposure && exposure_) {
     exposure_->set(*show_.tone.automatic);
   }
@@ -74,6 +77,9 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   }
   std::unique_ptr<DiskPass> disk = next.disk && !disk_ ? std::make_unique<DiskPass>(next, backend()) : nullptr;
   std::unique_ptr<ObjectPass> objects = next.objects.empty() ? nullptr : std::make_unique<ObjectPass>(next);
+  const bool same_shells = shells_ && same_shell_textures(show_, next);
+  std::unique_ptr<ShellPass> shells =
+      next.shells.empty() || same_shells ? nullptr : std::make_unique<ShellPass>(next, backend());
   overlays_.set_timeline(next.timeline, next.folder);
   // Nothing is thrown from here on.
   if (sky) {
@@ -92,6 +98,11 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     disk_ = std::move(disk);
   }
   objects_ = std::move(objects);
+  if (same_shells) {
+    shells_->set_numbers(next);
+  } else {
+    shells_ = std::move(shells);
+  }
   if (!next.tone.automatic) {
     exposure_.reset();
   } else if (exposure_) {

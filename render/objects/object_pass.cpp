@@ -3,51 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
+#include <utility>
 
-#include "content/mesh/built_in_meshes.h"
-#include "content/mesh/mesh_reader.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
+#include "render/objects/object_meshes.h"
 #include "render/objects/object_reach.h"
 #include "render/stars/picture_sheets.h"
 
 namespace ergodome {
 
 namespace {
-
-TriangleMesh make_mesh(const ObjectSettings& object, const std::string& folder) {
-  switch (object.form) {
-    case ObjectForm::triangle:
-      return make_triangle(object.triangle);
-    case ObjectForm::sphere:
-      return make_sphere(object.sphere);
-    case ObjectForm::disk:
-      return make_disk(object.disk);
-    case ObjectForm::mesh:
-      break;
-  }
-  return read_mesh(std::filesystem::path(folder) / object.mesh);
-}
-
-//! The meshes of a show's objects, and which of them each has: a file is read once.
-std::vector<TriangleMesh> load_meshes(const Show& show, std::vector<std::size_t>& mesh_of) {
-  std::vector<TriangleMesh> meshes;
-  std::map<std::string, std::size_t> files;
-  for (const ObjectSettings& object : show.objects) {
-    const auto known = files.find(object.mesh);
-    if (object.form == ObjectForm::mesh && known != files.end()) {
-      mesh_of.push_back(known->second);
-      continue;
-    }
-    files[object.mesh] = meshes.size();
-    mesh_of.push_back(meshes.size());
-    meshes.push_back(make_mesh(object, show.folder));
-  }
-  return meshes;
-}
 
 //! Lays a tile, its bottom row first, over a picture.
 void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const PixelCell& cell,
@@ -74,9 +41,8 @@ void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const Pi
 }  // namespace
 
 long ObjectPass::mesh_bytes(const Show& show) {
-  std::vector<std::size_t> mesh_of;
   long bytes = 0;
-  for (const TriangleMesh& mesh : load_meshes(show, mesh_of)) {
+  for (const TriangleMesh& mesh : load_meshes(show).meshes) {
     bytes += mesh.bytes();
   }
   return bytes;
@@ -85,14 +51,14 @@ long ObjectPass::mesh_bytes(const Show& show) {
 ObjectPass::ObjectPass(const Show& show) : show_name_(show.name), objects_(show.objects), light_(show.light) {
   static WorkCounter counter("load_meshes");
   const WorkScope scope(counter, static_cast<long>(objects_.size()));
-  std::vector<std::size_t> mesh_of;
-  meshes_ = load_meshes(show, mesh_of);
+  ObjectMeshes loaded = load_meshes(show);
+  meshes_ = std::move(loaded.meshes);
   for (const TriangleMesh& mesh : meshes_) {
     mesh_radii_.push_back(radius_of(mesh));
     count_work("buffer: meshes", mesh.bytes());
   }
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    placed_.push_back({&objects_[i], mesh_of[i], {}});
+    placed_.push_back({&objects_[i], loaded.mesh_of[i], {}});
   }
   gl_.run([this] { drawing_ = std::make_unique<ObjectDrawing>(meshes_); });
 }

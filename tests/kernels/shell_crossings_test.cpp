@@ -17,7 +17,7 @@ namespace ergodome::test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr ShellLimits<double> finest = {1e-15, 100'000};
+constexpr NearLimits<double> finest = {1e-15, 100'000};
 
 template <class T>
 struct Found {
@@ -331,7 +331,8 @@ TEST(ShellEmitter, SeesWhatACameraInItsPlaceSees) {
       const CameraStation camera = make_camera_station(spin, r, 1.1, 0.0, ObserverMotion::zamo);
       const Vector3<double> n = unit(Vector3<double>{spread(random), spread(random), spread(random)});
       const NearRay<double> ray = start_near_ray(camera, n);
-      EXPECT_NEAR(zamo_frequency(spin, r, std::cos(1.1), ray.energy, ray.axial_angular_momentum), 1.0, 1e-13);
+      EXPECT_NEAR(zamo_frequency(spin, r, std::sin(1.1), std::cos(1.1), ray.energy, ray.axial_angular_momentum), 1.0,
+                  1e-13);
     }
   }
 }

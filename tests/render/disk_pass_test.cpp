@@ -11,6 +11,7 @@
 #include "kernels/disk/page_thorne.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"
+#include "render/near_field/near_field.h"
 
 namespace ergodome {
 namespace {
@@ -57,7 +58,8 @@ struct Drawn {
 Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view, double time_s = 0.0) {
   Drawn drawn{make_pinhole_projection(size_px, size_px, field_of_view), std::vector<float>(4UL * size_px * size_px)};
   const DiskPass pass(show, Backend::cpu);
-  pass.draw(eye, drawn.projection, tolerance_px, time_s, 0, size_px, drawn.rgba.data());
+  draw_near_field(Backend::cpu, {&pass, nullptr}, eye, drawn.projection, tolerance_px, time_s, 0, size_px,
+                  drawn.rgba.data());
   return drawn;
 }
 
