@@ -61,7 +61,7 @@ PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s) {
 }
 
 DiskPass::DiskPass(const Show& show, Backend backend)
-    : backend_(backend), colours_(backend), profile_(backend, profile_count, "disk profile") {
+    : colours_(backend), profile_(backend, profile_count, "disk profile") {
   set_numbers(show);
 }
 

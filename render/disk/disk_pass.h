@@ -31,7 +31,6 @@ class DiskPass {
  private:
   void make_profile();
 
-  Backend backend_;
   double spin_ = 0.0;
   std::optional<DiskSettings> disk_;
   BlackbodyColours colours_;

@@ -102,6 +102,7 @@ NearRay<double> exact_ray(const EyeCamera& eye, const Projection& projection, in
 std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, int y,
                      const std::vector<double>& radii) {
   std::vector<double> u;
+  u.reserve(radii.size());
   for (const double r : radii) {
     u.push_back(1.0 / r);
   }
