@@ -83,7 +83,7 @@ TriangleMesh make_disk(const DiskShape& shape) {
   const auto radius = [&](double v) { return shape.inner + v * (shape.outer - shape.inner); };
   const auto across = [&](double v) { return Vector3<double>{0.0, 0.0, half * (2.0 * v - 1.0)}; };
   const auto face = [&](double side) {
-    return [&shape, half, radius, side](double u, double v) {
+    return [half, radius, side](double u, double v) {
       // Seen from outside each face is run through counterclockwise: towards -z from the outer edge inwards.
       const double out = side > 0.0 ? 1.0 - v : v;
       return vertex_of(radius(out) * round_axis(u) + Vector3<double>{0.0, 0.0, side * half}, {0.0, 0.0, side}, u, out);

@@ -25,7 +25,7 @@ void object_frame(benchmark::State& state, const std::string& name, int frames) 
                           static_cast<std::size_t>(projection.height_px));
   int next = 0;
   for (auto _ : state) {
-    const double time_s = show.duration_s * (next % shown) * (frames / shown) / frames;
+    const double time_s = show.duration_s * (next % shown) / shown;
     pass.draw(eye_camera(show, camera_pose(show, time_s), 0.0), projection, time_s, rgba.data());
     benchmark::DoNotOptimize(rgba.data());
     ++next;

@@ -129,17 +129,17 @@ TEST(MeshReader, ReadsAnObjAndDropsTrianglesWithoutArea) {
 }
 
 TEST(MeshReader, SaysWhatIsWrongWithTheFileAndWhatToDo) {
-  for (const auto& [text, why] :
+  for (const auto& wrong :
        std::map<std::string, std::string>{{"", "mesh.obj"},
                                           {"v 0 0 0\n", "mesh.obj"},
                                           {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "all without area"},
                                           {"v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "all without area"},
                                           {"f 1 2 3\n", "mesh.obj"},
                                           {"v 0 0 0\nv 1 0 0\nf 1 2 900000\n", "mesh.obj"}}) {
-    EXPECT_THAT(
-        reason_of([&] { parse_mesh(text, MeshFormat::obj, "mesh.obj"); }),
-        testing::AllOf(testing::HasSubstr("mesh.obj: "), testing::HasSubstr(why), testing::HasSubstr("; give ")))
-        << text;
+    EXPECT_THAT(reason_of([&] { parse_mesh(wrong.first, MeshFormat::obj, "mesh.obj"); }),
+                testing::AllOf(testing::HasSubstr("mesh.obj: "), testing::HasSubstr(wrong.second),
+                               testing::HasSubstr("; give ")))
+        << wrong.first;
   }
   for (const char* const text : {"", "{", "{}", R"({"asset":{"version":"2.0"}})", R"({"asset":{"version":"9.0"}})"}) {
     EXPECT_THAT(reason_of([&] { parse_mesh(text, MeshFormat::gltf, "mesh.gltf"); }), testing::HasSubstr("mesh.gltf: "))

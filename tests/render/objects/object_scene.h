@@ -27,6 +27,8 @@ inline ObjectSettings small_sphere(const Vector3<double>& position, double size)
   object.form = ObjectForm::sphere;
   object.position = position;
   object.size = size;
+  // Small triangles need little, and the processor draws them sooner.
+  object.tessellation.most = 8.0;
   return object;
 }
 
