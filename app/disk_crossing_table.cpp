@@ -30,7 +30,7 @@ double azimuth_of(const EquatorialCrossing<double>& crossing) {
 //! Nothing where the ray does not converge.
 std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const DiskFlow<double>& flow,
                                     const CrossingTableOptions& options) {
-  const DiskRay<double> ray = start_disk_ray(camera, row.direction);
+  const NearRay<double> ray = start_near_ray(camera, row.direction);
   const CrossingLimits<double> limits = {camera.u / farthest, options.tolerance, step_limit};
   EquatorialCrossing<double> crossings[crossing_orders];
   if (!trace_crossings<20, true>(camera.spin, ray, limits, true, crossings)) {

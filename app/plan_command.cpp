@@ -141,7 +141,8 @@ void run(const PlanOptions& options) {
                                 options.size_px,
                                 load_sky_map(show).width,
                                 stream != nullptr,
-                                OverlayPass::image_bytes(show.timeline, show.folder)};
+                                OverlayPass::image_bytes(show.timeline, show.folder),
+                                ObjectPass::mesh_bytes(show)};
   nlohmann::json plan = json_of(show, plan_frame(show, request));
   std::optional<Measured> measured;
   if (options.measure) {

@@ -5,13 +5,11 @@
 #include <chrono>
 #include <map>
 #include <memory>
-#include <span>
 #include <type_traits>
 
 #include "app/commands.h"
-#include "app/disk_crossing_table.h"
-#include "app/interrupt.h"
-#include "app/progress.h"
+#include "app/near_ray_commands.h"
+#include "app/ray_groups.h"
 #include "content/files/atomic_file.h"
 #include "content/ray_table.h"
 #include "kernels/core/error.h"
@@ -36,8 +34,6 @@ struct RayOptions {
   int level = 10;
   std::string interpolation = "spline";
   double blend = 0.0;
-  bool disk = false;
-  bool plunging = false;
 };
 
 const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
@@ -48,11 +44,6 @@ const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::tayl
 
 CameraStation station_of(const RayRow& row) {
   return make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
-}
-
-bool same_camera(const RayRow& a, const RayRow& b) {
-  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion && a.velocity.x == b.velocity.x &&
-         a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
 }
 
 //! Arrays of one batch: inputs and outputs of the rays that share a camera.
@@ -209,25 +200,6 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
              mirrored ? " (half the sky, mirrored)" : "", time.count());
 }
 
-//! Calls work(begin, end) for each run of rows with one camera; runs are bounded so that progress and Ctrl-C work.
-template <class Work>
-void for_each_camera(const std::vector<RayRow>& rows, const Work& work) {
-  constexpr std::size_t longest_run = 1'000'000;
-  Progress progress("tracing", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
-  for (std::size_t begin = 0; begin < rows.size();) {
-    std::size_t end = begin + 1;
-    while (end < rows.size() && end - begin < longest_run && same_camera(rows[begin], rows[end])) {
-      ++end;
-    }
-    if (interrupted()) {
-      throw Error("trace", "stopped; nothing was written", "run it again");
-    }
-    work(begin, end);
-    begin = end;
-    progress.advance_to(static_cast<long>(end));
-  }
-}
-
 void run_trace(const RayOptions& options) {
   const std::vector<RayRow> rows = read_ray_table(options.rays);
   std::string text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
@@ -241,18 +213,6 @@ void run_trace(const RayOptions& options) {
     } else {
       trace_group<double>(rows, begin, end, options, text);
     }
-  });
-  write_text_atomically(options.out, text);
-}
-
-void run_disk(const RayOptions& options) {
-  const std::vector<RayRow> rows = read_ray_table(options.rays);
-  CrossingTableOptions table;
-  table.tolerance = options.tolerance > 0.0 ? options.tolerance : table.tolerance;
-  table.plunging = options.plunging;
-  std::string text = crossing_table_head;
-  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
-    text += crossing_lines(std::span(rows).subspan(begin, end - begin), table);
   });
   write_text_atomically(options.out, text);
 }
@@ -321,19 +281,12 @@ void add_trace_command(CLI::App& app) {
       ->add_option("--blend", options->blend,
                    "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
       ->check(CLI::Range(0.0, 1e3));
-  CLI::Option* const disk =
-      command
-          ->add_flag(
-              "--disk", options->disk,
-              "list each ray's first three crossings of the equatorial plane instead: radius, azimuth, delay, g of a "
-              "circular orbit")
-          ->excludes(method)
-          ->excludes(precision);
-  command
-      ->add_flag("--plunging", options->plunging,
-                 "with --disk: g inside the last stable orbit too, of matter that falls from it")
-      ->needs(disk);
-  command->callback([options] { options->disk ? run_disk(*options) : run_trace(*options); });
+  const auto near_field = add_near_ray_options(*command, {method, precision});
+  command->callback([options, near_field] {
+    if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
+      run_trace(*options);
+    }
+  });
 }
 
 void add_edge_command(CLI::App& app) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <vector>
+
+#include "content/shell_numbers.h"
 
 namespace ergodome {
 
@@ -125,11 +128,19 @@ NumberChange& NumberChange::operator|=(const NumberChange& other) {
   return *this;
 }
 
-std::span<const AnimatableNumber> animatable_numbers() { return numbers; }
+std::span<const AnimatableNumber> animatable_numbers() {
+  static const std::vector<AnimatableNumber> all = [] {
+    std::vector<AnimatableNumber> list(numbers.begin(), numbers.end());
+    list.insert(list.end(), shell_numbers().begin(), shell_numbers().end());
+    return list;
+  }();
+  return all;
+}
 
 const AnimatableNumber* find_animatable(std::string_view path) {
-  const auto* const found = std::ranges::find(numbers, path, &AnimatableNumber::path);
-  return found != numbers.end() ? found : nullptr;
+  const auto all = animatable_numbers();
+  const auto found = std::ranges::find(all, path, &AnimatableNumber::path);
+  return found != all.end() ? &*found : nullptr;
 }
 
 NumberLimits limits_of(std::string_view path) {

@@ -27,7 +27,10 @@ const AnimatableNumber& number_of(TomlTable& table) {
   }
   std::vector<std::string> paths;
   for (const AnimatableNumber& each : animatable_numbers()) {
-    paths.emplace_back(each.path);
+    // All shells have the same numbers.
+    if (!each.path.starts_with("shells[") || each.path.starts_with("shells[0]")) {
+      paths.emplace_back(each.path);
+    }
   }
   const std::string nearest = nearest_word(path, paths);
   throw table.error_at("number", problem + ", no number that can be animated",

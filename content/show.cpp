@@ -26,6 +26,9 @@ double frame_time_s(const Show& show, int frame) { return frame / show.frame_rat
 std::vector<std::string> missing_features(const Show& show) {
   std::vector<std::string> missing;
   const StereoSettings& stereo = show.stereo;
+  if (!show.objects.empty() && (show.disk || !show.shells.empty())) {
+    missing.emplace_back("objects have no common depth with a disk or shells (objects, disk, shells)");
+  }
   if (eye_count(stereo) < 2) {
     return missing;
   }
@@ -34,6 +37,12 @@ std::vector<std::string> missing_features(const Show& show) {
   }
   if (stereo.model != StereoModel::physical && show.disk) {
     missing.emplace_back("a disk is drawn in the stereo model physical alone (stereo.model, disk)");
+  }
+  if (stereo.model != StereoModel::physical && !show.objects.empty()) {
+    missing.emplace_back("objects are drawn in the stereo model physical alone (stereo.model, objects)");
+  }
+  if (stereo.model != StereoModel::physical && !show.shells.empty()) {
+    missing.emplace_back("shells are drawn in the stereo model physical alone (stereo.model, shells)");
   }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;

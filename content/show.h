@@ -8,6 +8,8 @@
 
 #include "content/disk.h"
 #include "content/flight_settings.h"
+#include "content/objects/object_settings.h"
+#include "content/shells.h"
 #include "content/timeline.h"
 #include "kernels/image/tone_curve.h"
 #include "kernels/metric/observer.h"
@@ -221,6 +223,9 @@ struct Show {
   CameraSettings camera;
   SkySettings sky;
   std::optional<DiskSettings> disk;  //!< absent: none is traced
+  std::vector<ObjectSettings> objects;
+  std::optional<PointLight> light;  //!< for objects that are lit
+  std::vector<ShellSettings> shells;
   EffectSettings effects;
   ViewSettings view;
   StereoSettings stereo;

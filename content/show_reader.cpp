@@ -12,7 +12,9 @@
 #include "content/effects_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
+#include "content/objects/object_reader.h"
 #include "content/own_number.h"
+#include "content/shell_reader.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
 
@@ -198,6 +200,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     stars.refuse_unknown_keys();
   });
   part("disk", [&](const toml::table& table) { show.disk = read_disk(table, file); });
+  show.shells = read_shells(root, file);
   part("effects", [&](const toml::table& table) { read_effects(table, file, show.effects); });
   part("view", [&](const toml::table& table) { read_view(table, file, show.view); });
   part("stereo", [&](const toml::table& table) { read_stereo(table, file, show.stereo); });
@@ -213,11 +216,14 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     show.quality.budget_px = quality.number("budget_px", show.quality.budget_px, 1e-6, 100.0);
     quality.refuse_unknown_keys();
   });
+  read_objects(root, file, show);
   // Of these numbers' limits, and of the spin that the camera meets.
   read_timeline(root, file, show);
   read_camera(root.table("camera"), file, show);
   check_spin_on_path(file, show);
+  check_objects(root, show);
   part("disk", [&](const toml::table& table) { check_disk(table, file, show); });
+  check_shells(root, file, show);
 }
 
 //! Notes where each key of a table stands.

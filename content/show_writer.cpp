@@ -7,6 +7,8 @@
 #include "content/disk_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
+#include "content/objects/object_reader.h"
+#include "content/shell_reader.h"
 #include "content/show_reader.h"
 #include "content/timeline_writer.h"
 
@@ -173,6 +175,10 @@ std::string to_toml(const Show& show) {
                    {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
   if (show.disk) {
     root.insert("disk", disk_table(*show.disk));
+  }
+  add_objects(show, root);
+  if (!show.shells.empty()) {
+    root.insert("shells", shell_tables(show.shells));
   }
   add_timeline(show.timeline, root);
   std::ostringstream text;

@@ -49,7 +49,7 @@ ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
 //! `active_at_start`: lanes to trace. WithDelay says whether the azimuth and the time are wanted: without them nothing is singular at the
 //! horizon or at infinity, and steps are longer. False where a ray met the step limit. With dual numbers all derivatives are exact ones.
 template <int Order, bool WithDelay, class T>
-ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ray,
+ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ray,
                                           const CrossingLimits<ScalarOf<T>>& limits,
                                           const MaskOf<RealOf<T>>& active_at_start,
                                           EquatorialCrossing<T> (&crossings)[crossing_orders]) {
@@ -58,27 +58,28 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
   const Real zero(S(0));
   const T none(zero);
   for (EquatorialCrossing<T>& crossing : crossings) {
-    crossing = {none, none, none, none, none, none};
+    crossing = {none, none, none, none, none, none, zero};
   }
   const detail::CrossingBounds<S> bounds = detail::crossing_bounds<WithDelay>(spin, limits.outermost_u);
   const Real scale =
       safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(S(1)));
   const Real inverse_scale = Real(S(1)) / scale;
-  const detail::CrossingCoefficients<T> coefficients = detail::crossing_coefficients(spin, ray, inverse_scale);
-  detail::CrossingSeries<Order, T, WithDelay> s;
+  const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
+  detail::NearSeries<Order, T, detail::disk_parts(WithDelay)> s;
   detail::start_series(ray, inverse_scale, s);
   Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), zero));
   Real count(S(0));
+  Real time(S(0));
   auto fallen = zero > zero;
   auto active = active_at_start & ((side > zero) | (side < zero));
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
-    detail::expand_crossing(spin, ray, coefficients, s);
-    const Real length = detail::crossing_step(s, scale, limits.tolerance);
+    detail::expand_near(spin, ray, coefficients, s);
+    const Real length = detail::near_step(s, scale, limits.tolerance);
     const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
     fallen = fallen | detail::falls_within(s, length, bounds.horizon_r);
     if (any(crossed)) {
-      const auto crossing = detail::crossing_at(s, detail::time_to_plane(s.z, side, length), scale);
+      const auto crossing = detail::crossing_at(s, detail::time_to_zero(s.z, side, zero, length), scale, time);
       const Real u = value_of(crossing.u);
       // Light does not come back from where it has left: what the smooth equations say after that is no crossing.
       const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
@@ -92,6 +93,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const DiskRay<T>& ra
       }
       count = select(outside, count + S(1), count);
     }
+    time = time + length * inverse_scale;
     detail::move_series(s, length);
     side = new_side;
     const Real u = value_of(s.u[0]);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "kernels/disk/draw_disk.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/warp_pixels.h"
 #include "kernels/launch/instruction_set.h"
@@ -9,6 +8,7 @@
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/omni_batches.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
 #include "kernels/stars/patch_measure.h"
 #include "kernels/stars/patch_pairs.h"
@@ -52,7 +52,7 @@ struct KernelTable {
   void (*search_patch)(const PatchSearchBatch& batch, int begin, int end);
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
-  void (*draw_disk)(const DiskBatch& batch, int begin, int end);
+  void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
   void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< a tile an index
   void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< the same

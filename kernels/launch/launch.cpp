@@ -223,17 +223,24 @@ void shade_pixels(Backend backend, const ShadeBatch& batch) {
   run_on_cpu(active_table().shade_heat_map, batch, batch.count, 1, 16 * grain);
 }
 
-const char* disk_pass_name(bool with_pattern) { return with_pattern ? "draw_disk, pattern" : "draw_disk"; }
+const char* near_field_name(DiskDrawing disk, bool shells) {
+  constexpr const char* names[3][2] = {{nullptr, "draw_shells"},
+                                       {"draw_disk", "draw_shells, disk"},
+                                       {"draw_disk, pattern", "draw_shells, disk, pattern"}};
+  return names[static_cast<int>(disk)][shells ? 1 : 0];
+}
 
-void draw_disk(Backend backend, const DiskBatch& batch) {
-  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
-  static WorkCounter plain(disk_pass_name(false));
-  static WorkCounter with_pattern(disk_pass_name(true));
-  const WorkScope work(has_pattern(batch.look) ? with_pattern : plain, pixels);
-  if (backend == Backend::cuda) {
-    return draw_disk_cuda(batch);
+void draw_near_field(Backend backend, const NearFieldBatch& batch) {
+  const char* const name = near_field_name(batch.drawing, batch.shells.count > 0);
+  if (name == nullptr) {
+    return;
   }
-  run_on_cpu(active_table().draw_disk, batch, pixels, active_table().lanes_float);
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  const WorkScope work(work_counter(name), pixels);
+  if (backend == Backend::cuda) {
+    return draw_near_field_cuda(batch);
+  }
+  run_on_cpu(active_table().draw_near_field, batch, pixels, active_table().lanes_float);
 }
 
 void draw_overlay(Backend backend, const OverlayBatch& batch) {

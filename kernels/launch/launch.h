@@ -74,11 +74,11 @@ std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening);
 //! Turns lens pixels into light or a heat map; see ShadeBatch.
 void shade_pixels(Backend backend, const ShadeBatch& batch);
 
-//! What drawing a disk is counted by; the variant with a pattern is compiled apart.
-const char* disk_pass_name(bool with_pattern);
+//! What drawing the near field is counted by; each variant is compiled apart. nullptr where there is nothing to draw.
+const char* near_field_name(DiskDrawing disk, bool shells);
 
-//! Draws a disk over a picture of the sky, by a ray for each pixel that may see it; see DiskBatch.
-void draw_disk(Backend backend, const DiskBatch& batch);
+//! Draws disk and shells over a picture of the sky, by a ray for each pixel that may see them; see NearFieldBatch.
+void draw_near_field(Backend backend, const NearFieldBatch& batch);
 
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);

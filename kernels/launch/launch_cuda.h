@@ -2,11 +2,11 @@
 
 #include <cstddef>
 
-#include "kernels/disk/draw_disk.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
 #include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
@@ -27,7 +27,7 @@ void look_up_pixels_cuda(const LookUpBatch& batch);
 void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
 void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
-void draw_disk_cuda(const DiskBatch& batch);
+void draw_near_field_cuda(const NearFieldBatch& batch);
 void draw_overlay_cuda(const OverlayBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;

@@ -31,7 +31,7 @@ void read_quadtree_rays_cuda(const QuadtreeRaysBatch&) { refuse(); }
 
 void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
-void draw_disk_cuda(const DiskBatch&) { refuse(); }
+void draw_near_field_cuda(const NearFieldBatch&) { refuse(); }
 
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
 

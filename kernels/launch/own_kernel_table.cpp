@@ -1,7 +1,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
-#include "kernels/launch/own_disk.h"
+#include "kernels/launch/own_near_field.h"
 #include "kernels/launch/own_shading.h"
 #include "kernels/launch/own_turning_eyes.h"
 #include "kernels/launch/own_warping.h"
@@ -96,7 +96,7 @@ const KernelTable& own_kernel_table() {
       &run<SearchPatch<WidePack<float>>, PatchSearchBatch>,
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
-      &draw_disk,
+      &draw_near_field,
       &run<DrawOverlay<WidePack<float>>, OverlayBatch>,
       &tone_tiles,
       &average_tiles,

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "kernels/disk/page_thorne.h"
-#include "render/lens/direct_lens.h"
 
 namespace ergodome {
 
@@ -62,7 +61,7 @@ PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s) {
 }
 
 DiskPass::DiskPass(const Show& show, Backend backend)
-    : backend_(backend), colours_(backend), profile_(backend, profile_count, "disk profile") {
+    : colours_(backend), profile_(backend, profile_count, "disk profile") {
   set_numbers(show);
 }
 
@@ -100,17 +99,12 @@ void DiskPass::make_profile() {
   look_.profile = {profile_.data(), profile_count, static_cast<float>(first_r), static_cast<float>(step)};
 }
 
-void DiskPass::draw(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s,
-                    int first_row, int row_count, float* rgba) const {
-  // An edge that the show has moved past the other leaves nothing.
-  if (!(look_.outer_r > look_.inner_r) || !(look_.opacity > 0.0F)) {
-    return;
-  }
-  DiskBatch batch{pixel_batch(eye, projection, tolerance_px), look_, rgba};
-  batch.pixels.first_row = first_row;
-  batch.pixels.row_count = row_count;
-  batch.look.pattern = pattern_time(*disk_, spin_, time_s);
-  draw_disk(backend_, batch);
+bool DiskPass::is_visible() const { return look_.outer_r > look_.inner_r && look_.opacity > 0.0F; }
+
+DiskLook DiskPass::look_at(double time_s) const {
+  DiskLook look = look_;
+  look.pattern = pattern_time(*disk_, spin_, time_s);
+  return look;
 }
 
 }  // namespace ergodome

@@ -3,14 +3,13 @@
 #include <optional>
 
 #include "content/show.h"
-#include "kernels/disk/draw_disk.h"
+#include "kernels/disk/disk_look.h"
 #include "render/backend/buffer.h"
-#include "render/lens/eye_camera.h"
 #include "render/stars/blackbody_colours.h"
 
 namespace ergodome {
 
-//! Draws a show's disk, by exact rays, over pictures of what is behind it.
+//! A show's disk in the form that kernels read.
 class DiskPass {
  public:
   //! The show must have a disk.
@@ -19,9 +18,11 @@ class DiskPass {
   //! Takes the hole and the disk of a show; what has not changed costs nothing.
   void set_numbers(const Show& show);
 
-  //! Draws over rows of a picture in the backend's memory: four floats a pixel. `time_s` is the show's, for what is carried round.
-  void draw(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s, int first_row,
-            int row_count, float* rgba) const;
+  //! Whether there is anything to see: an edge that the show has moved past the other leaves nothing.
+  [[nodiscard]] bool is_visible() const;
+
+  //! The disk as kernels read it, at a show time.
+  [[nodiscard]] DiskLook look_at(double time_s) const;
 
   //! Temperatures in the table.
   static constexpr int profile_count = 1024;
@@ -30,7 +31,6 @@ class DiskPass {
  private:
   void make_profile();
 
-  Backend backend_;
   double spin_ = 0.0;
   std::optional<DiskSettings> disk_;
   BlackbodyColours colours_;

@@ -171,18 +171,35 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   if (!stars.empty()) {
     draw_stars_in_place(stars, projection, *settings.stars);
   }
-  draw_disk_rows(eye, projection, settings, 0, projection.height_px);
+  draw_near_rows(eye, projection, settings, 0, projection.height_px);
+  draw_objects_in_place(eye, projection, settings);
   if (lens != nullptr) {
     *lens = source->name();
   }
   return rgba_.data();
 }
 
-void EyeRenderer::draw_disk_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
+void EyeRenderer::draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                                  int row, int rows) {
-  if (settings.disk != nullptr) {
-    settings.disk->draw(eye, projection, settings.accuracy.tolerance_px, settings.time_s, row, rows, rgba_.data());
+  if (!settings.near_field.empty()) {
+    draw_near_field(backend_, settings.near_field, eye, projection, settings.accuracy.tolerance_px, settings.time_s,
+                    row, rows, rgba_.data());
   }
+}
+
+void EyeRenderer::draw_objects_in_place(const EyeCamera& eye, const Projection& projection,
+                                        const PictureSettings& settings) {
+  if (settings.objects == nullptr) {
+    return;
+  }
+  if (backend_ == Backend::cpu) {
+    return settings.objects->draw(eye, projection, settings.time_s, rgba_.data());
+  }
+  std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
+                             static_cast<std::size_t>(projection.height_px));
+  rgba_.read(picture.data(), picture.size());
+  settings.objects->draw(eye, projection, settings.time_s, picture.data());
+  rgba_.write(picture.data(), picture.size());
 }
 
 void EyeRenderer::draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection,
@@ -234,21 +251,24 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     render_rows(*source, shade, settings.polygons, row, rows);
     float* const light = picture.rgba.data() + 4 * width * static_cast<std::size_t>(row);
     if (stars.empty()) {
-      draw_disk_rows(eye, projection, settings, row, rows);
+      draw_near_rows(eye, projection, settings, row, rows);
     }
     rgba_.read(light, 4 * pixels);
     if (!stars.empty()) {
       settings.stars->draw(stars, projection, row, rows, light);
-      if (settings.disk != nullptr) {
+      if (!settings.near_field.empty()) {
         // It hides stars too.
         rgba_.write(light, 4 * pixels);
-        draw_disk_rows(eye, projection, settings, row, rows);
+        draw_near_rows(eye, projection, settings, row, rows);
         rgba_.read(light, 4 * pixels);
       }
     }
     copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
     picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
                                                [](float e) { return e < 0.0F; });
+  }
+  if (settings.objects != nullptr) {
+    settings.objects->draw(eye, projection, settings.time_s, picture.rgba.data());
   }
   finish(picture, projection, settings);
   return picture;

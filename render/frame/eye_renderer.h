@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "render/backend/buffer.h"
-#include "render/disk/disk_pass.h"
 #include "render/lens/lens_chooser.h"
+#include "render/near_field/near_field.h"
+#include "render/objects/object_pass.h"
 #include "render/output/tone.h"
 #include "render/sky/polygon_filter.h"
 #include "render/sky/sky_cube.h"
@@ -30,8 +31,9 @@ struct PictureSettings {
   StarPass* stars = nullptr;           //!< drawn where they are given, on the sky's own view
   std::optional<StarEye> star_eye;     //!< what sees them, in place of the picture's eye
   std::optional<Shutter> shutter;      //!< stars leave trails
-  const DiskPass* disk = nullptr;      //!< drawn where it is given, over sky and stars
-  double time_s = 0.0;                 //!< of the show, for what the disk carries round
+  NearField near_field;                //!< drawn over sky and stars
+  ObjectPass* objects = nullptr;       //!< drawn where they are given, over all that
+  double time_s = 0.0;                 //!< of the show, for what moves in it
   bool clear_outside = false;          //!< stars or bloom may spread light beyond the image
   std::optional<BloomSettings> bloom;  //!< of whole pictures alone: render_in_place leaves it out
 };
@@ -100,9 +102,12 @@ class EyeRenderer {
   //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
   void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
 
-  //! Draws the disk over rows of rgba_, where the picture has one.
-  void draw_disk_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings, int row,
+  //! Draws disk and shells over rows of rgba_, where the picture has any.
+  void draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings, int row,
                       int rows);
+
+  //! Draws objects over the whole of rgba_; they come from another driver than the picture, and lie over it in host memory.
+  void draw_objects_in_place(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);
 
   //! Filters the map over the pixels' outlines, on the processor: channels of a GPU come over, and the light goes back.
   void filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons);

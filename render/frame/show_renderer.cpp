@@ -78,6 +78,8 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       sky_(show_, backend),
       stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_)),
       disk_(show_.disk ? std::make_unique<DiskPass>(show_, backend) : nullptr),
+      shells_(show_.shells.empty() ? nullptr : std::make_unique<ShellPass>(show_, backend)),
+      objects_(show_.objects.empty() ? nullptr : std::make_unique<ObjectPass>(show_)),
       renderer_(backend, stream_),
       omni_lenses_(backend),
       overlays_(show_.timeline, show_.folder) {
@@ -142,7 +144,8 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
   settings.stars = needs.stars ? stars_.get() : nullptr;
-  settings.disk = needs.disk ? disk_.get() : nullptr;
+  settings.near_field = {needs.disk ? disk_.get() : nullptr, needs.shells ? shells_.get() : nullptr};
+  settings.objects = needs.objects ? objects_.get() : nullptr;
   settings.time_s = moment.time_s.value_or(time_s_);
   settings.clear_outside = needs.clear_outside;
   if (needs.bloom) {

@@ -52,6 +52,9 @@ void ShowRenderer::apply(double time_s) {
   if (disk_) {
     disk_->set_numbers(show_);
   }
+  if (shells_) {
+    shells_->set_numbers(show_);
+  }
   if (change.exposure && exposure_) {
     exposure_->set(*show_.tone.automatic);
   }
@@ -73,6 +76,10 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     stars = std::make_unique<StarPass>(next);
   }
   std::unique_ptr<DiskPass> disk = next.disk && !disk_ ? std::make_unique<DiskPass>(next, backend()) : nullptr;
+  std::unique_ptr<ObjectPass> objects = next.objects.empty() ? nullptr : std::make_unique<ObjectPass>(next);
+  const bool same_shells = shells_ && same_shell_textures(show_, next);
+  std::unique_ptr<ShellPass> shells =
+      next.shells.empty() || same_shells ? nullptr : std::make_unique<ShellPass>(next, backend());
   overlays_.set_timeline(next.timeline, next.folder);
   // Nothing is thrown from here on.
   if (sky) {
@@ -89,6 +96,12 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     disk_->set_numbers(next);
   } else {
     disk_ = std::move(disk);
+  }
+  objects_ = std::move(objects);
+  if (same_shells) {
+    shells_->set_numbers(next);
+  } else {
+    shells_ = std::move(shells);
   }
   if (!next.tone.automatic) {
     exposure_.reset();

@@ -10,6 +10,7 @@
 #include "render/lens/edge_table.h"
 #include "render/lens/lens_choice.h"
 #include "render/plan/frame_needs.h"
+#include "render/shells/shell_pass.h"
 #include "render/sky/column_sums.h"
 #include "render/stars/blackbody_colours.h"
 #include "render/stars/picture_sheets.h"
@@ -52,7 +53,8 @@ class Planner {
     if (needs_.stars) {
       plan_stars();
     }
-    plan_disk();
+    plan_near_field();
+    plan_objects();
     plan_light();
     return plan_;
   }
@@ -72,7 +74,8 @@ class Planner {
     std::string lines;
     for (const Animation& animation : show_.timeline.animations) {
       const auto line = show_.lines.find("animate." + animation.path);
-      if ((animation.path == key || animation.path.starts_with(key + ".")) && line != show_.lines.end()) {
+      if ((animation.path == key || animation.path.starts_with(key + ".") || animation.path.starts_with(key + "[")) &&
+          line != show_.lines.end()) {
         lines += fmt::format("{}{}", lines.empty() ? ", animated from line " : ", ", line->second);
       }
     }
@@ -282,24 +285,67 @@ class Planner {
     }
   }
 
-  //! A ray for each pixel that may see it, whatever the sky's lens is. Its tables are made whatever is shown.
-  void plan_disk() {
-    if (!show_.disk) {
-      return;
+  //! Tables are made whatever is shown.
+  void plan_near_field() {
+    if (show_.disk) {
+      const bool recoloured = find_animation(show_, "disk.temperature_K") != nullptr;
+      buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes,
+             why(recoloured ? "disk.temperature_K" : "disk"));
+      buffer("disk profile", WorkMoment::start, DiskPass::profile_bytes, why("disk"));
     }
-    const bool recoloured = find_animation(show_, "disk.temperature_K") != nullptr;
-    buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes,
-           why(recoloured ? "disk.temperature_K" : "disk"));
-    buffer("disk profile", WorkMoment::start, DiskPass::profile_bytes, why("disk"));
+    if (!show_.shells.empty()) {
+      buffer("shells", WorkMoment::start, static_cast<long>(show_.shells.size()) * ShellPass::shell_bytes,
+             why("shells"));
+      if (std::ranges::any_of(show_.shells, [](const ShellSettings& shell) { return !shell.texture.empty(); })) {
+        buffer("shell texture", WorkMoment::start, 0, why("shells"));
+      }
+    }
+    // What one part is without at some times, the other has to itself.
+    for (const bool shells : {true, false}) {
+      if (shells ? needs_.shells : !always_.shells) {
+        plan_near_rays(shells);
+      }
+    }
+  }
+
+  //! A ray for each pixel that may see something, whatever the sky's lens is: with shells or without.
+  void plan_near_rays(bool shells) {
     const bool edges_move =
         find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
+    const bool shells_go = needs_.shells != always_.shells;
+    const std::string with = shells ? ", " + why("shells") : "";
     if (needs_.disk) {
-      pixel_pass(disk_pass_name(needs_.disk_pattern), why(needs_.disk_pattern ? "disk.pattern" : "disk"),
-                 edges_move || !always_.disk || needs_.disk_pattern != always_.disk_pattern);
+      const bool pattern = needs_.disk_pattern;
+      pixel_pass(near_field_name(pattern ? DiskDrawing::pattern : DiskDrawing::plain, shells),
+                 why(pattern ? "disk.pattern" : "disk") + with,
+                 edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern);
     }
     if (needs_.disk_pattern && !always_.disk_pattern) {
-      pixel_pass(disk_pass_name(false), why("disk.contrast"), true);
+      pixel_pass(near_field_name(DiskDrawing::plain, shells), why("disk.contrast") + with, true);
     }
+    if (shells && (!always_.disk || edges_move)) {
+      pixel_pass(near_field_name(DiskDrawing::none, true), why("shells"), needs_.disk || shells_go);
+    }
+  }
+
+  //! Meshes are read, and OpenGL is opened, whatever is shown: a window goes from view to view.
+  void plan_objects() {
+    if (show_.objects.empty()) {
+      return;
+    }
+    const std::string objects = why("objects");
+    pass("load_meshes", WorkMoment::start, 1, static_cast<long>(show_.objects.size()), objects);
+    pass("open_gl", WorkMoment::start, 1, 1, objects);
+    buffer("meshes", WorkMoment::start, request_.mesh_bytes, objects);
+    if (!needs_.objects) {
+      return;
+    }
+    const bool lit = std::ranges::any_of(show_.objects, &ObjectSettings::lit);
+    const std::string tables = lit ? objects + ", " + why("light") : objects;
+    pass("make_connection_table", WorkMoment::place, 0, 0, tables);
+    buffer("connecting rays", WorkMoment::place, 0, tables);
+    pass("draw_objects", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, objects);
+    buffer("objects' picture", WorkMoment::start, 0, objects);
   }
 
   void plan_light() {

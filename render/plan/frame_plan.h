@@ -62,6 +62,7 @@ struct FrameRequest {
   int map_width_px = 0;    //!< of the sky's image
   bool streamed = false;   //!< the show's trajectory has been baked
   long overlay_bytes = 0;  //!< of the images that are laid over (OverlayPass::image_bytes)
+  long mesh_bytes = 0;     //!< of the objects (ObjectPass::mesh_bytes)
 };
 
 //! Plans the pictures that ShowRenderer::render makes; of a show whose numbers change, whatever one of them may take at its greatest

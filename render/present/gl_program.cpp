@@ -47,6 +47,7 @@ GLuint compiled(GLenum kind, const std::string& source) {
   if (good == GL_FALSE) {
     char log[1024] = {};
     glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    glDeleteShader(shader);
     throw Error("OpenGL", std::string("the driver refuses a shader: ") + log, "update the graphics driver");
   }
   return shader;
@@ -54,21 +55,30 @@ GLuint compiled(GLenum kind, const std::string& source) {
 
 }  // namespace
 
-unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source) {
-  const GLuint vertex = compiled(GL_VERTEX_SHADER, vertex_source);
-  const GLuint fragment = compiled(GL_FRAGMENT_SHADER, fragment_source);
+unsigned linked_program(const std::vector<ShaderSource>& shaders) {
   const GLuint program = glCreateProgram();
-  glAttachShader(program, vertex);
-  glAttachShader(program, fragment);
+  try {
+    for (const ShaderSource& source : shaders) {
+      const GLuint shader = compiled(source.kind, source.text);
+      glAttachShader(program, shader);
+      glDeleteShader(shader);
+    }
+  } catch (const Error&) {
+    glDeleteProgram(program);
+    throw;
+  }
   glLinkProgram(program);
-  glDeleteShader(vertex);
-  glDeleteShader(fragment);
   GLint good = GL_FALSE;
   glGetProgramiv(program, GL_LINK_STATUS, &good);
   if (good == GL_FALSE) {
+    glDeleteProgram(program);
     throw Error("OpenGL", "the driver cannot link the shaders", "update the graphics driver");
   }
   return program;
+}
+
+unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source) {
+  return linked_program({{GL_VERTEX_SHADER, vertex_source}, {GL_FRAGMENT_SHADER, fragment_source}});
 }
 
 void set_tone(const Tone& tone) {

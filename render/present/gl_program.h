@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/output/tone.h"
 
@@ -13,6 +14,15 @@ extern const char* const whole_viewport_source;
 //! The head of a fragment shader (with its version line) that has `vec3 toned(vec3 light)`, what render/output/tone.h computes. It takes
 //! the uniforms' locations 1 and 2, which set_tone sets.
 extern const char* const tone_source;
+
+//! A shader's kind, as OpenGL counts them (GL_VERTEX_SHADER and so on), and its text.
+struct ShaderSource {
+  unsigned kind;
+  std::string text;
+};
+
+//! A program of any shaders, in the current context. Throws Error, with what the driver says, when it refuses them.
+unsigned linked_program(const std::vector<ShaderSource>& shaders);
 
 //! A program of two shaders, in the current context. Throws Error, with what the driver says, when it refuses them.
 unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source);

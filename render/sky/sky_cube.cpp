@@ -171,20 +171,20 @@ class Pyramid {
 }  // namespace
 
 SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
-                 const TemperatureFit* fit) {
+                 const TemperatureFit* fit, const char* name) {
   const glm::dmat3 map_from_sky = glm::transpose(sky_from_map);
   build(
       backend, face_size_for(image.width),
-      [&](const glm::dvec3& d) { return bilinear(image, map_from_direction(map_from_sky * d)); }, fit);
+      [&](const glm::dvec3& d) { return bilinear(image, map_from_direction(map_from_sky * d)); }, fit, name);
 }
 
 SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
                  const TemperatureFit* fit) {
-  build(backend, face_size, light, fit);
+  build(backend, face_size, light, fit, "sky map");
 }
 
 void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
-                    const TemperatureFit* fit) {
+                    const TemperatureFit* fit, const char* name) {
   Pyramid pyramid(face_size);
   // Four samples a texel, so that a source of the same resolution does not alias.
   const std::vector<double> points = side_points(face_size, 2);
@@ -213,7 +213,7 @@ void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec
     pyramid.fill_border(level);
   }
   map_ = pyramid.map();
-  texels_ = Buffer<float>(backend, pyramid.texels(), "sky map");
+  texels_ = Buffer<float>(backend, pyramid.texels(), name);
 }
 
 std::size_t SkyCube::bytes_for(int map_width) {

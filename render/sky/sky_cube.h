@@ -16,9 +16,10 @@ class SkyCube {
  public:
   //! Resamples an equirectangular image, turned into the hole's sky axes; about as many texels as the image has.
   //!
-  //! `fit`, where given: texels keep the temperature of their colour (kernels/sky/cube_map.h), for SkyShift::blackbody_fit.
+  //! `fit`, where given: texels keep the temperature of their colour (kernels/sky/cube_map.h), for SkyShift::blackbody_fit. `name` is what its
+  //! bytes are counted by.
   SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
-          const TemperatureFit* fit = nullptr);
+          const TemperatureFit* fit = nullptr, const char* name = "sky map");
 
   //! A sky from a function of the direction (unit vector): for tests and procedural skies. `face_size` is a power of two.
   SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
@@ -31,7 +32,7 @@ class SkyCube {
 
  private:
   void build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
-             const TemperatureFit* fit);
+             const TemperatureFit* fit, const char* name);
 
   CubeMap map_{};
   Buffer<float> texels_;

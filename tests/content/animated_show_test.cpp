@@ -107,7 +107,11 @@ TEST(AnimatedNumber, IsTheSameABillionSecondsLater) {
 
 constexpr const char* parts =
     "[camera]\n[[camera.key]]\nr = 10\n[view]\nprojection = \"dome\"\n[tone]\nauto = {}\n[disk]\n"
-    "[effects]\npsf = {}\ntrails = {}\ndiffraction = {}\nbloom = {}\n";
+    "[effects]\npsf = {}\ntrails = {}\ndiffraction = {}\nbloom = {}\n"
+    "[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n"
+    "[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n"
+    "[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n"
+    "[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n";
 
 TEST(AnimatedShow, EveryNumberOfTheListFollowsItsKeysAndKeepsItsLimits) {
   for (const AnimatableNumber& number : animatable_numbers()) {

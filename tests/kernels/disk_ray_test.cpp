@@ -20,13 +20,13 @@ double azimuth_of(const EquatorialCrossing<double>& c) { return std::atan2(c.y, 
 
 double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * pi)); }
 
-DiskLight<double> light_of(const DiskRay<double>& ray, const EquatorialCrossing<double>& c) {
+DiskLight<double> light_of(const NearRay<double>& ray, const EquatorialCrossing<double>& c) {
   return {1.0 / c.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant, c.u_rate > 0.0};
 }
 
 //! Crossings of a row of the reference table, and the ray.
 struct Traced {
-  DiskRay<double> ray;
+  NearRay<double> ray;
   Crossings crossings;
   bool finished;
 };
@@ -34,7 +34,7 @@ struct Traced {
 Traced trace(const ReferenceCrossing& row) {
   const CameraStation camera = station_of(row);
   Traced t{};
-  t.ray = start_disk_ray(camera, row.n);
+  t.ray = start_near_ray(camera, row.n);
   t.finished = trace_crossings<20, true>(camera.spin, t.ray, finest, true, t.crossings);
   return t;
 }
@@ -69,7 +69,7 @@ TEST(DiskCrossings, HaveTheReferenceShift) {
 TEST(DiskCrossings, AreTheSameWithoutTheDelay) {
   for (const ReferenceCrossing& row : reference_crossings()) {
     const CameraStation camera = station_of(row);
-    const DiskRay<double> ray = start_disk_ray(camera, row.n);
+    const NearRay<double> ray = start_near_ray(camera, row.n);
     Crossings crossings;
     ASSERT_TRUE((trace_crossings<20, false>(camera.spin, ray, finest, true, crossings)));
     EXPECT_NEAR(1.0 / crossings[row.order].u, row.r_hit, 1e-9) << row.id;
@@ -81,7 +81,7 @@ TEST(DiskCrossings, AreWhereThePicturesFloatSeesThem) {
     const auto camera = converted_station<float>(station_of(row));
     const Vector3<float> n = {static_cast<float>(row.n.x), static_cast<float>(row.n.y), static_cast<float>(row.n.z)};
     EquatorialCrossing<float> crossings[crossing_orders];
-    trace_crossings<10, true>(camera.spin, start_disk_ray(camera, n), {1e-3F, 1e-6F, 200}, true, crossings);
+    trace_crossings<10, true>(camera.spin, start_near_ray(camera, n), {1e-3F, 1e-6F, 200}, true, crossings);
     // Second images amplify the rounding of directions.
     const double allowed = row.order == 0 ? 2e-4 : 5e-3;
     EXPECT_NEAR(1.0 / static_cast<double>(crossings[row.order].u) / row.r_hit, 1.0, allowed) << row.id;
@@ -96,7 +96,7 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
   for (int i = 0; i < 200; ++i) {
     const Vector3<double> raw = {-1.0, 0.5 * unit(random), 0.5 * unit(random)};
     const Vector3<double> n = (1.0 / length(raw)) * raw;
-    const DiskRay<double> ray = start_disk_ray(camera, n);
+    const NearRay<double> ray = start_near_ray(camera, n);
     Crossings crossings;
     ASSERT_TRUE((trace_crossings<20, true>(camera.spin, ray, finest, true, crossings)));
     if (crossings[0].u <= 0.0) {
@@ -124,7 +124,7 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
 TEST(DiskCrossings, AreNoneForLightThatStaysInThePlane) {
   const CameraStation camera = make_camera_station(0.5, 10.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
   Crossings crossings;
-  EXPECT_TRUE((trace_crossings<20, true>(0.5, start_disk_ray(camera, Vector3<double>{-1.0, 0.0, 0.0}), finest, true,
+  EXPECT_TRUE((trace_crossings<20, true>(0.5, start_near_ray(camera, Vector3<double>{-1.0, 0.0, 0.0}), finest, true,
                                          crossings)));
   EXPECT_EQ(crossings[0].u, 0.0);
 }
@@ -135,7 +135,7 @@ TEST(DiskCrossings, BelowTheHoleAreMirrorImagesOfThoseAbove) {
     const Vector3<double> velocity = {row.beta.x, -row.beta.y, row.beta.z};
     const CameraStation camera = make_camera_station(row.a, row.r, pi - row.theta, 0.0, row.motion, velocity);
     Crossings below;
-    trace_crossings<20, true>(camera.spin, start_disk_ray(camera, Vector3<double>{row.n.x, -row.n.y, row.n.z}), finest,
+    trace_crossings<20, true>(camera.spin, start_near_ray(camera, Vector3<double>{row.n.x, -row.n.y, row.n.z}), finest,
                               true, below);
     EXPECT_NEAR(below[row.order].u, above.crossings[row.order].u, 1e-12) << row.id;
   }

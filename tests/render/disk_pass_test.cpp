@@ -11,6 +11,7 @@
 #include "kernels/disk/page_thorne.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"
+#include "render/near_field/near_field.h"
 
 namespace ergodome {
 namespace {
@@ -57,13 +58,14 @@ struct Drawn {
 Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view, double time_s = 0.0) {
   Drawn drawn{make_pinhole_projection(size_px, size_px, field_of_view), std::vector<float>(4UL * size_px * size_px)};
   const DiskPass pass(show, Backend::cpu);
-  pass.draw(eye, drawn.projection, tolerance_px, time_s, 0, size_px, drawn.rgba.data());
+  draw_near_field(Backend::cpu, {&pass, nullptr}, eye, drawn.projection, tolerance_px, time_s, 0, size_px,
+                  drawn.rgba.data());
   return drawn;
 }
 
 //! The exact ray of a pixel's middle, in double.
 struct ExactRay {
-  DiskRay<double> ray;
+  NearRay<double> ray;
   EquatorialCrossing<double> crossings[crossing_orders];
 };
 
@@ -75,7 +77,7 @@ ExactRay exact_ray(const EyeCamera& eye, const Projection& projection, int x, in
     return m[0] * view.x + m[1] * view.y + m[2] * view.z;
   };
   ExactRay exact{};
-  exact.ray = start_disk_ray(camera, Vector3<double>{row(0), row(1), row(2)});
+  exact.ray = start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)});
   trace_crossings<20, true>(eye.spin, exact.ray, {1e-7, 1e-15, 4000}, true, exact.crossings);
   return exact;
 }

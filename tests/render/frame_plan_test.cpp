@@ -11,6 +11,7 @@
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
+#include "render/shells/shell_pass.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
@@ -68,6 +69,14 @@ const std::vector<Effect>& effects() {
            show.disk.emplace();
          }
          show.disk->pattern = DiskPattern::procedural;
+       }},
+      {"shells",
+       [](Show& show) {
+         show.shells.emplace_back();
+         show.shells[0].radius = 12.0;
+         show.shells.emplace_back();
+         show.shells[1].radius = 3.0;
+         show.shells[1].texture = show.sky.map;
        }},
       {"automatic exposure", [](Show& show) { show.tone.automatic = AutoExposureSettings{}; }},
   };
@@ -211,6 +220,33 @@ TEST_F(FramePlans, NameTheDiskAndWhatCallsForIt) {
   EXPECT_EQ(disk->elements, static_cast<long>(plan.width_px) * plan.height_px);
 }
 
+TEST_F(FramePlans, NameTheShellsAndWhatCallsForThem) {
+  Show show = plain_show();
+  show.shells.resize(3);
+  show.lines["shells"] = 7;
+  const FramePlan plan = plan_frame(show, request());
+  const auto pass = std::ranges::find(plan.passes, "draw_shells", &PlannedPass::name);
+  ASSERT_NE(pass, plan.passes.end());
+  EXPECT_THAT(pass->why, testing::HasSubstr("line 7"));
+  EXPECT_EQ(pass->elements, static_cast<long>(plan.width_px) * plan.height_px);
+  const auto buffer = std::ranges::find(plan.buffers, "buffer: shells", &PlannedBuffer::name);
+  ASSERT_NE(buffer, plan.buffers.end());
+  EXPECT_EQ(buffer->bytes, 3 * ShellPass::shell_bytes);
+  show.disk.emplace();
+  const FramePlan with_disk = plan_frame(show, request());
+  EXPECT_NE(std::ranges::find(with_disk.passes, "draw_shells, disk", &PlannedPass::name), with_disk.passes.end());
+  EXPECT_EQ(std::ranges::find(with_disk.passes, "draw_disk", &PlannedPass::name), with_disk.passes.end());
+}
+
+TEST_F(FramePlans, OfShellsThatNobodySeesTraceNoneOfThem) {
+  Show show = plain_show();
+  show.shells.resize(1);
+  show.shells[0].line_opacity = 0.0;
+  const FramePlan plan = plan_frame(show, request());
+  EXPECT_EQ(std::ranges::find(plan.passes, "draw_shells", &PlannedPass::name), plan.passes.end());
+  expect_as_planned(show, request());
+}
+
 TEST_F(FramePlans, HoldForEveryEffectAlone) {
   expect_as_planned(plain_show(), request());
   for (const Effect& effect : effects()) {
@@ -318,6 +354,7 @@ TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
                                                                  {"effects.diffraction.strength", 0.3},
                                                                  {"disk.opacity", 1.0},
                                                                  {"disk.contrast", 1.0},
+                                                                 {"shells[1].fill_opacity", 1.0},
                                                                  {"effects.trails.shutter_s", 0.1},
                                                                  {"effects.diffraction.scale", 1.5},
                                                                  {"sky.spin_axis.ra_deg", 30.0}}) {

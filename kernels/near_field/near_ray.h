@@ -9,7 +9,7 @@ namespace ergodome {
 //! RayStart has the energy at infinity as its unit; matter near a spinning hole also sends light whose energy there is 0 or less, to cameras
 //! inside the ergosphere.
 template <class T>
-struct DiskRay {
+struct NearRay {
   T energy;                  //!< E at infinity, over the energy seen
   T axial_angular_momentum;  //!< L_z [M]
   T polar_constant;          //!< C = Q + L² = |m'|² - a² E² m_z² [M²]
@@ -27,9 +27,9 @@ inline namespace ERGO_TARGET {
 //!
 //! A camera within rounding of the equator is on it: its rays do not cross the plane where they start.
 template <class T>
-ERGO_HD DiskRay<T> start_disk_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
+ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
   using S = ScalarOf<T>;
-  DiskRay<T> ray;
+  NearRay<T> ray;
   ray.energy = detail::evaluate(camera.energy, n);
   ray.axial_angular_momentum = detail::evaluate(camera.axial_momentum, n);
   ray.u = T(camera.u);
@@ -53,7 +53,7 @@ ERGO_HD DiskRay<T> start_disk_ray(const CameraStationOf<ScalarOf<T>>& camera, co
 
 //! A ray without its derivatives.
 template <class T>
-ERGO_HD DiskRay<RealOf<T>> plain_ray(const DiskRay<T>& ray) {
+ERGO_HD NearRay<RealOf<T>> plain_ray(const NearRay<T>& ray) {
   return {value_of(ray.energy),
           value_of(ray.axial_angular_momentum),
           value_of(ray.polar_constant),

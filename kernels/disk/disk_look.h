@@ -3,7 +3,6 @@
 #include "kernels/disk/disk_emitter.h"
 #include "kernels/disk/disk_pattern.h"
 #include "kernels/sky/blackbody.h"
-#include "kernels/trace/trace_pixels.h"
 
 namespace ergodome {
 
@@ -34,12 +33,5 @@ struct DiskLook {
 
 //! Whether azimuth and time are wanted: kernels have a variant without.
 constexpr bool has_pattern(const DiskLook& look) { return look.contrast > 0.0F; }
-
-//! A block of rows of one image, with a disk to draw over what is there: linear light, four floats a pixel (the fourth is the coverage).
-struct DiskBatch {
-  PixelBatch pixels;  //!< without outputs or an edge
-  DiskLook look;
-  float* rgba;
-};
 
 }  // namespace ergodome

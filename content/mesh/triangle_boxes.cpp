@@ -1,0 +1,197 @@
+#include "content/mesh/triangle_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::uint32_t leaf_triangles = 4;
+constexpr int bin_count = 16;
+//! From here on parts are halved by number: that ends within the greatest depth for any mesh.
+constexpr int deepest_by_area = deepest_tree - 34;
+
+struct Box {
+  float low[3] = {std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
+                  std::numeric_limits<float>::max()};
+  float high[3] = {std::numeric_limits<float>::lowest(), std::numeric_limits<float>::lowest(),
+                   std::numeric_limits<float>::lowest()};
+
+  void add(const float* point) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], point[axis]);
+      high[axis] = std::max(high[axis], point[axis]);
+    }
+  }
+  void add(const Box& box) {
+    add(box.low);
+    add(box.high);
+  }
+  [[nodiscard]] double half_area() const {
+    const double x = std::max(0.0, static_cast<double>(high[0]) - static_cast<double>(low[0]));
+    const double y = std::max(0.0, static_cast<double>(high[1]) - static_cast<double>(low[1]));
+    const double z = std::max(0.0, static_cast<double>(high[2]) - static_cast<double>(low[2]));
+    return x * y + y * z + z * x;
+  }
+};
+
+//! A triangle while the tree is built.
+struct Item {
+  Box box;
+  float middle[3];
+  std::uint32_t triangle;
+};
+
+using ItemIterator = std::vector<Item>::iterator;
+
+//! Where to cut.
+struct Cut {
+  int axis = -1;
+  int bin = 0;  //!< the first on the far side
+  double cost = std::numeric_limits<double>::max();
+};
+
+struct Binning {
+  float low;
+  float scale;
+
+  [[nodiscard]] int bin(float place) const {
+    return std::clamp(static_cast<int>((place - low) * scale), 0, bin_count - 1);
+  }
+};
+
+Binning binning(const Box& middles, int axis) {
+  const float width = middles.high[axis] - middles.low[axis];
+  return {middles.low[axis], static_cast<float>(bin_count) / width};
+}
+
+//! The best cut across one axis, if it is better than the one that is known.
+void find_cut(ItemIterator begin, ItemIterator end, const Box& middles, int axis, Cut& best) {
+  if (!(middles.high[axis] - middles.low[axis] > 0.0F) || !std::isfinite(binning(middles, axis).scale)) {
+    return;
+  }
+  const Binning bins = binning(middles, axis);
+  Box boxes[bin_count];
+  long counts[bin_count] = {};
+  for (ItemIterator item = begin; item != end; ++item) {
+    const int bin = bins.bin(item->middle[axis]);
+    boxes[bin].add(item->box);
+    ++counts[bin];
+  }
+  double far_cost[bin_count] = {};
+  Box far_box;
+  long far_count = 0;
+  for (int bin = bin_count - 1; bin > 0; --bin) {
+    far_box.add(boxes[bin]);
+    far_count += counts[bin];
+    far_cost[bin] = far_box.half_area() * static_cast<double>(far_count);
+  }
+  Box near_box;
+  long near_count = 0;
+  for (int bin = 1; bin < bin_count; ++bin) {
+    near_box.add(boxes[bin - 1]);
+    near_count += counts[bin - 1];
+    const double cost = near_box.half_area() * static_cast<double>(near_count) + far_cost[bin];
+    if (near_count > 0 && near_count < end - begin && cost < best.cost) {
+      best = {axis, bin, cost};
+    }
+  }
+}
+
+//! Parts the items of a node in two; both get some.
+ItemIterator part_items(ItemIterator begin, ItemIterator end, int depth) {
+  Box middles;
+  for (ItemIterator item = begin; item != end; ++item) {
+    middles.add(item->middle);
+  }
+  Cut cut;
+  for (int axis = 0; axis < 3 && depth < deepest_by_area; ++axis) {
+    find_cut(begin, end, middles, axis, cut);
+  }
+  if (cut.axis >= 0) {
+    const Binning bins = binning(middles, cut.axis);
+    return std::partition(begin, end, [&](const Item& item) { return bins.bin(item.middle[cut.axis]) < cut.bin; });
+  }
+  int axis = 0;
+  for (int other = 1; other < 3; ++other) {
+    axis = middles.high[other] - middles.low[other] > middles.high[axis] - middles.low[axis] ? other : axis;
+  }
+  const ItemIterator half = begin + (end - begin) / 2;
+  std::nth_element(begin, half, end, [axis](const Item& a, const Item& b) { return a.middle[axis] < b.middle[axis]; });
+  return half;
+}
+
+std::vector<Item> items_of(const TriangleMesh& mesh) {
+  std::vector<Item> items(static_cast<std::size_t>(mesh.triangle_count()));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      items[i].box.add(mesh.vertices[mesh.indices[3 * i + corner]].position);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      items[i].middle[axis] = 0.5F * items[i].box.low[axis] + 0.5F * items[i].box.high[axis];
+    }
+    items[i].triangle = static_cast<std::uint32_t>(i);
+  }
+  return items;
+}
+
+//! A node whose box and children are still to be made.
+struct Open {
+  std::size_t node;
+  std::size_t begin, end;
+  int depth;
+};
+
+std::vector<TreeNode> make_nodes(std::vector<Item>& items) {
+  std::vector<TreeNode> nodes(1);
+  nodes.reserve(items.size() / 2 + 1);
+  std::vector<Open> open = {{0, 0, items.size(), 0}};
+  while (!open.empty()) {
+    const Open now = open.back();
+    open.pop_back();
+    Box box;
+    for (std::size_t i = now.begin; i < now.end; ++i) {
+      box.add(items[i].box);
+    }
+    TreeNode node = {{box.low[0], box.low[1], box.low[2]},
+                     static_cast<std::uint32_t>(now.begin),
+                     {box.high[0], box.high[1], box.high[2]},
+                     static_cast<std::uint32_t>(now.end - now.begin)};
+    if (node.count > leaf_triangles) {
+      const auto begin = items.begin() + static_cast<std::ptrdiff_t>(now.begin);
+      const auto end = items.begin() + static_cast<std::ptrdiff_t>(now.end);
+      const std::size_t cut = static_cast<std::size_t>(part_items(begin, end, now.depth) - items.begin());
+      node.first = static_cast<std::uint32_t>(nodes.size());
+      node.count = 0;
+      open.push_back({nodes.size(), now.begin, cut, now.depth + 1});
+      open.push_back({nodes.size() + 1, cut, now.end, now.depth + 1});
+      nodes.resize(nodes.size() + 2);
+    }
+    nodes[now.node] = node;
+  }
+  return nodes;
+}
+
+}  // namespace
+
+TriangleBoxes build_triangle_tree(const TriangleMesh& mesh) {
+  std::vector<Item> items = items_of(mesh);
+  TriangleBoxes boxes;
+  boxes.nodes = make_nodes(items);
+  boxes.triangles.reserve(items.size());
+  boxes.corners.reserve(9 * items.size());
+  for (const Item& item : items) {
+    boxes.triangles.push_back(item.triangle);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const float* const p = mesh.vertices[mesh.indices[3 * static_cast<std::size_t>(item.triangle) + corner]].position;
+      boxes.corners.insert(boxes.corners.end(), p, p + 3);
+    }
+  }
+  boxes.radius = radius_of(mesh);
+  return boxes;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ergodome {
+
+//! A corner of triangles.
+struct SurfaceVertex {
+  float position[3];
+  float normal[3];   //!< of unit length, outwards
+  float texture[2];  //!< u to the right, v upwards; the image, or one checkerboard, is 0 to 1
+};
+
+//! Triangles of one look, one after the other in the indices.
+struct MeshPart {
+  std::uint32_t first_index = 0;
+  std::uint32_t index_count = 0;
+  std::array<float, 3> color = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies the image
+  std::string image;                                //!< path of the file with its texture; empty: none
+};
+
+//! A surface of triangles, in a unit and about a middle of its own. Their corners run counterclockwise as seen from outside.
+struct TriangleMesh {
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::uint32_t> indices;  //!< three a triangle
+  std::vector<MeshPart> parts;         //!< all indices, in their order
+  long dropped_triangles = 0;          //!< left out, because they have no area
+
+  [[nodiscard]] long triangle_count() const { return static_cast<long>(indices.size() / 3); }
+  [[nodiscard]] long bytes() const {
+    return static_cast<long>(vertices.size() * sizeof(SurfaceVertex) + indices.size() * sizeof(std::uint32_t));
+  }
+};
+
+//! Leaves out triangles without area, or with a corner that is no number, and counts them; parts that are left empty go, too.
+void drop_degenerate_triangles(TriangleMesh& mesh);
+
+//! The distance of the corner that is farthest from the mesh's own middle.
+double radius_of(const TriangleMesh& mesh);
+
+}  // namespace ergodome

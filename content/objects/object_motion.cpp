@@ -1,0 +1,49 @@
+#include "content/objects/object_motion.h"
+
+#include <cmath>
+
+#include "content/animated_show.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double two_pi = 6.28318530717958647692;
+
+Vector3<double> place_on(const ObjectOrbit& orbit, double time_s) {
+  const double turns = orbit.speed * time_s / (orbit.r * std::sqrt(orbit.r) * two_pi);
+  // Whole turns go first: shows may run for years.
+  const double angle = orbit.phi + two_pi * (turns - std::floor(turns));
+  const double along = orbit.r * std::cos(angle);
+  const double across = orbit.r * std::sin(angle) * std::cos(orbit.inclination);
+  return {along * std::cos(orbit.node) - across * std::sin(orbit.node),
+          along * std::sin(orbit.node) + across * std::cos(orbit.node),
+          orbit.r * std::sin(angle) * std::sin(orbit.inclination)};
+}
+
+Vector3<double> position_at(const ObjectSettings& object, double time_s) {
+  if (object.orbit) {
+    return place_on(*object.orbit, time_s);
+  }
+  if (!object.way[0].keys.empty()) {
+    return {value_at(object.way[0], time_s), value_at(object.way[1], time_s), value_at(object.way[2], time_s)};
+  }
+  return object.position;
+}
+
+}  // namespace
+
+ObjectPlacement placement_at(const ObjectSettings& object, double time_s) {
+  const double sx = std::sin(object.turn.x);
+  const double cx = std::cos(object.turn.x);
+  const double sy = std::sin(object.turn.y);
+  const double cy = std::cos(object.turn.y);
+  const double sz = std::sin(object.turn.z);
+  const double cz = std::cos(object.turn.z);
+  return {position_at(object, time_s),
+          {{cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx},
+           {sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx},
+           {-sy, cy * sx, cy * cx}}};
+}
+
+}  // namespace ergodome

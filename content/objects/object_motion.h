@@ -1,0 +1,23 @@
+#pragma once
+
+#include <algorithm>
+
+#include "content/objects/object_settings.h"
+
+namespace ergodome {
+
+//! Where an object is and how it is turned: place = position + size · rows · (point of the mesh).
+struct ObjectPlacement {
+  Vector3<double> position;  //!< [M]
+  double rows[3][3];         //!< a rotation
+
+  bool operator==(const ObjectPlacement& other) const {
+    return position.x == other.position.x && position.y == other.position.y && position.z == other.position.z &&
+           std::equal(&rows[0][0], &rows[0][0] + 9, &other.rows[0][0]);
+  }
+};
+
+//! An object's placement at a show time.
+ObjectPlacement placement_at(const ObjectSettings& object, double time_s);
+
+}  // namespace ergodome

@@ -1,0 +1,218 @@
+#include "content/objects/object_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/animated_show.h"
+#include "content/timeline_reader.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double largest_angle_deg = 1e6;
+constexpr std::size_t most_objects = 256;
+constexpr std::size_t most_way_keys = 10'000;
+
+Vector3<double> read_vector(TomlTable& table, std::string_view key, const Vector3<double>& otherwise, double least,
+                            double greatest) {
+  const std::vector<double> parts = table.numbers(key, 3, 3, least, greatest);
+  return parts.empty() ? otherwise : Vector3<double>{parts[0], parts[1], parts[2]};
+}
+
+Vector3<double> read_place(TomlTable& table, std::string_view key) {
+  return read_vector(table, key, {0.0, 0.0, 0.0}, -farthest_of_objects, farthest_of_objects);
+}
+
+void read_triangle(TomlTable& table, TriangleShape& shape) {
+  const toml::node* const node = table.node("corners");
+  if (node == nullptr) {
+    return;
+  }
+  const toml::array* const corners = node->as_array();
+  const Error wrong = table.error_at("corners", "are not three places", "write [[0, 0, 0], [0, 1, 0], [0, 0, 1]]");
+  if (corners == nullptr || corners->size() != 3) {
+    throw wrong;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const toml::array* const corner = corners->get(i)->as_array();
+    if (corner == nullptr || corner->size() != 3) {
+      throw wrong;
+    }
+    double part[3] = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto value = corner->get(k)->value<double>();
+      if (!value || !(std::abs(*value) <= farthest_of_objects)) {
+        throw wrong;
+      }
+      part[k] = *value;
+    }
+    shape.corners[i] = {part[0], part[1], part[2]};
+  }
+}
+
+void read_disk_shape(TomlTable& table, DiskShape& shape) {
+  shape.inner = table.number("inner", shape.inner, 1e-6, farthest_of_objects);
+  shape.outer = table.number("outer", shape.outer, 1e-6, farthest_of_objects);
+  shape.thickness = table.number("thickness", shape.thickness, 1e-6, farthest_of_objects);
+  shape.segments = table.integer("segments", shape.segments, fewest_segments, most_segments);
+  shape.rings = table.integer("rings", shape.rings, 1, most_rings);
+  if (!(shape.outer > shape.inner)) {
+    throw table.error_at(table.has("outer") ? "outer" : "inner", "leaves no disk",
+                         "choose an outer radius beyond the inner one");
+  }
+}
+
+void read_form(TomlTable& table, ObjectSettings& object) {
+  object.mesh = table.text("mesh", "");
+  if (!object.mesh.empty()) {
+    if (table.has("shape")) {
+      throw table.error_at("shape", "stands beside a mesh", "write one of the two");
+    }
+    object.form = ObjectForm::mesh;
+    return;
+  }
+  if (!table.has("shape")) {
+    throw table.error_at("shape", "is missing", "write shape = \"sphere\" or mesh = the path of a mesh");
+  }
+  object.form = static_cast<ObjectForm>(1 + table.choice("shape", 0, {"triangle", "sphere", "disk"}));
+  switch (object.form) {
+    case ObjectForm::triangle:
+      return read_triangle(table, object.triangle);
+    case ObjectForm::disk:
+      return read_disk_shape(table, object.disk);
+    default:
+      object.sphere.segments = table.integer("segments", object.sphere.segments, fewest_segments, most_segments);
+      object.sphere.rings = table.integer("rings", object.sphere.rings, 2, most_rings);
+  }
+}
+
+ObjectOrbit read_orbit(const toml::table& from, const std::string& file, const std::string& path) {
+  TomlTable table(from, file, path);
+  ObjectOrbit orbit;
+  orbit.r = table.number("r", orbit.r, nearest_of_observers, farthest_of_objects);
+  orbit.phi = degree * table.number("phi_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  orbit.inclination = degree * table.number("inclination_deg", 0.0, -180.0, 180.0);
+  orbit.node = degree * table.number("node_deg", 0.0, -360.0, 360.0);
+  orbit.speed = table.number("speed", orbit.speed, -1e6, 1e6);
+  table.refuse_unknown_keys();
+  return orbit;
+}
+
+void read_way(TomlTable& table, const std::string& file, std::array<Animation, 3>& way) {
+  for (const toml::table* each : table.tables("key", most_way_keys)) {
+    TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), way[0].keys.size()));
+    const double time_s = reader.number("t_s", 0.0, -1e12, 1e12);
+    if (!reader.has("position")) {
+      throw reader.error_at("position", "is missing", "write { t_s = 0, position = [10, 0, 0] }");
+    }
+    const Vector3<double> place = read_place(reader, "position");
+    const auto ease = static_cast<Ease>(reader.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out", "hold"}));
+    if (!way[0].keys.empty() && !(time_s - way[0].keys.back().time_s >= least_key_gap_s)) {
+      throw reader.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+    }
+    reader.refuse_unknown_keys();
+    const double parts[3] = {place.x, place.y, place.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      way[i].keys.push_back({time_s, parts[i], ease});
+    }
+  }
+}
+
+//! One of three says where an object is.
+void read_motion(TomlTable& table, const std::string& file, ObjectSettings& object) {
+  object.position = read_place(table, "position");
+  if (const toml::table* const orbit = table.table("orbit")) {
+    object.orbit = read_orbit(*orbit, file, table.path_of("orbit"));
+  }
+  read_way(table, file, object.way);
+  const int ways = static_cast<int>(table.has("position")) + static_cast<int>(table.has("orbit")) +
+                   static_cast<int>(table.has("key"));
+  if (ways > 1) {
+    throw table.error_at(table.has("orbit") ? "orbit" : "key", "is a second place for one object",
+                         "write one of position, orbit and key");
+  }
+}
+
+void read_look(TomlTable& table, const std::string& file, ObjectSettings& object) {
+  object.color = read_vector(table, "color", object.color, 0.0, 1e6);
+  object.exposure = table.number("exposure", 1.0, 0.0, 1e12);
+  object.lit = table.choice("light", 0, {"emissive", "lambert"}) == 1;
+  if (const toml::table* const from = table.table("checker")) {
+    TomlTable checker(*from, file, table.path_of("checker"));
+    CheckerSettings& settings = object.checker.emplace();
+    settings.columns = checker.integer("columns", settings.columns, 1, 10'000);
+    settings.rows = checker.integer("rows", settings.rows, 1, 10'000);
+    settings.dark = checker.number("dark", settings.dark, 0.0, 1.0);
+    checker.refuse_unknown_keys();
+  }
+  if (const toml::table* const from = table.table("tessellation")) {
+    TomlTable tessellation(*from, file, table.path_of("tessellation"));
+    object.tessellation.most = tessellation.number("most", object.tessellation.most, 1.0, 64.0);
+    object.tessellation.factor = tessellation.number("factor", object.tessellation.factor, 0.0, 1e6);
+    object.tessellation.power = tessellation.number("power", object.tessellation.power, 0.0, 10.0);
+    object.torn = tessellation.number("torn", object.torn, 1.0, 1e9);
+    tessellation.refuse_unknown_keys();
+  }
+  table.choice("method", 0, {"polygon"});
+}
+
+ObjectSettings read_object(const toml::table& from, const std::string& file, std::size_t number) {
+  TomlTable table(from, file, fmt::format("objects[{}]", number));
+  ObjectSettings object;
+  read_form(table, object);
+  object.size = table.number("size", 1.0, 1e-9, farthest_of_objects);
+  const Vector3<double> turn_deg = read_vector(table, "turn_deg", {}, -largest_angle_deg, largest_angle_deg);
+  object.turn = degree * turn_deg;
+  read_motion(table, file, object);
+  read_look(table, file, object);
+  table.refuse_unknown_keys();
+  return object;
+}
+
+double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+}  // namespace
+
+void read_objects(TomlTable& root, const std::string& file, Show& show) {
+  for (const toml::table* each : root.tables("objects", most_objects)) {
+    show.objects.push_back(read_object(*each, file, show.objects.size()));
+  }
+  if (const toml::table* const from = root.table("light")) {
+    TomlTable table(*from, file, "light");
+    show.light.emplace();
+    show.light->position = read_place(table, "position");
+    show.light->strength = table.number("strength", 1.0, 0.0, 1e12);
+    if (!(length(show.light->position) > nearest_of_observers)) {
+      throw table.error_at(table.has("position") ? "position" : "strength", "leaves the light inside the photon sphere",
+                           "choose a place farther than 3 M from the hole's middle");
+    }
+    table.refuse_unknown_keys();
+  }
+}
+
+void check_objects(const TomlTable& root, const Show& show) {
+  if (show.objects.empty()) {
+    return;
+  }
+  if (show.spin != 0.0 || find_animation(show, "hole.spin") != nullptr) {
+    throw root.error_at("objects", "are drawn by the method polygon, which knows Schwarzschild holes only",
+                        "write spin = 0 in [hole], and do not animate it");
+  }
+  for (const CameraKey& key : show.camera.keys) {
+    if (!(key.r > nearest_of_observers)) {
+      throw root.error_at("objects",
+                          fmt::format("are not seen from inside the photon sphere (camera at r = {} M)", key.r),
+                          "keep the camera farther out than 3 M");
+    }
+  }
+  if (!show.light && std::ranges::any_of(show.objects, &ObjectSettings::lit)) {
+    throw root.error_at("objects", "are lit, but the show has no light",
+                        "write [light] with position = [x, y, z] and strength");
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "kernels/disk/disk_look.h"
+#include "kernels/disk/equatorial_crossings.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+
+//! ln T at a radius.
+ERGO_HD float log_temperature_at(const DiskProfileTable& table, float r) {
+  const float place = sqrt(maximum(1.0F - table.first_r / r, 0.0F)) / table.step;
+  const float clamped = minimum(place, static_cast<float>(table.count - 1));
+  const int i = static_cast<int>(clamped) < table.count - 1 ? static_cast<int>(clamped) : table.count - 2;
+  const float t = clamped - static_cast<float>(i);
+  const float temperature = table.temperature[i] + t * (table.temperature[i + 1] - table.temperature[i]);
+  return ::logf(maximum(temperature, 1e-3F));
+}
+
+//! The part of a disk that a pixel sees: how much of it the pixel is covered by, and the radius in its middle.
+struct DiskSpan {
+  float coverage;
+  float r;
+};
+
+//! `width` is how far u = 1/r changes across the pixel: edges cover it by the radii that lie between them. In u the map of pixels to the
+//! plane is smooth past infinity, so that images that are finer than a pixel have their share of it.
+ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
+  const float w = maximum(width, 1e-6F / inner_r);
+  const float low = maximum(u - 0.5F * w, 1.0F / outer_r);
+  const float high = minimum(u + 0.5F * w, 1.0F / inner_r);
+  const float middle = minimum(maximum(0.5F * (low + high), 1.0F / outer_r), 1.0F / inner_r);
+  return {minimum(maximum((high - low) / w, 0.0F), 1.0F), 1.0F / middle};
+}
+
+}  // namespace detail
+
+//! A crossing as one pixel sees it.
+struct SeenCrossing {
+  float coverage;  //!< of the pixel by the disk
+  float r;         //!< in the middle of what is covered [M]
+  float blur;      //!< how far r changes across the pixel, as a part of it
+  bool outwards;
+  float phi;    //!< Boyer-Lindquist azimuth [rad], for the pattern
+  float delay;  //!< [M], for the pattern
+};
+
+//! What of a photon stays the same on its way; see NearRay.
+struct PhotonConstants {
+  float energy;
+  float axial_angular_momentum;
+  float shear_constant;
+  float carter;
+};
+
+//! Light of the disk at a crossing, in linear sRGB.
+//!
+//! Intensity over the cube of the frequency is the same all along a ray, so a blackbody of T is seen as one of g T: shift and beaming in one.
+ERGO_HD Vector3<float> disk_light(const DiskLook& look, const PhotonConstants& photon, const SeenCrossing& at) {
+  const float r = at.r;
+  const float frequency =
+      disk_frequency(look.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
+  const float g = 1.0F / maximum(frequency, 1e-30F);
+  const float shift = look.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
+  const Vector3<float> seen = read_blackbody(look.colours, detail::log_temperature_at(look.profile, r) + shift);
+  float luminance = look.exposure * ::expf(minimum(seen.x - look.log_unit, 80.0F));
+  if (look.limb_darkened) {
+    // Cosine of the angle of emission: p_θ over the emitted energy. I = (1 + 2.06 μ) / 2.37 of the mean (Chandrasekhar 1950).
+    const float cosine = minimum(g * safe_sqrt(photon.carter) / r, 1.0F);
+    luminance *= (1.0F + 2.06F * cosine) / (1.0F + 2.06F * 2.0F / 3.0F);
+  }
+  if (look.contrast > 0.0F) {
+    const float rotation = 1.0F / (r * sqrt(r) + look.flow.spin);
+    const float clouds = disk_pattern(look.pattern, r, at.phi, rotation, at.delay, at.blur);
+    luminance *= ::expf(look.contrast * clouds);
+  }
+  return displayable(linear_srgb(Vector3<float>{seen.y, 1.0F, seen.z}), luminance);
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

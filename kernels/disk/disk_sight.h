@@ -1,0 +1,115 @@
+#pragma once
+
+#include "kernels/disk/disk_light.h"
+#include "kernels/disk/equatorial_crossings.h"
+#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_field/seen_light.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! The disk as a register of rays sees it. WithPattern compiles azimuth and time in: a plain disk pays for neither.
+template <class T, bool WithPattern>
+class DiskSight {
+ public:
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+  using Mask = MaskOf<T>;
+
+  //! `pixel` is the width of what each ray stands for, as a part of a pixel's.
+  ERGO_HD DiskSight(const CameraStationOf<S>& camera, const DiskLook& look, const NearLimits<S>& limits,
+                    const NearRay<D>& ray, S pixel)
+      : camera_(camera), look_(look), limits_(limits), ray_(ray), pixel_(pixel) {}
+
+  //! Finds what the lanes of a mask see.
+  ERGO_HD void trace(const Mask& lanes) {
+    const Mask wanted = lanes & may_reach(camera_.spin, ray_, look_.outer_r);
+    // No light turns back to the hole from beyond its photon orbits.
+    const CrossingLimits<S> limits = {minimum(S(0.5) / look_.outer_r, S(0.22)), limits_.tolerance, limits_.step_limit};
+    trace_crossings<near_order, false>(camera_.spin, ray_, limits, wanted, crossings_);
+    if constexpr (WithPattern) {
+      trace_pattern(limits, wanted);
+    }
+  }
+
+  //! Mino time to a crossing that lane `i` has; past all times where there is none.
+  ERGO_HD S time(int order, int i) const {
+    return order < crossing_orders && is_crossing(crossings_[order], i) ? lane(crossings_[order].time, i)
+                                                                        : std::numeric_limits<S>::infinity();
+  }
+
+  //! Puts a crossing behind what lane `i` has seen.
+  ERGO_HD void compose(int order, int i, SeenLanes<T>& seen) const {
+    SeenCrossing at = seen_at(crossings_[order], i);
+    const float opacity = look_.opacity * at.coverage;
+    // A number that is not one covers nothing.
+    if (!(opacity > 0.0F)) {
+      return;
+    }
+    if constexpr (WithPattern) {
+      const EquatorialCrossing<T>& there = carried_[order];
+      at.phi = ::atan2f(lane(there.y, i), lane(there.x, i)) + lane(there.drag, i) +
+               ::atan2f(camera_.sine_phi, camera_.cosine_phi);
+      at.delay = lane(there.delay, i);
+    }
+    const PhotonConstants photon = {lane(ray_.energy.value, i), lane(ray_.axial_angular_momentum.value, i),
+                                    lane(ray_.shear_constant.value, i), lane(ray_.carter.value, i)};
+    put_behind(opacity * disk_light(look_, photon, at), opacity, i, seen);
+  }
+
+  //! Whether images may be finer than what the ray stands for.
+  ERGO_HD bool is_fine(int i) const {
+    const float least = fine_change * (1.0F / look_.inner_r - 1.0F / look_.outer_r);
+    bool fine = false;
+    for (const EquatorialCrossing<D>& crossing : crossings_) {
+      fine = fine || (is_crossing(crossing, i) && change(crossing, i) > least);
+    }
+    return fine;
+  }
+
+ private:
+  //! A change of 1/r across the pixel, as a part of the whole disk's, from which on it holds images finer than itself: next to the critical
+  //! curve image after image is thinner, e^π times about without spin.
+  static constexpr float fine_change = 0.25F;
+
+  ERGO_HD static bool is_crossing(const EquatorialCrossing<D>& crossing, int i) {
+    const S u = lane(crossing.u.value, i);
+    return u < S(0) || u > S(0);
+  }
+
+  //! How far 1/r changes across a pixel.
+  ERGO_HD static float change(const EquatorialCrossing<D>& crossing, int i) {
+    const float along_x = lane(crossing.u.along_x, i);
+    const float along_y = lane(crossing.u.along_y, i);
+    return sqrt(along_x * along_x + along_y * along_y);
+  }
+
+  //! What of the disk a lane sees at a crossing.
+  ERGO_HD SeenCrossing seen_at(const EquatorialCrossing<D>& crossing, int i) const {
+    const float width = pixel_ * change(crossing, i);
+    const detail::DiskSpan span = detail::disk_span(look_.inner_r, look_.outer_r, lane(crossing.u.value, i), width);
+    return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
+  }
+
+  //! Azimuth and time at the crossings, of the lanes that see the disk at all.
+  ERGO_HD void trace_pattern(const CrossingLimits<S>& limits, const Mask& wanted) {
+    T covered(S(0));
+    for (const EquatorialCrossing<D>& crossing : crossings_) {
+      for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+        if (mask_lane(wanted, i) && is_crossing(crossing, i) && seen_at(crossing, i).coverage > 0.0F) {
+          set_lane(covered, i, S(1));
+        }
+      }
+    }
+    trace_crossings<near_order, true>(camera_.spin, plain_ray(ray_), limits, covered > T(S(0)), carried_);
+  }
+
+  const CameraStationOf<S>& camera_;
+  const DiskLook& look_;
+  NearLimits<S> limits_;
+  const NearRay<D>& ray_;
+  S pixel_;
+  EquatorialCrossing<D> crossings_[crossing_orders];
+  EquatorialCrossing<T> carried_[crossing_orders];
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/core/vector3.h"
+
+namespace ergodome {
+
+//! A box about triangles.
+struct TreeNode {
+  float low[3];
+  std::uint32_t first;  //!< of a leaf: its first triangle; else the first of two children, which lie side by side
+  float high[3];
+  std::uint32_t count;  //!< triangles of a leaf; 0: no leaf
+};
+
+//! A mesh as rays look for it, in its own unit: boxes in boxes, the root first. Empty: no nodes.
+struct TriangleTree {
+  const TreeNode* nodes;
+  const float* corners;            //!< nine numbers a triangle, in the order of the leaves
+  const std::uint32_t* triangles;  //!< which of the mesh's triangles each of them is
+  double radius;                   //!< of the sphere about the mesh's own middle that holds all
+};
+
+//! No tree is deeper.
+inline constexpr int deepest_tree = 64;
+
+//! A triangle's corner and the sides from it.
+struct TriangleSides {
+  Vector3<double> corner;
+  Vector3<double> side_1;
+  Vector3<double> side_2;
+};
+
+inline namespace ERGO_TARGET {
+
+ERGO_HD TriangleSides triangle_sides(const TriangleTree& tree, std::uint32_t place) {
+  const float* const c = tree.corners + 9 * static_cast<std::size_t>(place);
+  const auto corner = [c](int i) {
+    return Vector3<double>{static_cast<double>(c[3 * i]), static_cast<double>(c[3 * i + 1]),
+                           static_cast<double>(c[3 * i + 2])};
+  };
+  return {corner(0), corner(1) - corner(0), corner(2) - corner(0)};
+}
+
+namespace detail {
+
+//! Whether a segment comes within `margin` of a box; now and then for segments that pass a corner a little farther off.
+ERGO_HD bool comes_near(const TreeNode& node, const double (&from)[3], const double (&way)[3], double margin) {
+  double enter = 0.0;
+  double leave = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = static_cast<double>(node.low[axis]) - margin - from[axis];
+    const double high = static_cast<double>(node.high[axis]) + margin - from[axis];
+    if (way[axis] == 0.0) {
+      if (low > 0.0 || high < 0.0) {
+        return false;
+      }
+      continue;
+    }
+    const double first = low / way[axis];
+    const double second = high / way[axis];
+    enter = ::fmax(enter, ::fmin(first, second));
+    leave = ::fmin(leave, ::fmax(first, second));
+  }
+  return enter <= leave;
+}
+
+}  // namespace detail
+
+//! Calls visit(place) for the triangles that a segment may come within `margin` of, and maybe for some more.
+template <class Visit>
+ERGO_HD void visit_triangles(const TriangleTree& tree, const Vector3<double>& from, const Vector3<double>& to,
+                             double margin, Visit&& visit) {
+  const double start[3] = {from.x, from.y, from.z};
+  const double way[3] = {to.x - from.x, to.y - from.y, to.z - from.z};
+  std::uint32_t waiting[deepest_tree + 1];
+  int count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const TreeNode& node = tree.nodes[waiting[--count]];
+    if (!detail::comes_near(node, start, way, margin)) {
+      continue;
+    }
+    if (node.count > 0) {
+      for (std::uint32_t i = 0; i < node.count; ++i) {
+        visit(node.first + i);
+      }
+    } else if (count + 2 <= deepest_tree + 1) {
+      waiting[count++] = node.first;
+      waiting[count++] = node.first + 1;
+    }
+  }
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

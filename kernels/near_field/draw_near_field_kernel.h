@@ -1,0 +1,133 @@
+#pragma once
+
+#include "kernels/disk/disk_sight.h"
+#include "kernels/near_field/draw_near_field.h"
+#include "kernels/shells/shell_sight.h"
+#include "kernels/trace/pixel_geometry.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Draws disk and shells over pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. What is nearer along the ray lies
+//! before the rest, and the sky behind it all. A scene pays for what it has alone.
+template <class T, DiskDrawing Disk, bool Shells>
+struct DrawNearField {
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+  using Mask = MaskOf<T>;
+
+  NearFieldBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const PixelBatch& pixels = batch.pixels;
+    const int first = index * RealTraits<T>::lane_count;
+    T x_px;
+    T y_px;
+    pixel_middles(pixels, first, x_px, y_px);
+    const T inside = image_coverage(pixels.projection, x_px, y_px);
+    Mask fine = inside > T(S(0));
+    SeenLanes<T> seen = look(x_px, y_px, S(1), fine);
+    if (any(fine)) {
+      average(x_px, y_px, fine, seen);
+    }
+    const int count = pixel_count(pixels);
+    for (int i = 0; i < RealTraits<T>::lane_count && first + i < count; ++i) {
+      float* rgba = batch.rgba + 4 * static_cast<long>(first + i);
+      const float clear = lane(seen.clear, i);
+      const float part = lane(inside, i);
+      if (clear < 1.0F) {
+        rgba[0] = part * lane(seen.red, i) + clear * rgba[0];
+        rgba[1] = part * lane(seen.green, i) + clear * rgba[1];
+        rgba[2] = part * lane(seen.blue, i) + clear * rgba[2];
+        rgba[3] = part * (1.0F - clear) + clear * rgba[3];
+      }
+    }
+  }
+
+ private:
+  //! Samples along each side of a pixel that holds images finer than itself.
+  static constexpr int samples = 4;
+
+  //! Looks at many places within the pixels of the mask.
+  ERGO_HD void average(const T& x_px, const T& y_px, const Mask& fine, SeenLanes<T>& seen) const {
+    const T zero(S(0));
+    SeenLanes<T> sum = {zero, zero, zero, zero};
+    constexpr S step = S(1) / samples;
+    for (int i = 0; i < samples * samples; ++i) {
+      const int row = i / samples;
+      const S along = (static_cast<S>(i - row * samples) + S(0.5)) * step - S(0.5);
+      const S down = (static_cast<S>(row) + S(0.5)) * step - S(0.5);
+      Mask wanted = fine;
+      sum = sum + look(x_px + along, y_px + down, step, wanted);
+    }
+    constexpr S share = step * step;
+    seen = {select(fine, sum.red * share, seen.red), select(fine, sum.green * share, seen.green),
+            select(fine, sum.blue * share, seen.blue), select(fine, sum.clear * share, seen.clear)};
+  }
+
+  //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
+  //! be finer than that.
+  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Mask& lanes) const {
+    const PixelBatch& pixels = batch.pixels;
+    const CameraStationOf<S>& camera = pixels.camera;
+    const NearRay<D> ray = start_near_ray(camera, observed_direction(pixels, x_px, y_px));
+    SeenLanes<T> seen = nothing_seen<T>();
+    const Mask wanted = lanes & may_see(ray);
+    lanes = lanes & !lanes;
+    if (!any(wanted)) {
+      return seen;
+    }
+    const NearLimits<S> limits = {static_cast<S>(pixels.settings.tolerance), pixels.settings.step_limit};
+    if constexpr (Disk == DiskDrawing::none) {
+      const auto nothing = [](int, S) {};
+      lanes = wanted & look_at_shells(ray, limits, pixel, wanted, nothing, seen);
+    } else {
+      DiskSight<T, Disk == DiskDrawing::pattern> disk(camera, batch.disk, limits, ray, pixel);
+      disk.trace(wanted);
+      int next[RealTraits<T>::lane_count] = {};
+      const auto disk_until = [&](int i, S time) {
+        for (; disk.time(next[i], i) < time; ++next[i]) {
+          disk.compose(next[i], i, seen);
+        }
+      };
+      if constexpr (Shells) {
+        lanes = look_at_shells(ray, limits, pixel, wanted, disk_until, seen);
+      }
+      T fine(S(0));
+      for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+        if (mask_lane(wanted, i)) {
+          disk_until(i, std::numeric_limits<S>::max());
+          set_lane(fine, i, disk.is_fine(i) ? S(1) : S(0));
+        }
+      }
+      lanes = wanted & (lanes | (fine > T(S(0))));
+    }
+    return seen;
+  }
+
+  //! Lanes that hold more than their middle tells.
+  template <class Before>
+  ERGO_HD Mask look_at_shells(const NearRay<D>& ray, const NearLimits<S>& limits, S pixel, const Mask& wanted,
+                              const Before& before, SeenLanes<T>& seen) const {
+    const ShellTable& shells = batch.shells;
+    ShellSight<T, Before> sight(batch.pixels.camera, shells, ray, pixel, before, seen);
+    const Mask reached = wanted & may_reach(batch.pixels.camera.spin, ray, shells.looks[0].r);
+    trace_shells<near_order, NearParts::azimuth>(batch.pixels.camera.spin, ray, {shells.u, shells.count},
+                                                 {limits.tolerance, limits.step_limit}, reached, sight);
+    return sight.fine();
+  }
+
+  //! Lanes that may see anything.
+  ERGO_HD Mask may_see(const NearRay<D>& ray) const {
+    const S spin = batch.pixels.camera.spin;
+    S r = S(0);
+    if constexpr (Disk != DiskDrawing::none) {
+      r = batch.disk.outer_r;
+    }
+    if constexpr (Shells) {
+      r = maximum(r, batch.shells.looks[0].r);
+    }
+    return may_reach(spin, ray, r);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "kernels/near_field/near_ray.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Where a ray may turn between the horizon and infinity.
+template <class Real>
+struct RadialFate {
+  MaskOf<Real> turns;  //!< it turns, on its way to the barrier
+  Real barrier_u;      //!< 1/r of the barrier's top [1/M]; light that is past it turns no more
+};
+
+//! Decides it from the barrier as radial_barrier() does (kernels/geodesic/radial_potential.h), for any sign of the energy: with U = u_rate²,
+//!   U' / 2u = (a² E² - C) + 3 K u - 2 a² Q u²,   U = (E + (a² E - a L) u²)² - K u² (1 - r_+ u)(1 - (a²/r_+) u).
+template <class T>
+ERGO_HD RadialFate<RealOf<T>> radial_fate(ScalarOf<T> spin, const NearRay<T>& ray) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const S a2 = spin * spin;
+  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const Real zero(S(0));
+  const Real energy = value_of(ray.energy);
+  const Real shear = value_of(ray.shear_constant);
+  const Real c = value_of(ray.polar_constant) - a2 * (energy * energy);
+  const Real b = S(3) * shear;
+  const Real discriminant = b * b - (S(8) * a2) * (value_of(ray.carter) * c);
+  const auto has_minimum = (c > zero) & (discriminant > zero);
+  const Real u = select(has_minimum, S(2) * c / (b + safe_sqrt(discriminant)), zero);
+  const Real lapse = (S(1) - horizon_r * u) * (S(1) - (a2 / horizon_r) * u);
+  const Real moment = energy + (a2 * energy - spin * value_of(ray.axial_angular_momentum)) * (u * u);
+  const Real clearance = absolute(moment) - u * safe_sqrt(shear * lapse);
+  const MaskOf<Real> turns = has_minimum & (horizon_r * u < Real(S(1))) & (clearance < zero);
+  return {turns, u};
+}
+
+//! Rays that go on inwards for good: nothing between here and the horizon turns them.
+template <class Real>
+ERGO_HD MaskOf<Real> keeps_inwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
+  return (u_rate > Real(ScalarOf<Real>(0))) & !(fate.turns & (u < fate.barrier_u));
+}
+
+//! Rays that go on outwards for good.
+template <class Real>
+ERGO_HD MaskOf<Real> keeps_outwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
+  return (!(u_rate > Real(ScalarOf<Real>(0)))) & !(fate.turns & (u > fate.barrier_u));
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,148 @@
+#pragma once
+
+#include "kernels/near_field/radial_fate.h"
+#include "kernels/near_field/series_search.h"
+
+// Where light crosses spheres r = const, followed backwards from the camera, also inside the shadow.
+namespace ergodome::inline ERGO_TARGET {
+
+//! Shells that are looked for, the outermost first.
+template <class S>
+struct ShellRadii {
+  const S* u;  //!< 1/r of each, growing [1/M]; outside the horizon
+  int count;   //!< at least one
+};
+
+//! A place on a ray.
+template <class T>
+struct NearPlace {
+  T u;             //!< 1 / r [1/M]
+  T u_rate;        //!< du/dλ, backwards: positive for light that was emitted outwards
+  Vector3<T> m;    //!< polar position without frame dragging
+  T drag;          //!< turn m about the spin axis by this [rad]: that is the place, with φ = 0 at the camera
+  T delay;         //!< coordinate time from there to the camera [M]; with azimuth_and_delay alone
+  RealOf<T> time;  //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
+};
+
+namespace detail {
+
+template <int Order, NearParts Parts, class T>
+ERGO_HD NearPlace<T> place_at(const NearSeries<Order, T, Parts>& s, const T& h, const RealOf<T>& scale,
+                              const RealOf<T>& start) {
+  NearPlace<T> place = {series_value(s.u, h),
+                        series_rate(s.u, h) * scale,
+                        {series_value(s.x, h), series_value(s.y, h), series_value(s.z, h)},
+                        series_value(s.drag, h),
+                        T(ScalarOf<T>(0)),
+                        start + value_of(h) / scale};
+  if constexpr (has_delay(Parts)) {
+    place.delay = series_value(s.delay, h);
+  }
+  return place;
+}
+
+//! Part of a step in which r only falls or only grows.
+template <class Real>
+struct RadialLeg {
+  Real from_h;
+  Real to_h;
+  Real from_u;
+  Real to_u;
+  MaskOf<Real> lanes;
+};
+
+//! Reports the crossings of a leg, in order.
+template <int Order, NearParts Parts, class T, class Visitor>
+ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<ScalarOf<T>>& shells,
+                       const RadialLeg<RealOf<T>>& leg, const RealOf<T>& scale, const RealOf<T>& start,
+                       Visitor& visitor) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  for (int i = 0; i < 2 * shells.count; ++i) {
+    const bool inwards = i < shells.count;
+    const int shell = inwards ? i : 2 * shells.count - 1 - i;
+    const Real side(inwards ? S(-1) : S(1));
+    const Real u(shells.u[shell]);
+    // Where a ray begins on a shell it does not cross it.
+    const auto crossed =
+        leg.lanes & (inwards ? (leg.from_u < u) & !(leg.to_u < u) : (leg.from_u > u) & !(leg.to_u > u));
+    if (any(crossed)) {
+      T from_shell[Order + 1];
+      from_shell[0] = s.u[0] - shells.u[shell];
+      for (int k = 1; k <= Order; ++k) {
+        from_shell[k] = s.u[k];
+      }
+      visitor.cross(shell, crossed, place_at(s, time_to_zero(from_shell, side, leg.from_h, leg.to_h), scale, start));
+    }
+  }
+}
+
+//! Where within a step r is least or greatest.
+template <int Order, class T>
+ERGO_HD T time_to_turn(const T (&u)[Order], const RealOf<T>& side, const RealOf<T>& length) {
+  using S = ScalarOf<T>;
+  T rate[Order - 1];
+  for (int k = 0; k + 1 < Order; ++k) {
+    rate[k] = u[k + 1] * S(k + 1);
+  }
+  return time_to_zero(rate, side, RealOf<T>(S(0)), length);
+}
+
+}  // namespace detail
+
+//! Follows a ray past all the shells that it crosses, in the order in which it does: backwards in time. Outside the horizon light turns at
+//! most once, so it crosses a shell twice at the most. Where a ray begins on a shell it does not cross it.
+//!
+//! The visitor has cross(shell, lanes, place), turn(lanes, place) where r turns, and done(), the lanes that need no more. Nothing is singular
+//! before the horizon, and rays end at the innermost shell at the latest, unless they turn. `active_at_start`: lanes to trace. False where a
+//! ray met the step limit. With dual numbers all derivatives are exact ones.
+template <int Order, NearParts Parts, class T, class Visitor>
+ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, const ShellRadii<ScalarOf<T>>& shells,
+                                       const NearLimits<ScalarOf<T>>& limits, const MaskOf<RealOf<T>>& active_at_start,
+                                       Visitor& visitor) {
+  static_assert(has_azimuth(Parts));
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real zero(S(0));
+  const Real outermost(shells.u[0]);
+  const Real innermost(shells.u[shells.count - 1]);
+  const RadialFate<Real> fate = radial_fate(spin, ray);
+  const Real scale =
+      safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(S(1)));
+  const Real inverse_scale = Real(S(1)) / scale;
+  const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
+  detail::NearSeries<Order, T, Parts> s;
+  detail::start_series(ray, inverse_scale, s);
+  Real time = zero;
+  Real u = value_of(s.u[0]);
+  const auto leaves_no_shell = [&](const Real& rate) {
+    return (keeps_inwards(fate, u, rate) & (u >= innermost)) | (keeps_outwards(fate, u, rate) & (u <= outermost));
+  };
+  MaskOf<Real> active = active_at_start & !leaves_no_shell(value_of(s.u[1]));
+  for (int step = 0; step < limits.step_limit && any(active); ++step) {
+    detail::expand_near(spin, ray, coefficients, s);
+    const Real length = detail::near_step(s, scale, limits.tolerance);
+    const Real rate = value_of(s.u[1]);
+    const Real end_rate = value_of(series_rate(s.u, length));
+    const Real end_u = value_of(series_value(s.u, length));
+    const MaskOf<Real> turning = active & (rate * end_rate < zero);
+    detail::RadialLeg<Real> leg = {zero, length, u, end_u, active};
+    if (any(turning)) {
+      const T turn = detail::time_to_turn(s.u, rate, length);
+      const NearPlace<T> place = detail::place_at(s, turn, scale, time);
+      leg.to_h = select(turning, value_of(turn), length);
+      leg.to_u = select(turning, value_of(place.u), end_u);
+      detail::visit_leg(s, shells, leg, scale, time, visitor);
+      visitor.turn(turning, place);
+      leg = {leg.to_h, length, leg.to_u, end_u, turning};
+    }
+    detail::visit_leg(s, shells, leg, scale, time, visitor);
+    time = time + length * inverse_scale;
+    detail::move_series(s, length);
+    u = end_u;
+    active = active & !leaves_no_shell(end_rate) & !visitor.done();
+  }
+  return !active;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_field/seen_light.h"
+#include "kernels/shells/shell_crossings.h"
+#include "kernels/shells/shell_light.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Shells as a register of rays sees them: a visitor of trace_shells. `before(lane, time)` is called before each crossing, to put there what lies
+//! nearer.
+template <class T, class Before>
+class ShellSight {
+ public:
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+  using Mask = MaskOf<T>;
+
+  //! `pixel` is the width of what each ray stands for, as a part of a pixel's.
+  ERGO_HD ShellSight(const CameraStationOf<S>& camera, const ShellTable& shells, const NearRay<D>& ray, S pixel,
+                     const Before& before, SeenLanes<T>& seen)
+      : camera_(camera), shells_(shells), ray_(ray), pixel_(pixel), before_(before), seen_(seen), fine_(S(0)) {}
+
+  ERGO_HD void cross(int shell, const Mask& lanes, const NearPlace<D>& place) {
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (mask_lane(lanes, i)) {
+        before_(i, lane(place.time, i));
+        compose(shell, place, i);
+      }
+    }
+  }
+
+  //! Next to the edge of a shell, and to the critical curve, a pixel holds more than its middle tells.
+  ERGO_HD void turn(const Mask& lanes, const NearPlace<D>& place) {
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (!mask_lane(lanes, i)) {
+        continue;
+      }
+      const float along_x = lane(place.u.along_x, i);
+      const float along_y = lane(place.u.along_y, i);
+      const float change = pixel_ * sqrt(along_x * along_x + along_y * along_y);
+      const float u = lane(place.u.value, i);
+      bool fine = u < shells_.u[shells_.count - 1] && footprint_width(footprint_of(place, i)) > fine_width;
+      for (int shell = 0; shell < shells_.count; ++shell) {
+        fine = fine || ::fabsf(u - shells_.u[shell]) < change;
+      }
+      set_lane(fine_, i, fine ? S(1) : lane(fine_, i));
+    }
+  }
+
+  //! Lanes that see nothing further.
+  ERGO_HD Mask done() const { return seen_.clear < T(opaque); }
+
+  //! Lanes that hold more than their middle tells.
+  ERGO_HD Mask fine() const { return fine_ > T(S(0)); }
+
+ private:
+  //! A footprint as wide as this [rad] holds more than one image, or soon will.
+  static constexpr float fine_width = 0.5F;
+  //! What is left of the light behind is less than a display shows.
+  static constexpr S opaque = S(1.0 / 4096.0);
+
+  //! With the camera's own azimuth, and for what the ray stands for.
+  ERGO_HD ShellFootprint footprint_of(const NearPlace<D>& place, int i) const {
+    const float drag = lane(place.drag.value, i);
+    const float c = ::cosf(drag);
+    const float s = ::sinf(drag);
+    const float cosine = c * camera_.cosine_phi - s * camera_.sine_phi;
+    const float sine = s * camera_.cosine_phi + c * camera_.sine_phi;
+    const auto turned = [&](T D::*part) {
+      const float x = lane(place.m.x.*part, i);
+      const float y = lane(place.m.y.*part, i);
+      return Vector3<float>{cosine * x - sine * y, sine * x + cosine * y, lane(place.m.z.*part, i)};
+    };
+    const Vector3<float> d = turned(&D::value);
+    const auto derivative = [&](T D::*part) {
+      const float turn = lane(place.drag.*part, i);
+      const Vector3<float> plain = turned(part);
+      return pixel_ * Vector3<float>{plain.x - turn * d.y, plain.y + turn * d.x, plain.z};
+    };
+    return {d, derivative(&D::along_x), derivative(&D::along_y)};
+  }
+
+  ERGO_HD void compose(int shell, const NearPlace<D>& place, int i) {
+    const ShellLook& look = shells_.looks[shell];
+    const ShellFootprint at = footprint_of(place, i);
+    if (!(footprint_width(at) < fine_width)) {
+      set_lane(fine_, i, S(1));
+    }
+    float g = 1.0F;
+    if (shells_.shifted) {
+      const Vector3<float>& d = at.direction;
+      const float frequency = zamo_frequency(camera_.spin, look.r, sqrt(d.x * d.x + d.y * d.y), d.z,
+                                             lane(ray_.energy.value, i), lane(ray_.axial_angular_momentum.value, i));
+      g = 1.0F / maximum(frequency, 1e-6F);
+    }
+    const CoveredLight light = shell_light(look, at, g, shells_.shifted);
+    // A number that is not one covers nothing.
+    if (light.opacity > 0.0F) {
+      put_behind(light.light, light.opacity, i, seen_);
+    }
+  }
+
+  const CameraStationOf<S>& camera_;
+  const ShellTable& shells_;
+  const NearRay<D>& ray_;
+  S pixel_;
+  const Before& before_;
+  SeenLanes<T>& seen_;
+  T fine_;
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/disk/disk_pass.h"
+#include "render/lens/eye_camera.h"
+#include "render/shells/shell_pass.h"
+
+namespace ergodome {
+
+//! What stands near the hole in a picture; without either, nothing is traced.
+struct NearField {
+  const DiskPass* disk = nullptr;
+  const ShellPass* shells = nullptr;
+
+  [[nodiscard]] bool empty() const { return disk == nullptr && shells == nullptr; }
+};
+
+//! Draws it, by exact rays, over rows of a picture in the backend's memory: four floats a pixel. `time_s` is the show's, for what the disk carries
+//! round.
+void draw_near_field(Backend backend, const NearField& near_field, const EyeCamera& eye, const Projection& projection,
+                     double tolerance_px, double time_s, int first_row, int row_count, float* rgba);
+
+}  // namespace ergodome

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "content/objects/object_motion.h"
+#include "render/objects/connection_textures.h"
+#include "render/objects/gl_mesh.h"
+#include "render/objects/object_target.h"
+#include "render/objects/object_view.h"
+
+namespace ergodome {
+
+//! An object at one instant.
+struct PlacedObject {
+  const ObjectSettings* settings;
+  std::size_t mesh;  //!< which of the meshes it has
+  ObjectPlacement placement;
+};
+
+//! A rectangle of a picture, from its top left corner.
+struct PictureTile {
+  int left_px;
+  int top_px;
+  int width_px;
+  int height_px;
+};
+
+//! Draws objects in the current OpenGL context.
+class ObjectDrawing {
+ public:
+  //! Throws Error where the driver refuses.
+  explicit ObjectDrawing(const std::vector<TriangleMesh>& meshes);
+  ~ObjectDrawing();
+  ObjectDrawing(const ObjectDrawing&) = delete;
+  ObjectDrawing& operator=(const ObjectDrawing&) = delete;
+
+  //! What is drawn: objects as an eye sees them, all within a range of radii.
+  struct Scene {
+    ObjectView view;
+    std::span<const PlacedObject> objects;
+    std::optional<PointLight> light;
+    RadialRange range;
+  };
+
+  //! Draws a tile of a picture: light times coverage, and coverage, four floats a pixel, the bottom row first. The projection is one over
+  //! which nothing jumps: whole, or a face of a cube.
+  void draw(const Scene& scene, const Projection& projection, const PictureTile& tile, std::vector<float>& rgba);
+
+ private:
+  void set_tables(const Scene& scene);
+  void draw_object(const Scene& scene, const PlacedObject& object) const;
+
+  unsigned program_;
+  std::vector<std::unique_ptr<GlMesh>> meshes_;
+  ConnectionTextures tables_;
+  std::unique_ptr<ObjectTarget> target_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "content/mesh/triangle_mesh.h"
+#include "content/show.h"
+
+namespace ergodome {
+
+//! The meshes of a show's objects; several objects may share one.
+struct ObjectMeshes {
+  std::vector<TriangleMesh> meshes;
+  std::vector<std::size_t> mesh_of;  //!< which of them each object has
+};
+
+//! Makes them, or reads them, each file once. Throws Error where one cannot be read.
+ObjectMeshes load_meshes(const Show& show);
+
+}  // namespace ergodome

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "content/show.h"
+#include "render/lens/eye_camera.h"
+#include "render/objects/gl_thread.h"
+#include "render/objects/object_drawing.h"
+
+namespace ergodome {
+
+//! Draws a show's objects over pictures of what is behind them, through OpenGL, whatever backend the pictures are of.
+class ObjectPass {
+ public:
+  //! Loads the meshes and opens OpenGL; the show must have objects. Throws Error where a mesh cannot be read or no driver is there.
+  explicit ObjectPass(const Show& show);
+  ~ObjectPass();
+  ObjectPass(const ObjectPass&) = delete;
+  ObjectPass& operator=(const ObjectPass&) = delete;
+
+  //! Draws over a picture in host memory: four floats a pixel. Throws Error where an object reaches into the hole at that time of the show, or the eye is
+  //! inside the photon sphere.
+  void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba);
+
+  //! Triangles of all objects.
+  [[nodiscard]] long triangle_count() const;
+
+  //! Bytes of the meshes of a show's objects, each that several share once. Reads them; throws Error like the constructor.
+  static long mesh_bytes(const Show& show);
+
+ private:
+  //! Places all objects and holds them to the radii that can be drawn.
+  RadialRange place_objects(double time_s);
+
+  std::string show_name_;
+  std::vector<ObjectSettings> objects_;
+  std::optional<PointLight> light_;
+  std::vector<TriangleMesh> meshes_;
+  std::vector<double> mesh_radii_;
+  std::vector<PlacedObject> placed_;
+  std::vector<RadialRange> ranges_;  //!< of each object, as placed
+  GlThread gl_;
+  std::unique_ptr<ObjectDrawing> drawing_;  //!< made and let go on that thread
+};
+
+}  // namespace ergodome

@@ -1,0 +1,139 @@
+#include "render/objects/object_shader_parts.h"
+
+namespace ergodome {
+
+const char* const object_sight_source = R"(
+const float two_pi = 6.28318530717958647692;
+layout(binding = 0) uniform sampler2D table;
+layout(location = 3) uniform int order;
+layout(location = 4) uniform vec4 table_range;
+layout(location = 5) uniform mat3 view_from_frame;
+layout(location = 6) uniform vec4 boost;
+// Lagrange's cubic through four nodes from `first` on.
+vec4 cubic_weights(float at, int first) {
+  float t = at - float(first);
+  return vec4(-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, 0.5 * t * (t - 2.0) * (t - 3.0),
+              -0.5 * t * (t - 1.0) * (t - 3.0), t * (t - 1.0) * (t - 2.0) / 6.0);
+}
+vec3 read_table(float r, float angle) {
+  ivec2 last = textureSize(table, 0) - 1;
+  float column = angle / two_pi * float(last.x);
+  float row = clamp((1.0 / r - table_range.x) / (table_range.y - table_range.x), 0.0, 1.0) * float(last.y);
+  int first_column = clamp(int(floor(column)) - 1, -1, last.x - 3);
+  int first_row = clamp(int(floor(row)) - 1, 0, last.y - 3);
+  vec4 across = cubic_weights(column, first_column);
+  vec4 up = cubic_weights(row, first_row);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      int at = first_column + j;
+      vec3 node = texelFetch(table, ivec2(abs(at), first_row + i), 0).xyz;
+      sum += up[i] * across[j] * (at < 0 ? vec3(node.x, -node.y, node.z) : node);
+    }
+  }
+  return sum;
+}
+void see(vec3 place, out vec3 direction, out float time) {
+  float r = length(place);
+  float beside = length(place.yz);
+  float phi = atan(beside, place.x);
+  vec3 node = read_table(r, order == 1 ? phi : two_pi - phi);
+  // In line with the hole every plane is right; one is taken.
+  vec2 across = beside > 0.0 ? place.yz / beside : vec2(1.0, 0.0);
+  float side = order == 1 ? 1.0 : -1.0;
+  float span = length(node.xy);
+  direction = vec3(node.x, side * node.y * across) / max(span, 1e-30);
+  time = r * table_range.z * span;
+}
+// Aberration as kernels/metric/frame_boost.h has it.
+vec3 view_direction(vec3 n) {
+  float along = dot(n, boost.xyz);
+  vec3 across = n - along * boost.xyz;
+  float larger = 1.0 + abs(along);
+  float smaller = dot(across, across) / larger;
+  float with_it = (along > 0.0 ? larger : smaller) / boost.w;
+  float against = (along > 0.0 ? smaller : larger) * boost.w;
+  float energy = 0.5 * (with_it + against);
+  return view_from_frame * ((across + 0.5 * (with_it - against) * boost.xyz) / energy);
+}
+)";
+
+const char* const object_projection_source = R"(
+layout(location = 7) uniform int kind;
+layout(location = 8) uniform float mirror;
+layout(location = 9) uniform vec4 screen;
+layout(location = 10) uniform int law;
+layout(location = 11) uniform vec4 lens;
+layout(location = 12) uniform vec4 polynomial;
+layout(location = 13) uniform vec4 viewer;
+const int dome = 0;
+const int equirectangular = 1;
+const int cylinder = 3;
+const float pi = 3.14159265358979323846;
+float lens_radius(float angle) {
+  if (law == 1) {
+    return sin(0.5 * angle) / lens.w;
+  }
+  if (law == 2) {
+    return tan(0.5 * min(angle, 3.1)) / lens.w;
+  }
+  if (law == 3) {
+    return sin(min(angle, 0.5 * pi)) / lens.w;
+  }
+  if (law == 4) {
+    float within = min(angle, lens.z);
+    float square = within * within;
+    float radius = (((polynomial.w * square + polynomial.z) * square + polynomial.y) * square + polynomial.x) * within;
+    float slope = ((7.0 * polynomial.w * square + 5.0 * polynomial.z) * square + 3.0 * polynomial.y) * square + polynomial.x;
+    return radius + (angle - within) * slope;
+  }
+  return angle / lens.z;
+}
+// On the dome: to the right, to the front, to its zenith.
+vec3 dome_place(vec3 view) {
+  vec3 at = view;
+  if (viewer.w > 0.0) {
+    float along = dot(viewer.xyz, view);
+    at = viewer.xyz + (sqrt(along * along + 1.0 - dot(viewer.xyz, viewer.xyz)) - along) * view;
+  }
+  return vec3(at.x, -lens.y * at.z - lens.x * at.y, lens.y * at.y - lens.x * at.z);
+}
+vec4 clip_place(vec3 view, float depth) {
+  vec4 clip = vec4(0.0, 0.0, depth, 1.0);
+  if (kind == dome) {
+    vec3 at = dome_place(view);
+    float across = length(at.xy);
+    clip.xy = across > 0.0 ? lens_radius(atan(across, at.z)) / across * vec2(at.x, -at.y) : vec2(0.0);
+  } else if (kind == equirectangular) {
+    clip.xy = vec2(atan(view.x, -view.z) / pi, atan(view.y, length(view.xz)) / (0.5 * pi));
+  } else if (kind == cylinder) {
+    float level = max(length(view.xz), 1e-6);
+    clip.xy = vec2(atan(view.x, -view.z) / screen.x, (view.y / level - screen.w) / screen.y);
+  } else {
+    float ahead = -view.z;
+    clip = vec4((view.xy - screen.zw * ahead) / screen.xy, depth * ahead, ahead);
+  }
+  clip.x *= mirror;
+  return clip;
+}
+float horizontal_period() { return kind == equirectangular ? 2.0 : kind == cylinder ? 2.0 * pi / screen.x : 0.0; }
+bool wide(vec2 a, vec2 b) { return dot(a, b) < 0.5 * length(a) * length(b); }
+bool torn_by_projection(vec3 a, vec3 b, vec3 c) {
+  if (kind == dome) {
+    vec3 p = dome_place(a);
+    vec3 q = dome_place(b);
+    vec3 r = dome_place(c);
+    // Opposite the zenith one direction is a whole circle; an orthographic lens sees nothing behind it.
+    float highest = max(p.z, max(q.z, r.z));
+    float lowest = min(p.z, min(q.z, r.z));
+    return (law == 3 && lowest < 0.0) || (highest < -0.3 && (wide(p.xy, q.xy) || wide(q.xy, r.xy) || wide(r.xy, p.xy)));
+  }
+  if (kind == equirectangular || kind == cylinder) {
+    // About the poles one direction is a whole row.
+    return min(abs(a.y), min(abs(b.y), abs(c.y))) > 0.9 && (wide(a.xz, b.xz) || wide(b.xz, c.xz) || wide(c.xz, a.xz));
+  }
+  return false;
+}
+)";
+
+}  // namespace ergodome

@@ -1,0 +1,15 @@
+#pragma once
+
+// Parts that several of the shaders for objects have (render/objects/object_shaders.h).
+namespace ergodome {
+
+//! `see(place, direction, time)`: where a place is seen, and how long its light takes, by the observer's table (look_up_connection);
+//! `view_direction(direction)`: the same as the moving observer has it, in view axes.
+extern const char* const object_sight_source;
+
+//! `clip_place(view, depth)`: where a view direction comes to lie in the picture, for the rasterizer; `horizontal_period()`: how far
+//! apart in it the same direction comes again, 0: nowhere; `torn_by_projection(a, b, c)`: whether a triangle lies about a place that a
+//! projection tears.
+extern const char* const object_projection_source;
+
+}  // namespace ergodome

@@ -1,0 +1,123 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "kernels/launch/work_counter.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/image_writer.h"
+#include "render/plan/frame_plan.h"
+#include "tests/render/objects/object_scene.h"
+#include "tests/support/folder_test.h"
+
+// What objects take is planned, and nothing of it is done without them.
+namespace ergodome {
+namespace {
+
+using Work = std::map<std::string, WorkCount>;
+
+const std::vector<std::string> work_of_objects = {"load_meshes", "open_gl", "make_connection_table", "draw_objects"};
+
+class ObjectPlans : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    test::driver_was_loaded = true;
+    try {
+      const GlThread thread;
+    } catch (const Error& problem) {
+      GTEST_SKIP() << problem.what();
+    }
+    Picture map;
+    map.width = 64;
+    map.height = 32;
+    map.rgba.assign(4UL * 64 * 32, 0.25F);
+    write_picture(folder_ / "sky.exr", {ImageFormat::exr}, map, {});
+  }
+
+  [[nodiscard]] Show show_with(const std::vector<ObjectSettings>& objects) const {
+    Show show;
+    show.name = "scene";
+    show.folder = folder_.string();
+    show.camera.keys.emplace_back();
+    show.camera.keys.front().r = 40.0;
+    show.camera.motion = ObserverMotion::fixed;
+    show.sky.map = "sky.exr";
+    show.view.projection = ViewProjection::pinhole;
+    show.view.field_of_view_deg = 20.0;
+    show.view.size_px = 64;
+    show.objects = objects;
+    show.lines["objects"] = 12;
+    return show;
+  }
+
+  //! What a picture and one more of the same moment take.
+  static std::pair<Work, Work> work_of(const Show& show, ViewMode mode) {
+    const Work start = work_done();
+    ShowRenderer renderer(show, Backend::cpu);
+    renderer.render(0.0, {mode, 0});
+    const Work first = work_done();
+    renderer.render(0.0, {mode, 0});
+    return {work_between(start, first), work_between(first, work_done())};
+  }
+};
+
+TEST_F(ObjectPlans, NameWhatObjectsTakeAndTheLineThatCallsForIt) {
+  Show show = show_with({test::small_sphere({10.0, 0.0, 0.0}, 1.0)});
+  FrameRequest request;
+  request.map_width_px = 64;
+  request.mesh_bytes = ObjectPass::mesh_bytes(show);
+  const FramePlan plan = plan_frame(show, request);
+  const auto [first, second] = work_of(show, ViewMode::sky);
+  for (const std::string& name : work_of_objects) {
+    const auto pass = std::ranges::find(plan.passes, name, &PlannedPass::name);
+    ASSERT_NE(pass, plan.passes.end()) << name;
+    EXPECT_THAT(pass->why, testing::HasSubstr("line 12"));
+    ASSERT_TRUE(first.contains(name)) << name;
+    EXPECT_TRUE(pass->runs == 0 || first.at(name).runs == pass->runs) << name;
+    EXPECT_TRUE(pass->elements == 0 || first.at(name).elements == pass->elements) << name;
+    EXPECT_EQ(second.contains(name), pass->moment == WorkMoment::picture) << name;
+  }
+  const auto meshes = std::ranges::find(plan.buffers, "buffer: meshes", &PlannedBuffer::name);
+  ASSERT_NE(meshes, plan.buffers.end());
+  EXPECT_EQ(meshes->bytes, first.at("buffer: meshes").elements);
+  for (const char* const name : {"buffer: connecting rays", "buffer: objects' picture"}) {
+    EXPECT_NE(std::ranges::find(plan.buffers, name, &PlannedBuffer::name), plan.buffers.end()) << name;
+    EXPECT_TRUE(first.contains(name)) << name;
+    EXPECT_FALSE(second.contains(name)) << name;
+  }
+}
+
+TEST_F(ObjectPlans, WithoutObjectsNoMeshIsReadNoTableIsMadeAndNoOpenGlIsOpened) {
+  const Show show = show_with({});
+  const FramePlan plan = plan_frame(show, {});
+  const auto [first, second] = work_of(show, ViewMode::sky);
+  for (const std::string& name : work_of_objects) {
+    EXPECT_EQ(std::ranges::find(plan.passes, name, &PlannedPass::name), plan.passes.end()) << name;
+    EXPECT_FALSE(first.contains(name)) << name;
+    EXPECT_FALSE(second.contains(name)) << name;
+  }
+}
+
+TEST_F(ObjectPlans, AHeatMapShowsNoObjects) {
+  const Show show = show_with({test::small_sphere({10.0, 0.0, 0.0}, 1.0)});
+  FrameRequest request;
+  request.mode = ViewMode::steps;
+  const FramePlan plan = plan_frame(show, request);
+  EXPECT_EQ(std::ranges::find(plan.passes, "draw_objects", &PlannedPass::name), plan.passes.end());
+  EXPECT_FALSE(work_of(show, ViewMode::steps).first.contains("draw_objects"));
+}
+
+TEST_F(ObjectPlans, AFrameOfAShowHasItsObjectInFrontOfTheSky) {
+  ObjectSettings sphere = test::small_sphere({10.0, 0.0, 0.0}, 1.0);
+  sphere.color = {0.0, 0.5, 0.0};
+  ShowRenderer renderer(show_with({sphere}), Backend::cpu);
+  const std::vector<FrameImage> images = renderer.render(0.0, {});
+  const std::vector<float>& rgba = images.front().picture.rgba;
+  const std::size_t middle = 4 * (32 * 64 + 32);
+  EXPECT_FLOAT_EQ(rgba[middle], 0.0F);
+  EXPECT_NEAR(rgba[middle + 1], 0.5F, 1e-3F);
+  EXPECT_NEAR(rgba[0], 0.25F, 0.01F);
+}
+
+}  // namespace
+}  // namespace ergodome
