@@ -33,20 +33,22 @@ void read_triangle(TomlTable& table, TriangleShape& shape) {
     return;
   }
   const toml::array* const corners = node->as_array();
-  const Error wrong = table.error_at("corners", "are not three places", "write [[0, 0, 0], [0, 1, 0], [0, 0, 1]]");
+  const auto wrong = [&] {
+    return table.error_at("corners", "are not three places", "write [[0, 0, 0], [0, 1, 0], [0, 0, 1]]");
+  };
   if (corners == nullptr || corners->size() != 3) {
-    throw wrong;
+    throw wrong();
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const toml::array* const corner = corners->get(i)->as_array();
     if (corner == nullptr || corner->size() != 3) {
-      throw wrong;
+      throw wrong();
     }
     double part[3] = {};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto value = corner->get(k)->value<double>();
       if (!value || !(std::abs(*value) <= farthest_of_objects)) {
-        throw wrong;
+        throw wrong();
       }
       part[k] = *value;
     }

@@ -38,6 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     check(ergodome::parse_mesh({reinterpret_cast<const char*>(data + 1), size - 1}, format, "fuzz mesh"));
   } catch (const ergodome::Error&) {
+    return 0;
   }
   return 0;
 }

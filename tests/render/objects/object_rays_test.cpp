@@ -46,11 +46,15 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     return std::max({drawn.at(x, y, 0), drawn.at(x, y, 1), drawn.at(x, y, 2)});
   }
 
+  static bool at(const std::vector<bool>& seen, int x, int y) {
+    return seen[static_cast<std::size_t>(y) * size_px + static_cast<std::size_t>(x)];
+  }
+
   //! Whether all pixels within one of this agree with it.
   static bool is_inner(const std::vector<bool>& seen, int x, int y) {
     for (int row = std::max(0, y - 1); row <= std::min(size_px - 1, y + 1); ++row) {
       for (int column = std::max(0, x - 1); column <= std::min(size_px - 1, x + 1); ++column) {
-        if (seen[static_cast<std::size_t>(row * size_px + column)] != seen[static_cast<std::size_t>(y * size_px + x)]) {
+        if (at(seen, column, row) != at(seen, x, y)) {
           return false;
         }
       }
@@ -72,7 +76,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
     int inner = 0;
     for (int y = 0; y < size_px; ++y) {
       for (int x = 0; x < size_px; ++x) {
-        const bool hit = seen[static_cast<std::size_t>(y * size_px + x)];
+        const bool hit = at(seen, x, y);
         if (is_inner(seen, x, y)) {
           EXPECT_EQ(light_at(drawn, x, y) > 0.5F * brightest, hit) << x << ", " << y;
           inner += hit ? 1 : 0;
