@@ -1,6 +1,7 @@
 #include "app/near_ray_commands.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -36,7 +37,7 @@ void run_disk(const NearRayOptions& options, const RayFiles& files) {
 }
 
 void run_shell(const NearRayOptions& options, const RayFiles& files) {
-  ShellTableOptions table{options.shell_r};
+  ShellTableOptions table{*options.shell_r};
   table.tolerance = files.tolerance > 0.0 ? files.tolerance : table.tolerance;
   write_lines(files, shell_table_head, [&](std::span<const RayRow> rows) { return shell_lines(rows, table); });
 }
@@ -45,6 +46,9 @@ void run_objects(const NearRayOptions& options, const RayFiles& files) {
   const Show show = load_show(options.objects);
   if (show.objects.empty()) {
     throw Error("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
+  }
+  if (!std::isfinite(options.time_s)) {
+    throw Error("trace --objects", "--at is not a time", "give seconds of the show");
   }
   const ObjectRays objects(show, options.time_s);
   const double tolerance = files.tolerance > 0.0 ? files.tolerance : 1e-15;
@@ -93,7 +97,7 @@ std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const st
 bool run_near_rays(const NearRayOptions& options, const RayFiles& files) {
   if (options.disk) {
     run_disk(options, files);
-  } else if (options.shell_r > 0.0) {
+  } else if (options.shell_r) {
     run_shell(options, files);
   } else if (!options.objects.empty()) {
     run_objects(options, files);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,9 @@ namespace ergodome {
 struct NearRayOptions {
   bool disk = false;
   bool plunging = false;
-  double shell_r = 0.0;  //!< 0: no shell
-  std::string objects;   //!< a show whose objects are looked for; empty: none
-  double time_s = 0.0;   //!< of that show
+  std::optional<double> shell_r;
+  std::string objects;  //!< a show whose objects are looked for; empty: none
+  double time_s = 0.0;  //!< of that show
 };
 
 //! Tables to read and to write.

@@ -48,6 +48,8 @@ TEST_F(CommandLine, TraceObjectsRefusesWhatCannotBe) {
     EXPECT_NE(run(std::string("trace --rays rays.csv --out out.csv ") + words), 0) << words;
     EXPECT_THAT(output_, HasSubstr("--objects")) << words;
   }
+  EXPECT_NE(run("trace --objects sphere --at nan --rays rays.csv --out out.csv"), 0);
+  EXPECT_THAT(output_, HasSubstr("--at is not a time"));
   EXPECT_NE(run("trace --at 3 --rays rays.csv --out out.csv"), 0);
   EXPECT_THAT(output_, HasSubstr("--objects"));
 }
