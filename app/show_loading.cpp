@@ -29,7 +29,8 @@ std::vector<std::string> built_in_shows(const std::filesystem::path& folder) {
 
 Show load_show(const std::string& name_or_path) {
   std::error_code problem;
-  if (std::filesystem::exists(name_or_path, problem)) {
+  // A folder that happens to have a built-in show's name does not hide it.
+  if (std::filesystem::exists(name_or_path, problem) && !std::filesystem::is_directory(name_or_path, problem)) {
     return read_show(name_or_path);
   }
   const std::filesystem::path folder = built_in_content_folder() / "shows";

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command_line.h"
@@ -28,6 +29,14 @@ TEST_F(CommandLine, PlanNamesThePassesAndTheLinesThatCallForThem) {
   EXPECT_THAT(output_, HasSubstr("128 x 128 pixels, 2 eyes"));
   EXPECT_THAT(output_, HasSubstr("shade_heat_map"));
   EXPECT_THAT(output_, Not(HasSubstr("search_patches")));
+}
+
+TEST_F(CommandLine, AFolderDoesNotHideTheBuiltInShowOfItsName) {
+  std::filesystem::create_directory(folder_ / "shells");
+  EXPECT_EQ(run("plan shells --backend cpu"), 0) << output_;
+  std::filesystem::create_directory(folder_ / "elsewhere");
+  EXPECT_NE(run("plan elsewhere --backend cpu"), 0);
+  EXPECT_THAT(output_, HasSubstr("is neither a file nor a built-in show"));
 }
 
 TEST_F(CommandLine, PlanMeasuresWhatItPlanned) {
