@@ -16,6 +16,7 @@ void add_bake_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_catalogue_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
+void add_accuracy_command(CLI::App& app);
 void add_calibrate_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
 void add_pad_command(CLI::App& app);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/disk/disk_emitter.h"
 #include "kernels/disk/equatorial_crossings.h"
@@ -15,7 +16,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 //! Rays that are followed out so far beyond the camera cross the plane no more, but for those that run along it.
 constexpr double farthest = 1e6;
 constexpr int step_limit = 100'000;

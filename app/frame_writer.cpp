@@ -7,6 +7,7 @@
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
+#include "kernels/core/angles.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
@@ -24,7 +25,7 @@ FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::
           {"time_s", fmt::format("{:.6f}", time_s)},
           {"spin", fmt::format("{:.12g}", show.spin)},
           {"r", fmt::format("{:.12g}", pose.r)},
-          {"theta_deg", fmt::format("{:.12g}", pose.theta * 180.0 / 3.14159265358979323846)},
+          {"theta_deg", fmt::format("{:.12g}", pose.theta * radian_deg)},
           {"observer", observers[static_cast<int>(show.camera.motion)]},
           {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
           {"from_outside", show.view.from_outside ? "true" : "false"},

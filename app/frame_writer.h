@@ -18,6 +18,7 @@ struct RenderOptions {
   std::string frames;
   int size_px = 0;
   std::string projection;
+  std::string objects;
   std::string stereo;
   bool tint_eyes = false;
   bool from_outside = false;

@@ -17,6 +17,7 @@
 #include "content/environment_image.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/critical_curve.h"
@@ -37,8 +38,6 @@ struct InspectOptions {
   int size_px = 1024;
 };
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
-
 //! Angular width of the shadow along ±φ from the show's camera at a time [deg].
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
@@ -46,7 +45,7 @@ double shadow_width_deg(const Show& show, double time_s) {
   const CameraStation camera =
       make_camera_station(spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
   const ShadowChart chart = make_shadow_chart(camera);
-  return degrees * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, 3.14159265358979323846));
+  return radian_deg * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi));
 }
 
 nlohmann::json facts_of(const Show& show) {
@@ -71,14 +70,14 @@ nlohmann::json facts_of(const Show& show) {
   for (const CameraKey& key : show.camera.keys) {
     facts["keys"].push_back({{"t_s", key.time_s},
                              {"r", key.r},
-                             {"theta_deg", key.theta * degrees},
-                             {"phi_deg", key.phi * degrees},
+                             {"theta_deg", key.theta * radian_deg},
+                             {"phi_deg", key.phi * radian_deg},
                              {"shadow_width_deg", shadow_width_deg(show, key.time_s)}});
   }
   return facts;
 }
 
-void print(const nlohmann::json& facts) {
+void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
     if (name != "keys" && name != "grid" && name != "timeline") {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
@@ -139,7 +138,7 @@ void inspect_grid(const LensStation& station, double budget_px, const InspectOpt
   nlohmann::json& grid = facts["grid"];
   const std::vector<bool> flagged = flagged_leaves(station);
   grid = {{"r", station.r},
-          {"theta_deg", station.theta * degrees},
+          {"theta_deg", station.theta * radian_deg},
           {"mirrored", station.mirrored},
           {"nodes", station.node_count()},
           {"cells", station.leaf_count()},
@@ -201,7 +200,7 @@ void run(const InspectOptions& options) {
   if (options.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {
-    print(facts);
+    print_facts(facts);
     if (facts.contains("grid")) {
       print_grid(facts["grid"]);
     }

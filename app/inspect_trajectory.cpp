@@ -7,18 +7,17 @@
 
 #include "app/progress.h"
 #include "content/trajectory/trajectory_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
-
 nlohmann::json facts_of(const StationEntry& station) {
   return {{"t_s", station.time_s},
           {"r", station.r},
-          {"theta_deg", station.theta * degrees},
+          {"theta_deg", station.theta * radian_deg},
           {"bytes", station.bytes},
           {"nodes", station.nodes},
           {"cells", station.leaves},
@@ -43,7 +42,7 @@ nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
                           {"bytes", trajectory.file_bytes()},
                           {"spin", from.spin},
                           {"budget_px", from.budget_px},
-                          {"pixel_arcmin", from.pixel * degrees * 60.0},
+                          {"pixel_arcmin", from.pixel * radian_deg * 60.0},
                           {"derivatives", from.derivatives},
                           {"code_version", from.code_version},
                           {"show", from.show_text},

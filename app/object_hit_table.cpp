@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr int rays_at_a_time = 16;
+constexpr int object_rays_at_a_time = 16;
 
 //! Empty where the ray meets nothing; nothing where it does not converge.
 std::optional<std::string> line_of(const RayRow& row, const CameraStation& camera, const ObjectRays& objects,
@@ -35,7 +35,7 @@ std::string object_lines(std::span<const RayRow> rows, const ObjectRays& objects
   const RayRow& first = rows.front();
   const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
   std::vector<std::optional<std::string>> lines(rows.size());
-  parallel_for(static_cast<int>(rows.size()), rays_at_a_time, [&](int begin, int end) {
+  parallel_for(static_cast<int>(rows.size()), object_rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto at = static_cast<std::size_t>(i);
       lines[at] = line_of(rows[at], camera, objects, tolerance);

@@ -20,6 +20,7 @@ namespace {
 struct PlanOptions {
   std::string show;
   std::string projection;
+  std::string objects;
   std::string stereo;
   std::string backend = "auto";
   std::string view = "sky";
@@ -132,6 +133,7 @@ void print(const Measured& measured) {
 void run(const PlanOptions& options) {
   Show show = load_show(options.show);
   override_view(show, options.projection, options.stereo);
+  override_objects(show, options.objects);
   require_features(show);
   const Backend backend = choose_backend(options.backend);
   std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
@@ -142,7 +144,7 @@ void run(const PlanOptions& options) {
                                 load_sky_map(show).width,
                                 stream != nullptr,
                                 OverlayPass::image_bytes(show.timeline, show.folder),
-                                ObjectPass::mesh_bytes(show)};
+                                has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
   nlohmann::json plan = json_of(show, plan_frame(show, request));
   std::optional<Measured> measured;
   if (options.measure) {
@@ -177,6 +179,8 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--view", options->view, "what to show")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
+  command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
+      ->check(CLI::IsMember(object_method_names()));
   command
       ->add_option("--projection", options->projection,
                    "dome, equirect, cube, cylinder or pinhole, instead of the show's")

@@ -9,9 +9,11 @@
 
 #include "app/commands.h"
 #include "app/near_ray_commands.h"
+#include "app/pixel_text.h"
 #include "app/ray_groups.h"
 #include "content/files/atomic_file.h"
 #include "content/ray_table.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
 #include "kernels/shadow/critical_curve.h"
@@ -119,29 +121,13 @@ void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t
   append_rays(rows, begin, arrays, text);
 }
 
-//! The number of pixels in "0.1px" or "0.1".
-double budget_px_of(const std::string& text) {
-  std::size_t used = 0;
-  double value = 0.0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  const std::string unit = text.substr(used);
-  if (used == 0 || !(unit.empty() || unit == "px") || !(value >= 1e-4 && value <= 100.0)) {
-    throw Error("--budget " + text, "is not a number of pixels", "write for example --budget 0.1px, from 1e-4 to 100");
-  }
-  return value;
-}
-
 //! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line for each.
 void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                    std::string& text) {
   const RayRow& row = rows[begin];
   GridSettings settings;
-  settings.pixel = 3.14159265358979323846 / options.size_px;
-  settings.budget_px = budget_px_of(options.budget);
+  settings.pixel = pi / options.size_px;
+  settings.budget_px = pixels_of("--budget", options.budget);
   settings.observer = aberration_to_rain(row.spin, row.r, row.theta, row.motion, row.velocity);
   settings.fine = options.precision == "double";
   GridStatistics statistics;
@@ -220,7 +206,7 @@ void run_trace(const RayOptions& options) {
 void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
                    std::string& text) {
   for (int i = 0; i < count; ++i) {
-    const double gamma = 6.28318530717958647692 * i / count;
+    const double gamma = full_turn * i / count;
     const double alpha = edge_polar_angle(camera, chart, gamma);
     const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
     text += fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", id, i, n.x, n.y, n.z);

@@ -70,6 +70,7 @@ Show chosen_show(const RenderOptions& options) {
   }
   Show show = options.show.empty() ? Show{} : load_show(options.show);
   override_view(show, options.projection, options.stereo);
+  override_objects(show, options.objects);
   show.view.from_outside = show.view.from_outside || options.from_outside;
   show.stereo.tint_eyes = show.stereo.tint_eyes || options.tint_eyes;
   if (options.frame_rate_hz > 0.0) {
@@ -175,6 +176,8 @@ void add_render_command(CLI::App& app) {
   command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
   command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1 (default: all)");
   command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
+  command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
+      ->check(CLI::IsMember(object_method_names()));
   command
       ->add_option("--projection", options->projection,
                    "dome, equirect, cube, cylinder or pinhole, instead of the show's")

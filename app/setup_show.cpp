@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "content/files/atomic_file.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"
@@ -19,7 +20,7 @@ namespace {
 //! The setup's viewer in radii of the dome, in the axes of a view that is tilted by `tilt_deg`.
 Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
   // Both tilts lean the dome's top to the front; what is fixed is the viewer's place in the dome.
-  const double angle = (tilt_deg - setup.tilt_deg) * 3.14159265358979323846 / 180.0;
+  const double angle = (tilt_deg - setup.tilt_deg) * one_degree;
   const Vector3<double> upright = (1.0 / setup.radius_m) * setup.viewer_m;
   return {upright.x, std::cos(angle) * upright.y + std::sin(angle) * upright.z,
           std::cos(angle) * upright.z - std::sin(angle) * upright.y};

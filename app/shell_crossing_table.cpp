@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shells/shell_crossings.h"
@@ -15,9 +16,8 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr int step_limit = 100'000;
-constexpr int rays_at_a_time = 16;
+constexpr int shell_step_limit = 100'000;
+constexpr int shell_rays_at_a_time = 16;
 
 //! Writes a ray's crossings down as it makes them.
 struct LineWriter {
@@ -49,8 +49,8 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
   const NearRay<double> ray = start_near_ray(camera, row.direction);
   const double u = 1.0 / options.r;
   LineWriter writer{row, ray, options.r};
-  if (!trace_shells<20, NearParts::azimuth_and_delay>(camera.spin, ray, {&u, 1}, {options.tolerance, step_limit}, true,
-                                                      writer)) {
+  if (!trace_shells<20, NearParts::azimuth_and_delay>(camera.spin, ray, {&u, 1}, {options.tolerance, shell_step_limit},
+                                                      true, writer)) {
     return std::nullopt;
   }
   return writer.text;
@@ -68,7 +68,7 @@ std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& o
   }
   const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
   std::vector<std::optional<std::string>> lines(rows.size());
-  parallel_for(static_cast<int>(rows.size()), rays_at_a_time, [&](int begin, int end) {
+  parallel_for(static_cast<int>(rows.size()), shell_rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto at = static_cast<std::size_t>(i);
       lines[at] = lines_of(rows[at], camera, options);

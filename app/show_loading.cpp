@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "content/objects/object_reader.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "kernels/core/error.h"
@@ -42,9 +43,31 @@ Show load_show(const std::string& name_or_path) {
               fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
 }
 
+std::vector<std::string> object_method_names() { return {"polygon", "trace"}; }
+
 std::vector<std::string> stereo_names() { return {stereo_layout_names.begin(), stereo_layout_names.end()}; }
 
 std::vector<std::string> projection_names() { return {"dome", "equirect", "cube", "cylinder", "pinhole"}; }
+
+void override_objects(Show& show, const std::string& method) {
+  if (method.empty()) {
+    return;
+  }
+  const bool trace = method == "trace";
+  if (show.objects.empty()) {
+    throw Error("--objects " + method, show.name + " has no objects", "leave it out");
+  }
+  for (ObjectSettings& object : show.objects) {
+    object.method = trace ? ObjectMethod::trace : ObjectMethod::polygon;
+    if (!trace && object.retarded) {
+      throw Error("--objects polygon", "polygons do not know that objects are retarded", "leave it out");
+    }
+  }
+  const std::optional<PolygonLimit> limit = trace ? std::nullopt : polygon_limit(show);
+  if (limit) {
+    throw Error("--objects polygon", show.name + ": objects " + limit->problem, "leave it out");
+  }
+}
 
 void override_view(Show& show, const std::string& projection, const std::string& stereo) {
   if (!projection.empty()) {

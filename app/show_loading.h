@@ -20,6 +20,12 @@ std::vector<std::string> stereo_names();
 //! Puts the projection and stereo layout of the command line (empty: none) in place of the show's.
 void override_view(Show& show, const std::string& projection, const std::string& stereo);
 
+//! The words for ObjectMethod, in its order.
+std::vector<std::string> object_method_names();
+
+//! Draws the show's objects by the command line's method (empty: none) in place of the show's. Throws Error where they cannot be drawn so.
+void override_objects(Show& show, const std::string& method);
+
 //! Throws Error naming what the show asks for and this version cannot draw.
 void require_features(const Show& show);
 

@@ -15,13 +15,13 @@ namespace ergodome {
 namespace {
 
 //! No mesh needs more, and every node of the largest mesh fits.
-constexpr std::size_t most_bytes = std::size_t{2} << 30U;
+constexpr std::size_t most_mesh_bytes = std::size_t{2} << 30U;
 //! Far outside any raster or image.
-constexpr double largest_coordinate = 1e4;
+constexpr double largest_mesh_coordinate = 1e4;
 //! "0 0 0 0 0", the shortest line of a node.
 constexpr std::size_t least_node_bytes = 9;
 
-std::string shown(std::string_view word) { return std::string(word.substr(0, 40)); }
+std::string shown_word(std::string_view word) { return std::string(word.substr(0, 40)); }
 
 class BourkeParser {
  public:
@@ -92,11 +92,12 @@ class BourkeParser {
       const std::string_view word = take_word(rest);
       const auto number = number_of(word);
       if (word.empty() || !number) {
-        throw error(word.empty() ? "has fewer than five numbers" : fmt::format("holds \"{}\", no number", shown(word)),
-                    "write x y u v intensity");
+        throw error(
+            word.empty() ? "has fewer than five numbers" : fmt::format("holds \"{}\", no number", shown_word(word)),
+            "write x y u v intensity");
       }
-      if (!(std::abs(*number) <= largest_coordinate)) {
-        throw error(fmt::format("holds {}", shown(word)),
+      if (!(std::abs(*number) <= largest_mesh_coordinate)) {
+        throw error(fmt::format("holds {}", shown_word(word)),
                     "write finite numbers; a negative intensity leaves a node out");
       }
       each = *number;
@@ -147,7 +148,7 @@ WarpMesh parse_bourke_mesh(std::string_view text, const std::string& file, doubl
 }
 
 WarpMesh read_bourke_mesh(const std::filesystem::path& path, double half_width) {
-  return parse_bourke_mesh(read_whole_file(path, most_bytes, "give a mesh in Paul Bourke's format"), path.string(),
+  return parse_bourke_mesh(read_whole_file(path, most_mesh_bytes, "give a mesh in Paul Bourke's format"), path.string(),
                            half_width);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -10,14 +11,13 @@ namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr int coarsest = 17;
 constexpr int finest = 1025;
 //! Radius in the master, in halves of its width, up to which nodes are kept: cells across the rim need them.
 constexpr double beyond_rim = 1.25;
 
 Projection master_of(const DomeScreen& screen) {
-  return make_dome_projection(1, degree * screen.field_of_view_deg, degree * screen.tilt_deg);
+  return make_dome_projection(1, one_degree * screen.field_of_view_deg, one_degree * screen.tilt_deg);
 }
 
 //! A master's place from the middle, in halves of its width.

@@ -1,9 +1,10 @@
 #include "calibration/lens.h"
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 double growing_angle(const std::vector<double>& polynomial) {
-  constexpr double pi = 3.14159265358979323846;
   constexpr int steps = 1800;
   double reached = 0.0;
   for (int i = 0; i <= steps; ++i) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "calibration/warp_conversion.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -13,9 +14,9 @@ namespace ergodome {
 namespace {
 
 //! Far outside any dome in any unit; what is not finite is not below it either.
-constexpr float largest_coordinate = 1e7F;
+constexpr float largest_place = 1e7F;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr Vector3<float> unknown = {nan, nan, nan};
+constexpr Vector3<float> unknown_place = {nan, nan, nan};
 
 //! A vector of a file in the dome's axes.
 Vector3<double> in_dome_axes(const MpcdiFrame& frame, const Vector3<double>& v) {
@@ -60,11 +61,11 @@ SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std:
   surface.points.reserve(geometry.map.samples.size() / 3);
   for (std::size_t i = 0; i + 2 < geometry.map.samples.size(); i += 3) {
     const float* const sample = &geometry.map.samples[i];
-    const bool known = std::all_of(sample, sample + 3, [](float c) { return std::abs(c) <= largest_coordinate; });
+    const bool known = std::all_of(sample, sample + 3, [](float c) { return std::abs(c) <= largest_place; });
     const Vector3<double> point = metres * in_dome_axes(frame, {sample[0], sample[1], sample[2]});
     surface.points.push_back(
         known ? Vector3<float>{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)}
-              : unknown);
+              : unknown_place);
   }
   return surface;
 }
@@ -81,10 +82,9 @@ ProjectorPose pose_of(const MpcdiRegion& region) {
 
 Lens lens_of(const MpcdiRegion& region) {
   if (region.fisheye) {
-    constexpr double degrees = 180.0 / 3.14159265358979323846;
     ProjectorFisheye lens;
     lens.polynomial.assign(std::begin(region.fisheye->coefficients), std::end(region.fisheye->coefficients));
-    lens.field_of_view_deg = std::max(1.0, 2.0 * degrees * growing_angle(lens.polynomial));
+    lens.field_of_view_deg = std::max(1.0, 2.0 * radian_deg * growing_angle(lens.polynomial));
     lens.offset_x = region.fisheye->horizontal_offset;
     lens.offset_y = region.fisheye->vertical_offset;
     return lens;

@@ -16,7 +16,7 @@ namespace {
 //! What rounding may leave of a region's rim, or of the right angles of a frame.
 constexpr double slack = 1e-3;
 
-std::string shown(const std::string& text) { return text.substr(0, 60); }
+std::string shown_type(const std::string& text) { return text.substr(0, 60); }
 
 void read_extent(const XmlElement& element, MpcdiRegion& region) {
   region.x = element.number_attribute("x");
@@ -54,7 +54,7 @@ double read_gamma(const XmlElement& color, std::string_view name, std::vector<st
     return 1.0;
   }
   if (type != "gamma") {
-    left_out.emplace_back(element->error(fmt::format("asks for {}", shown(type)), "").what());
+    left_out.emplace_back(element->error(fmt::format("asks for {}", shown_type(type)), "").what());
     return 1.0;
   }
   const double gamma = element->attribute("gamma") ? element->number_attribute("gamma") : element->number_of("gamma");
@@ -70,7 +70,7 @@ void read_color(const XmlElement& color, MpcdiRegion& region, std::vector<std::s
   const auto correct = color.child("correct");
   const std::string type = correct ? correct->attribute("type").value_or("none") : "none";
   if (type != "none") {
-    left_out.emplace_back(correct->error(fmt::format("asks for {}", shown(type)), "").what());
+    left_out.emplace_back(correct->error(fmt::format("asks for {}", shown_type(type)), "").what());
   }
 }
 

@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "floats are stored as 
 
 constexpr std::size_t most_header_bytes = 256;
 constexpr std::size_t sample_bytes = 3 * sizeof(float);
-constexpr std::size_t most_bytes = most_header_bytes + most_mesh_nodes * sample_bytes;
+constexpr std::size_t most_pfm_bytes = most_header_bytes + most_mesh_nodes * sample_bytes;
 
 struct Header {
   int width;
@@ -85,7 +85,7 @@ FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& na
 }
 
 FloatMap read_float_map(const std::filesystem::path& path, RowOrder order) {
-  const std::string bytes = read_whole_file(path, most_bytes, "give a portable float map (.pfm)");
+  const std::string bytes = read_whole_file(path, most_pfm_bytes, "give a portable float map (.pfm)");
   return parse_float_map(std::as_bytes(std::span(bytes)), path.string(), order);
 }
 

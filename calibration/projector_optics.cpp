@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
@@ -25,7 +24,7 @@ FisheyeLens<double> law_of(const ProjectorFisheye& lens) {
   double coefficient[4] = {0.0, 0.0, 0.0, 0.0};
   std::copy_n(lens.polynomial.begin(), std::min<std::size_t>(lens.polynomial.size(), 4), coefficient);
   return make_fisheye_lens(lens.polynomial.empty() ? LensLaw::equidistant : LensLaw::polynomial,
-                           degree * lens.field_of_view_deg, coefficient);
+                           one_degree * lens.field_of_view_deg, coefficient);
 }
 
 }  // namespace
@@ -84,10 +83,10 @@ std::optional<RasterPlace> ProjectorOptics::lens_place(const Vector3<double>& di
     if (!(forward > 0.0)) {
       return std::nullopt;
     }
-    const double left = std::tan(degree * frustum_.left_deg);
-    const double right = std::tan(degree * frustum_.right_deg);
-    const double up = std::tan(degree * frustum_.up_deg);
-    const double down = std::tan(degree * frustum_.down_deg);
+    const double left = std::tan(one_degree * frustum_.left_deg);
+    const double right = std::tan(one_degree * frustum_.right_deg);
+    const double up = std::tan(one_degree * frustum_.up_deg);
+    const double down = std::tan(one_degree * frustum_.down_deg);
     return RasterPlace{(to_right / forward - left) / (right - left), (upwards / forward - up) / (down - up)};
   }
   const double sine = std::hypot(to_right, upwards);

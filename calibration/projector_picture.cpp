@@ -7,13 +7,12 @@
 #include "calibration/dome_blend.h"
 #include "calibration/dome_warp.h"
 #include "calibration/warp_conversion.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 DomeScreen screen_of(const DomeSetup& setup) { return {setup.tilt_deg, 180.0}; }
 
@@ -165,7 +164,7 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
     throw Error("projector " + projector.name, "has a warp that shows no part of the domemaster",
                 "check that it was made for this dome, and how it is read (rows, texture, x_range)");
   }
-  turn(warp, degree * setup.rotation_deg);
+  turn(warp, one_degree * setup.rotation_deg);
   return warp;
 }
 

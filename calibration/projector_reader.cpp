@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "calibration/warp_mesh.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double farthest_m = 10'000.0;
 
 class ProjectorReader {
@@ -95,7 +95,8 @@ class ProjectorReader {
       throw table.error_at("circle", "stands beside polynomial", "the polynomial tells the size: remove circle");
     }
     constexpr double rounding = 0.002;
-    if (!lens.polynomial.empty() && growing_angle(lens.polynomial) < 0.5 * degree * lens.field_of_view_deg - rounding) {
+    if (!lens.polynomial.empty() &&
+        growing_angle(lens.polynomial) < 0.5 * one_degree * lens.field_of_view_deg - rounding) {
       throw table.error_at("polynomial", "does not grow up to the rim of the field of view",
                            "write f1, f3, f5, f7 with r = f1 t + f3 t^3 + ... rising for t from 0 to half of fov_deg");
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 
 namespace ergodome {
@@ -46,7 +47,7 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   eye.theta = std::atan2(across, place[2]);
   // The head's own branch of φ, so that a show of many turns does not jump.
   const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : phi;
-  eye.phi = phi + std::remainder(azimuth - phi, 6.28318530717958647692);
+  eye.phi = phi + std::remainder(azimuth - phi, full_turn);
   const Axes there = axes_at(eye.theta, eye.phi);
   for (int i = 0; i < 3; ++i) {
     for (int view = 0; view < 3; ++view) {

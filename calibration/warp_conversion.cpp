@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float unknown_sample = std::numeric_limits<float>::quiet_NaN();
 
 //! Far outside any image; what is not finite is not below it either.
 constexpr float largest_coordinate = 1e4F;
@@ -68,8 +68,9 @@ FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirec
   FloatMap map{width, height, {}};
   map.samples.reserve(3 * filled.nodes.size());
   for (const WarpNode& node : filled.nodes) {
-    const float sample[] = {node.valid ? node.u : unknown, node.valid ? directed(node.v, direction) : unknown,
-                            node.valid ? 0.0F : unknown};
+    const float sample[] = {node.valid ? node.u : unknown_sample,
+                            node.valid ? directed(node.v, direction) : unknown_sample,
+                            node.valid ? 0.0F : unknown_sample};
     map.samples.insert(map.samples.end(), std::begin(sample), std::end(sample));
   }
   return map;

@@ -21,7 +21,7 @@ bool same_name(std::string_view a, std::string_view b) {
                     [](char x, char y) { return small_letter(x) == small_letter(y); });
 }
 
-std::string shown(std::string_view text) { return std::string(text.substr(0, 60)); }
+std::string shown_text(std::string_view text) { return std::string(text.substr(0, 60)); }
 
 std::string trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
@@ -117,7 +117,7 @@ std::string XmlElement::text_of(std::string_view name, const std::string& otherw
 double XmlElement::finite(const std::string& word, std::string_view of) const {
   const auto number = ergodome::number_of(word);
   if (!number || !(std::abs(*number) <= largest_number)) {
-    throw error(fmt::format("says {} = \"{}\"", of, shown(word)), "write a finite number");
+    throw error(fmt::format("says {} = \"{}\"", of, shown_text(word)), "write a finite number");
   }
   return *number;
 }
@@ -166,14 +166,14 @@ int XmlElement::whole_attribute(std::string_view name, int least, int greatest, 
   const std::string word = trimmed(needed_attribute(name));
   const auto number = whole_number_of(word);
   if (!number || *number < least || *number > greatest) {
-    throw error(fmt::format("says {}=\"{}\"", name, shown(word)),
+    throw error(fmt::format("says {}=\"{}\"", name, shown_text(word)),
                 fmt::format("write a whole number from {} to {}", least, greatest));
   }
   return static_cast<int>(*number);
 }
 
 Error XmlElement::error(const std::string& problem, const std::string& remedy) const {
-  return {place(), fmt::format("<{}> {}", shown(node_.name()), problem), remedy};
+  return {place(), fmt::format("<{}> {}", shown_text(node_.name()), problem), remedy};
 }
 
 }  // namespace ergodome

@@ -20,7 +20,9 @@ target_compile_options(
   INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall
             -Wextra
             -Wpedantic
-            -Wshadow
+            # Where several files are compiled as one, a parameter may bear the name of another file's constant, and what a class keeps
+            # to itself may be of a file's own type.
+            $<IF:$<BOOL:${CMAKE_UNITY_BUILD}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>,-Wshadow>
             -Wconversion
             -Wno-sign-conversion
             -Wno-psabi

@@ -26,11 +26,14 @@ function(ergodome_add_simd_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
   if(NOT TARGET ${target})
     add_library(${target} STATIC)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   endif()
   foreach(simd IN LISTS ERGODOME_SIMD_TARGETS)
     set(objects ${target}_${simd})
     if(NOT TARGET ${objects})
       add_library(${objects} OBJECT)
+      # What launches kernels is told apart by file, and each file takes a minute as it is.
+      set_target_properties(${objects} PROPERTIES UNITY_BUILD OFF)
       target_compile_definitions(${objects} PRIVATE ERGO_TARGET=${simd})
       # Tuned even in debug builds (unoptimized SIMD wrappers are some fifty times slower); products and sums may fuse.
       target_compile_options(

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "content/shell_numbers.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double degrees = 180.0 / 3.14159265358979323846;
 
 constexpr NumberChange picture{};
 constexpr NumberChange stars{true, false, false};
@@ -161,7 +160,7 @@ NumberLimits limits_in(const Show& show, const AnimatableNumber& number) {
   } else if (show.view.projection == ViewProjection::dome) {
     const auto& f = show.view.polynomial;
     limits.greatest =
-        std::min(limits.greatest, 2.0 * degrees * largest_half_angle(show.view.lens, {f[0], f[1], f[2], f[3]}));
+        std::min(limits.greatest, 2.0 * radian_deg * largest_half_angle(show.view.lens, {f[0], f[1], f[2], f[3]}));
   }
   return limits;
 }

@@ -8,15 +8,15 @@ namespace ergodome {
 
 namespace {
 
-using Keys = std::vector<NumberKey>;
+using NumberKeys = std::vector<NumberKey>;
 
-Chord chord(const Keys& keys, std::size_t i) {
+Chord chord(const NumberKeys& keys, std::size_t i) {
   const double span_s = keys[i + 1].time_s - keys[i].time_s;
   return {(keys[i + 1].value - keys[i].value) / span_s, span_s};
 }
 
 //! On the way from key `i`, t in [0, 1).
-double value_between(const Keys& keys, std::size_t i, double t) {
+double value_between(const NumberKeys& keys, std::size_t i, double t) {
   const double from = keys[i].value;
   const double to = keys[i + 1].value;
   if (keys[i].ease == Ease::hold) {
@@ -54,7 +54,7 @@ NumberChange put_values(Show& show, const Value& value) {
 }  // namespace
 
 double value_at(const Animation& animation, double time_s) {
-  const Keys& keys = animation.keys;
+  const NumberKeys& keys = animation.keys;
   const auto after =
       std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const NumberKey& key) { return t < key.time_s; });
   if (after == keys.begin()) {

@@ -10,8 +10,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t most_animations = 1000;
-constexpr std::size_t most_keys = 100'000;
-constexpr double longest_s = 1e12;
+constexpr std::size_t most_number_keys = 100'000;
+constexpr double longest_animation_s = 1e12;
 
 const AnimatableNumber& number_of(TomlTable& table) {
   const std::string path = table.text("number", "");
@@ -50,7 +50,7 @@ void check_field_of_view(const TomlTable& table, const ViewSettings& view) {
 
 std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, const NumberLimits& limits) {
   std::vector<NumberKey> keys;
-  for (const toml::table* each : table.tables("key", most_keys)) {
+  for (const toml::table* each : table.tables("key", most_number_keys)) {
     TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), keys.size()));
     for (const char* const needed : {"t_s", "value"}) {
       if (!reader.has(needed)) {
@@ -58,7 +58,7 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
       }
     }
     NumberKey key;
-    key.time_s = reader.number("t_s", 0.0, -longest_s, longest_s);
+    key.time_s = reader.number("t_s", 0.0, -longest_animation_s, longest_animation_s);
     key.value = reader.number("value", 0.0, limits.least, limits.greatest);
     key.ease = static_cast<Ease>(reader.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out", "hold"}));
     if (!keys.empty() && !(key.time_s - keys.back().time_s >= least_key_gap_s)) {

@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-using Keys = std::vector<CameraKey>;
+using CameraKeys = std::vector<CameraKey>;
 
 //! When the camera leaves a key.
 double leave_s(const CameraKey& key) { return key.time_s + key.hold_s; }
@@ -23,11 +23,11 @@ struct Way {
   SpanEnds ends;
 };
 
-double span_s(const Keys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
+double span_s(const CameraKeys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
 
 //! Derivatives of some measure of the path at both ends of a way. `rise(i)` is what it adds from key i to the next one.
 template <class Rise>
-std::pair<KeyMotion, KeyMotion> motions(const Keys& keys, const Way& way, const Rise& rise) {
+std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, const Rise& rise) {
   const auto chord = [&](std::size_t i) {
     const double span = span_s(keys, i);
     return Chord{rise(i) / span, span};
@@ -39,7 +39,7 @@ std::pair<KeyMotion, KeyMotion> motions(const Keys& keys, const Way& way, const 
 
 //! A coordinate at t in [0, 1] of a way.
 template <class Value>
-double interpolated(const Keys& keys, const Way& way, double t, const Value& value) {
+double interpolated(const CameraKeys& keys, const Way& way, double t, const Value& value) {
   const double from = value(keys[way.from]);
   const double to = value(keys[way.from + 1]);
   if (keys[way.from].ease == Ease::linear) {
@@ -65,7 +65,7 @@ glm::dquat exponential(const glm::dvec3& v) {
 }
 
 //! Logarithm of the turn from one key's orientation to the next, the short way. It is the same vector in the frames of both.
-glm::dvec3 turn_between(const Keys& keys, std::size_t i) {
+glm::dvec3 turn_between(const CameraKeys& keys, std::size_t i) {
   const glm::dquat from = key_orientation(keys[i]);
   return logarithm(glm::inverse(from) * nearer(key_orientation(keys[i + 1]), from));
 }
@@ -75,7 +75,7 @@ glm::dvec3 turn_between(const Keys& keys, std::size_t i) {
 //! q(t) = q0 Π exp(ω_k B_k(t)), B_k the sum of the basis from k on. In the camera's own frame its turning rate at t = 0 is 5 ω1 and
 //! changes by 20 (ω2 - ω1); at t = 1 they are 5 ω5 and 20 (ω5 - R ω4), where R turns back by ω5. Rates of a key are limited part by part
 //! as those of a coordinate are, and the ways on both sides have them in the key's own frame: that is one frame.
-glm::dquat orientation_between(const Keys& keys, const Way& way, double t) {
+glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t) {
   const glm::dquat q0 = key_orientation(keys[way.from]);
   const glm::dvec3 whole = turn_between(keys, way.from);
   if (keys[way.from].ease == Ease::linear) {
@@ -130,7 +130,7 @@ glm::dquat key_orientation(const CameraKey& key) {
 }
 
 CameraPose camera_pose(const Show& show, double time_s) {
-  const Keys& keys = show.camera.keys;
+  const CameraKeys& keys = show.camera.keys;
   const auto hold = [](const CameraKey& key) { return CameraPose{key.r, key.theta, key.phi, key_orientation(key)}; };
   const auto after =
       std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "content/number_table.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/schwarzschild/connecting_ray.h"
 
@@ -13,7 +14,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 //! Angles written with fewer digits than a double has may be a little beyond their end.
 constexpr double slack = 1e-9;
 

@@ -14,13 +14,13 @@ namespace ergodome {
 
 namespace {
 
-constexpr double brightest = 1e6;
+constexpr double brightest_shell = 1e6;
 
 std::string name_of(std::size_t shell) { return fmt::format("shells[{}]", shell); }
 
 void read_color(TomlTable& table, std::string_view key, std::array<double, 3>& color) {
   if (table.has(key)) {
-    std::ranges::copy(table.numbers(key, 3, 3, 0.0, brightest), color.begin());
+    std::ranges::copy(table.numbers(key, 3, 3, 0.0, brightest_shell), color.begin());
   }
 }
 

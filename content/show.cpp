@@ -26,8 +26,9 @@ double frame_time_s(const Show& show, int frame) { return frame / show.frame_rat
 std::vector<std::string> missing_features(const Show& show) {
   std::vector<std::string> missing;
   const StereoSettings& stereo = show.stereo;
-  if (!show.objects.empty() && (show.disk || !show.shells.empty())) {
-    missing.emplace_back("objects have no common depth with a disk or shells (objects, disk, shells)");
+  if (has_objects(show, ObjectMethod::polygon) && (show.disk || !show.shells.empty())) {
+    missing.emplace_back(
+        "objects drawn as polygons have no common depth with a disk or shells (objects.method, disk, shells)");
   }
   if (eye_count(stereo) < 2) {
     return missing;

@@ -245,6 +245,11 @@ int frame_count(const Show& show);
 //! Show time of a frame, counted from 0 [s].
 double frame_time_s(const Show& show, int frame);
 
+//! Whether the show has objects, and draws them by this method: all by the same.
+inline bool has_objects(const Show& show, ObjectMethod method) {
+  return !show.objects.empty() && show.objects.front().method == method;
+}
+
 //! What the show asks for that this version cannot draw yet, a sentence each; empty when it is all there.
 std::vector<std::string> missing_features(const Show& show);
 

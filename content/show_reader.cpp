@@ -17,14 +17,13 @@
 #include "content/shell_reader.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180.0;
-constexpr double largest_angle_deg = 1e9;
+constexpr double largest_camera_angle_deg = 1e9;
 constexpr std::size_t largest_mib = 16;
 constexpr std::size_t most_keys = 100'000;
 
@@ -75,11 +74,11 @@ CameraKey read_key(TomlTable& table) {
   CameraKey key;
   key.time_s = table.number("t_s", 0.0, -1e12, 1e12);
   key.r = table.number("r", 10.0, 0.0, 1e9);
-  key.theta = degree * table.number("theta_deg", 90.0, 0.0, 180.0);
-  key.phi = degree * table.number("phi_deg", 0.0, -largest_angle_deg, largest_angle_deg);
-  key.yaw = degree * table.number("yaw_deg", 0.0, -largest_angle_deg, largest_angle_deg);
-  key.pitch = degree * table.number("pitch_deg", 0.0, -largest_angle_deg, largest_angle_deg);
-  key.roll = degree * table.number("roll_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  key.theta = one_degree * table.number("theta_deg", 90.0, 0.0, 180.0);
+  key.phi = one_degree * table.number("phi_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.yaw = one_degree * table.number("yaw_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.pitch = one_degree * table.number("pitch_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.roll = one_degree * table.number("roll_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
   const toml::node* look = table.node("look");
   if (look != nullptr && look->is_array()) {
     key.look = {LookTarget::Kind::direction, read_vector(table, "look", *look)};

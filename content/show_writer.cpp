@@ -11,6 +11,7 @@
 #include "content/shell_reader.h"
 #include "content/show_reader.h"
 #include "content/timeline_writer.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
@@ -18,7 +19,7 @@ namespace {
 
 //! Degrees of an angle in radians, no more than the reader takes, whatever rounding adds.
 double degrees_of(double angle, double least = -1e9, double greatest = 1e9) {
-  return std::clamp(angle * (180.0 / 3.14159265358979323846), least, greatest);
+  return std::clamp(angle * radian_deg, least, greatest);
 }
 
 toml::array vector_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }

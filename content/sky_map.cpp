@@ -8,14 +8,13 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double nearest_line_deg(double angle_deg, double step_deg) { return std::abs(std::remainder(angle_deg, step_deg)); }
 

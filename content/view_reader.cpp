@@ -7,12 +7,12 @@
 
 #include "content/files/toml_table.h"
 #include "content/own_number.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double degrees = 180.0 / 3.14159265358979323846;
 //! A viewer at the dome's surface would have a pixel fill half the sky.
 constexpr double farthest_viewer = 0.95;
 
@@ -49,7 +49,7 @@ void read_polynomial(TomlTable& reader, ViewSettings& view) {
 //! The law must take the whole field of view.
 void check_lens(const TomlTable& reader, const ViewSettings& view) {
   const auto& f = view.polynomial;
-  const double largest_deg = 2.0 * degrees * largest_half_angle(view.lens, {f[0], f[1], f[2], f[3]});
+  const double largest_deg = 2.0 * radian_deg * largest_half_angle(view.lens, {f[0], f[1], f[2], f[3]});
   if (view.lens == LensLaw::polynomial && view.field_of_view_deg > largest_deg) {
     throw reader.error_at("polynomial",
                           fmt::format("does not rise all the way to a field of view of {} deg", view.field_of_view_deg),

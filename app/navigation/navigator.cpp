@@ -11,7 +11,7 @@ namespace {
 
 constexpr double longest_frame_s = 0.1;
 constexpr double longest_step_s = 1.0 / 240.0;
-constexpr glm::dvec3 spin_axis(0.0, 0.0, 1.0);
+constexpr glm::dvec3 axis_of_spin(0.0, 0.0, 1.0);
 //! Speed without `faster`, as a part of the largest.
 constexpr double usual_part = 0.5;
 
@@ -140,7 +140,7 @@ Navigator::Wish Navigator::wish(const Steering& s, double seconds) {
   } else if (mode_ == FlightMode::orbit) {
     // Near the axis a step to the east is nothing but a turn; it fades, and on the other side it is one to the west.
     constexpr double near_axis = 0.15;
-    const double sine = glm::dot(place_.towards, glm::cross(east_, spin_axis));
+    const double sine = glm::dot(place_.towards, glm::cross(east_, axis_of_spin));
     const double eastward = sine / std::hypot(sine, near_axis);
     wish.around = {limits_.around * way.x * eastward, limits_.around * way.y, -settings_.max_speed * way.z};
   }
@@ -186,10 +186,10 @@ void Navigator::step(const Steering& steering, double seconds) {
 }
 
 void Navigator::move_around(double seconds, glm::dvec3& turn) {
-  const glm::dvec3 axis = around_.x * spin_axis - around_.y * east_;
+  const glm::dvec3 axis = around_.x * axis_of_spin - around_.y * east_;
   const glm::dquat turned = rotation(seconds * axis);
   place_.towards = glm::normalize(turned * place_.towards);
-  east_ = rotation(seconds * around_.x * spin_axis) * east_;
+  east_ = rotation(seconds * around_.x * axis_of_spin) * east_;
   turn += axis;
   place_.r = space_.moved_radius(place_.r, around_.z * space_.distance(place_.r), seconds);
 }
@@ -212,7 +212,7 @@ void Navigator::turn_view(const glm::dvec3& wanted, double seconds) {
 
 //! Makes `east_` level and across the direction to the camera again.
 void Navigator::level_east() {
-  const glm::dvec3 east = glm::cross(spin_axis, place_.towards);
+  const glm::dvec3 east = glm::cross(axis_of_spin, place_.towards);
   const double sine = glm::length(east);
   if (sine > 1e-9) {
     east_ = (glm::dot(east, east_) < 0.0 ? -1.0 : 1.0) * east / sine;

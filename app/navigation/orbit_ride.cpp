@@ -5,6 +5,7 @@
 
 #include "app/navigation/observer_mode.h"
 #include "app/navigation/turn_limits.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
@@ -14,7 +15,6 @@ namespace {
 constexpr double round_s = 40.0;
 //! Part of the acceleration that comfort allows which the orbit itself may take.
 constexpr double bend_part = 0.3;
-constexpr double pi = 3.14159265358979323846;
 constexpr double tolerance = 1e-11;
 constexpr int step_limit = 400;
 

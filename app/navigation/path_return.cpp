@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/navigation/comfort.h"
+#include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 
 namespace ergodome {
@@ -11,7 +12,6 @@ namespace ergodome {
 namespace {
 
 constexpr double longest_s = 30.0;
-constexpr double pi = 3.14159265358979323846;
 
 //! From 1 to 0 on [0, 1], with two derivatives of 0 at both ends.
 double fading(double s) { return 1.0 - s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
@@ -52,8 +52,7 @@ PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings,
       start_(offset(camera[1], path[1])),
       coasting_r_(camera[1].r),
       radial_speed_((camera[1].r - camera[0].r) / seconds) {
-  constexpr double degree = pi / 180.0;
-  const double fastest_turn = degree * settings.comfort.turn_deg_s;
+  const double fastest_turn = one_degree * settings.comfort.turn_deg_s;
   const Offset before = offset(camera[0], path[0]);
   // Where an offset is nearly half a turn round, its rate says little; a limit keeps that harmless.
   rate_ = {shortened((start_.direction - nearest_turn(before.direction, start_.direction)) / seconds, fastest_turn),

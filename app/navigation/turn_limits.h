@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "content/flight_settings.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
@@ -18,10 +19,9 @@ struct TurnLimits {
 //! Both together stay within the show's limits. Two turns about axes that turn each other change by their product: where little
 //! acceleration is allowed, the turns are slow enough for that to be a part of it.
 inline TurnLimits turn_limits(const ComfortSettings& comfort) {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  const double acceleration = degree * comfort.turn_accel_deg_s2;
-  const double total = std::min(degree * comfort.turn_deg_s, std::sqrt(acceleration / 1.28));
-  return {degree * comfort.turn_deg_s, 0.6 * total, 0.4 * total, acceleration};
+  const double acceleration = one_degree * comfort.turn_accel_deg_s2;
+  const double total = std::min(one_degree * comfort.turn_deg_s, std::sqrt(acceleration / 1.28));
+  return {one_degree * comfort.turn_deg_s, 0.6 * total, 0.4 * total, acceleration};
 }
 
 }  // namespace ergodome

@@ -16,7 +16,7 @@ constexpr std::size_t most_mib = 4;
 constexpr std::size_t most_devices = 16;
 constexpr std::size_t most_listed_events = 20'000;
 constexpr std::size_t most_events = 200'000;
-constexpr std::size_t longest_report = 65'536;
+constexpr std::size_t longest_fixture_report = 65'536;
 constexpr double longest_ms = 86'400'000.0;
 
 int digit_of(char c) {
@@ -147,7 +147,7 @@ class FixtureReader {
         continue;
       }
       const int digit = digit_of(c);
-      if (digit < 0 || bytes.size() >= longest_report) {
+      if (digit < 0 || bytes.size() >= longest_fixture_report) {
         throw table.error_at(key, "is not bytes in hex", "write it as in \"01 80 7f\", at most 65,536 bytes");
       }
       if (half < 0) {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::streamsize longest_descriptor = 4096;
+constexpr std::streamsize longest_own_descriptor = 4096;
 
 HidBus bus_of(hid_bus_type bus) {
   switch (bus) {
@@ -35,8 +35,8 @@ HidBus bus_of(hid_bus_type bus) {
 std::vector<std::uint8_t> descriptor_of(const std::string& path) {
   const fs::path node = fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device" / "report_descriptor";
   std::ifstream file(node, std::ios::binary);
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(longest_descriptor));
-  file.read(reinterpret_cast<char*>(bytes.data()), longest_descriptor);
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(longest_own_descriptor));
+  file.read(reinterpret_cast<char*>(bytes.data()), longest_own_descriptor);
   bytes.resize(static_cast<std::size_t>(file.gcount()));
   return bytes;
 }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
 
 constexpr double shortest_s = 1.0 / 30.0 - 1e-4;
 constexpr std::size_t most_samples = 30 * 3600;
-constexpr double pi = 3.14159265358979323846;
 
 bool is_finite(const CameraPose& pose) {
   return std::isfinite(pose.r) && std::isfinite(pose.theta) && std::isfinite(pose.phi) &&

@@ -20,6 +20,7 @@ struct PlayArguments {
   std::string show;
   std::string backend = "auto";
   std::string projection;
+  std::string objects;
   std::string stereo;
   std::string setup;
   bool size_given = false;
@@ -56,6 +57,7 @@ void use_setup(PlayArguments& arguments) {
 Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   Show show = load_show(name);
   override_view(show, arguments.projection, arguments.stereo);
+  override_objects(show, arguments.objects);
   if (has_face_files(show.view)) {
     // A window has them in one picture.
     show.view.cube_files = CubeFiles::cross;
@@ -120,6 +122,8 @@ void add_play_command(CLI::App& app) {
   command->add_option("--backend", arguments->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
+  command->add_option("--objects", arguments->objects, "how objects are drawn: polygon or trace; else as the show says")
+      ->check(CLI::IsMember(object_method_names()));
   command
       ->add_option("--projection", arguments->projection,
                    "dome, equirect, cube, cylinder or pinhole, instead of the show's")

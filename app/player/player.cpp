@@ -13,13 +13,12 @@
 #include "app/player/player_texts.h"
 #include "app/show_loading.h"
 #include "calibration/pad_settings.h"
+#include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 //! So many pictures that fail one after another, and their renderer is made anew.
 constexpr int most_failures = 5;
@@ -123,7 +122,7 @@ void Player::advance() {
   int width = 0;
   int height = 0;
   screen_.window().framebuffer_size(width, height);
-  const double radians_per_px = session_->frame().field_of_view_deg * degree / std::max(width, 1);
+  const double radians_per_px = session_->frame().field_of_view_deg * one_degree / std::max(width, 1);
   PlayerInput input = inputs_.gather(events, pad_snapshot_, radians_per_px);
   input.commands = services_.commands();
   advance_exhibit(input);

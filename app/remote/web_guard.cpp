@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view cookie_name = "ergodome_token=";
 constexpr std::string_view bearer = "Bearer ";
 
-std::string in_lower_case(std::string text) {
+std::string name_in_lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
@@ -23,9 +23,9 @@ std::string in_lower_case(std::string text) {
 std::string host_without_port(const std::string& header) {
   if (header.starts_with('[')) {
     const std::size_t end = header.find(']');
-    return end == std::string::npos ? "" : in_lower_case(header.substr(1, end - 1));
+    return end == std::string::npos ? "" : name_in_lower_case(header.substr(1, end - 1));
   }
-  return in_lower_case(header.substr(0, header.find(':')));
+  return name_in_lower_case(header.substr(0, header.find(':')));
 }
 
 //! The value of our cookie in "a=1; ergodome_token=...; b=2".
@@ -43,7 +43,7 @@ std::string_view token_cookie(std::string_view header) {
 }
 
 bool is_json(const std::string& content_type) {
-  const std::string type = in_lower_case(content_type.substr(0, content_type.find(';')));
+  const std::string type = name_in_lower_case(content_type.substr(0, content_type.find(';')));
   return type == "application/json" || type == "application/json ";
 }
 
@@ -62,7 +62,7 @@ bool same_in_constant_time(std::string_view a, std::string_view b) {
 WebGuard::WebGuard(std::string token) : token_(std::move(token)) {
   std::array<char, 256> name = {};
   if (::gethostname(name.data(), name.size() - 1) == 0) {
-    machine_ = in_lower_case(name.data());
+    machine_ = name_in_lower_case(name.data());
   }
 }
 

@@ -2,13 +2,12 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 SurfaceVertex vertex_of(const Vector3<double>& position, const Vector3<double>& normal, double u, double v) {
   return {{static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)},

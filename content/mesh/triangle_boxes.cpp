@@ -190,7 +190,16 @@ TriangleBoxes build_triangle_tree(const TriangleMesh& mesh) {
       boxes.corners.insert(boxes.corners.end(), p, p + 3);
     }
   }
-  boxes.radius = radius_of(mesh);
+  const TreeNode& root = boxes.nodes.front();
+  const auto between = [&](int axis) {
+    return 0.5 * (static_cast<double>(root.low[axis]) + static_cast<double>(root.high[axis]));
+  };
+  boxes.middle = {between(0), between(1), between(2)};
+  for (std::size_t i = 0; i < boxes.corners.size(); i += 3) {
+    const auto part = [&](std::size_t k) { return static_cast<double>(boxes.corners[i + k]); };
+    const Vector3<double> from_middle = Vector3<double>{part(0), part(1), part(2)} - boxes.middle;
+    boxes.radius = std::max(boxes.radius, std::sqrt(dot(from_middle, from_middle)));
+  }
   return boxes;
 }
 

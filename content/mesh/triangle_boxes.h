@@ -12,9 +12,10 @@ struct TriangleBoxes {
   std::vector<TreeNode> nodes;
   std::vector<float> corners;            //!< nine numbers a triangle, in the order of the leaves
   std::vector<std::uint32_t> triangles;  //!< which of the mesh's triangles each of them is
-  double radius = 0.0;
+  Vector3<double> middle{};              //!< of the box about all
+  double radius = 0.0;                   //!< of the sphere about that which holds all
 
-  [[nodiscard]] TriangleTree view() const { return {nodes.data(), corners.data(), triangles.data(), radius}; }
+  [[nodiscard]] TriangleTree view() const { return {nodes.data(), corners.data(), triangles.data(), middle, radius}; }
   [[nodiscard]] long bytes() const {
     return static_cast<long>(nodes.size() * sizeof(TreeNode) + corners.size() * sizeof(float) +
                              triangles.size() * sizeof(std::uint32_t));

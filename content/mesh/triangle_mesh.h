@@ -5,14 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace ergodome {
+#include "kernels/mesh/surface.h"
 
-//! A corner of triangles.
-struct SurfaceVertex {
-  float position[3];
-  float normal[3];   //!< of unit length, outwards
-  float texture[2];  //!< u to the right, v upwards; the image, or one checkerboard, is 0 to 1
-};
+namespace ergodome {
 
 //! Triangles of one look, one after the other in the indices.
 struct MeshPart {

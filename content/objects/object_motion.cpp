@@ -3,17 +3,17 @@
 #include <cmath>
 
 #include "content/animated_show.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double two_pi = 6.28318530717958647692;
-
-Vector3<double> place_on(const ObjectOrbit& orbit, double time_s) {
-  const double turns = orbit.speed * time_s / (orbit.r * std::sqrt(orbit.r) * two_pi);
+//! Where an orbit leads, `ahead` of where it has come to at a show time [rad].
+Vector3<double> place_on(const ObjectOrbit& orbit, double time_s, double ahead) {
+  const double turns = orbit.speed * time_s / (orbit.r * std::sqrt(orbit.r) * full_turn);
   // Whole turns go first: shows may run for years.
-  const double angle = orbit.phi + two_pi * (turns - std::floor(turns));
+  const double angle = orbit.phi + full_turn * (turns - std::floor(turns)) + ahead;
   const double along = orbit.r * std::cos(angle);
   const double across = orbit.r * std::sin(angle) * std::cos(orbit.inclination);
   return {along * std::cos(orbit.node) - across * std::sin(orbit.node),
@@ -23,7 +23,7 @@ Vector3<double> place_on(const ObjectOrbit& orbit, double time_s) {
 
 Vector3<double> position_at(const ObjectSettings& object, double time_s) {
   if (object.orbit) {
-    return place_on(*object.orbit, time_s);
+    return place_on(*object.orbit, time_s, 0.0);
   }
   if (!object.way[0].keys.empty()) {
     return {value_at(object.way[0], time_s), value_at(object.way[1], time_s), value_at(object.way[2], time_s)};
@@ -40,10 +40,16 @@ ObjectPlacement placement_at(const ObjectSettings& object, double time_s) {
   const double cy = std::cos(object.turn.y);
   const double sz = std::sin(object.turn.z);
   const double cz = std::cos(object.turn.z);
-  return {position_at(object, time_s),
-          {{cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx},
-           {sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx},
-           {-sy, cy * sx, cy * cx}}};
+  ObjectPlacement placement = {position_at(object, time_s),
+                               {{cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx},
+                                {sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx},
+                                {-sy, cy * sx, cy * cx}}};
+  if (object.orbit && object.orbit->speed != 0.0) {
+    const double r = object.orbit->r;
+    placement.ahead = place_on(*object.orbit, time_s, 0.25 * full_turn);
+    placement.rate = std::copysign(1.0 / (r * std::sqrt(r)), object.orbit->speed);
+  }
+  return placement;
 }
 
 }  // namespace ergodome

@@ -10,6 +10,9 @@ namespace ergodome {
 struct ObjectPlacement {
   Vector3<double> position;  //!< [M]
   double rows[3][3];         //!< a rotation
+  Vector3<double> ahead = {0.0, 0.0,
+                           0.0};  //!< on an orbit: from the hole's middle to where it is a quarter of it later [M]
+  double rate = 0.0;              //!< angular velocity in the hole's time [1/M]; 0: it rests, or nobody knows
 
   bool operator==(const ObjectPlacement& other) const {
     return position.x == other.position.x && position.y == other.position.y && position.z == other.position.z &&

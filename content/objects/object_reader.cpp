@@ -7,12 +7,12 @@
 
 #include "content/animated_show.h"
 #include "content/timeline_reader.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double largest_angle_deg = 1e6;
 constexpr std::size_t most_objects = 256;
 constexpr std::size_t most_way_keys = 10'000;
@@ -96,9 +96,9 @@ ObjectOrbit read_orbit(const toml::table& from, const std::string& file, const s
   TomlTable table(from, file, path);
   ObjectOrbit orbit;
   orbit.r = table.number("r", orbit.r, nearest_of_observers, farthest_of_objects);
-  orbit.phi = degree * table.number("phi_deg", 0.0, -largest_angle_deg, largest_angle_deg);
-  orbit.inclination = degree * table.number("inclination_deg", 0.0, -180.0, 180.0);
-  orbit.node = degree * table.number("node_deg", 0.0, -360.0, 360.0);
+  orbit.phi = one_degree * table.number("phi_deg", 0.0, -largest_angle_deg, largest_angle_deg);
+  orbit.inclination = one_degree * table.number("inclination_deg", 0.0, -180.0, 180.0);
+  orbit.node = one_degree * table.number("node_deg", 0.0, -360.0, 360.0);
   orbit.speed = table.number("speed", orbit.speed, -1e6, 1e6);
   table.refuse_unknown_keys();
   return orbit;
@@ -159,7 +159,22 @@ void read_look(TomlTable& table, const std::string& file, ObjectSettings& object
     object.torn = tessellation.number("torn", object.torn, 1.0, 1e9);
     tessellation.refuse_unknown_keys();
   }
-  table.choice("method", 0, {"polygon"});
+  object.method = static_cast<ObjectMethod>(table.choice("method", 0, {"polygon", "trace"}));
+  object.retarded = table.boolean("retarded", false);
+}
+
+//! Light travel time is asked of what traces light, and of motions that go by the hole's time.
+void check_retarded(const TomlTable& table, const ObjectSettings& object) {
+  if (!object.retarded) {
+    return;
+  }
+  if (object.method != ObjectMethod::trace) {
+    throw table.error_at("retarded", "is not known to polygons", "write method = \"trace\"");
+  }
+  if (!object.way[0].keys.empty()) {
+    throw table.error_at("retarded", "needs a motion in the hole's time, and keys are in the show's",
+                         "write orbit = { r = 10, speed = 20 } in place of the keys");
+  }
 }
 
 ObjectSettings read_object(const toml::table& from, const std::string& file, std::size_t number) {
@@ -168,9 +183,10 @@ ObjectSettings read_object(const toml::table& from, const std::string& file, std
   read_form(table, object);
   object.size = table.number("size", 1.0, 1e-9, farthest_of_objects);
   const Vector3<double> turn_deg = read_vector(table, "turn_deg", {}, -largest_angle_deg, largest_angle_deg);
-  object.turn = degree * turn_deg;
+  object.turn = one_degree * turn_deg;
   read_motion(table, file, object);
   read_look(table, file, object);
+  check_retarded(table, object);
   table.refuse_unknown_keys();
   return object;
 }
@@ -196,24 +212,38 @@ void read_objects(TomlTable& root, const std::string& file, Show& show) {
   }
 }
 
+std::optional<PolygonLimit> polygon_limit(const Show& show) {
+  if (show.spin != 0.0 || find_animation(show, "hole.spin") != nullptr) {
+    return PolygonLimit{"are drawn by the method polygon, which knows Schwarzschild holes only",
+                        "write method = \"trace\", or spin = 0 in [hole] without animating it"};
+  }
+  for (const CameraKey& key : show.camera.keys) {
+    if (!(key.r > nearest_of_observers)) {
+      return PolygonLimit{
+          fmt::format("are not seen from inside the photon sphere by polygons (camera at r = {} M)", key.r),
+          "keep the camera farther out than 3 M, or write method = \"trace\""};
+    }
+  }
+  return std::nullopt;
+}
+
 void check_objects(const TomlTable& root, const Show& show) {
   if (show.objects.empty()) {
     return;
   }
-  if (show.spin != 0.0 || find_animation(show, "hole.spin") != nullptr) {
-    throw root.error_at("objects", "are drawn by the method polygon, which knows Schwarzschild holes only",
-                        "write spin = 0 in [hole], and do not animate it");
-  }
-  for (const CameraKey& key : show.camera.keys) {
-    if (!(key.r > nearest_of_observers)) {
-      throw root.error_at("objects",
-                          fmt::format("are not seen from inside the photon sphere (camera at r = {} M)", key.r),
-                          "keep the camera farther out than 3 M");
-    }
-  }
   if (!show.light && std::ranges::any_of(show.objects, &ObjectSettings::lit)) {
     throw root.error_at("objects", "are lit, but the show has no light",
                         "write [light] with position = [x, y, z] and strength");
+  }
+  const ObjectMethod method = show.objects.front().method;
+  if (!std::ranges::all_of(show.objects, [&](const ObjectSettings& each) { return each.method == method; })) {
+    throw root.error_at("objects", "are drawn by two methods", "write the same method for all of them");
+  }
+  if (method == ObjectMethod::trace) {
+    return;
+  }
+  if (const std::optional<PolygonLimit> limit = polygon_limit(show)) {
+    throw root.error_at("objects", limit->problem, limit->remedy);
   }
 }
 

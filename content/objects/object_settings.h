@@ -14,6 +14,12 @@ namespace ergodome {
 //! What an object's surface is: a mesh from a file, or one made by code.
 enum class ObjectForm { mesh, triangle, sphere, disk };
 
+//! How objects are drawn.
+enum class ObjectMethod {
+  polygon,  //!< corners go where their light comes from: holes without spin
+  trace     //!< exact rays, of any spin
+};
+
 //! A circular orbit, run through at the angular velocity of matter in free fall, r^(-3/2).
 struct ObjectOrbit {
   double r = 10.0;           //!< [M]
@@ -50,6 +56,8 @@ struct ObjectSettings {
   double exposure = 1.0;
   std::optional<CheckerSettings> checker;
   bool lit = false;  //!< shines back the show's point light, as Lambert says; else it shines by itself
+  ObjectMethod method = ObjectMethod::polygon;
+  bool retarded = false;  //!< traced: it is seen where it was when its light left it
   TessellationSettings tessellation;
   double torn = 10.0;  //!< triangles whose circumference grows by more are taken for torn by the hole and left out
 };

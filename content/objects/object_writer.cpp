@@ -1,15 +1,14 @@
 #include <algorithm>
 
 #include "content/objects/object_reader.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
 //! Degrees of an angle in radians, no more than the reader takes, whatever rounding adds.
-double degrees_of(double angle, double most) {
-  return std::clamp(angle * (180.0 / 3.14159265358979323846), -most, most);
-}
+double degrees_of(double angle, double most) { return std::clamp(angle * radian_deg, -most, most); }
 
 toml::array array_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }
 
@@ -69,7 +68,8 @@ toml::table table_of(const ObjectSettings& object) {
                     {"color", array_of(object.color)},
                     {"exposure", object.exposure},
                     {"light", object.lit ? "lambert" : "emissive"},
-                    {"method", "polygon"},
+                    {"method", object.method == ObjectMethod::trace ? "trace" : "polygon"},
+                    {"retarded", object.retarded},
                     {"tessellation", toml::table{{"most", object.tessellation.most},
                                                  {"factor", object.tessellation.factor},
                                                  {"power", object.tessellation.power},

@@ -6,6 +6,7 @@
 #include "content/sky_map.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
 
@@ -24,9 +25,9 @@ void sort_by_brightness(std::vector<CatalogueStar>& stars) {
 }
 
 Vector3<double> equatorial_direction(double ra_deg, double dec_deg) {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  const double across = std::cos(dec_deg * degree);
-  return {across * std::cos(ra_deg * degree), across * std::sin(ra_deg * degree), std::sin(dec_deg * degree)};
+  const double across = std::cos(dec_deg * one_degree);
+  return {across * std::cos(ra_deg * one_degree), across * std::sin(ra_deg * one_degree),
+          std::sin(dec_deg * one_degree)};
 }
 
 StarCatalogue load_stars(const Show& show) {

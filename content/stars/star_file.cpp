@@ -17,30 +17,30 @@ namespace ergodome {
 
 namespace {
 
-constexpr char magic[8] = {'E', 'R', 'G', 'O', 'S', 'T', 'A', 'R'};
+constexpr char star_magic[8] = {'E', 'R', 'G', 'O', 'S', 'T', 'A', 'R'};
 constexpr std::uint32_t version = 1;
 constexpr std::size_t summed_bytes = 32;
 constexpr std::size_t header_bytes = 40;
 constexpr std::size_t bytes_a_star = 20;
 //! No catalogue packs better; what claims to would take memory for nothing.
 constexpr std::uint64_t most_packing = 4096;
-constexpr std::uint32_t most_stars = 100'000'000;
+constexpr std::uint32_t most_file_stars = 100'000'000;
 constexpr double units_a_degree = 1e7;
 constexpr double units_a_magnitude = 1e3;
 constexpr std::int32_t no_colour = std::numeric_limits<std::int32_t>::min();
-constexpr int compression_level = 19;
+constexpr int star_compression_level = 19;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
 //! A catalogue's columns as numbers of four bytes.
-struct Columns {
+struct PackedColumns {
   std::vector<std::uint32_t> number;
   std::vector<std::uint32_t> right_ascension;
   std::vector<std::int32_t> declination;
   std::vector<std::int32_t> v_mag;
   std::vector<std::int32_t> b_v;
 
-  explicit Columns(std::size_t count)
+  explicit PackedColumns(std::size_t count)
       : number(count), right_ascension(count), declination(count), v_mag(count), b_v(count) {}
 
   template <class Each>
@@ -78,7 +78,7 @@ struct Columns {
 
 Bytes packed(std::span<const std::byte> raw) {
   Bytes bytes(ZSTD_compressBound(raw.size()));
-  const std::size_t size = ZSTD_compress(bytes.data(), bytes.size(), raw.data(), raw.size(), compression_level);
+  const std::size_t size = ZSTD_compress(bytes.data(), bytes.size(), raw.data(), raw.size(), star_compression_level);
   if (ZSTD_isError(size) != 0) {
     throw Error("star catalogue", fmt::format("cannot be compressed ({})", ZSTD_getErrorName(size)));
   }
@@ -86,7 +86,7 @@ Bytes packed(std::span<const std::byte> raw) {
   return bytes;
 }
 
-Bytes unpacked(std::span<const std::byte> bytes, std::size_t size, const std::string& place) {
+Bytes unpacked_stars(std::span<const std::byte> bytes, std::size_t size, const std::string& place) {
   Bytes raw(size);
   if (ZSTD_decompress(raw.data(), raw.size(), bytes.data(), bytes.size()) != size) {
     throw Error(place, "is damaged (its packed part)", "make it again from its table");
@@ -98,16 +98,17 @@ Bytes unpacked(std::span<const std::byte> bytes, std::size_t size, const std::st
 
 bool is_star_file(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
-  char begin[sizeof magic] = {};
+  char begin[sizeof star_magic] = {};
   stream.read(begin, sizeof begin);
-  return stream && std::equal(std::begin(begin), std::end(begin), std::begin(magic));
+  return stream && std::equal(std::begin(begin), std::end(begin), std::begin(star_magic));
 }
 
 StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& place) {
-  if (bytes.size() < header_bytes || !std::ranges::equal(bytes.first(sizeof magic), std::as_bytes(std::span(magic)))) {
+  if (bytes.size() < header_bytes ||
+      !std::ranges::equal(bytes.first(sizeof star_magic), std::as_bytes(std::span(star_magic)))) {
     throw Error(place, "is not a star catalogue of this project", "make one with ergodome catalogue TABLE --out FILE");
   }
-  ByteReader header(bytes.first(header_bytes).subspan(sizeof magic), place);
+  ByteReader header(bytes.first(header_bytes).subspan(sizeof star_magic), place);
   const auto written = header.number<std::uint32_t>();
   const auto count = header.number<std::uint32_t>();
   const auto packed_bytes = header.number<std::uint64_t>();
@@ -120,13 +121,13 @@ StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::strin
                 "make it again from its table, or use a newer Ergodome");
   }
   const std::span<const std::byte> body = bytes.subspan(header_bytes);
-  if (body.size() != packed_bytes || count > most_stars || bytes_a_star * count > most_packing * body.size() ||
+  if (body.size() != packed_bytes || count > most_file_stars || bytes_a_star * count > most_packing * body.size() ||
       checksum(body) != packed_sum) {
     throw Error(place, "is damaged, or cut off", "make it again from its table");
   }
-  const Bytes raw = unpacked(body, bytes_a_star * count, place);
+  const Bytes raw = unpacked_stars(body, bytes_a_star * count, place);
   ByteReader from(raw, place);
-  Columns columns(count);
+  PackedColumns columns(count);
   columns.each([&](auto& column) { read_planes(from, column, 0, 1); });
   StarCatalogue catalogue;
   catalogue.name = place;
@@ -141,7 +142,7 @@ StarCatalogue read_star_file(const std::filesystem::path& path) {
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
   std::ifstream stream(path, std::ios::binary);
-  if (problem || !stream || size > bytes_a_star * std::uintmax_t{most_stars}) {
+  if (problem || !stream || size > bytes_a_star * std::uintmax_t{most_file_stars}) {
     throw Error(path.string(), "cannot be read as a star catalogue", "check the path and its permissions");
   }
   Bytes bytes(size);
@@ -153,7 +154,7 @@ StarCatalogue read_star_file(const std::filesystem::path& path) {
 }
 
 void write_star_file(const StarCatalogue& catalogue, const std::filesystem::path& path) {
-  Columns columns(catalogue.stars.size());
+  PackedColumns columns(catalogue.stars.size());
   for (std::size_t i = 0; i < catalogue.stars.size(); ++i) {
     columns.set(i, catalogue.stars[i]);
   }
@@ -161,7 +162,7 @@ void write_star_file(const StarCatalogue& catalogue, const std::filesystem::path
   columns.each([&](const auto& column) { write_planes(raw, column, 0, 1); });
   const Bytes body = packed(raw.bytes());
   ByteWriter file;
-  file.append(std::as_bytes(std::span(magic)));
+  file.append(std::as_bytes(std::span(star_magic)));
   file.number(version);
   file.number(static_cast<std::uint32_t>(catalogue.stars.size()));
   file.number(static_cast<std::uint64_t>(body.size()));

@@ -21,15 +21,15 @@ constexpr std::size_t most_stars = 100'000'000;
 constexpr std::size_t longest_cell = 65'536;
 constexpr std::size_t chunk_bytes = 1U << 18U;
 
-enum Column { ra_deg, ra_hours, dec_deg, magnitude, colour, number, distance, column_count };
+enum Column { ra_deg, ra_hours, dec_deg, magnitude, colour, catalogue_number, distance, column_count };
 
 //! Names under which catalogues have a column; HYG: ra in hours, dec, mag, ci.
 std::optional<Column> column_named(std::string_view name) {
   constexpr std::pair<std::string_view, Column> names[] = {
-      {"ra_deg", ra_deg}, {"RAdeg", ra_deg}, {"ra", ra_hours},     {"dec_deg", dec_deg},
-      {"DEdeg", dec_deg}, {"dec", dec_deg},  {"v_mag", magnitude}, {"Vmag", magnitude},
-      {"mag", magnitude}, {"b_v", colour},   {"B-V", colour},      {"ci", colour},
-      {"hip", number},    {"HIP", number},   {"id", number},       {"dist", distance}};
+      {"ra_deg", ra_deg},        {"RAdeg", ra_deg},         {"ra", ra_hours},         {"dec_deg", dec_deg},
+      {"DEdeg", dec_deg},        {"dec", dec_deg},          {"v_mag", magnitude},     {"Vmag", magnitude},
+      {"mag", magnitude},        {"b_v", colour},           {"B-V", colour},          {"ci", colour},
+      {"hip", catalogue_number}, {"HIP", catalogue_number}, {"id", catalogue_number}, {"dist", distance}};
   for (const auto& [known, column] : names) {
     if (known == name) {
       return column;
@@ -93,8 +93,8 @@ class TableBuilder {
       cell.remove_prefix(3);
     }
     auto column = column_named(cell);
-    // The first of several names wins: HYG has hip after id, but a star is known by its first number.
-    if (column && *column == number && has_[number]) {
+    // The first of several names wins: HYG has hip after id, but a star is known by its first catalogue_number.
+    if (column && *column == catalogue_number && has_[catalogue_number]) {
       column.reset();
     }
     if (column) {
@@ -127,7 +127,8 @@ class TableBuilder {
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size()) {
-      fail(fmt::format("has \"{}\" where a number should be", cell.substr(0, 40)), "write a number, or nothing");
+      fail(fmt::format("has \"{}\" where a catalogue_number should be", cell.substr(0, 40)),
+           "write a catalogue_number, or nothing");
       return;
     }
     values_[column] = value;
@@ -152,7 +153,7 @@ class TableBuilder {
     if (catalogue_.stars.size() >= most_stars) {
       return fail("has more than 100 million stars", "leave the faint ones out");
     }
-    const double own = values_[number];
+    const double own = values_[catalogue_number];
     const bool counted = own >= 0.0 && own <= 4e9;
     const double b_v = std::isfinite(values_[colour]) ? values_[colour] : std::numeric_limits<double>::quiet_NaN();
     catalogue_.stars.push_back({counted ? static_cast<std::uint32_t>(own) : 0U, std::fmod(ra + 360.0, 360.0), dec,

@@ -12,7 +12,7 @@ namespace ergodome {
 namespace {
 
 //! The first byte is no text, the ends of line show a file that was sent as text.
-constexpr unsigned char magic[8] = {0x89, 'E', 'R', 'G', 'O', '\r', '\n', 0x1A};
+constexpr unsigned char frame_magic[8] = {0x89, 'E', 'R', 'G', 'O', '\r', '\n', 0x1A};
 constexpr std::size_t header_summed_bytes = trajectory_header_bytes - 8;
 constexpr std::size_t frame_summed_bytes = frame_header_bytes - 8;
 
@@ -33,7 +33,7 @@ std::uint64_t checksum_of(std::span<const std::byte> first, std::span<const std:
 
 Bytes to_bytes(const TrajectoryHeader& header) {
   ByteWriter to;
-  to.append(std::as_bytes(std::span(magic)));
+  to.append(std::as_bytes(std::span(frame_magic)));
   to.number(trajectory_version);
   to.number(std::uint32_t{header.sealed ? 1U : 0U});
   to.number(header.file_bytes);
@@ -48,8 +48,8 @@ Bytes to_bytes(const TrajectoryHeader& header) {
 
 TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const std::string& place) {
   ByteReader from(bytes, place);
-  const std::span<const std::byte> first = from.take(std::min(bytes.size(), sizeof magic));
-  if (!std::ranges::equal(first, std::as_bytes(std::span(magic)))) {
+  const std::span<const std::byte> first = from.take(std::min(bytes.size(), sizeof frame_magic));
+  if (!std::ranges::equal(first, std::as_bytes(std::span(frame_magic)))) {
     throw Error(place, "is not a trajectory", "make one with ergodome bake");
   }
   const auto version = from.number<std::uint32_t>();

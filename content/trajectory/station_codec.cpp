@@ -14,7 +14,7 @@ namespace {
 
 constexpr int compression_level = 9;
 constexpr std::uint32_t flag_mirrored = 1;
-constexpr std::uint32_t flag_derivatives = 2;
+constexpr std::uint32_t station_has_derivatives = 2;
 constexpr std::uint32_t most_root_cells = 1 << 16;
 
 //! Components of a node that are stored: three of each vector, and the first pad, which says that the node has a sky.
@@ -113,7 +113,7 @@ Bytes station_layout(const LensStation& station) {
   write_vector(to, station.second);
   to.number(station.range);
   const bool derivatives = !station.nodes_along_r.empty();
-  to.number((station.mirrored ? flag_mirrored : 0U) | (derivatives ? flag_derivatives : 0U));
+  to.number((station.mirrored ? flag_mirrored : 0U) | (derivatives ? station_has_derivatives : 0U));
   for (const std::size_t size :
        {static_cast<std::size_t>(station.columns), static_cast<std::size_t>(station.rows), station.edge.size(),
         station.tree.size(), station.leaf_count(), station.node_count()}) {
@@ -183,7 +183,7 @@ LensStation parse_station_layout(std::span<const std::byte> raw, const std::stri
   }
   read_planes(from, station.leaf_error_px, 0, 1);
   read_nodes(from, nodes, station.nodes);
-  if ((flags & flag_derivatives) != 0) {
+  if ((flags & station_has_derivatives) != 0) {
     require(from.left() >= 2 * nodes * std::size(stored_components) * bytes_a_number, "derivatives missing", place);
     read_nodes(from, nodes, station.nodes_along_r);
     read_nodes(from, nodes, station.nodes_along_theta);

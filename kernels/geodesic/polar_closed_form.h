@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/angles.h"
 #include "kernels/elliptic/carlson.h"
 #include "kernels/geodesic/ray.h"
 
@@ -13,6 +14,7 @@ struct PolarForm {
   double a;   //!< A [M²]
   double b;   //!< B [M²]; A + B >= 0
   double l2;  //!< ℓ², in [0, 1]
+  double w;   //!< greatest x², of motion through the equator
   double constant;
   double factor;
   double
@@ -42,7 +44,6 @@ struct HalfTurns {
 };
 
 ERGO_HD HalfTurns half_turns(double eta) {
-  constexpr double pi = 3.14159265358979323846;
   const double count = ::rint(eta / pi);
   const double rest = eta - count * pi;
   return {count, ::sin(rest), ::fmax(0.0, ::cos(rest))};
@@ -56,21 +57,30 @@ ERGO_HD HalfTurns start_of(const PolarForm& p) {
 }
 
 //! The η at which the integral of the first kind from 0 is `target`: the amplitude, by Newton's method on the angle.
+//!
+//! The integral bends one way from 0 to π/2 (down where B > 0, up where B < 0), so that the method goes steadily upwards from 0 or
+//! downwards from the other end; where rounding or a vanishing slope throws it out of what is known to hold η, that is halved. (From
+//! any other start it leaps to and fro where A is tiny: light that hardly leaves the equator.)
 ERGO_HD double amplitude(const PolarForm& p, double target) {
-  constexpr double pi = 3.14159265358979323846;
   const double half_period = 2.0 * first_kind(p, 1.0, 0.0);
   const double turns = ::rint(target / half_period);
-  const double rest = target - turns * half_period;
-  double eta = rest / half_period * pi;
-  for (int round = 0; round < 60; ++round) {
+  const double signed_rest = target - turns * half_period;
+  const double rest = ::fabs(signed_rest);
+  double low = 0.0;
+  double high = 0.5 * pi;
+  double eta = p.b > 0.0 ? 0.0 : rest / half_period * pi;
+  for (int round = 0; round < 100; ++round) {
     const double s = ::sin(eta);
-    const double step = (rest - first_kind(p, s, ::fmax(0.0, ::cos(eta)))) * ::sqrt(p.a + p.b * s * s);
-    eta = ::fmax(-0.5 * pi, ::fmin(0.5 * pi, eta + step));
+    const double miss = rest - first_kind(p, s, ::fmax(0.0, ::cos(eta)));
+    (miss > 0.0 ? low : high) = eta;
+    const double step = miss * ::sqrt(p.a + p.b * s * s);
+    const double newton = eta + step;
     if (::fabs(step) <= 2e-16) {
       break;
     }
+    eta = newton >= low && newton <= high ? newton : 0.5 * (low + high);
   }
-  return turns * pi + eta;
+  return turns * pi + (signed_rest < 0.0 ? -eta : eta);
 }
 
 //! Integral of the first kind from 0 to any η.
@@ -88,15 +98,31 @@ ERGO_HD double azimuth(const PolarForm& p, double l, const HalfTurns& eta) {
   return l * (around + p.factor * (whole + third_kind(p, eta.sine, eta.cosine)));
 }
 
+//! L, from the rate of the polar position itself: of light that moves hardly at all but in r, L as the sum of an observer's terms agrees
+//! with that rate only to rounding of those.
+ERGO_HD double polar_angular_momentum(const RayStart<double>& ray) { return -(ray.m.x * ray.m_rate.y); }
+
+//! Q, from C - L² or from x'² = Q + (a² - C) x² - a² x⁴ at the camera, whichever cancels less: next to the equator the second.
+ERGO_HD double polar_carter(double a2, const RayStart<double>& ray) {
+  const double l = polar_angular_momentum(ray);
+  const double l2 = l * l;
+  const double rate2 = ray.m_rate.z * ray.m_rate.z;
+  const double x2 = ray.m.z * ray.m.z;
+  const double c = ray.polar_constant - a2;
+  const bool by_place = rate2 + x2 * (::fabs(c) + a2 * x2) < ray.polar_constant + l2;
+  return by_place ? rate2 + x2 * (c + a2 * x2) : ray.polar_constant - l2;
+}
+
 //! Motion through the equator, Q >= 0: x = √w sinη with w the positive root of a² w² + (C - a²) w - Q.
 ERGO_HD PolarForm ordinary_form(double a2, const RayStart<double>& ray, double carter) {
   const double c = ray.polar_constant - a2;
   const double root = ::sqrt(c * c + 4.0 * a2 * carter);
   PolarForm p{};
-  p.a = c >= 0.0 ? 0.5 * (c + root) : 2.0 * a2 * carter / (root - c);
-  const double w = c >= 0.0 ? 2.0 * carter / (c + root) : 0.5 * (root - c) / a2;
-  p.b = a2 * w;
-  const double l = ray.axial_angular_momentum;
+  // Above 0 also for light that nears the equator without end (Q = 0, C < a²).
+  p.a = ::fmax(c >= 0.0 ? 0.5 * (c + root) : 2.0 * a2 * carter / (root - c), 1e-200);
+  p.w = c >= 0.0 ? 2.0 * carter / (c + root) : 0.5 * (root - c) / a2;
+  p.b = a2 * p.w;
+  const double l = polar_angular_momentum(ray);
   p.l2 = ::fmin(1.0, l * l / (a2 + p.a));
   p.constant = 0.0;
   p.factor = 1.0;
@@ -119,7 +145,7 @@ ERGO_HD PolarForm vortical_form(double a2, const RayStart<double>& ray, double c
   PolarForm p{};
   p.a = a2 * w2;
   p.b = -p.a * k2;
-  const double l = ray.axial_angular_momentum;
+  const double l = polar_angular_momentum(ray);
   // (1 - w2)(1 - w1) = L² / a² tells 1 - w2 without cancellation; ℓ² = (1 - w2)(1 - k²) / (1 - w1).
   p.l2 = l * l / (a2 * (1.0 - w1)) * (1.0 - k2) / (1.0 - w1);
   p.constant = 1.0;
@@ -137,8 +163,10 @@ ERGO_HD PolarForm vortical_form(double a2, const RayStart<double>& ray, double c
   const double sine = ::sqrt(::fmax(0.0, below));
   const double cosine = ::sqrt(::fmax(0.0, (1.0 - k2) * above));
   const double length = ::hypot(sine, cosine);
-  p.start_sine = length > 0.0 ? (x * rate < 0.0 ? -sine : sine) / length : 0.0;
-  p.start_cosine = length > 0.0 ? cosine / length : 1.0;
+  // Where both roots meet, as of a principal ray, the factors may be nothing but rounding, and η means nothing.
+  const bool known = length > 0.0 && length < 2.0;
+  p.start_sine = known ? (x * rate < 0.0 ? -sine : sine) / length : 0.0;
+  p.start_cosine = known ? cosine / length : 1.0;
   return p;
 }
 
@@ -148,13 +176,12 @@ namespace detail {
 
 ERGO_HD Vector3<double> polar_position_off_axis(double spin, const RayStart<double>& ray, double time) {
   const double a2 = spin * spin;
-  const double l = ray.axial_angular_momentum;
-  const double carter = ray.polar_constant - l * l;
+  const double l = polar_angular_momentum(ray);
+  const double carter = polar_carter(a2, ray);
   if (carter >= 0.0) {
     const PolarForm p = ordinary_form(a2, ray, carter);
     const double eta = amplitude(p, first_kind_anywhere(p, start_of(p)) + time);
-    const double w = 1.0 - p.l2;
-    const double x = ::sqrt(w) * ::sin(eta);
+    const double x = ::sqrt(p.w) * ::sin(eta);
     const double across = ::sqrt(::cos(eta) * ::cos(eta) + p.l2 * ::sin(eta) * ::sin(eta));
     const double phi = -(azimuth(p, l, half_turns(eta)) - azimuth(p, l, start_of(p)));
     return {across * ::cos(phi), across * ::sin(phi), x};
@@ -177,6 +204,9 @@ ERGO_HD Vector3<double> polar_position_off_axis(double spin, const RayStart<doub
 //! Polar position of a ray after a Mino time, without frame dragging: unit vector, φ = 0 at the camera.
 ERGO_HD Vector3<double> polar_position(double spin, const RayStart<double>& ray, double time) {
   const double l = ray.axial_angular_momentum;
+  if (spin == 0.0 && ray.polar_constant == 0.0) {
+    return ray.m;  // straight in or out: not even a plane to turn in
+  }
   if (ray.m.z == 0.0 && ray.m_rate.z == 0.0) {
     return {::cos(l * time), -::sin(l * time), 0.0};  // stays in the equatorial plane
   }

@@ -20,12 +20,15 @@ ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
   const double carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
   const double k = ray.shear_constant;
   const double linear = alpha * alpha + 4.0 * a2 * carter;
-  // Above all roots (Cauchy's bound); from there Newton's method falls monotonically onto the largest.
-  double y = ::fmax(::fabs(alpha), ::fmax(::sqrt(::fabs(linear)), ::cbrt(k * k)));
+  const auto resolvent = [&](double y) { return ((16.0 * y + 8.0 * alpha) * y + linear) * y - k * k; };
+  // From above all roots (Lagrange's bound) Newton's method falls monotonically onto the largest, and from 0 it rises monotonically onto
+  // the only one where that lies to the left of both extrema, or of the inflection: from above it would leap about there.
+  const double lowest = (safe_sqrt(alpha * alpha - 0.75 * linear) - alpha) / 6.0;
+  const double rounding = 1e-12 * (k * k + ::fabs(linear) * lowest);
+  const bool from_below = lowest > 0.0 && linear > 0.0 && resolvent(lowest) > rounding;
+  double y = from_below ? 0.0 : ::fmax(::fabs(alpha), ::fmax(::sqrt(::fabs(linear)), ::cbrt(k * k)));
   for (int round = 0; round < 100; ++round) {
-    const double value = ((16.0 * y + 8.0 * alpha) * y + linear) * y - k * k;
-    const double slope = (48.0 * y + 16.0 * alpha) * y + linear;
-    const double next = y - value / slope;
+    const double next = y - resolvent(y) / ((48.0 * y + 16.0 * alpha) * y + linear);
     if (!(next > 0.0) || ::fabs(next - y) <= 1e-16 * y) {
       break;
     }
@@ -55,21 +58,26 @@ struct RadialIntegrals {
 
 //! Carlson's forms for a quartic that is a product of linear factors, DLMF 19.29.4 and 19.29.8 with y = 0.
 //!
-//! `to_turn` says that x is the turning point 1 / r_4 itself, where 1 - r_4 x is 0 and not the rounding of it.
-ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, bool to_turn, const double (&rho)[2]) {
+//! `rate` is √U at x, known better than the roots tell it: next to a turning point 1 / r_4, and at it (0), 1 - r_4 x follows from it and
+//! is not the rounding of a difference.
+ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, double rate, const double (&rho)[2]) {
   if (!(x > 0.0)) {
     return {0.0, {0.0, 0.0}};
   }
   const Complex one(1.0);
-  Complex f[4];
+  Complex square[4];
   for (int i = 0; i < 4; ++i) {
-    Complex inside = one - roots.r[i] * Complex(x);
+    square[i] = one - roots.r[i] * Complex(x);
     // Next to a turning point rounding may leave a small negative number.
-    if (inside.im == 0.0 && inside.re < 0.0) {
-      inside.re = 0.0;
+    if (square[i].im == 0.0 && square[i].re < 0.0) {
+      square[i].re = 0.0;
     }
-    f[i] = to_turn && i == 3 ? Complex(0.0) : sqrt(inside);
   }
+  const double others = (square[0] * square[1]).re * square[2].re;
+  if (square[3].im == 0.0 && square[3].re < 1e-3 && others > 0.0) {
+    square[3].re = rate * rate / others;
+  }
+  const Complex f[4] = {sqrt(square[0]), sqrt(square[1]), sqrt(square[2]), sqrt(square[3])};
   const Complex per_x(1.0 / x);
   const Complex u12 = (f[0] * f[1] + f[2] * f[3]) * per_x;
   const Complex u13 = (f[0] * f[2] + f[1] * f[3]) * per_x;
@@ -121,13 +129,14 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   const double constant = -l * share;
   const double rho[2] = {outer, inner};
   const auto drag = [&](const RadialIntegrals& i) {
-    return constant * i.time + at_outer * i.pole[0] + at_inner * i.pole[1];
+    // Without spin there is none, and the inner pole of a ray straight out is where its roots are.
+    return spin == 0.0 ? 0.0 : constant * i.time + at_outer * i.pole[0] + at_inner * i.pole[1];
   };
-  const RadialIntegrals to_camera = radial_integrals(roots, ray.u, false, rho);
+  const RadialIntegrals to_camera = radial_integrals(roots, ray.u, ray.u_rate, rho);
   if (ray.u_rate <= 0.0) {
     return {to_camera.time, -drag(to_camera)};
   }
-  const RadialIntegrals to_turn = radial_integrals(roots, 1.0 / roots.r[3].re, true, rho);
+  const RadialIntegrals to_turn = radial_integrals(roots, 1.0 / roots.r[3].re, 0.0, rho);
   return {2.0 * to_turn.time - to_camera.time, -(2.0 * drag(to_turn) - drag(to_camera))};
 }
 

@@ -188,6 +188,26 @@ ERGO_HD void assign_where(const MaskOf<Real>& mask, RayState<T>& to, const RaySt
   to.drag = select(mask, from.drag, to.drag);
 }
 
+//! How long a step may be: its last two terms stay within the tolerance. Where a ray is symmetric in time about the step's beginning,
+//! terms may be missing, and the last two at once (about the turning point at r = 6 of a hole without spin u has every fourth alone);
+//! high orders, which take few and long steps, look at the two before as well, as the convergence radius that they tell.
+template <int Order, class T>
+ERGO_HD RealOf<T> step_length(const TaylorSeries<Order, T>& series, const RealOf<T>& tolerance,
+                              const RealOf<T>& polar_speed) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real tiny(std::numeric_limits<S>::min() * S(1e6));
+  const auto size = [&](int k) { return term_size(series, k, polar_speed) + tiny; };
+  Real length = minimum(rough_power(tolerance / size(Order), S(1.0 / Order)),
+                        rough_power(tolerance / size(Order - 1), S(1.0 / (Order - 1))));
+  if constexpr (Order > 10) {
+    const Real part = rough_power(tolerance, S(1.0 / Order));
+    length = minimum(length, part * minimum(rough_power(S(1) / size(Order - 2), S(1.0 / (Order - 2))),
+                                            rough_power(S(1) / size(Order - 3), S(1.0 / (Order - 3)))));
+  }
+  return length;
+}
+
 //! The h in (0, within] at which a ray reaches infinity, u(h) = 0; exact in the dual parts too.
 template <int Order, class T>
 ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& within) {
@@ -227,7 +247,6 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
   using Real = RealOf<T>;
   const Real tolerance = local_tolerance(spin, start, settings);
   const Real polar_speed = safe_sqrt(maximum(value_of(start.polar_constant), Real(S(0)))) + S(1);
-  const Real tiny(std::numeric_limits<S>::min() * S(1e6));
   // A straight ray has no terms to judge a step by: never more than some radians at a time.
   const Real longest(S(3));
   const Real inverse_scale = S(1) / polar_speed;
@@ -242,10 +261,7 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
   TaylorSeries<Order, T> series;
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
     expand(spin, coefficients, state, series);
-    const Real last = detail::term_size(series, Order, polar_speed) + tiny;
-    const Real next_to_last = detail::term_size(series, Order - 1, polar_speed) + tiny;
-    const Real length = minimum(longest, minimum(rough_power(tolerance / last, S(1.0 / Order)),
-                                                 rough_power(tolerance / next_to_last, S(1.0 / (Order - 1)))));
+    const Real length = minimum(longest, detail::step_length(series, tolerance, polar_speed));
     Real u_at_end = value_of(series.u[Order]);
     ERGO_UNROLL
     for (int k = Order - 1; k >= 0; --k) {

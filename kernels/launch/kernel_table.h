@@ -8,6 +8,7 @@
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/omni_batches.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/mesh/draw_objects.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
 #include "kernels/stars/patch_measure.h"
@@ -53,6 +54,8 @@ struct KernelTable {
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
   void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);
+  void (*mark_object_tiles)(const ObjectTileBatch& batch, int begin, int end);
+  void (*look_at_objects)(const ObjectPixelBatch& batch, int begin, int end);
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
   void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< a tile an index
   void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< the same

@@ -1,30 +1,9 @@
 #include "kernels/launch/launch.h"
 
 #include "kernels/launch/launch_cuda.h"
-#include "kernels/launch/parallel_for.h"
-#include "kernels/launch/work_counter.h"
+#include "kernels/launch/run_on_cpu.h"
 
 namespace ergodome {
-
-namespace {
-
-//! Kernel indices a thread takes at a time: some tens of microseconds of work, so that uneven rays balance.
-constexpr int grain = 32;
-//! The same for the rays of a grid, which come by the hundred and cost more each.
-constexpr int grid_grain = 4;
-
-int index_count(int elements, int lanes) { return elements > 0 ? (elements - 1) / lanes + 1 : 0; }
-
-const KernelTable& active_table() { return kernel_table(active_instruction_set()); }
-
-//! Runs a CPU kernel over `elements`, `lanes` an index, on all threads.
-template <class Batch>
-void run_on_cpu(void (*kernel)(const Batch&, int, int), const Batch& batch, int elements, int lanes,
-                int chunk = grain) {
-  parallel_for(index_count(elements, lanes), chunk, [&](int begin, int end) { kernel(batch, begin, end); });
-}
-
-}  // namespace
 
 const char* cuda_unavailable_reason() {
   static const char* const reason = find_cuda_unavailable_reason();
@@ -35,125 +14,153 @@ void trace_rays(Backend backend, const RayBatch<float>& batch) {
   static WorkCounter counter("trace_rays");
   const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
-    return trace_rays_cuda(batch);
+    trace_rays_cuda(batch);
+  } else {
+    run_on_cpu(active_table().trace_rays_float, batch, batch.count, active_table().lanes_float);
   }
-  run_on_cpu(active_table().trace_rays_float, batch, batch.count, active_table().lanes_float);
+  finish(counter, backend, batch);
 }
 
 void trace_rays(Backend backend, const RayBatch<double>& batch) {
   static WorkCounter counter("trace_rays, double");
   const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
-    return trace_rays_cuda(batch);
+    trace_rays_cuda(batch);
+  } else {
+    run_on_cpu(active_table().trace_rays_double, batch, batch.count, active_table().lanes_double);
   }
-  run_on_cpu(active_table().trace_rays_double, batch, batch.count, active_table().lanes_double);
+  finish(counter, backend, batch);
 }
 
 void trace_pixels(Backend backend, const PixelBatch& batch) {
   const int pixels = batch.row_count * batch.projection.width_px;
   static WorkCounter plain("trace_pixels");
   static WorkCounter with_footprints("trace_pixels, footprints");
-  const WorkScope work(has_footprints(batch.out) ? with_footprints : plain, pixels);
+  WorkCounter& counter = has_footprints(batch.out) ? with_footprints : plain;
+  const WorkScope work(counter, pixels);
   if (backend == Backend::cuda) {
-    return trace_pixels_cuda(batch);
+    trace_pixels_cuda(batch);
+  } else {
+    run_on_cpu(active_table().trace_pixels, batch, pixels, active_table().lanes_float);
   }
-  run_on_cpu(active_table().trace_pixels, batch, pixels, active_table().lanes_float);
+  finish(counter, backend, batch);
 }
 
 void trace_omni_pixels(Backend backend, const OmniBatch& batch) {
   const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
   static WorkCounter plain("trace_omni_pixels");
   static WorkCounter with_footprints("trace_omni_pixels, footprints");
-  const WorkScope work(has_footprints(batch.pixels.out) ? with_footprints : plain, pixels);
+  WorkCounter& counter = has_footprints(batch.pixels.out) ? with_footprints : plain;
+  const WorkScope work(counter, pixels);
   if (backend == Backend::cuda) {
-    return trace_omni_pixels_cuda(batch);
+    trace_omni_pixels_cuda(batch);
+  } else {
+    run_on_cpu(active_table().trace_omni_pixels, batch, pixels, active_table().lanes_float);
   }
-  run_on_cpu(active_table().trace_omni_pixels, batch, pixels, active_table().lanes_float);
+  finish(counter, backend, batch);
 }
 
 void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
   static WorkCounter counter("trace_nodes");
   const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
-    return trace_nodes_cuda(batch);
+    trace_nodes_cuda(batch);
+  } else {
+    run_on_cpu(active_table().trace_nodes_float, batch, batch.count, active_table().lanes_float, grid_grain);
   }
-  run_on_cpu(active_table().trace_nodes_float, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, backend, batch);
 }
 
 void trace_nodes(const NodeBatch<double>& batch) {
   static WorkCounter counter("trace_nodes, double");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().trace_nodes_double, batch, batch.count, active_table().lanes_double, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void check_cells(Backend backend, const CheckBatch<float>& batch) {
   static WorkCounter counter("check_cells");
   const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
-    return check_cells_cuda(batch);
+    check_cells_cuda(batch);
+  } else {
+    run_on_cpu(active_table().check_cells_float, batch, batch.count, active_table().lanes_float, grid_grain);
   }
-  run_on_cpu(active_table().check_cells_float, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, backend, batch);
 }
 
 void check_cells(const CheckBatch<double>& batch) {
   static WorkCounter counter("check_cells, double");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().check_cells_double, batch, batch.count, active_table().lanes_double, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void trace_nodes(const OmniNodeBatch& batch) {
   static WorkCounter counter("trace_nodes");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().trace_omni_nodes, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void check_cells(const OmniCheckBatch& batch) {
   static WorkCounter counter("check_cells");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().check_omni_cells, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void check_blend(const BlendCheckBatch& batch) {
   static WorkCounter counter("check_blend");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().check_blend, batch, batch.count, active_table().lanes_double, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void look_up_pixels(Backend backend, const LookUpBatch& batch) {
   const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
   static WorkCounter plain("look_up_pixels");
   static WorkCounter with_footprints("look_up_pixels, footprints");
-  const WorkScope work(has_footprints(batch.pixels.out) ? with_footprints : plain, pixels);
+  WorkCounter& counter = has_footprints(batch.pixels.out) ? with_footprints : plain;
+  const WorkScope work(counter, pixels);
   if (backend == Backend::cuda) {
-    return look_up_pixels_cuda(batch);
+    look_up_pixels_cuda(batch);
+  } else {
+    run_on_cpu(active_table().look_up_pixels, batch, pixels, active_table().lanes_float);
   }
-  run_on_cpu(active_table().look_up_pixels, batch, pixels, active_table().lanes_float);
+  finish(counter, backend, batch);
 }
 
 void look_up_pixels(const OmniLookUpBatch& batch) {
   const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
   static WorkCounter plain("look_up_omni_pixels");
   static WorkCounter with_footprints("look_up_omni_pixels, footprints");
-  const WorkScope work(has_footprints(batch.pixels.out) ? with_footprints : plain, pixels);
+  WorkCounter& counter = has_footprints(batch.pixels.out) ? with_footprints : plain;
+  const WorkScope work(counter, pixels);
   run_on_cpu(active_table().look_up_omni_pixels, batch, pixels, active_table().lanes_float);
+  finish(counter, Backend::cpu, batch);
 }
 
 void look_up_rays(Backend backend, const LookUpRaysBatch<double>& batch) {
   static WorkCounter counter("look_up_rays");
   const WorkScope work(counter, batch.rays.count);
   if (backend == Backend::cuda) {
-    return look_up_rays_cuda(batch);
+    look_up_rays_cuda(batch);
+  } else {
+    run_on_cpu(active_table().look_up_rays, batch, batch.rays.count, active_table().lanes_double);
   }
-  run_on_cpu(active_table().look_up_rays, batch, batch.rays.count, active_table().lanes_double);
+  finish(counter, backend, batch);
 }
 
 void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch) {
   static WorkCounter counter("read_quadtree_rays");
   const WorkScope work(counter, batch.rays.count);
   if (backend == Backend::cuda) {
-    return read_quadtree_rays_cuda(batch);
+    read_quadtree_rays_cuda(batch);
+  } else {
+    run_on_cpu(active_table().read_quadtree_rays, batch, batch.rays.count, 1, 16 * grain);
   }
-  run_on_cpu(active_table().read_quadtree_rays, batch, batch.rays.count, 1, 16 * grain);
+  finish(counter, backend, batch);
 }
 
 void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
@@ -161,30 +168,35 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
   static WorkCounter counter("read_quadtree_pixels");
   const WorkScope work(counter, pixels);
   run_on_cpu(active_table().read_quadtree_pixels, batch, pixels, 1, 16 * grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const StarImageBatch<float>& batch) {
   static WorkCounter counter("find_star_images");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const StarImageBatch<double>& batch) {
   static WorkCounter counter("find_star_images, double");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const OmniStarBatch<float>& batch) {
   static WorkCounter counter("find_star_images");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_omni_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const OmniStarBatch<double>& batch) {
   static WorkCounter counter("find_star_images, double");
   const WorkScope work(counter, batch.count);
   run_on_cpu(active_table().find_omni_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
+  finish(counter, Backend::cpu, batch);
 }
 
 void measure_patch(const PatchMeasureBatch& batch) { active_table().measure_patch(batch, 0, 1); }
@@ -212,44 +224,28 @@ std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening) {
 
 void shade_pixels(Backend backend, const ShadeBatch& batch) {
   const bool sky = batch.mode == ViewMode::sky;
-  const WorkScope work(
-      work_counter(sky ? shading_name(batch.filter, batch.shift, batch.brightening) : "shade_heat_map"), batch.count);
+  WorkCounter& counter =
+      work_counter(sky ? shading_name(batch.filter, batch.shift, batch.brightening) : "shade_heat_map");
+  const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
-    return shade_pixels_cuda(batch);
+    shade_pixels_cuda(batch);
+  } else if (sky) {
+    run_on_cpu(active_table().shade_sky, batch, batch.count, active_table().lanes_float);
+  } else {
+    run_on_cpu(active_table().shade_heat_map, batch, batch.count, 1, 16 * grain);
   }
-  if (batch.mode == ViewMode::sky) {
-    return run_on_cpu(active_table().shade_sky, batch, batch.count, active_table().lanes_float);
-  }
-  run_on_cpu(active_table().shade_heat_map, batch, batch.count, 1, 16 * grain);
-}
-
-const char* near_field_name(DiskDrawing disk, bool shells) {
-  constexpr const char* names[3][2] = {{nullptr, "draw_shells"},
-                                       {"draw_disk", "draw_shells, disk"},
-                                       {"draw_disk, pattern", "draw_shells, disk, pattern"}};
-  return names[static_cast<int>(disk)][shells ? 1 : 0];
-}
-
-void draw_near_field(Backend backend, const NearFieldBatch& batch) {
-  const char* const name = near_field_name(batch.drawing, batch.shells.count > 0);
-  if (name == nullptr) {
-    return;
-  }
-  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
-  const WorkScope work(work_counter(name), pixels);
-  if (backend == Backend::cuda) {
-    return draw_near_field_cuda(batch);
-  }
-  run_on_cpu(active_table().draw_near_field, batch, pixels, active_table().lanes_float);
+  finish(counter, backend, batch);
 }
 
 void draw_overlay(Backend backend, const OverlayBatch& batch) {
   static WorkCounter counter("draw_overlay");
   const WorkScope work(counter, batch.count);
   if (backend == Backend::cuda) {
-    return draw_overlay_cuda(batch);
+    draw_overlay_cuda(batch);
+  } else {
+    run_on_cpu(active_table().draw_overlay, batch, batch.count, active_table().lanes_float);
   }
-  run_on_cpu(active_table().draw_overlay, batch, batch.count, active_table().lanes_float);
+  finish(counter, backend, batch);
 }
 
 void tone_tiles(const ToneBatch& batch) {

@@ -80,6 +80,13 @@ const char* near_field_name(DiskDrawing disk, bool shells);
 //! Draws disk and shells over a picture of the sky, by a ray for each pixel that may see them; see NearFieldBatch.
 void draw_near_field(Backend backend, const NearFieldBatch& batch);
 
+//! Marks tiles of an image in which objects may be seen, and looks at them in pixels; see the batches.
+void mark_object_tiles(Backend backend, const ObjectTileBatch& batch);
+void look_at_objects(Backend backend, const ObjectPixelBatch& batch);
+
+//! Lays them over a picture that has neither disk nor shells.
+void lay_objects(Backend backend, const LayObjectsBatch& batch);
+
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);
 

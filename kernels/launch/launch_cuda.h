@@ -6,6 +6,7 @@
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
+#include "kernels/mesh/draw_objects.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
 #include "kernels/trace/omni_camera.h"
@@ -28,6 +29,9 @@ void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
 void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
 void draw_near_field_cuda(const NearFieldBatch& batch);
+void mark_object_tiles_cuda(const ObjectTileBatch& batch);
+void look_at_objects_cuda(const ObjectPixelBatch& batch);
+void lay_objects_cuda(const LayObjectsBatch& batch);
 void draw_overlay_cuda(const OverlayBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;

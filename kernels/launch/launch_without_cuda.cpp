@@ -33,6 +33,12 @@ void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
 void draw_near_field_cuda(const NearFieldBatch&) { refuse(); }
 
+void mark_object_tiles_cuda(const ObjectTileBatch&) { refuse(); }
+
+void look_at_objects_cuda(const ObjectPixelBatch&) { refuse(); }
+
+void lay_objects_cuda(const LayObjectsBatch&) { refuse(); }
+
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
 
 void* allocate_cuda(std::size_t) { refuse(); }

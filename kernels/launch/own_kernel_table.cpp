@@ -2,6 +2,7 @@
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/own_near_field.h"
+#include "kernels/launch/own_objects.h"
 #include "kernels/launch/own_shading.h"
 #include "kernels/launch/own_turning_eyes.h"
 #include "kernels/launch/own_warping.h"
@@ -97,6 +98,8 @@ const KernelTable& own_kernel_table() {
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
       &draw_near_field,
+      &mark_object_tiles,
+      &look_at_objects,
       &run<DrawOverlay<WidePack<float>>, OverlayBatch>,
       &tone_tiles,
       &average_tiles,

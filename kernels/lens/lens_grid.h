@@ -228,7 +228,8 @@ ERGO_HD GridSky<T> read_grid(const LensGrid& grid, const ChartPlace<Dual<T>>& pl
              turned * place.gamma_turns.along_y + upward * place.s.along_y);
   };
   const Vector3<D> v = {chained(0, one), chained(1, one), chained(2, mirror)};
-  const D inverse = D(T(S(1))) / sqrt(dot(v, v));
+  // Where no corner has a sky there is none: 0, and not 0 / 0.
+  const D inverse = D(T(S(1))) / sqrt(dot(v, v) + D(T(S(1e-30))));
   return {{v.x * inverse, v.y * inverse, v.z * inverse}, patches.component(9) > T(S(0.5))};
 }
 

@@ -115,13 +115,16 @@ struct LookUpRays {
     const Vector3<T> sky = turned_to_camera(rays.camera, Vector3<T>{select(reached, end.sky.x, read.sky.x.value),
                                                                     select(reached, end.sky.y, read.sky.y.value),
                                                                     select(reached, end.sky.z, read.sky.z.value)});
-    store_lanes(rays.sky[0], first, count, select(bright, sky.x, zero));
-    store_lanes(rays.sky[1], first, count, select(bright, sky.y, zero));
-    store_lanes(rays.sky[2], first, count, select(bright, sky.z, zero));
+    // A ray that ran out of steps has what the grid has, if that has anything.
+    const auto seen = bright & (dot(sky, sky) > T(S(0.5)));
+    store_lanes(rays.sky[0], first, count, select(seen, sky.x, zero));
+    store_lanes(rays.sky[1], first, count, select(seen, sky.y, zero));
+    store_lanes(rays.sky[2], first, count, select(seen, sky.z, zero));
     store_lanes(rays.frequency_ratio, first, count, S(1) / start.energy);
     const T escaped(S(static_cast<int>(RayStatus::escaped)));
     const T captured(S(static_cast<int>(RayStatus::captured)));
-    store_lanes(rays.status, first, count, select(bright, escaped, captured));
+    const T not_converged(S(static_cast<int>(RayStatus::not_converged)));
+    store_lanes(rays.status, first, count, select(bright, select(seen, escaped, not_converged), captured));
     store_lanes(rays.steps, first, count, steps);
     store_lanes(rays.error_estimate, first, count, end.error_estimate);
     store_lanes(rays.mino_time, first, count, end.mino_time);

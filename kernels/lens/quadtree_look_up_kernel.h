@@ -15,9 +15,12 @@ struct ReadQuadtreeRays {
     const Vector3<double> n = {rays.direction[0][index], rays.direction[1][index], rays.direction[2][index]};
     float row = 0.0F;
     float column = 0.0F;
-    quadtree_place(batch.look_up.grids[0].level, n, row, column);
+    // What is no direction has no place in the tree.
+    const double square = dot(n, n);
+    const bool proper = square > 0.5 && square < 2.0;
+    quadtree_place(batch.look_up.grids[0].level, proper ? n : Vector3<double>{1.0, 0.0, 0.0}, row, column);
     const SkyAngles angles = read_quadtree(batch.look_up, row, column);
-    const bool bright = !in_shadow(angles);
+    const bool bright = proper && !in_shadow(angles);
     const double theta = static_cast<double>(angles.theta);
     const double phi = static_cast<double>(angles.phi);
     const Vector3<double> sky = turned_to_camera(

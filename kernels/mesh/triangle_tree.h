@@ -21,7 +21,8 @@ struct TriangleTree {
   const TreeNode* nodes;
   const float* corners;            //!< nine numbers a triangle, in the order of the leaves
   const std::uint32_t* triangles;  //!< which of the mesh's triangles each of them is
-  double radius;                   //!< of the sphere about the mesh's own middle that holds all
+  Vector3<double> middle;          //!< of a sphere that holds all
+  double radius;                   //!< of that sphere
 };
 
 //! No tree is deeper.

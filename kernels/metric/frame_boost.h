@@ -11,8 +11,8 @@ namespace ergodome {
 //! keeps its digits at any speed, where the components of a boosted vector cancel.
 template <class S>
 struct FrameBoostOf {
-  Vector3<S> axis;  //!< unit vector along the motion of the frame that directions come from
-  S stretch;        //!< k; 1 leaves directions as they are
+  Vector3<S> axis = {S(1), S(0), S(0)};  //!< unit vector along the motion of the frame that directions come from
+  S stretch = S(1);                      //!< k; 1 leaves directions as they are
 };
 
 using FrameBoost = FrameBoostOf<double>;
@@ -54,7 +54,7 @@ ERGO_HD Vector3<T> aberrated(const FrameBoostOf<ScalarOf<T>>& boost, const Vecto
 ERGO_HD FrameBoost frame_boost(const Vector3<double>& beta) {
   const double speed = ::sqrt(dot(beta, beta));
   if (!(speed > 0.0)) {
-    return {{1.0, 0.0, 0.0}, 1.0};
+    return {};
   }
   return {(1.0 / speed) * beta, ::sqrt((1.0 + speed) / (1.0 - speed))};
 }
@@ -62,9 +62,8 @@ ERGO_HD FrameBoost frame_boost(const Vector3<double>& beta) {
 //! Aberration for an observer at (r, θ) outside the horizon; see make_camera_station for the arguments.
 ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, ObserverMotion motion,
                                       const Vector3<double>& given) {
-  const FrameBoost none = {{1.0, 0.0, 0.0}, 1.0};
   if (motion == ObserverMotion::rain) {
-    return {none, none};
+    return {};
   }
   const KerrFunctions f = kerr_functions(spin, r, theta);
   // The rain falls at v = rain_speed past the ZAMO, whose lapse √(ΣΔ/A) is 1/γ.

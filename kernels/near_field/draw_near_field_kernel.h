@@ -2,14 +2,15 @@
 
 #include "kernels/disk/disk_sight.h"
 #include "kernels/near_field/draw_near_field.h"
+#include "kernels/near_field/layer_sight.h"
 #include "kernels/shells/shell_sight.h"
 #include "kernels/trace/pixel_geometry.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws disk and shells over pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. What is nearer along the ray lies
+//! Draws disk and shells, with objects between them, over pixels; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. What is nearer along the ray lies
 //! before the rest, and the sky behind it all. A scene pays for what it has alone.
-template <class T, DiskDrawing Disk, bool Shells>
+template <class T, DiskDrawing Disk, bool Shells, bool Objects>
 struct DrawNearField {
   using D = Dual<T>;
   using S = ScalarOf<T>;
@@ -25,9 +26,10 @@ struct DrawNearField {
     pixel_middles(pixels, first, x_px, y_px);
     const T inside = image_coverage(pixels.projection, x_px, y_px);
     Mask fine = inside > T(S(0));
-    SeenLanes<T> seen = look(x_px, y_px, S(1), fine);
+    LayerSight<T, Objects> objects(batch.objects, first, pixel_count(pixels));
+    SeenLanes<T> seen = look(x_px, y_px, S(1), objects, fine);
     if (any(fine)) {
-      average(x_px, y_px, fine, seen);
+      average(x_px, y_px, objects, fine, seen);
     }
     const int count = pixel_count(pixels);
     for (int i = 0; i < RealTraits<T>::lane_count && first + i < count; ++i) {
@@ -48,7 +50,8 @@ struct DrawNearField {
   static constexpr int samples = 4;
 
   //! Looks at many places within the pixels of the mask.
-  ERGO_HD void average(const T& x_px, const T& y_px, const Mask& fine, SeenLanes<T>& seen) const {
+  ERGO_HD void average(const T& x_px, const T& y_px, const LayerSight<T, Objects>& objects, const Mask& fine,
+                       SeenLanes<T>& seen) const {
     const T zero(S(0));
     SeenLanes<T> sum = {zero, zero, zero, zero};
     constexpr S step = S(1) / samples;
@@ -57,7 +60,7 @@ struct DrawNearField {
       const S along = (static_cast<S>(i - row * samples) + S(0.5)) * step - S(0.5);
       const S down = (static_cast<S>(row) + S(0.5)) * step - S(0.5);
       Mask wanted = fine;
-      sum = sum + look(x_px + along, y_px + down, step, wanted);
+      sum = sum + look(x_px + along, y_px + down, step, objects, wanted);
     }
     constexpr S share = step * step;
     seen = {select(fine, sum.red * share, seen.red), select(fine, sum.green * share, seen.green),
@@ -66,22 +69,42 @@ struct DrawNearField {
 
   //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
   //! be finer than that.
-  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Mask& lanes) const {
+  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, LayerSight<T, Objects> objects, Mask& lanes) const {
     const PixelBatch& pixels = batch.pixels;
     const CameraStationOf<S>& camera = pixels.camera;
     const NearRay<D> ray = start_near_ray(camera, observed_direction(pixels, x_px, y_px));
     SeenLanes<T> seen = nothing_seen<T>();
     const Mask wanted = lanes & may_see(ray);
-    lanes = lanes & !lanes;
-    if (!any(wanted)) {
-      return seen;
+    Mask fine = lanes & !lanes;
+    if (any(wanted)) {
+      fine = look_near(ray, pixel, wanted, objects, seen);
     }
+    if constexpr (Objects) {
+      const Mask waiting = lanes & objects.waiting();
+      for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+        if (mask_lane(waiting, i)) {
+          objects.until(
+              i, std::numeric_limits<S>::infinity(), [](int, S) {}, seen);
+        }
+      }
+    }
+    lanes = fine;
+    return seen;
+  }
+
+  //! The same for lanes that may see disk or shells; tells which of them hold more than their middle does.
+  ERGO_HD Mask look_near(const NearRay<D>& ray, S pixel, const Mask& wanted, LayerSight<T, Objects>& objects,
+                         SeenLanes<T>& seen) const {
+    const PixelBatch& pixels = batch.pixels;
     const NearLimits<S> limits = {static_cast<S>(pixels.settings.tolerance), pixels.settings.step_limit};
     if constexpr (Disk == DiskDrawing::none) {
-      const auto nothing = [](int, S) {};
-      lanes = wanted & look_at_shells(ray, limits, pixel, wanted, nothing, seen);
+      const auto before = [&](int i, S time) {
+        objects.until(
+            i, time, [](int, S) {}, seen);
+      };
+      return wanted & look_at_shells(ray, limits, pixel, wanted, before, seen);
     } else {
-      DiskSight<T, Disk == DiskDrawing::pattern> disk(camera, batch.disk, limits, ray, pixel);
+      DiskSight<T, Disk == DiskDrawing::pattern> disk(pixels.camera, batch.disk, limits, ray, pixel);
       disk.trace(wanted);
       int next[RealTraits<T>::lane_count] = {};
       const auto disk_until = [&](int i, S time) {
@@ -89,19 +112,23 @@ struct DrawNearField {
           disk.compose(next[i], i, seen);
         }
       };
+      const auto before = [&](int i, S time) {
+        objects.until(i, time, disk_until, seen);
+        disk_until(i, time);
+      };
+      Mask fine = wanted & !wanted;
       if constexpr (Shells) {
-        lanes = look_at_shells(ray, limits, pixel, wanted, disk_until, seen);
+        fine = look_at_shells(ray, limits, pixel, wanted, before, seen);
       }
-      T fine(S(0));
+      T fine_disk(S(0));
       for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
         if (mask_lane(wanted, i)) {
-          disk_until(i, std::numeric_limits<S>::max());
-          set_lane(fine, i, disk.is_fine(i) ? S(1) : S(0));
+          before(i, std::numeric_limits<S>::max());
+          set_lane(fine_disk, i, disk.is_fine(i) ? S(1) : S(0));
         }
       }
-      lanes = wanted & (lanes | (fine > T(S(0))));
+      return wanted & (fine | (fine_disk > T(S(0))));
     }
-    return seen;
   }
 
   //! Lanes that hold more than their middle tells.

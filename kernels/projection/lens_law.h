@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/arithmetic.h"
 
 // How a fisheye lens takes the angle t from its axis to a radius r of the image, in half widths of it. But for the polynomial the
@@ -141,7 +142,6 @@ ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double 
 //! The largest angle from the axis that a law can have at the rim [rad]. A polynomial must rise all the way, nowhere by less than a
 //! hundredth of its slope at the axis; 0 where it does not rise there.
 ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
-  constexpr double pi = 3.14159265358979323846;
   constexpr int samples = 4096;
   switch (law) {
     case LensLaw::orthographic:

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "kernels/schwarzschild/find_root.h"
+#include "kernels/core/angles.h"
+#include "kernels/core/find_root.h"
 #include "kernels/schwarzschild/null_orbit.h"
 
 // The light ray between two places in Schwarzschild spacetime. Outside the horizon the optical metric (light's paths are its straightest
@@ -109,7 +110,6 @@ ERGO_HD ConnectingRay ray_of(const Endpoints& ends, double inverse_b, double rat
 
 //! A ray so near to the radial one that its bending is below rounding: u is linear in φ.
 ERGO_HD ConnectingRay radial_ray(const Endpoints& ends, double angle) {
-  constexpr double pi = 3.14159265358979323846;
   const double b = angle / ends.gap;
   ConnectingRay ray{};
   ray.impact_parameter = b;
@@ -224,7 +224,6 @@ ERGO_HD_CALLED ConnectingRay connecting_ray(double r_observer, double r, double 
 
 //! Azimuth that the ray of the n-th image sweeps to a point at azimuth φ in [0, 2π]; n >= 1. A φ that is one already stays.
 ERGO_HD double image_angle(double phi, int order) {
-  constexpr double pi = 3.14159265358979323846;
   if (phi >= (order - 1) * pi && phi <= order * pi) {
     return phi;
   }

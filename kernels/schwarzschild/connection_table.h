@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/angles.h"
 #include "kernels/core/host_device.h"
 #include "kernels/schwarzschild/connecting_ray.h"
 
@@ -70,7 +71,6 @@ ERGO_HD double observer_u(const ConnectionGrid& grid, int layer) {
 
 //! Chebyshev's points of the second kind: the ends are among them.
 ERGO_HD double fan_u(const ConnectionGrid& grid, int fan_row) {
-  constexpr double pi = 3.14159265358979323846;
   const double sine = ::sin(0.5 * pi * fan_row / (grid.fan_rows - 1));
   return grid.u_low + (grid.u_high - grid.u_low) * sine * sine;
 }
@@ -126,12 +126,11 @@ ERGO_HD ConnectionPlace read_layer(const ConnectionView& view, int layer, const 
 
 //! Reads a point that the table `covers` by cubic interpolation in u, φ and, between observers, their u.
 ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observer, double r, double angle) {
-  constexpr double two_pi = 6.28318530717958647692;
   const ConnectionGrid& grid = view.grid;
   const double u = 1.0 / r;
   const detail::CubicStencil row =
       detail::cubic_stencil((u - grid.u_low) / (grid.u_high - grid.u_low) * (grid.rows - 1), 0, grid.rows - 1);
-  const detail::CubicStencil column = detail::cubic_stencil(angle / two_pi * grid.columns, -1, grid.columns);
+  const detail::CubicStencil column = detail::cubic_stencil(angle / full_turn * grid.columns, -1, grid.columns);
   ConnectionPlace place = detail::read_layer(view, 0, row, column);
   if (grid.layers > 1) {
     const double share = (1.0 / r_observer - grid.u_observer_low) / (grid.u_observer_high - grid.u_observer_low);

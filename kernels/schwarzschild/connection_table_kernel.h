@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/angles.h"
 #include "kernels/schwarzschild/connection_table.h"
 
 // The three steps that make a table; each waits for the one before it.
@@ -10,7 +11,6 @@ struct SolveConnectionFan {
   ConnectionBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    constexpr double pi = 3.14159265358979323846;
     const ConnectionGrid& grid = batch.grid;
     const int column = index % fan_columns;
     const int line = index / fan_columns;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/angles.h"
 #include "kernels/core/dual.h"
 #include "kernels/geodesic/radial_potential.h"
 #include "kernels/shadow/shadow_chart.h"
@@ -57,7 +58,6 @@ ERGO_HD Vector3<double> onto_equator(const Vector3<double>& n) {
 //! sky is a small disk - the second says how far to look. The arc lies in the plane of e_r and e_φ wherever that meets the
 //! shadow. The far pole of the chart is the middle of the bright arc, so every great circle from the centre meets the edge.
 ERGO_HD ShadowChart make_shadow_chart(const CameraStation& camera) {
-  constexpr double pi = 3.14159265358979323846;
   const Vector3<double> in = detail::principal_direction(camera, -1.0);
   const Vector3<double> flat = detail::onto_equator(in);
   const Vector3<double> start = direction_is_bright(camera, flat) ? in : flat;

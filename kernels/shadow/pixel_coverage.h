@@ -15,11 +15,11 @@ struct PixelCoverage {
 namespace detail {
 //! A shadow of less than a pixel or two takes its area from the pixels around its centre, spread like a cone of radius 1 px.
 ERGO_HD PixelCoverage cover_by_speck(const EdgeCurve& edge, float alpha, float pixel_angle) {
-  const float pi = 3.14159265F;
+  const float half_turn = 3.14159265F;
   const float radius_px = 0.5F * (edge.smallest + edge.largest) / pixel_angle;
   const float distance_px = alpha / pixel_angle;
-  const float share = maximum(0.0F, 1.0F - distance_px) * 3.0F / pi;
-  return {1.0F - minimum(1.0F, pi * radius_px * radius_px * share), 0.0F, 0.0F};
+  const float share = maximum(0.0F, 1.0F - distance_px) * 3.0F / half_turn;
+  return {1.0F - minimum(1.0F, half_turn * radius_px * radius_px * share), 0.0F, 0.0F};
 }
 }  // namespace detail
 

@@ -113,12 +113,14 @@ struct FindStarImages {
     const T length = sqrt(x * x + y * y);
     // Farther than this the first order means nothing.
     const T part = minimum(T(S(0.1)) / maximum(length, T(S(1e-30))), one);
-    x = select(reached, x * part, zero);
-    y = select(reached, y * part, zero);
+    // Light that hardly left the horizon of an extremal hole may have no derivatives that are numbers.
+    const MaskOf<T> usable = reached & (length < T(S(1e20)));
+    x = select(usable, x * part, zero);
+    y = select(usable, y * part, zero);
     const Vector3<T> moved = n + x * e1 + y * e2;
     const T side = dot(normal, seen);
-    const T area = sqrt(square);
-    const T stretch = dot(j1, j1) + dot(j2, j2);
+    const T area = select(usable, sqrt(square), zero);
+    const T stretch = select(usable, dot(j1, j1) + dot(j2, j2), zero);
     const T change = minimum(length * stretch / maximum(area * scale, T(S(1e-30))), one);
     // Below the tolerance itself there is nothing to gain.
     const auto close = length <= T(S(batch.tolerance));
@@ -126,8 +128,8 @@ struct FindStarImages {
             select(side < zero, -area, area),
             stretch,
             one / start.energy.value,
-            select(reached & (length < T(S(1e20))), length * change, T(S(1e30))),
-            select(close, zero, change)};
+            select(usable, length * change, T(S(1e30))),
+            select(close | !usable, zero, change)};
   }
 };
 

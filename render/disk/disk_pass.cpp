@@ -4,13 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/disk/page_thorne.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 //! Where Page and Thorne's flux is greatest, in units of the innermost stable orbit's radius, it is below this.
 constexpr double farthest_peak = 4.0;

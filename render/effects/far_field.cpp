@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -15,8 +16,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr int widest_px = 1025;
+constexpr int widest_aperture_px = 1025;
 constexpr double reference_nm = 550.0;
 //! Radius of the first dark ring behind a round aperture, in wavelengths over its diameter: the first zero of J1, over pi.
 constexpr double first_ring = 1.2196698912665045;
@@ -36,7 +36,7 @@ void check(const ApertureSettings& settings) {
   require(settings.vanes >= 0 && settings.vanes <= 64, fmt::format("has {} vanes", settings.vanes), "give 0 to 64");
   require(settings.obstruction >= 0.0 && settings.obstruction <= 0.9,
           fmt::format("has an obstruction of {}", settings.obstruction), "give 0 to 0.9 of the radius");
-  require(settings.size_px >= 3 && settings.size_px <= widest_px && settings.size_px % 2 == 1,
+  require(settings.size_px >= 3 && settings.size_px <= widest_aperture_px && settings.size_px % 2 == 1,
           fmt::format("has a pattern of {} px", settings.size_px), "give an odd width of 3 to 1025 px");
   require(settings.scale >= 0.25 && settings.scale <= 8.0, fmt::format("has a scale of {}", settings.scale),
           "give 0.25 to 8");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/geodesic/taylor.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/view_projection.h"
@@ -12,9 +13,8 @@ namespace ergodome {
 
 namespace {
 
-using D = Dual<double>;
+using EdgeDual = Dual<double>;
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr int lattice = 9;
 constexpr int order = 14;
 constexpr int most_rounds = 12;
@@ -35,8 +35,8 @@ class Eye {
       return {stereo.model == StereoModel::flat ? 0.0 : offset_, 0.0, 0.0};
     }
     const double across = std::hypot(view.x, view.z);
-    const double gone = std::cos(degree * stereo.fade_to_deg);
-    const double ramp = std::clamp((across - gone) / (std::cos(degree * stereo.fade_from_deg) - gone), 0.0, 1.0);
+    const double gone = std::cos(one_degree * stereo.fade_to_deg);
+    const double ramp = std::clamp((across - gone) / (std::cos(one_degree * stereo.fade_from_deg) - gone), 0.0, 1.0);
     const double share = across > 0.0 ? offset_ * ramp * ramp * (3.0 - 2.0 * ramp) / across : 0.0;
     return {-view.z * share, 0.0, view.x * share};
   }
@@ -64,30 +64,30 @@ class Eye {
 };
 
 //! A place of the sky with its derivatives along two directions of the view; false for the shadow.
-bool look(const Eye& from, const Vector3<D>& seen, Vector3<D>& sky) {
+bool look(const Eye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
   const Vector3<double> middle = {seen.x.value, seen.y.value, seen.z.value};
   const EyeCamera eye = from.camera(middle);
   const Vector3<double> turn = from.convergence_turn(middle);
-  const Vector3<D> turned = {seen.x - turn.x, seen.y - turn.y, seen.z - turn.z};
-  const D inverse_length = 1.0 / sqrt(dot(turned, turned));
-  const Vector3<D> view = {turned.x * inverse_length, turned.y * inverse_length, turned.z * inverse_length};
+  const Vector3<EdgeDual> turned = {seen.x - turn.x, seen.y - turn.y, seen.z - turn.z};
+  const EdgeDual inverse_length = 1.0 / sqrt(dot(turned, turned));
+  const Vector3<EdgeDual> view = {turned.x * inverse_length, turned.y * inverse_length, turned.z * inverse_length};
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
   const auto row = [&](int i) {
     const double(&m)[3] = eye.frame_from_view[i];
     return view.x * m[0] + view.y * m[1] + view.z * m[2];
   };
-  const RayStart<D> start = start_ray<D>(camera, {row(0), row(1), row(2)});
+  const RayStart<EdgeDual> start = start_ray<EdgeDual>(camera, {row(0), row(1), row(2)});
   if (!comes_from_sky(camera.spin, camera.horizon_r, plain_start(start))) {
     return false;
   }
   double steps = 0.0;
   bool reached = false;
-  const RayEnd<D> end = trace_taylor<order>(camera.spin, start, true, {1e-9, 400, true}, steps, reached);
-  sky = turned_to_camera<D>(camera, end.sky);
+  const RayEnd<EdgeDual> end = trace_taylor<order>(camera.spin, start, true, {1e-9, 400, true}, steps, reached);
+  sky = turned_to_camera<EdgeDual>(camera, end.sky);
   return reached;
 }
 
-Vector3<double> values(const Vector3<D>& v) { return {v.x.value, v.y.value, v.z.value}; }
+Vector3<double> values(const Vector3<EdgeDual>& v) { return {v.x.value, v.y.value, v.z.value}; }
 
 //! The direction in which an eye sees a place of the sky, near to a first guess; false where it is not found.
 bool find_direction(const Eye& eye, const Vector3<double>& star, Vector3<double>& view) {
@@ -96,8 +96,10 @@ bool find_direction(const Eye& eye, const Vector3<double>& star, Vector3<double>
     const Vector3<double> across =
         normalized(cross(std::abs(view.y) < 0.9 ? Vector3<double>{0, 1, 0} : Vector3<double>{1, 0, 0}, view));
     const Vector3<double> up = cross(view, across);
-    Vector3<D> sky{};
-    if (!look(eye, {D(view.x, across.x, up.x), D(view.y, across.y, up.y), D(view.z, across.z, up.z)}, sky)) {
+    Vector3<EdgeDual> sky{};
+    if (!look(eye,
+              {EdgeDual(view.x, across.x, up.x), EdgeDual(view.y, across.y, up.y), EdgeDual(view.z, across.z, up.z)},
+              sky)) {
       return false;
     }
     const Vector3<double> missing = star - values(sky);
@@ -147,7 +149,7 @@ class DisparityMeter {
     const double turn = std::atan2(to.x, -to.z) - std::atan2(from.x, -from.z);
     // Azimuths lie closer towards the zenith.
     const double level = 0.5 * (std::hypot(from.x, from.z) + std::hypot(to.x, to.z));
-    const double turned = 60.0 / degree * level * std::remainder(turn, 360.0 * degree);
+    const double turned = 60.0 / one_degree * level * std::remainder(turn, 360.0 * one_degree);
     if (!any_) {
       disparity_ = {pixels, pixels, turned, turned};
       any_ = true;
@@ -165,12 +167,6 @@ class DisparityMeter {
   bool any_ = false;
 };
 
-Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
-  const double(&m)[3][3] = eye.frame_from_view;
-  return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
-          m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
-}
-
 //! The places of the shadow's edge that lie farthest to the left and to the right.
 void edge_sides(const Eye& eye, Vector3<double> (&sides)[2]) {
   const EyeCamera camera = eye.camera({0.0, 0.0, -1.0});
@@ -181,7 +177,7 @@ void edge_sides(const Eye& eye, Vector3<double> (&sides)[2]) {
   double most[2] = {-2.0, -2.0};
   constexpr int points = 64;
   for (int i = 0; i < points; ++i) {
-    const double gamma = 360.0 * degree * i / points;
+    const double gamma = 360.0 * one_degree * i / points;
     const double alpha = edge_polar_angle(station, chart, gamma);
     const Vector3<double> view =
         in_view(camera, chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma));
@@ -213,9 +209,10 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
         continue;
       }
       const Vector3<double> view = direction_from_pixel(projection, x, y);
-      Vector3<D> sky{};
+      Vector3<EdgeDual> sky{};
       Vector3<double> other = view;
-      if (look(left, {D(view.x), D(view.y), D(view.z)}, sky) && find_direction(right, values(sky), other)) {
+      if (look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
+          find_direction(right, values(sky), other)) {
         meter.add(view, other);
       }
     }

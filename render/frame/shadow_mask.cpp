@@ -14,17 +14,20 @@ namespace ergodome {
 
 namespace {
 
-using D = Dual<float>;
+using PixelDual = Dual<float>;
 
-Vector3<float> part(const Vector3<D>& v, float D::*which) { return {v.x.*which, v.y.*which, v.z.*which}; }
+Vector3<float> part(const Vector3<PixelDual>& v, float PixelDual::*which) {
+  return {v.x.*which, v.y.*which, v.z.*which};
+}
 
 //! What is left of a pixel's light.
 float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, const EdgeCurve& head,
                  const EdgeCurve& eye) {
-  const Vector3<D> view = direction_from_pixel(projection, D(x_px, 1.0F, 0.0F), D(y_px, 0.0F, 1.0F));
-  const Vector3<float> n = part(view, &D::value);
-  const Vector3<float> along_x = part(view, &D::along_x);
-  const Vector3<float> along_y = part(view, &D::along_y);
+  const Vector3<PixelDual> view =
+      direction_from_pixel(projection, PixelDual(x_px, 1.0F, 0.0F), PixelDual(y_px, 0.0F, 1.0F));
+  const Vector3<float> n = part(view, &PixelDual::value);
+  const Vector3<float> along_x = part(view, &PixelDual::along_x);
+  const Vector3<float> along_y = part(view, &PixelDual::along_y);
   const float before = cover_pixel(head, n, along_x, along_y).lit;
   const float after = cover_pixel(eye, n, along_x, along_y).lit;
   return after < before ? after / before : 1.0F;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "content/animated_show.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/shadow_mask.h"
@@ -79,7 +80,8 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_)),
       disk_(show_.disk ? std::make_unique<DiskPass>(show_, backend) : nullptr),
       shells_(show_.shells.empty() ? nullptr : std::make_unique<ShellPass>(show_, backend)),
-      objects_(show_.objects.empty() ? nullptr : std::make_unique<ObjectPass>(show_)),
+      traced_objects_(traced_objects_of(show_, backend)),
+      objects_(polygons_of(show_)),
       renderer_(backend, stream_),
       omni_lenses_(backend),
       overlays_(show_.timeline, show_.folder) {
@@ -144,7 +146,8 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   settings.moment = moment;
   settings.scheme = show_.grid_scheme;
   settings.stars = needs.stars ? stars_.get() : nullptr;
-  settings.near_field = {needs.disk ? disk_.get() : nullptr, needs.shells ? shells_.get() : nullptr};
+  settings.near_field = {needs.disk ? disk_.get() : nullptr, needs.shells ? shells_.get() : nullptr,
+                         needs.traced_objects ? traced_objects_.get() : nullptr};
   settings.objects = needs.objects ? objects_.get() : nullptr;
   settings.time_s = moment.time_s.value_or(time_s_);
   settings.clear_outside = needs.clear_outside;
@@ -247,12 +250,11 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
 }
 
 std::shared_ptr<const OmniCamera> ShowRenderer::omni_cameras(const CameraPose& pose, double tolerance) const {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
   const StereoSettings& stereo = show_.stereo;
   return std::make_shared<const OmniCamera>(
       backend(), [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); },
-      OmniSettings{0.5 * stereo.baseline, stereo.convergence, degree * stereo.fade_from_deg,
-                   degree * stereo.fade_to_deg, tolerance});
+      OmniSettings{0.5 * stereo.baseline, stereo.convergence, one_degree * stereo.fade_from_deg,
+                   one_degree * stereo.fade_to_deg, tolerance});
 }
 
 std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,

@@ -133,10 +133,11 @@ class ShowRenderer {
   LensChoice lens_;
   std::shared_ptr<StationStream> stream_;
   ShowSky sky_;
-  std::unique_ptr<StarPass> stars_;      //!< where the show has any
-  std::unique_ptr<DiskPass> disk_;       //!< where the show has one
-  std::unique_ptr<ShellPass> shells_;    //!< where the show has any
-  std::unique_ptr<ObjectPass> objects_;  //!< the same
+  std::unique_ptr<StarPass> stars_;                //!< where the show has any
+  std::unique_ptr<DiskPass> disk_;                 //!< where the show has one
+  std::unique_ptr<ShellPass> shells_;              //!< where the show has any
+  std::unique_ptr<TracedObjects> traced_objects_;  //!< where it has any that are traced
+  std::unique_ptr<ObjectPass> objects_;            //!< where it has any that are polygons
   EyeRenderer renderer_;
   OmniChooser omni_lenses_;
   std::optional<AutoExposure> exposure_;

@@ -76,7 +76,8 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
     stars = std::make_unique<StarPass>(next);
   }
   std::unique_ptr<DiskPass> disk = next.disk && !disk_ ? std::make_unique<DiskPass>(next, backend()) : nullptr;
-  std::unique_ptr<ObjectPass> objects = next.objects.empty() ? nullptr : std::make_unique<ObjectPass>(next);
+  std::unique_ptr<TracedObjects> traced_objects = traced_objects_of(next, backend());
+  std::unique_ptr<ObjectPass> objects = polygons_of(next);
   const bool same_shells = shells_ && same_shell_textures(show_, next);
   std::unique_ptr<ShellPass> shells =
       next.shells.empty() || same_shells ? nullptr : std::make_unique<ShellPass>(next, backend());
@@ -97,6 +98,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   } else {
     disk_ = std::move(disk);
   }
+  traced_objects_ = std::move(traced_objects);
   objects_ = std::move(objects);
   if (same_shells) {
     shells_->set_numbers(next);

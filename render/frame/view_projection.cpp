@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 
@@ -12,7 +13,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double largest_height_px = 16384.0;
 //! How far from its middle a dome may be seen from, in its radii.
 constexpr double nearest_convergence = 0.95;
@@ -27,7 +27,7 @@ Projection dome_projection(const ViewSettings& view, int width_px, double field_
   dome.law = view.lens;
   std::ranges::copy(view.polynomial, dome.coefficient);
   dome.field_of_view = std::min(field_of_view, 2.0 * largest_half_angle(dome.law, dome.coefficient));
-  dome.tilt = degree * view.tilt_deg;
+  dome.tilt = one_degree * view.tilt_deg;
   dome.viewer = view.viewer;
   dome.cut_below = view.truncation.bottom;
   dome.cut_above = view.truncation.top;
@@ -47,13 +47,13 @@ Projection cube_projection(CubeFiles files, int width_px) {
 }
 
 Projection cylinder_projection(const ViewSettings& view, int width_px) {
-  const double azimuth = degree * view.field_of_view_deg;
-  const double highest = std::tan(0.5 * degree * view.height_deg);
+  const double azimuth = one_degree * view.field_of_view_deg;
+  const double highest = std::tan(0.5 * one_degree * view.height_deg);
   return make_cylinder_projection(width_px, height_for(width_px, azimuth, 2.0 * highest), azimuth, -highest, highest);
 }
 
 Projection frustum_projection(const FrustumAngles& angles, int width_px) {
-  const auto tangent = [](double angle_deg) { return std::tan(degree * angle_deg); };
+  const auto tangent = [](double angle_deg) { return std::tan(one_degree * angle_deg); };
   const FrustumSides sides = {tangent(angles.left_deg), tangent(angles.right_deg), tangent(angles.up_deg),
                               tangent(angles.down_deg)};
   return make_frustum_projection(width_px, height_for(width_px, sides.right - sides.left, sides.up - sides.down),
@@ -80,7 +80,7 @@ Projection inside_projection(const ViewSettings& view, int width_px, double fiel
 }  // namespace
 
 Projection make_projection(const ViewSettings& view, int width_px, double field_of_view_deg) {
-  const double field_of_view = degree * (field_of_view_deg > 0.0 ? field_of_view_deg : view.field_of_view_deg);
+  const double field_of_view = one_degree * (field_of_view_deg > 0.0 ? field_of_view_deg : view.field_of_view_deg);
   const Projection inside = inside_projection(view, width_px, field_of_view);
   return view.from_outside ? seen_from_outside(inside) : inside;
 }

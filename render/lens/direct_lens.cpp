@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/pixel_measure.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 //! Light that still circles after this many steps is closer to the critical curve than float can tell.
-constexpr int step_limit = 200;
+constexpr int direct_step_limit = 200;
+
+}  // namespace
 
 CameraStation station_of(const EyeCamera& eye) {
   return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
 }
-
-}  // namespace
 
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px) {
   PixelBatch batch{};
@@ -28,7 +28,7 @@ PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, doubl
       batch.frame_from_view[i][j] = static_cast<float>(eye.frame_from_view[i][j]);
     }
   }
-  batch.settings = {std::clamp(tolerance_px * pixel_angle(projection), 1e-7, 1e-4), step_limit, true};
+  batch.settings = {std::clamp(tolerance_px * pixel_angle(projection), 1e-7, 1e-4), direct_step_limit, true};
   return batch;
 }
 

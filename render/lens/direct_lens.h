@@ -7,6 +7,9 @@
 
 namespace ergodome {
 
+//! An eye as its rays start there.
+CameraStation station_of(const EyeCamera& eye);
+
 //! What every lens source needs to know of an eye and its image. The edge is left to the source. `tolerance_px` is the error of a
 //! traced pixel's direction that is accepted, as a displacement on the screen.
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px);

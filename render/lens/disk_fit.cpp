@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <numeric>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);

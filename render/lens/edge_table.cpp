@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/critical_curve.h"
 
@@ -16,7 +17,6 @@ Vector3<float> narrowed(const Vector3<double>& v) {
 }  // namespace
 
 std::vector<float> solve_edge(const CameraStation& camera, const ShadowChart& chart, int count, bool mirrored) {
-  constexpr double full_turn = 6.28318530717958647692;
   std::vector<float> polar_angle(static_cast<std::size_t>(count));
   parallel_for(mirrored ? count / 2 + 1 : count, 64, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

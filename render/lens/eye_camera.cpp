@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
 #include "calibration/stereo_rig.h"
@@ -32,6 +33,10 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   const double horizon = horizon_radius(show.spin);
   if (!(pose.r > horizon)) {
     throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
+  }
+  if (!std::isfinite(pose.r + pose.theta + pose.phi + offset.x + offset.y + offset.z)) {
+    throw Error(show.name, "the camera's place or an eye's offset is no finite number",
+                "give the camera another place");
   }
   const glm::dmat3 turn = glm::mat3_cast(pose.orientation);
   double head[3][3];

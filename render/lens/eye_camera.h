@@ -19,12 +19,19 @@ struct EyeCamera {
 };
 
 //! An eye of the show's camera at a pose, `offset` M from the head in the view's axes (x right, y up, z back). Throws Error inside the
-//! horizon and where the observer would outrun light.
+//! horizon, where the observer would outrun light, and for numbers that are none.
 EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset);
 
 //! The same for an eye to the right of the head; 0 is the head itself.
 inline EyeCamera eye_camera(const Show& show, const CameraPose& pose, double to_the_right) {
   return eye_camera(show, pose, {to_the_right, 0.0, 0.0});
+}
+
+//! A vector of the observer's frame in the view's axes.
+inline Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
+  const double(&m)[3][3] = eye.frame_from_view;
+  return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
+          m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
 }
 
 }  // namespace ergodome

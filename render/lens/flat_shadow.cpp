@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/geodesic/affine_distance.h"
 #include "kernels/launch/parallel_for.h"
@@ -17,7 +18,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double full_turn = 6.28318530717958647692;
 //! Of distances: position angles, and depths towards the edge, where they grow by the same for each.
 constexpr int spokes = 48;
 constexpr int depths = 49;
@@ -41,12 +41,6 @@ double cubic(double p0, double p1, double p2, double p3, double t) {
 //! A direction by its polar coordinates about the chart's middle, in the chart's axes.
 Vector3<double> chart_point(double alpha, double gamma) {
   return {std::cos(alpha), std::sin(alpha) * std::cos(gamma), std::sin(alpha) * std::sin(gamma)};
-}
-
-Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
-  const double(&m)[3][3] = eye.frame_from_view;
-  return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
-          m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "kernels/core/angles.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
 #include "render/lens/hanging_nodes.h"
@@ -16,13 +17,12 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int root_columns = 16;
 constexpr int root_rows = 8;
 constexpr int deepest_a_side = 10;
 //! Errors are sampled; the worst between the samples is about a quarter larger.
 constexpr double safety = 0.8;
-constexpr int step_limit = 400;
+constexpr int grid_step_limit = 400;
 //! What a cubic misses by in its middle, over what it misses by at the inner checks: (u (1 - u))² at 1/2 and at `inner_check`.
 constexpr float inner_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
 
@@ -88,7 +88,8 @@ class GridBuilder {
  private:
   [[nodiscard]] GridCamera<S, Camera> make_camera(const LensPlace& place, const LensChart& chart) const {
     const double tolerance = 0.005 * settings_.budget_px * settings_.pixel;
-    return {rays_at_(place), chart, {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), step_limit, true}};
+    return {
+        rays_at_(place), chart, {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), grid_step_limit, true}};
   }
 
   std::vector<OpenCell> root_cells() {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/critical_curve.h"
@@ -16,8 +17,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double full_turn = 2.0 * pi;
 //! Below this float's own rounding is larger.
 constexpr double finest_fit = 2e-7;
 
@@ -25,13 +24,6 @@ using Numbers = std::array<double, omni_numbers>;
 
 CameraStation station_of(const EyeCamera& eye, double phi) {
   return make_camera_station(eye.spin, eye.r, eye.theta, phi, eye.motion, eye.velocity);
-}
-
-//! A vector of the observer's frame in the view's axes.
-Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
-  const double(&m)[3][3] = eye.frame_from_view;
-  return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
-          m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
 }
 
 //! A form of the view's direction, as four numbers.

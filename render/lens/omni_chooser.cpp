@@ -11,9 +11,9 @@ namespace ergodome {
 namespace {
 
 //! Both eyes.
-constexpr std::size_t kept_grids = 2;
+constexpr std::size_t kept_omni_grids = 2;
 //! Cells next to the shadow are split farther than a single camera's: many would be left to rays otherwise.
-constexpr double least_area_px = 8.0;
+constexpr double least_cell_px = 8.0;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ const OmniChooser::Grid& OmniChooser::grid_for(const std::shared_ptr<const OmniE
   LensStation station = build_omni_station(*eye, settings, &statistics);
   grids_.insert(grids_.begin(), {eye, error, statistics.flagged_px,
                                  std::make_shared<const StationBuffers>(Backend::cpu, std::move(station))});
-  grids_.resize(std::min(grids_.size(), kept_grids));
+  grids_.resize(std::min(grids_.size(), kept_omni_grids));
   return grids_.front();
 }
 
@@ -41,7 +41,7 @@ std::unique_ptr<LensSource> OmniChooser::choose(const std::shared_ptr<const Omni
   settings.pixel = pixel_angle(projection);
   settings.budget_px = std::max(std::min(accuracy.budget_px, omni_budget_px), finest_float_budget / settings.pixel);
   settings.fine = false;
-  settings.least_area_px = least_area_px;
+  settings.least_area_px = least_cell_px;
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
   const bool asked = choice == LensChoice::live || choice == LensChoice::streamed;
   const bool worth_it = is_worth_a_grid(backend_, pixels) && settings.budget_px <= accuracy.budget_px;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr int step_limit = 100'000;
+constexpr int quadtree_step_limit = 100'000;
 
 //! Squared length of a cell's diagonal in (θ, φ); an end in the shadow makes it endless.
 double squared_diagonal(const SkyAngles& a, const SkyAngles& b) {
@@ -123,7 +123,7 @@ class QuadtreeBuilder {
     }
     RayBatch<double> batch{};
     batch.camera = camera_;
-    batch.settings = {settings_.tolerance, step_limit};
+    batch.settings = {settings_.tolerance, quadtree_step_limit};
     batch.method = settings_.method;
     batch.count = static_cast<int>(count);
     for (int k = 0; k < 3; ++k) {
@@ -197,7 +197,7 @@ class QuadtreeBuilder {
 };
 
 bool quadtree_is_mirrored(double theta, const Vector3<double>& velocity) {
-  return std::abs(theta - 0.5 * 3.14159265358979323846) < 1e-9 && velocity.y == 0.0;
+  return std::abs(theta - 0.5 * pi) < 1e-9 && velocity.y == 0.0;
 }
 
 QuadtreeLens::QuadtreeLens(const CameraStation& camera, bool mirrored, const QuadtreeSettings& settings)

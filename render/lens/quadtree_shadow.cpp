@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/quadtree_builder.h"
 
@@ -9,7 +10,6 @@ namespace ergodome {
 namespace {
 
 constexpr int table_size = 1024;
-constexpr double full_turn = 6.28318530717958647692;
 
 struct EdgePoint {
   double row;

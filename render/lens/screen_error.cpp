@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr int step_limit = 400;
+constexpr int reference_step_limit = 400;
 //! For a thousandth of the sky to be told from its neighbours.
 constexpr double wished_samples = 10'000.0;
 
@@ -72,7 +72,7 @@ ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, co
   const std::size_t count = samples.s.size();
   std::vector<double> error_px(count);
   std::vector<double> area_px(count);
-  check_blend(BlendCheckBatch{{rain, lens.chart, {1e-9, step_limit, true}},
+  check_blend(BlendCheckBatch{{rain, lens.chart, {1e-9, reference_step_limit, true}},
                               lens,
                               view.observer,
                               view.pixel,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 #include "render/lens/edge_table.h"
 
@@ -9,7 +10,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double step = 0.01;
 //! Where the vectors of a node start: sky, its derivative along γ, along s, and the mixed one.
 constexpr std::size_t vectors[] = {0, 4, 8, 12};

@@ -29,7 +29,7 @@ constexpr double far_off = 5.0;
 constexpr double floor_slack = 1.1;
 //! A stretch is divided into so many parts at once at most.
 constexpr int most_parts = 16;
-constexpr int deepest = 12;
+constexpr int most_halvings = 12;
 
 class Baker {
  public:
@@ -136,7 +136,7 @@ class Baker {
     // Blends cannot be better than the grids that they are made of.
     const double floor_px =
         error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
-    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth < deepest) {
+    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth < most_halvings) {
       // Errors go with the square of the distance, with derivatives with its fourth power.
       const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
       const int parts = static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));

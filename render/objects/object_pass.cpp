@@ -40,6 +40,10 @@ void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const Pi
 
 }  // namespace
 
+std::unique_ptr<ObjectPass> polygons_of(const Show& show) {
+  return has_objects(show, ObjectMethod::polygon) ? std::make_unique<ObjectPass>(show) : nullptr;
+}
+
 long ObjectPass::mesh_bytes(const Show& show) {
   long bytes = 0;
   for (const TriangleMesh& mesh : load_meshes(show).meshes) {

@@ -44,4 +44,7 @@ class ObjectPass {
   std::unique_ptr<ObjectDrawing> drawing_;  //!< made and let go on that thread
 };
 
+//! The pass of a show whose objects are polygons; else none.
+std::unique_ptr<ObjectPass> polygons_of(const Show& show);
+
 }  // namespace ergodome

@@ -6,6 +6,7 @@
 #include "content/mesh/triangle_boxes.h"
 #include "content/show.h"
 #include "kernels/mesh/mesh_rays.h"
+#include "render/objects/placed_meshes.h"
 
 namespace ergodome {
 
@@ -25,9 +26,7 @@ class ObjectRays {
 
  private:
   std::vector<TriangleBoxes> boxes_;
-  std::vector<PlacedMesh> placed_;
-  double least_r_ = 0.0;  //!< of the balls about the objects; 0 where one holds the hole [M]
-  double greatest_r_ = 0.0;
+  PlacedMeshes placed_;
 };
 
 }  // namespace ergodome

@@ -3,8 +3,8 @@
 // Parts that several of the shaders for objects have (render/objects/object_shaders.h).
 namespace ergodome {
 
-//! `see(place, direction, time)`: where a place is seen, and how long its light takes, by the observer's table (look_up_connection);
-//! `view_direction(direction)`: the same as the moving observer has it, in view axes.
+//! Where a place is seen and how long its light takes, by the observer's table as look_up_connection() reads it: see(). What the moving
+//! observer makes of a direction, in view axes: view_direction().
 extern const char* const object_sight_source;
 
 //! `clip_place(view, depth)`: where a view direction comes to lie in the picture, for the rasterizer; `horizontal_period()`: how far

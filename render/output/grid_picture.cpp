@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/core/angles.h"
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -11,20 +12,18 @@ namespace ergodome {
 
 namespace {
 
-constexpr float pi = 3.14159265F;
-
-using D = Dual<float>;
+using CellDual = Dual<float>;
 
 //! The direction of a pixel of the picture, with its derivatives per pixel: α is the distance from the middle.
-Vector3<D> direction_at(const EdgeCurve& edge, int x, int y, int size_px) {
-  const float scale = 2.0F * pi / static_cast<float>(size_px);
-  const D along_first((static_cast<float>(x) + 0.5F) * scale - pi, scale, 0.0F);
-  const D along_second((static_cast<float>(y) + 0.5F) * scale - pi, 0.0F, scale);
-  const D alpha = sqrt(along_first * along_first + along_second * along_second + D(1e-12F));
-  D sine;
-  D cosine;
+Vector3<CellDual> direction_at(const EdgeCurve& edge, int x, int y, int size_px) {
+  const float scale = 2.0F * static_cast<float>(pi) / static_cast<float>(size_px);
+  const CellDual along_first((static_cast<float>(x) + 0.5F) * scale - static_cast<float>(pi), scale, 0.0F);
+  const CellDual along_second((static_cast<float>(y) + 0.5F) * scale - static_cast<float>(pi), 0.0F, scale);
+  const CellDual alpha = sqrt(along_first * along_first + along_second * along_second + CellDual(1e-12F));
+  CellDual sine;
+  CellDual cosine;
   sine_cosine(alpha, sine, cosine);
-  const D part = sine / alpha;
+  const CellDual part = sine / alpha;
   const auto component = [&](float c, float f, float s) {
     return cosine * c + part * (along_first * f + along_second * s);
   };
@@ -39,8 +38,9 @@ float line(float coordinate, float per_pixel) {
   return std::clamp(1.0F - distance_px, 0.0F, 1.0F) * std::clamp(0.25F / std::max(per_pixel, 1e-9F) - 0.5F, 0.0F, 1.0F);
 }
 
-Vector3<float> colour_at(const LensStation& station, const LensGrid& grid, const Vector3<D>& n, double budget_px) {
-  const ChartPlace<D> place = chart_place(grid.chart, n);
+Vector3<float> colour_at(const LensStation& station, const LensGrid& grid, const Vector3<CellDual>& n,
+                         double budget_px) {
+  const ChartPlace<CellDual> place = chart_place(grid.chart, n);
   if (place.edge_distance.value <= 0.0F) {
     return {0.0F, 0.0F, 0.0F};
   }

@@ -11,14 +11,14 @@ namespace ergodome {
 
 namespace {
 
-constexpr int table_size = 1 << 16;
+constexpr int encoding_table_size = 1 << 16;
 
 //! sRGB bytes of linear light in [0, 1]; at its steepest the curve passes 0.05 of a byte an entry.
-const std::array<std::uint8_t, table_size>& encoding_table() {
+const std::array<std::uint8_t, encoding_table_size>& encoding_table() {
   static const auto table = [] {
-    std::array<std::uint8_t, table_size> bytes{};
-    for (int i = 0; i < table_size; ++i) {
-      const float encoded = srgb_encoded(static_cast<float>(i) / (table_size - 1));
+    std::array<std::uint8_t, encoding_table_size> bytes{};
+    for (int i = 0; i < encoding_table_size; ++i) {
+      const float encoded = srgb_encoded(static_cast<float>(i) / (encoding_table_size - 1));
       bytes[static_cast<std::size_t>(i)] =
           static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(encoded, 0.0F, 1.0F)));
     }
@@ -53,8 +53,9 @@ std::vector<Value> display_values(const Picture& picture, const Encode& encoded)
 
 std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
   const auto& table = encoding_table();
-  return display_values<std::uint8_t>(
-      picture, [&](float light) { return table[static_cast<std::size_t>(std::lrint(light * (table_size - 1)))]; });
+  return display_values<std::uint8_t>(picture, [&](float light) {
+    return table[static_cast<std::size_t>(std::lrint(light * (encoding_table_size - 1)))];
+  });
 }
 
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture) {

@@ -23,7 +23,7 @@ struct Unref {
   void operator()(void* object) const noexcept { g_object_unref(object); }
 };
 template <class T>
-using Owned = std::unique_ptr<T, Unref>;
+using Pango = std::unique_ptr<T, Unref>;
 
 struct Destroy {
   void operator()(cairo_t* context) const noexcept { cairo_destroy(context); }
@@ -65,8 +65,8 @@ Held<PangoFontDescription> font_of(PangoContext* context, int line_px) {
 
 //! Lines as Pango lays them out. Letters' places do not hang on the size: no hints.
 struct Lines {
-  Owned<PangoContext> context;
-  Owned<PangoLayout> layout;
+  Pango<PangoContext> context;
+  Pango<PangoLayout> layout;
 };
 
 Lines lay_out(const std::string& text, const CaptionType& type) {

@@ -96,7 +96,7 @@ void make_levels(OverlayImage& image) {
   }
 }
 
-Error unreadable(const std::filesystem::path& path, const std::string& reason) {
+Error unreadable_overlay(const std::filesystem::path& path, const std::string& reason) {
   return {path.string(), "cannot be read: " + reason,
           "name an image file that OpenImageIO reads (PNG, EXR, TIFF, JPEG)"};
 }
@@ -140,17 +140,18 @@ void put_pixel(const Coding& coding, const float* from, std::uint16_t* to) {
   to[3] = whole_number(alpha);
 }
 
-std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path) {
+std::unique_ptr<OIIO::ImageInput> opened_overlay(const std::filesystem::path& path) {
   OIIO::ImageSpec wishes;
   // Else whole numbers would be multiplied by alpha before they are decoded.
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   auto input = OIIO::ImageInput::open(path.string(), &wishes);
   if (!input) {
-    throw unreadable(path, OIIO::geterror());
+    throw unreadable_overlay(path, OIIO::geterror());
   }
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 64) {
-    throw unreadable(path, fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels));
+    throw unreadable_overlay(path,
+                             fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels));
   }
   if (spec.width > longest_overlay_px || spec.height > longest_overlay_px) {
     throw Error(path.string(), fmt::format("has {} x {} pixels", spec.width, spec.height),
@@ -183,12 +184,12 @@ OverlayImage make_overlay_image(int width, int height, const std::vector<float>&
 }
 
 OverlaySize overlay_image_size(const std::filesystem::path& path) {
-  const auto input = opened(path);
+  const auto input = opened_overlay(path);
   return {input->spec().width, input->spec().height};
 }
 
 OverlayImage read_overlay_image(const std::filesystem::path& path) {
-  const auto input = opened(path);
+  const auto input = opened_overlay(path);
   const OIIO::ImageSpec spec = input->spec();
   const Coding coding = coding_of(spec);
   OverlayImage image = empty_image(spec.width, spec.height);
@@ -204,7 +205,7 @@ OverlayImage read_overlay_image(const std::filesystem::path& path) {
                           : input->read_scanlines(0, 0, spec.y + row, spec.y + row + count, 0, 0, coding.channels,
                                                   OIIO::TypeDesc::FLOAT, rows.data());
     if (!read) {
-      throw unreadable(path, input->geterror());
+      throw unreadable_overlay(path, input->geterror());
     }
     std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {

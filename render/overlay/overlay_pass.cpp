@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/overlay/overlay_place.h"
@@ -15,8 +16,6 @@
 namespace ergodome {
 
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 //! Height that lines are set with, in powers of two between these [px].
 constexpr int smallest_line_px = 16;
@@ -141,10 +140,10 @@ void OverlayPass::draw_image(const OverlayTarget& target, const Projection& proj
   }
   Texture& texture = images_.at(overlay.image);
   if (overlay.fisheye) {
-    return draw_sheet(target, projection, texture, fisheye_sheet(degree * overlay.fov_deg), opacity);
+    return draw_sheet(target, projection, texture, fisheye_sheet(one_degree * overlay.fov_deg), opacity);
   }
   const double aspect = static_cast<double>(texture.layout.width) / texture.layout.height;
-  const double width = degree * overlay.width_deg;
+  const double width = one_degree * overlay.width_deg;
   const double height = 2.0 * std::atan(std::tan(0.5 * width) / aspect);
   const PlacedOverlay placed = placed_overlay(projection, overlay.place, width, height);
   if (placed.shown) {
@@ -158,12 +157,12 @@ void OverlayPass::draw_caption(const OverlayTarget& target, const Projection& pr
   if (!(opacity > 0.0) || !(caption.letter_deg > 0.0) || text.empty()) {
     return;
   }
-  const double width = std::min(degree * caption.width_deg, widest_bent_sheet(caption.place));
+  const double width = std::min(one_degree * caption.width_deg, widest_bent_sheet(caption.place));
   SetCaption& set = set_for(caption, text, width, pixel_angle(projection));
   if (set.texture.layout.width == 0) {
     return;
   }
-  const double angle = degree * caption.letter_deg / set.line_px;
+  const double angle = one_degree * caption.letter_deg / set.line_px;
   const double across = angle * set.texture.layout.width;
   const double upright = angle * set.texture.layout.height;
   const PlacedOverlay placed = placed_overlay(projection, caption.place, across, upright);
@@ -175,7 +174,7 @@ void OverlayPass::draw_caption(const OverlayTarget& target, const Projection& pr
 
 OverlayPass::SetCaption& OverlayPass::set_for(const Caption& caption, const std::string& text, double width,
                                               double angle_of_px) {
-  const double letter = degree * caption.letter_deg;
+  const double letter = one_degree * caption.letter_deg;
   const double wished =
       std::clamp(letter / angle_of_px, static_cast<double>(smallest_line_px), static_cast<double>(largest_line_px));
   int line_px = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(wished))));

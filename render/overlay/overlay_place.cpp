@@ -3,21 +3,20 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180.0;
-
 //! Captions follow the circles of elevations up to this.
-constexpr double steepest_bend = 60.0 * degree;
+constexpr double steepest_bend = 60.0 * one_degree;
 //! On a flat screen, what is further from the front than this belongs to those who look elsewhere.
 constexpr double widest_azimuth_deg = 60.0;
 //! Part of a screen's angle that overlays leave free on each side.
 constexpr double screen_margin = 0.03;
 //! An eye stays within a dome.
-constexpr double farthest_eye = 0.95;
+constexpr double farthest_viewer = 0.95;
 
 struct PlaceAxes {
   Vector3<double> middle;
@@ -26,9 +25,9 @@ struct PlaceAxes {
 };
 
 PlaceAxes axes_of(const DomePlace& place) {
-  const double a = degree * place.azimuth_deg;
-  const double e = degree * std::clamp(place.elevation_deg, -90.0, 90.0);
-  const double roll = degree * place.roll_deg;
+  const double a = one_degree * place.azimuth_deg;
+  const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
+  const double roll = one_degree * place.roll_deg;
   const Vector3<double> middle = {std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a)};
   const Vector3<double> right = {std::cos(a), 0.0, std::sin(a)};
   const Vector3<double> up = {-std::sin(e) * std::sin(a), std::cos(e), std::sin(e) * std::cos(a)};
@@ -37,10 +36,10 @@ PlaceAxes axes_of(const DomePlace& place) {
 
 //! Latitude of a sheet's middle in its own system of latitudes.
 double bend_of(const DomePlace& place) {
-  const double e = degree * std::clamp(place.elevation_deg, -90.0, 90.0);
+  const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
   const double size = std::abs(e);
   const double bend = size <= steepest_bend ? size : steepest_bend * (0.5 * pi - size) / (0.5 * pi - steepest_bend);
-  return std::copysign(bend, e) * std::cos(degree * place.roll_deg);
+  return std::copysign(bend, e) * std::cos(one_degree * place.roll_deg);
 }
 
 Vector3<float> in_float(const Vector3<double>& v) {
@@ -62,7 +61,7 @@ Projection overlay_projection(const Projection& projection, double offset, doubl
   } else if (projection.kind == ProjectionKind::dome_fisheye) {
     own.dome.tilt_sine = 0.0;
     own.dome.tilt_cosine = 1.0;
-    own.dome.viewer = {std::clamp(slope, -farthest_eye, farthest_eye), 0.0, 0.0};
+    own.dome.viewer = {std::clamp(slope, -farthest_viewer, farthest_viewer), 0.0, 0.0};
     own.dome.off_centre = slope != 0.0 ? 1 : 0;
   }
   return own;
@@ -79,14 +78,14 @@ PlacedOverlay placed_overlay(const Projection& projection, const DomePlace& plac
     return placed;
   }
   const Pinhole<double>& screen = projection.pinhole;
-  const double roll = degree * place.roll_deg;
+  const double roll = one_degree * place.roll_deg;
   const double across = std::abs(std::cos(roll)) * width + std::abs(std::sin(roll)) * height;
   const double upright = std::abs(std::sin(roll)) * width + std::abs(std::cos(roll)) * height;
   // A side of the screen at a time: its two ends as angles, the overlay's middle between them.
   const auto moved_in = [&](double low, double high, double size, double at_deg) {
     const double from = std::atan(low) + 0.5 * size;
     const double to = std::atan(high) - 0.5 * size;
-    return (from < to ? std::clamp(degree * at_deg, from, to) : 0.5 * (from + to)) / degree;
+    return (from < to ? std::clamp(one_degree * at_deg, from, to) : 0.5 * (from + to)) / one_degree;
   };
   const double left = screen.middle_x - screen.half_width;
   const double right = screen.middle_x + screen.half_width;

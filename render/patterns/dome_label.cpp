@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr int font_px = 48;
 
 }  // namespace
 
 LabelStamp::LabelStamp(const DomeLabel& label) : text_(text_image(label.text, font_px)), colour_(label.colour) {
-  const double azimuth = label.azimuth_deg * degree;
-  const double elevation = label.elevation_deg * degree;
+  const double azimuth = label.azimuth_deg * one_degree;
+  const double elevation = label.elevation_deg * one_degree;
   const Vector3<double> ahead = {std::sin(azimuth), 0.0, -std::cos(azimuth)};
   middle_ = std::cos(elevation) * ahead + Vector3<double>{0.0, std::sin(elevation), 0.0};
   right_ = {std::cos(azimuth), 0.0, std::sin(azimuth)};
   up_ = cross(right_, middle_);
   // Capitals fill a box of their own height.
-  scale_ = std::max(text_.height, 1) / (label.height_deg * degree);
+  scale_ = std::max(text_.height, 1) / (label.height_deg * one_degree);
   cosine_beyond_ = std::cos(std::atan(0.5 * std::hypot(text_.width, text_.height) / scale_));
 }
 

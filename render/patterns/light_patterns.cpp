@@ -11,7 +11,7 @@ namespace ergodome {
 namespace {
 
 constexpr int steps = 17;
-constexpr Vector3<float> pale = {0.35F, 0.35F, 0.35F};
+constexpr Vector3<float> pale_label = {0.35F, 0.35F, 0.35F};
 
 Vector3<float> grey_of(double value) {
   const float light = light_of_value(value);
@@ -66,7 +66,7 @@ std::vector<DomeLabel> ramp_labels(const Projection& projection) {
       dome_place(projection, ramp_left + part * (ramp_right - ramp_left), ramp.bottom - 0.05, label.azimuth_deg,
                  label.elevation_deg);
       label.height_deg = sheet_degrees(projection, 0.016);
-      label.colour = pale;
+      label.colour = pale_label;
       labels.push_back(label);
     }
   }

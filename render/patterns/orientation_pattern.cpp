@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double spacing_deg = 15.0;
 //! Beyond this elevation only every third line of azimuth goes on to the pole.
 constexpr double crowded_deg = 75.0;
@@ -18,8 +19,8 @@ constexpr Vector3<float> yellow = {1.0F, 0.75F, 0.0F};
 constexpr Vector3<float> green = {0.0F, 0.8F, 0.1F};
 constexpr Vector3<float> blue = {0.1F, 0.3F, 1.0F};
 constexpr Vector3<float> red = {1.0F, 0.05F, 0.05F};
-constexpr Vector3<float> white = {1.0F, 1.0F, 1.0F};
-constexpr Vector3<float> grey = {0.35F, 0.35F, 0.35F};
+constexpr Vector3<float> white_label = {1.0F, 1.0F, 1.0F};
+constexpr Vector3<float> grey_label = {0.35F, 0.35F, 0.35F};
 
 //! Light of the grid's lines at a place.
 float grid_light(const Projection& projection, const PatternPlace& place) {
@@ -37,20 +38,20 @@ float grid_light(const Projection& projection, const PatternPlace& place) {
 }  // namespace
 
 std::vector<DomeLabel> orientation_labels() {
-  std::vector<DomeLabel> labels = {{"FRONT", 0.0, 6.5, 6.0, yellow},  {"RIGHT", 90.0, 6.5, 6.0, green},
-                                   {"BACK", 180.0, 6.5, 6.0, blue},   {"LEFT", -90.0, 6.5, 6.0, red},
-                                   {"ZENITH", 0.0, 90.0, 5.0, white}, {"NADIR", 0.0, -90.0, 5.0, white}};
+  std::vector<DomeLabel> labels = {{"FRONT", 0.0, 6.5, 6.0, yellow},        {"RIGHT", 90.0, 6.5, 6.0, green},
+                                   {"BACK", 180.0, 6.5, 6.0, blue},         {"LEFT", -90.0, 6.5, 6.0, red},
+                                   {"ZENITH", 0.0, 90.0, 5.0, white_label}, {"NADIR", 0.0, -90.0, 5.0, white_label}};
   for (int azimuth = -165; azimuth <= 180; azimuth += 15) {
     if (azimuth % 90 != 0) {
-      labels.push_back({fmt::format("{}", azimuth), static_cast<double>(azimuth), 2.5, 2.5, grey});
+      labels.push_back({fmt::format("{}", azimuth), static_cast<double>(azimuth), 2.5, 2.5, grey_label});
     }
   }
   for (int elevation = -75; elevation <= 75; elevation += 15) {
     for (const double quarter : {0.0, 90.0, 180.0, -90.0}) {
       if (elevation != 0) {
         // Beside the line, on top of the circle.
-        labels.push_back(
-            {fmt::format("{}", elevation), quarter + 3.0 / std::cos(elevation * degree), elevation + 2.0, 2.5, grey});
+        labels.push_back({fmt::format("{}", elevation), quarter + 3.0 / std::cos(elevation * one_degree),
+                          elevation + 2.0, 2.5, grey_label});
       }
     }
   }

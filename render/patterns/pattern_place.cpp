@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -10,14 +11,12 @@ namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
 bool is_screen(const Projection& projection) { return projection.kind == ProjectionKind::pinhole; }
 
 void put_angles(PatternPlace& place) {
   const Vector3<double>& n = place.direction;
-  place.azimuth_deg = std::atan2(n.x, -n.z) / degree;
-  place.elevation_deg = std::atan2(n.y, std::hypot(n.x, n.z)) / degree;
+  place.azimuth_deg = std::atan2(n.x, -n.z) / one_degree;
+  place.elevation_deg = std::atan2(n.y, std::hypot(n.x, n.z)) / one_degree;
 }
 
 }  // namespace
@@ -51,7 +50,7 @@ void dome_place(const Projection& projection, double across, double up, double& 
 }
 
 double sheet_degrees(const Projection& projection, double part) {
-  return is_screen(projection) ? part * projection.height_px * pixel_angle(projection) / degree : 90.0 * part;
+  return is_screen(projection) ? part * projection.height_px * pixel_angle(projection) / one_degree : 90.0 * part;
 }
 
 Picture draw_pattern(const Projection& projection, int samples, const PatternLight& light) {
@@ -94,7 +93,7 @@ DomeSteps dome_steps(const Projection& projection, const PatternPlace& place) {
   const Vector3<double> up = {-n.x * n.y / level, level, -n.z * n.y / level};
   const Vector3<double> right = {-n.z / level, 0.0, n.x / level};
   const auto change_deg = [&](const Vector3<double>& way) {
-    return std::hypot(dot(way, steps.across), dot(way, steps.down)) / degree;
+    return std::hypot(dot(way, steps.across), dot(way, steps.down)) / one_degree;
   };
   return {change_deg(up), change_deg(right) / level};
 }

@@ -11,9 +11,9 @@ namespace ergodome {
 
 namespace {
 
-constexpr float white[4] = {1.0F, 1.0F, 1.0F, 1.0F};
-constexpr float amber[4] = {1.0F, 0.6F, 0.05F, 1.0F};
-constexpr float dim[4] = {0.3F, 0.3F, 0.3F, 1.0F};
+constexpr float white_line[4] = {1.0F, 1.0F, 1.0F, 1.0F};
+constexpr float amber_line[4] = {1.0F, 0.6F, 0.05F, 1.0F};
+constexpr float dim_line[4] = {0.3F, 0.3F, 0.3F, 1.0F};
 
 void write(OIIO::ImageBuf& image, int x, int y, const std::string& text, int font_px, const float (&colour)[4]) {
   using Algorithm = OIIO::ImageBufAlgo::TextAlignX;
@@ -27,7 +27,7 @@ void draw_circle(Picture& picture, double radius_px) {
     for (int x = 0; x < picture.width; ++x) {
       const double from_middle = std::hypot(x + 0.5 - 0.5 * picture.width, y + 0.5 - 0.5 * picture.height);
       if (std::abs(from_middle - radius_px) < 0.75) {
-        std::copy_n(dim, 4, picture.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x));
+        std::copy_n(dim_line, 4, picture.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x));
       }
     }
   }
@@ -52,12 +52,13 @@ Picture draw_projector_number(int number, const std::string& name, int width_px,
   const int small = std::min(width_px, height_px);
   draw_circle(picture, 0.45 * small);
   OIIO::ImageBuf image(OIIO::ImageSpec(width_px, height_px, 4, OIIO::TypeDesc::FLOAT), picture.rgba.data());
-  OIIO::ImageBufAlgo::render_line(image, 0, 0, width_px - 1, height_px - 1, dim);
-  OIIO::ImageBufAlgo::render_line(image, 0, height_px - 1, width_px - 1, 0, dim);
-  OIIO::ImageBufAlgo::render_box(image, 0, 0, width_px - 1, height_px - 1, white);
-  write(image, width_px / 2, height_px / 2, fmt::format("{}", number), small / 3, white);
-  write(image, width_px / 2, height_px / 2 + small / 4, name, small / 16, amber);
-  write(image, width_px / 2, height_px / 2 + small / 3, fmt::format("{} x {}", width_px, height_px), small / 24, amber);
+  OIIO::ImageBufAlgo::render_line(image, 0, 0, width_px - 1, height_px - 1, dim_line);
+  OIIO::ImageBufAlgo::render_line(image, 0, height_px - 1, width_px - 1, 0, dim_line);
+  OIIO::ImageBufAlgo::render_box(image, 0, 0, width_px - 1, height_px - 1, white_line);
+  write(image, width_px / 2, height_px / 2, fmt::format("{}", number), small / 3, white_line);
+  write(image, width_px / 2, height_px / 2 + small / 4, name, small / 16, amber_line);
+  write(image, width_px / 2, height_px / 2 + small / 3, fmt::format("{} x {}", width_px, height_px), small / 24,
+        amber_line);
   return picture;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "render/patterns/patterns.h"
 
 // Patterns of the picture's own pixels. They say whether a pixel of the master arrives: a warp that blurs or shifts by half a pixel
@@ -10,7 +11,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int wedges = 36;
 
 //! A star of wedges with fields of lines about it, `size_px` wide.

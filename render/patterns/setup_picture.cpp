@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "render/patterns/dome_label.h"
 #include "render/patterns/pattern_place.h"
@@ -14,7 +15,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double raster_lines = 16.0;
 
 constexpr Vector3<float> colours[] = {{0.9F, 0.15F, 0.1F},  {0.1F, 0.5F, 1.0F}, {0.2F, 0.75F, 0.15F},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "render/patterns/dome_label.h"
 #include "render/patterns/patterns.h"
 
@@ -10,7 +11,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr Vector3<float> amber = {1.0F, 0.6F, 0.05F};
 constexpr Vector3<float> pale = {0.7F, 0.7F, 0.7F};
 
@@ -48,7 +48,7 @@ std::vector<DomeLabel> polar_labels() {
   }
   for (const int elevation : {-80, -70, -60, -50, -40, -30, -20, -10, 10, 20, 30, 40, 50, 60, 70, 80}) {
     for (int azimuth = 0; azimuth < 360; azimuth += 90) {
-      const double beside = azimuth + 2.2 / std::cos(elevation * degree);
+      const double beside = azimuth + 2.2 / std::cos(elevation * one_degree);
       labels.push_back({fmt::format("{}", elevation), beside, elevation + 1.6, 1.8, pale});
     }
   }
@@ -69,7 +69,7 @@ Picture checker_pattern(const Projection& projection) {
     constexpr double field_deg = 10.0;
     // Rings of an even number of fields, so that white and black take turns all the way round.
     const double ring = std::min(std::floor(std::abs(place.elevation_deg) / field_deg), 8.0);
-    const double pairs = std::max(1.0, std::round(18.0 * std::cos((ring + 0.5) * field_deg * degree)));
+    const double pairs = std::max(1.0, std::round(18.0 * std::cos((ring + 0.5) * field_deg * one_degree)));
     const double field = std::floor((place.azimuth_deg + 180.0) / 360.0 * 2.0 * pairs);
     const bool upper = place.elevation_deg >= 0.0;
     return grey(std::fmod(field + ring + (upper ? 0.0 : 1.0), 2.0) < 0.5 ? 0.0 : 1.0);

@@ -47,8 +47,9 @@ struct FrameNeeds {
   bool bloom;
   bool disk;
   bool disk_pattern;
-  bool objects;
-  bool shells;  //!< any that is seen
+  bool objects;         //!< drawn as polygons
+  bool traced_objects;  //!< drawn by rays
+  bool shells;          //!< any that is seen
   bool auto_exposure;
   bool clear_outside;  //!< light may be spread beyond the image
 
@@ -69,7 +70,8 @@ inline FrameNeeds frame_needs(const Show& show, ViewMode mode) {
   needs.bloom = sky && effects.bloom && effects.bloom->strength > 0.0 && effects.bloom->radius_px > 0.0;
   needs.disk = sky && show.disk && show.disk->opacity > 0.0;
   needs.disk_pattern = needs.disk && show.disk->pattern != DiskPattern::none && show.disk->contrast > 0.0;
-  needs.objects = sky && !show.objects.empty();
+  needs.objects = sky && has_objects(show, ObjectMethod::polygon);
+  needs.traced_objects = sky && has_objects(show, ObjectMethod::trace);
   needs.shells = sky && std::ranges::any_of(show.shells, is_visible);
   needs.auto_exposure = sky && show.tone.automatic.has_value();
   needs.clear_outside = needs.bloom || needs.spikes;

@@ -328,6 +328,23 @@ class Planner {
     }
   }
 
+  //! A ray for each tile, some for each pixel of those that may see objects.
+  void plan_traced_objects(const std::string& objects) {
+    buffer("meshes", WorkMoment::start, 0, objects);
+    if (!needs_.traced_objects) {
+      return;
+    }
+    // How many pixels these take is not known beforehand.
+    pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects);
+    pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
+    if (!always_.disk && !always_.shells) {
+      pixel_pass("lay_objects", objects, needs_.disk || needs_.shells);
+    }
+    for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
+      buffer(name, WorkMoment::picture, 0, objects);
+    }
+  }
+
   //! Meshes are read, and OpenGL is opened, whatever is shown: a window goes from view to view.
   void plan_objects() {
     if (show_.objects.empty()) {
@@ -335,6 +352,9 @@ class Planner {
     }
     const std::string objects = why("objects");
     pass("load_meshes", WorkMoment::start, 1, static_cast<long>(show_.objects.size()), objects);
+    if (has_objects(show_, ObjectMethod::trace)) {
+      return plan_traced_objects(objects);
+    }
     pass("open_gl", WorkMoment::start, 1, 1, objects);
     buffer("meshes", WorkMoment::start, request_.mesh_bytes, objects);
     if (!needs_.objects) {

@@ -22,7 +22,7 @@ struct DisplayLight::State {
 
 namespace {
 
-constexpr const char* fragment_source = R"(
+constexpr const char* light_source = R"(
 out vec4 light;
 layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
@@ -41,7 +41,7 @@ constexpr int coarsest_level = 5;
 
 DisplayLight::DisplayLight() : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + fragment_source);
+  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + light_source);
   glCreateVertexArrays(1, &state_->vertex_array);
   glCreateFramebuffers(1, &state_->framebuffer);
 }

@@ -26,7 +26,7 @@ struct Presenter::State {
 
 namespace {
 
-constexpr const char* fragment_source = R"(
+constexpr const char* window_source = R"(
 in vec2 place;
 out vec4 colour;
 layout(binding = 0) uniform sampler2D picture;
@@ -47,7 +47,7 @@ void main() {
 
 Presenter::Presenter() : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + fragment_source);
+  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + window_source);
   glCreateVertexArrays(1, &state_->vertex_array);
 }
 

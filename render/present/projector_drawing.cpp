@@ -42,7 +42,7 @@ void main() {
 )";
 
 //! HAS_BLEND and HAS_BLACK_LEVEL say which masks there are to look at.
-constexpr const char* fragment_source = R"(
+constexpr const char* projector_source = R"(
 in vec2 source_place;
 in vec2 mask_place;
 in float intensity;
@@ -73,7 +73,7 @@ void main() {
 
 std::string fragment_source_for(const ProjectorPicture& picture) {
   return std::string("#version 450 core\n") + (picture.blend.width > 0 ? "#define HAS_BLEND\n" : "") +
-         (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "") + fragment_source;
+         (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "") + projector_source;
 }
 
 Vector3<float> converted(const Vector3<double>& v) {

@@ -19,7 +19,7 @@ struct TextPanel::State {
 
 namespace {
 
-constexpr const char* fragment_source = R"(#version 450 core
+constexpr const char* panel_source = R"(#version 450 core
 in vec2 place;
 out vec4 colour;
 layout(binding = 0) uniform sampler2D coverage;
@@ -52,7 +52,7 @@ PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pa
 }  // namespace
 
 TextPanel::TextPanel() : state_(std::make_unique<State>()) {
-  state_->program = linked_program(whole_viewport_source, fragment_source);
+  state_->program = linked_program(whole_viewport_source, panel_source);
   glCreateVertexArrays(1, &state_->vertex_array);
 }
 

@@ -9,13 +9,12 @@
 
 #include "content/environment_image.h"
 #include "content/sky_map.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 //! An image as that of a globe: φ = 0 is in its middle and grows to the right, seen from outside; its top is θ = 0.
 glm::dmat3 shell_from_map() {
@@ -46,8 +45,8 @@ Vector3<float> color_of(const std::array<double, 3>& color, double factor) {
 
 ShellLook look_of(const ShellSettings& shell, const SkyCube* texture) {
   return {static_cast<float>(shell.radius),
-          static_cast<float>(shell.spacing_deg * degree),
-          static_cast<float>(shell.line_width_deg * degree),
+          static_cast<float>(shell.spacing_deg * one_degree),
+          static_cast<float>(shell.line_width_deg * one_degree),
           static_cast<float>(shell.line_opacity),
           static_cast<float>(shell.fill_opacity),
           texture != nullptr,

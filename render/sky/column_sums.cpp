@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 
 namespace ergodome {
 
-namespace {
-constexpr double pi = 3.14159265358979323846;
-}  // namespace
+namespace {}  // namespace
 
 ColumnSums::ColumnSums(const EnvironmentImage& image, const TemperatureFit* fit)
     : width_(image.width), height_(image.height), parts_(fit != nullptr ? 4 : 3) {

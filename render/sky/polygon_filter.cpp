@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "content/sky_map.h"
+#include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 
@@ -14,14 +15,13 @@ namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 //! Angle from a pixel's middle to its furthest corner, beyond which it sees the whole sky [rad].
 constexpr double widest_corner = 1.25;
 //! Outlines are at least so wide [texels]: narrower ones, at caustics, are lost in rounding.
 constexpr double least_width = 0.01;
 //! A side may be off by this part of an outline's width.
 constexpr double part_off = 0.01;
-constexpr int most_halvings = 12;
+constexpr int most_splits = 12;
 
 //! The place an angle away on the sphere, along a tangent of that length.
 glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
@@ -98,10 +98,10 @@ void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& 
     const double along = -glm::dot(normal, glm::dvec2(from)) / glm::dot(normal, glm::dvec2(way));
     const glm::dvec3 crossing = glm::normalize(from + std::clamp(std::isfinite(along) ? along : 0.5, 0.0, 1.0) * way);
     const Place next = {crossing, static_cast<double>(meridian), sums_.place_of(crossing.z)};
-    add_piece(column(), at, next, most_halvings, sum);
+    add_piece(column(), at, next, most_splits, sum);
     at = next;
   }
-  add_piece(column(), at, end, most_halvings, sum);
+  add_piece(column(), at, end, most_splits, sum);
   sum.turn += turn;
 }
 

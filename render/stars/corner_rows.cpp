@@ -11,7 +11,7 @@ namespace {
 
 //! Errors of rays, as displacements on the screen: they change a polygon's area by a few times that.
 constexpr double tolerance_px = 1e-5;
-constexpr int step_limit = 400;
+constexpr int corner_step_limit = 400;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void CornerRows::trace(const std::vector<std::size_t>& asked) {
   }
   RayBatch<double> batch{};
   batch.camera = make_camera_station(eye_.spin, eye_.r, eye_.theta, eye_.phi, eye_.motion, eye_.velocity);
-  batch.settings = {tolerance_px * pixel_angle(projection_), step_limit, true};
+  batch.settings = {tolerance_px * pixel_angle(projection_), corner_step_limit, true};
   batch.method = TraceMethod::taylor;
   batch.count = static_cast<int>(count);
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,7 @@
 namespace ergodome {
 
 //! The ray of a corner between pixels.
-struct Corner {
+struct CornerRay {
   Vector3<double> sky;
   double frequency_ratio;
   bool seen;  //!< it comes from the sky, and was asked for
@@ -29,7 +29,7 @@ class CornerRows {
     return (row - first_row_) * (projection_.width_px + 1) + (turned ? 0 : column);
   }
 
-  [[nodiscard]] const Corner& operator[](int number) const { return corners_[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const CornerRay& operator[](int number) const { return corners_[static_cast<std::size_t>(number)]; }
 
  private:
   [[nodiscard]] double column_of(std::size_t i) const { return static_cast<double>(i % width_); }
@@ -46,7 +46,7 @@ class CornerRows {
   const Projection& projection_;
   std::size_t width_;  //!< corners of a row
   int first_row_ = 0;
-  std::vector<Corner> corners_;
+  std::vector<CornerRay> corners_;
 };
 
 }  // namespace ergodome

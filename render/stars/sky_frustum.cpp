@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/core/angles.h"
+#include "kernels/shadow/shadow_chart.h"
+
 namespace ergodome {
 
 namespace {
@@ -12,8 +15,6 @@ namespace {
 constexpr double slack = 0.01;
 //! And at least this [rad].
 constexpr double least_slack = 1e-6;
-
-Vector3<double> normalized(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
 //! The way across `axis` in which a patch is long: along its first side, or its second.
 Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) {
@@ -74,7 +75,7 @@ double solid_angle(const SkyFrustum& frustum) {
   // Opposite sides of a wedge that opens by an angle have normals that are a half turn less it apart.
   const auto opening = [&](int side) {
     const double cosine = dot(frustum.inward[side], frustum.inward[side + 1]);
-    return 3.14159265358979323846 - std::acos(std::clamp(cosine, -1.0, 1.0));
+    return pi - std::acos(std::clamp(cosine, -1.0, 1.0));
   };
   return opening(0) * opening(2);
 }

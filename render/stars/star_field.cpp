@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "kernels/sky/cube_map.h"
 
@@ -41,7 +42,7 @@ FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_map, 
   const auto log_temperature = static_cast<float>(std::log(temperature_k));
   // A disk of luminance Y shines with Y times its solid angle.
   const double luminance = std::exp(static_cast<double>(read_blackbody(colours, log_temperature).x));
-  const double radius = std::sqrt(illuminance / (3.14159265358979 * luminance));
+  const double radius = std::sqrt(illuminance / (pi * luminance));
   return {{turned.x, turned.y, turned.z},
           log_temperature,
           static_cast<float>(illuminance),

@@ -17,7 +17,7 @@ namespace {
 //! Rays mend what the grid misses: it has to lead them to the right images, no more.
 constexpr double grid_budget_px = 0.3;
 //! Cells smaller than this are not refined: rays start from what they have.
-constexpr double least_area_px = 4.0;
+constexpr double least_star_cell_px = 4.0;
 //! The coldest and the hottest star that colours tell of: they gain most by a shift to the blue and to the red.
 constexpr float log_coldest = 7.38F;
 constexpr float log_hottest = 10.4F;
@@ -185,7 +185,7 @@ LensStation build_star_station(const StarEye& eye, double pixel, GridTracer<floa
   settings.budget_px = grid_budget_px;
   settings.observer = aberration_of(eye);
   settings.fine = false;
-  settings.least_area_px = least_area_px;
+  settings.least_area_px = least_star_cell_px;
   return eye.omni ? build_omni_station(*eye.omni, settings)
                   : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, settings, nullptr, tracer);
 }

@@ -17,7 +17,7 @@ constexpr int block_rows = 32;
 //! Straight distance between a polygon's middle and its furthest corner, beyond which it is left out: a quarter of a radian.
 constexpr double widest_chord = 0.2493;
 //! Keeps a star in its pixel when its place is rounded to float.
-constexpr double margin_px = 2e-3;
+constexpr double seam_margin_px = 2e-3;
 
 //! Solid angle of a triangle, positive where a, b, c go round to the left as seen from outside the sphere (Van Oosterom & Strackee, IEEE
 //! TBME 30 (1983), eq. 8).
@@ -103,6 +103,18 @@ class Gatherer {
     return first == second && second == third;
   }
 
+  //! The corner of half a polygon that a star lies on within rounding; -1: none.
+  static int corner_with_all(const double (&weights)[3]) {
+    constexpr double rounding = 1e-13;
+    const double whole = weights[0] + weights[1] + weights[2];
+    for (int i = 0; i < 3; ++i) {
+      if (whole - weights[i] < rounding * whole) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
   void gather_pixel(int x, int y, const Quad& quad, const std::vector<int>& near,
                     std::vector<GatheredStar>& into) const;
   bool shine(GatheredStar& gathered) const;
@@ -135,7 +147,12 @@ void Gatherer::gather_pixel(int x, int y, const Quad& quad, const std::vector<in
   for (const int star : near) {
     for (std::size_t i = 0; i < 2; ++i) {
       double weights[3];
-      if (!holds(quad, halves[i], field_.stars()[static_cast<std::size_t>(star)].direction, weights)) {
+      const bool held = holds(quad, halves[i], field_.stars()[static_cast<std::size_t>(star)].direction, weights);
+      const int corner_of_star = corner_with_all(weights);
+      const bool at_corner = corner_of_star >= 0;
+      // What rounding says of all the ways that meet in a corner need not fit together: a star right there belongs to the pixel below it, to the right.
+      const bool at_own = at_corner && i == 0 && halves[0][static_cast<std::size_t>(corner_of_star)] == 0;
+      if (at_corner ? !at_own : !held) {
         continue;
       }
       const double whole = std::max(weights[0] + weights[1] + weights[2], 1e-300);
@@ -198,7 +215,7 @@ std::vector<StarImage> star_images(const std::vector<GatheredStar>& gathered, co
   images.reserve(gathered.size());
   for (const GatheredStar& star : gathered) {
     const auto place = [](int pixel, float inside) {
-      return pixel + std::clamp(static_cast<double>(inside), margin_px, 1.0 - margin_px);
+      return pixel + std::clamp(static_cast<double>(inside), seam_margin_px, 1.0 - seam_margin_px);
     };
     const Vector3<double> view =
         direction_from_pixel(projection, place(star.x_px, star.x_inside), place(star.y_px, star.y_inside));

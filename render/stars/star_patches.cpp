@@ -6,6 +6,7 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/shadow/shadow_chart.h"
 
 namespace ergodome {
 
@@ -25,8 +26,6 @@ constexpr double widest_cosine = 0.94;
 //! Next to a critical curve images are as bright as one likes, but seldom: M-fold in a patch of solid angle w on the camera's sky are
 //! those of w / M of the sky at the most. What less of the sky than this would show is not looked for.
 constexpr float neglected_sky = 1e-8F;
-
-Vector3<double> normalized(const Vector3<double>& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
 //! How a patch lies on the sky.
 enum class Extent {

@@ -25,7 +25,7 @@ constexpr double steepest = 0.1;
 constexpr double most_change = 0.01;
 //! What double has not brought so near to an image has none [px].
 constexpr double near_px = 2.0;
-constexpr int step_limit = 400;
+constexpr int star_step_limit = 400;
 
 //! How exact rays are, and how near an image has to be for the last step [rad].
 struct RayPrecision {
@@ -56,7 +56,7 @@ void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, con
     }
   });
   const StarImageBatch<S, Camera> batch = {camera,
-                                           {precision.tolerance, step_limit, true},
+                                           {precision.tolerance, star_step_limit, true},
                                            static_cast<S>(precision.miss),
                                            static_cast<int>(count),
                                            {channel(0), channel(1), channel(2)},

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double cut_off_sigmas = 3.0;
 //! Pixels to one side that a spread reaches at the most: a spread of 20 px.
-constexpr int widest_px = 60;
-constexpr int band_rows = 32;
+constexpr int widest_splat_px = 60;
+constexpr int splat_band_rows = 32;
 //! A line across a whole dome of 4k.
 constexpr int most_line_points = 8192;
 
@@ -24,7 +24,7 @@ constexpr int most_line_points = 8192;
 struct Spread {
   int first = 0;
   int count = 0;
-  std::array<float, 2 * widest_px + 2> part{};
+  std::array<float, 2 * widest_splat_px + 2> part{};
 
   Spread(double middle_px, double sigma_px, double reach) {
     if (!(sigma_px > 0.0)) {
@@ -193,7 +193,7 @@ void add_trails(const StarTrails& trails, const Shutter& shutter, const Projecti
 }  // namespace
 
 double SplatSettings::reach_px() const {
-  return std::min(cutoff_px > 0.0 ? cutoff_px : cut_off_sigmas * sigma_px, widest_px - 1.0) + 1.0;
+  return std::min(cutoff_px > 0.0 ? cutoff_px : cut_off_sigmas * sigma_px, widest_splat_px - 1.0) + 1.0;
 }
 
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection) {
@@ -233,10 +233,10 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
   const WorkScope work(counter, static_cast<long>(points.size()));
   const std::vector<PictureSheet> sheets = picture_sheets(projection);
   const double reach = settings.reach_px();
-  const int bands = (row_count + band_rows - 1) / band_rows;
+  const int bands = (row_count + splat_band_rows - 1) / splat_band_rows;
   parallel_for(bands, 1, [&](int begin, int end) {
-    const int top = first_row + begin * band_rows;
-    const int bottom = std::min(first_row + end * band_rows, first_row + row_count);
+    const int top = first_row + begin * splat_band_rows;
+    const int bottom = std::min(first_row + end * splat_band_rows, first_row + row_count);
     auto point = std::ranges::lower_bound(points, top - reach, {}, &StarPoint::y_px);
     for (; point != points.end() && point->y_px < bottom + reach; ++point) {
       add(*point, projection, sheets[static_cast<std::size_t>(point->sheet)].cell, settings, top, bottom, first_row,

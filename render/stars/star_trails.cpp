@@ -10,7 +10,7 @@ namespace ergodome {
 namespace {
 
 //! Images that move farther than this in a step, or from where they were going, are taken for others [rad].
-constexpr double farthest = 0.2;
+constexpr double farthest_step = 0.2;
 //! Stands for the distance to the shadow's edge, which is not known here [rad]: a round more where the map may change soon.
 constexpr double cautious_distance = 0.1;
 
@@ -44,7 +44,7 @@ class Follower {
       const std::size_t i = alive_[k];
       const Vector3<double> off = c.direction - expected[k].direction;
       const bool same_side = (c.solid_angle < 0.0) == (images_[i].magnification < 0.0F);
-      if (c.miss <= image_tolerance_px * pixel_ && same_side && dot(off, off) < farthest * farthest) {
+      if (c.miss <= image_tolerance_px * pixel_ && same_side && dot(off, off) < farthest_step * farthest_step) {
         place(i, to) = {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y),
                         static_cast<float>(c.direction.z)};
         (to < from ? trails_.ways[i].first : trails_.ways[i].last) = to;

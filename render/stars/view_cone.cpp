@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 //! Places that are asked along the outline of a picture.
 constexpr int outline_places = 256;
 

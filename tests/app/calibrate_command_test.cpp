@@ -12,7 +12,7 @@ namespace {
 using test::CommandLine;
 using testing::HasSubstr;
 
-constexpr const char* two_projectors =
+constexpr const char* dome_of_two =
     "[dome]\nradius_m = 6\ntilt_deg = 10\n"
     "[[projector]]\nname = \"left / one\"\nposition_m = [-1, 0, 0]\nyaw_deg = 40\npitch_deg = 40\n"
     "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [64, 48]\n"
@@ -24,7 +24,7 @@ constexpr const char* two_projectors =
 class CalibrateCommand : public CommandLine {};
 
 TEST_F(CalibrateCommand, WritesASetupWhoseProjectorsHaveWarpsAndMasks) {
-  write("dome.toml", two_projectors);
+  write("dome.toml", dome_of_two);
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("left / one"));
   const DomeSetup setup = read_dome_setup(folder_ / "made" / "dome.toml");
@@ -38,7 +38,7 @@ TEST_F(CalibrateCommand, WritesASetupWhoseProjectorsHaveWarpsAndMasks) {
 }
 
 TEST_F(CalibrateCommand, WritesAnMpcdiCalibrationOfTheSame) {
-  write("dome.toml", two_projectors);
+  write("dome.toml", dome_of_two);
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512 --mpcdi made.mpcdi"), 0) << output_;
   const Mpcdi mpcdi = read_mpcdi(folder_ / "made.mpcdi");
   EXPECT_EQ(mpcdi.profile, MpcdiProfile::media_2d);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "tests/app/command_line.h"
 #include "tests/support/csv_table.h"
 
@@ -9,8 +10,6 @@ namespace ergodome::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST_F(CommandLine, TraceDiskGivesTheReferenceForEveryCrossing) {
   const std::string rays = ERGODOME_TEST_DATA_DIR "/disk.csv";

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr const char* small_show = R"(
+constexpr const char* movie_show = R"(
 duration_s = 0.1
 frame_rate_hz = 30
 [camera]
@@ -29,7 +29,7 @@ class RenderAMovie : public CommandLine {
  protected:
   void SetUp() override {
     CommandLine::SetUp();
-    write("small.toml", small_show);
+    write("small.toml", movie_show);
     old_path_ = std::getenv("PATH");
     ::setenv("PATH", (folder_.string() + ":" + old_path_).c_str(), 1);
   }
@@ -112,7 +112,7 @@ TEST_F(RenderAMovie, IsRefusedBeforeAnyFrameIsMade) {
 }
 
 TEST_F(CommandLine, ASequenceHasASheetOfFactsForPeopleAndForPrograms) {
-  write("small.toml", small_show);
+  write("small.toml", movie_show);
   ASSERT_EQ(run("render small.toml --out f --format exr --compression dwaa --fps 24 --backend cpu"), 0) << output_;
   std::ostringstream json;
   json << std::ifstream(folder_ / "f/small.json").rdbuf();

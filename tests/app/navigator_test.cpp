@@ -7,14 +7,12 @@
 #include <random>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
-#include "tests/support/pi.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 constexpr double frame_s = 1.0 / 60.0;
 

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "tests/support/pi.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 double speed(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 

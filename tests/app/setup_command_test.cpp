@@ -14,7 +14,7 @@ namespace {
 using test::CommandLine;
 using testing::HasSubstr;
 
-constexpr const char* two_projectors =
+constexpr const char* setup_of_two =
     "[dome]\nradius_m = 6\n"
     "[[projector]]\nname = \"left / one\"\nyaw_deg = -40\npitch_deg = 40\n"
     "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [64, 48]\n"
@@ -23,7 +23,7 @@ constexpr const char* two_projectors =
     "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [80, 40]\n"
     "window_px = [64, 0]\n";
 
-constexpr const char* small_show =
+constexpr const char* show_on_dome =
     "duration_s = 0.1\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 8\n[sky]\nmap = \"sky.png\"\n";
 
 //! What is shown on the projectors of a setup, without a display.
@@ -34,8 +34,8 @@ class SetupCommands : public CommandLine {
     // Drivers keep memory; whose it is cannot be told once they are unloaded.
     const char* const options = std::getenv("ASAN_OPTIONS");
     ::setenv("ASAN_OPTIONS", ((options != nullptr ? std::string(options) : "") + ":detect_leaks=0").c_str(), 1);
-    write("dome.toml", two_projectors);
-    write("show.toml", small_show);
+    write("dome.toml", setup_of_two);
+    write("show.toml", show_on_dome);
     write_png(folder_ / "sky.png", std::vector<std::uint8_t>(3 * 32 * 16, 128), 32, 16);
   }
 
@@ -134,7 +134,7 @@ TEST_F(SetupCommands, CalibrateLiveShowsPatternsOnEachProjector) {
 }
 
 TEST_F(SetupCommands, MissingMonitorsAreToldWithThoseThatThereAre) {
-  std::string far = two_projectors;
+  std::string far = setup_of_two;
   far.replace(far.find("window_px = [0, 0]"), 18, "monitor = 7");
   write("far.toml", far);
   run_on_display("play show.toml --setup far.toml --for 1");

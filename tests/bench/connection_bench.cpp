@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/polygon/connection_table.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 using namespace ergodome;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int pair_count = 100'000;
 
 struct Errors {

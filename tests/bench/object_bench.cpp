@@ -8,6 +8,7 @@
 #include "content/sky_map.h"
 #include "render/frame/view_projection.h"
 #include "render/objects/object_pass.h"
+#include "render/objects/traced_objects.h"
 
 // The sequences of Müller, Schulz & Weiskopf's table 3 by the built-in shows of their scenes: a triangle (300 frames), a sphere (360) and a disk
 // (180), each at three widths, without sky and without image files. A run draws the next of frames spread evenly over the sequence; its time is
@@ -15,6 +16,23 @@
 namespace {
 
 using namespace ergodome;
+
+//! The same by exact rays, shadows and all.
+void traced_frame(benchmark::State& state, const std::string& name, int frames) {
+  constexpr int shown = 12;
+  const Show show = read_show(built_in_content_folder() / "shows" / (name + ".toml"));
+  TracedObjects objects(show, Backend::cpu);
+  const Projection projection = make_projection(show.view, static_cast<int>(state.range(0)), 0.0);
+  int next = 0;
+  for (auto _ : state) {
+    const double time_s = show.duration_s * (next % shown) / shown;
+    benchmark::DoNotOptimize(objects.look(eye_camera(show, camera_pose(show, time_s), 0.0), projection,
+                                          0.2 * show.quality.budget_px, time_s, {0, projection.height_px}));
+    ++next;
+  }
+  state.counters["frames"] = frames;
+  state.counters["triangles"] = static_cast<double>(objects.triangle_count());
+}
 
 void object_frame(benchmark::State& state, const std::string& name, int frames) {
   constexpr int shown = 12;
@@ -34,26 +52,17 @@ void object_frame(benchmark::State& state, const std::string& name, int frames) 
   state.counters["triangles"] = static_cast<double>(pass.triangle_count());
 }
 
-BENCHMARK_CAPTURE(object_frame, triangle, "triangle", 300)
-    ->Arg(640)
-    ->Arg(1280)
-    ->Arg(2560)
-    ->Iterations(12)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(object_frame, sphere, "sphere", 360)
-    ->Arg(512)
-    ->Arg(1024)
-    ->Arg(2048)
-    ->Iterations(12)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(object_frame, disk, "thick-disk", 180)
-    ->Arg(400)
-    ->Arg(800)
-    ->Arg(1600)
-    ->Iterations(12)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+//! A width, twice that, and four times.
+template <int Least>
+void from_width(benchmark::internal::Benchmark* frames) {
+  frames->Arg(Least)->Arg(2 * Least)->Arg(4 * Least)->Iterations(12)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(object_frame, triangle, "triangle", 300)->Apply(from_width<640>);
+BENCHMARK_CAPTURE(object_frame, sphere, "sphere", 360)->Apply(from_width<512>);
+BENCHMARK_CAPTURE(object_frame, disk, "thick-disk", 180)->Apply(from_width<400>);
+BENCHMARK_CAPTURE(traced_frame, triangle, "triangle", 300)->Apply(from_width<640>);
+BENCHMARK_CAPTURE(traced_frame, sphere, "sphere", 360)->Apply(from_width<512>);
+BENCHMARK_CAPTURE(traced_frame, disk, "thick-disk", 180)->Apply(from_width<400>);
 
 }  // namespace

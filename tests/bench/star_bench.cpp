@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/make_projection.h"
 #include "render/stars/star_pass.h"
@@ -12,7 +13,6 @@ namespace {
 
 using namespace ergodome;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double pixel = pi / 1024;
 
 EyeCamera eye() {

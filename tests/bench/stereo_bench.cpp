@@ -40,14 +40,14 @@ void stereo_frame(benchmark::State& state, const char* stereo) {
   state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
 }
 
-void sizes(benchmark::internal::Benchmark* benchmark) {
+void stereo_sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-BENCHMARK_CAPTURE(stereo_frame, mono, "")->Apply(sizes);
-BENCHMARK_CAPTURE(stereo_frame, physical, physical_eyes)->Apply(sizes);
-BENCHMARK_CAPTURE(stereo_frame, flat, flat_eyes)->Apply(sizes);
-BENCHMARK_CAPTURE(stereo_frame, omni, omni_eyes)->Apply(sizes);
+BENCHMARK_CAPTURE(stereo_frame, mono, "")->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_frame, physical, physical_eyes)->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_frame, flat, flat_eyes)->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_frame, omni, omni_eyes)->Apply(stereo_sizes);
 
 //! Seconds of processor time that all threads have taken: other programs do not count.
 double processor_s() {
@@ -96,6 +96,6 @@ void stereo_in_turn(benchmark::State& state) {
   ratios(3, 1, "omni_over_physical");
 }
 
-BENCHMARK(stereo_in_turn)->Apply(sizes);
+BENCHMARK(stereo_in_turn)->Apply(stereo_sizes);
 
 }  // namespace

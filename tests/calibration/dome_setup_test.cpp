@@ -15,7 +15,7 @@ using test::error_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string whole = R"([dome]
+const std::string whole_setup = R"([dome]
 radius_m = 7.4
 tilt_deg = 15
 [viewer]
@@ -50,16 +50,16 @@ black_level_lift = 0.03
 const std::string least =
     "[dome]\nradius_m = 5\n[[projector]]\nname = \"a\"\nresolution_px = [640, 480]\nfisheye = { fov_deg = 180 }\n";
 
-DomeSetup parsed(const std::string& text) { return parse_dome_setup(text, "dome.toml", NamedFiles::unchecked); }
+DomeSetup parsed_setup(const std::string& text) { return parse_dome_setup(text, "dome.toml", NamedFiles::unchecked); }
 
-std::string problem_of(const std::string& text) {
-  return error_of([&] { parsed(text); });
+std::string setup_problem(const std::string& text) {
+  return error_of([&] { parsed_setup(text); });
 }
 
 std::string problem_with(const std::string& from, const std::string& to) {
-  std::string text = whole;
+  std::string text = whole_setup;
   EXPECT_NE(text.find(from), std::string::npos) << from;
-  return problem_of(text.replace(text.find(from), from.size(), to));
+  return setup_problem(text.replace(text.find(from), from.size(), to));
 }
 
 void expect_place(const Vector3<double>& v, double x, double y, double z) {
@@ -115,12 +115,12 @@ void expect_whole(const DomeSetup& setup) {
   expect_mirror(setup.projectors[1]);
 }
 
-TEST(DomeSetup, ReadsAsItIsWritten) { expect_whole(parsed(whole)); }
+TEST(DomeSetup, ReadsAsItIsWritten) { expect_whole(parsed_setup(whole_setup)); }
 
-TEST(DomeSetup, ReadsBackFromItsOwnText) { expect_whole(parsed(to_toml(parsed(whole)))); }
+TEST(DomeSetup, ReadsBackFromItsOwnText) { expect_whole(parsed_setup(to_toml(parsed_setup(whole_setup)))); }
 
 TEST(DomeSetup, LeavesOutWhatHasACustomaryValue) {
-  const DomeSetup setup = parsed(least);
+  const DomeSetup setup = parsed_setup(least);
   EXPECT_EQ(setup.tilt_deg, 0.0);
   EXPECT_EQ(setup.projectors[0].gamma, 2.2);
   expect_place(setup.projectors[0].gain, 1, 1, 1);
@@ -131,28 +131,30 @@ TEST(DomeSetup, LeavesOutWhatHasACustomaryValue) {
 
 TEST(DomeSetup, FormatOfAWarpIsToldByItsEnding) {
   const auto format = [](const std::string& name) {
-    return parsed(least + "warp = \"" + name + "\"\n").projectors[0].warp->format;
+    return parsed_setup(least + "warp = \"" + name + "\"\n").projectors[0].warp->format;
   };
   EXPECT_EQ(format("a.data"), WarpFormat::bourke);
   EXPECT_EQ(format("a.PFM"), WarpFormat::pfm);
   EXPECT_EQ(format("a.mpcdi"), WarpFormat::mpcdi);
   EXPECT_EQ(format("a.mpcdi.xml"), WarpFormat::mpcdi);
-  EXPECT_THAT(problem_of(least + "warp = \"a.bin\"\n"), AllOf(HasSubstr("dome.toml:7"), HasSubstr("tells no format")));
+  EXPECT_THAT(setup_problem(least + "warp = \"a.bin\"\n"),
+              AllOf(HasSubstr("dome.toml:7"), HasSubstr("tells no format")));
 }
 
 TEST(DomeSetup, KeysOfOtherFormatsAreErrors) {
-  EXPECT_THAT(problem_of(least + "warp = { file = \"a.data\", region = \"b\" }\n"),
+  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.data\", region = \"b\" }\n"),
               HasSubstr("warp.region means nothing"));
-  EXPECT_THAT(problem_of(least + "warp = { file = \"a.mpcdi\", texture = \"upwards\" }\n"), HasSubstr("warp.texture"));
-  EXPECT_THAT(problem_of(least + "warp = { file = \"a.pfm\", x_range = \"one\" }\n"), HasSubstr("warp.x_range"));
-  EXPECT_THAT(problem_of(least + "warp = { file = \"a.data\", rows = \"top_down\" }\n"), HasSubstr("warp.rows"));
+  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.mpcdi\", texture = \"upwards\" }\n"),
+              HasSubstr("warp.texture"));
+  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.pfm\", x_range = \"one\" }\n"), HasSubstr("warp.x_range"));
+  EXPECT_THAT(setup_problem(least + "warp = { file = \"a.data\", rows = \"top_down\" }\n"), HasSubstr("warp.rows"));
 }
 
 TEST(DomeSetup, RotationIsReadAndWritten) {
   std::string text = least;
   text.replace(text.find("radius_m = 5\n"), 13, "radius_m = 5\nrotation_deg = -7.5\n");
-  EXPECT_EQ(parsed(text).rotation_deg, -7.5);
-  EXPECT_EQ(parsed(to_toml(parsed(text))).rotation_deg, -7.5);
+  EXPECT_EQ(parsed_setup(text).rotation_deg, -7.5);
+  EXPECT_EQ(parsed_setup(to_toml(parsed_setup(text))).rotation_deg, -7.5);
 }
 
 TEST(DomeSetup, UnknownKeysAreErrorsThatNameTheNearest) {
@@ -203,21 +205,21 @@ TEST(DomeSetup, ProjectorsThatShareANameOrAnOutputAreErrors) {
 }
 
 TEST(DomeSetup, MissingPartsAreErrors) {
-  EXPECT_THAT(problem_of(""), HasSubstr("dome is missing"));
-  EXPECT_THAT(problem_of("[dome]\n[[projector]]\n"), HasSubstr("dome.radius_m is missing"));
-  EXPECT_THAT(problem_of("[dome]\nradius_m = 5\n"), HasSubstr("projector is missing"));
+  EXPECT_THAT(setup_problem(""), HasSubstr("dome is missing"));
+  EXPECT_THAT(setup_problem("[dome]\n[[projector]]\n"), HasSubstr("dome.radius_m is missing"));
+  EXPECT_THAT(setup_problem("[dome]\nradius_m = 5\n"), HasSubstr("projector is missing"));
   EXPECT_THAT(problem_with("name = \"north\"", ""), HasSubstr("name is missing"));
   EXPECT_THAT(problem_with("resolution_px = [1920, 1200]", ""), HasSubstr("resolution_px is missing"));
-  EXPECT_THAT(problem_of("[dome]\nradius_m = 5\n[[projector]]\nname = \"a\"\nresolution_px = [9, 9]\n"),
+  EXPECT_THAT(setup_problem("[dome]\nradius_m = 5\n[[projector]]\nname = \"a\"\nresolution_px = [9, 9]\n"),
               HasSubstr("neither a lens nor a warp"));
   EXPECT_THAT(problem_with("blend_mask = \"north.png\"", ""), HasSubstr("stands without blend_mask"));
   EXPECT_THAT(problem_with("black_level_lift = [0.01, 0.02, 0.015]", ""), HasSubstr("without black_level_lift"));
 }
 
 TEST(DomeSetup, BrokenTomlIsAnErrorWithItsLine) {
-  EXPECT_THAT(problem_of("[dome]\nradius_m = = 5\n"), HasSubstr("dome.toml:2"));
-  EXPECT_THAT(problem_of("projector = 3\n[dome]\nradius_m = 5\n"), HasSubstr("not a list of tables"));
-  EXPECT_THAT(problem_of(std::string(5U << 20U, ' ')), HasSubstr("larger than 4 MiB"));
+  EXPECT_THAT(setup_problem("[dome]\nradius_m = = 5\n"), HasSubstr("dome.toml:2"));
+  EXPECT_THAT(setup_problem("projector = 3\n[dome]\nradius_m = 5\n"), HasSubstr("not a list of tables"));
+  EXPECT_THAT(setup_problem(std::string(5U << 20U, ' ')), HasSubstr("larger than 4 MiB"));
 }
 
 class DomeSetupFile : public test::FolderTest {
@@ -230,7 +232,7 @@ class DomeSetupFile : public test::FolderTest {
 };
 
 TEST_F(DomeSetupFile, MissingFilesAreErrorsWithTheLineThatNamesThem) {
-  write("dome.toml", whole);
+  write("dome.toml", whole_setup);
   const auto problem = [&] { return error_of([&] { read_dome_setup(folder_ / "dome.toml"); }); };
   EXPECT_THAT(problem(), AllOf(HasSubstr("dome.toml:15"), HasSubstr("north.data, which is no file")));
   write("north.data", "");
@@ -243,13 +245,13 @@ TEST_F(DomeSetupFile, MissingFilesAreErrorsWithTheLineThatNamesThem) {
 
 TEST_F(DomeSetupFile, OlderFileIsKeptBesideTheNewOne) {
   write("dome.toml", "an older one");
-  write_dome_setup(folder_ / "dome.toml", parsed(least));
+  write_dome_setup(folder_ / "dome.toml", parsed_setup(least));
   EXPECT_EQ(text("dome.toml.bak"), "an older one");
   EXPECT_EQ(read_dome_setup(folder_ / "dome.toml").projectors.size(), 1U);
 }
 
 TEST_F(DomeSetupFile, WithoutAnOlderFileNothingIsKept) {
-  write_dome_setup(folder_ / "dome.toml", parsed(least));
+  write_dome_setup(folder_ / "dome.toml", parsed_setup(least));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "dome.toml.bak"));
 }
 

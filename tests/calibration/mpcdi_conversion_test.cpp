@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-void expect_vector(const Vector3<double>& v, double x, double y, double z) {
+void expect_numbers(const Vector3<double>& v, double x, double y, double z) {
   EXPECT_NEAR(v.x, x, 1e-12);
   EXPECT_NEAR(v.y, y, 1e-12);
   EXPECT_NEAR(v.z, z, 1e-12);
@@ -47,22 +47,22 @@ TEST(MpcdiConversion, WarpOfTheFixedMediaProfileLooksUpTheWholeBuffer) {
 TEST(MpcdiConversion, AxesOfASurveyorBecomeTheDomes) {
   // x right, y forward, z up: (1.5, -2, 3) is to the right, two back, three up.
   const ProjectorPose pose = pose_of(parsed_lamps(lamps_xml).buffers[0].regions[0]);
-  expect_vector(pose.position_m, 1.5, 3.0, 2.0);
-  expect_vector(axes_of(pose.orientation).forward, 1, 0, 0);
+  expect_numbers(pose.position_m, 1.5, 3.0, 2.0);
+  expect_numbers(axes_of(pose.orientation).forward, 1, 0, 0);
 }
 
 TEST(MpcdiConversion, AxesOfOpenGlBecomeTheDomes) {
   // y up, -z forward, as Christie's notes give it: the dome's own.
   std::string xml = replaced(replaced(lamps_xml, "<yawy>0", "<yawy>-1"), "<yawz>-1", "<yawz>0");
   xml = replaced(replaced(xml, "<rolly>1", "<rolly>0"), "<rollz>0", "<rollz>-1");
-  expect_vector(pose_of(parsed_lamps(xml).buffers[0].regions[0]).position_m, 1.5, -2.0, 3.0);
+  expect_numbers(pose_of(parsed_lamps(xml).buffers[0].regions[0]).position_m, 1.5, -2.0, 3.0);
 }
 
 TEST(MpcdiConversion, WithoutAFrameTheProjectorStandsAtTheOrigin) {
   MpcdiRegion region;
   region.orientation = Orientation{0, 90, 0};
-  expect_vector(pose_of(region).position_m, 0, 0, 0);
-  expect_vector(axes_of(pose_of(region).orientation).forward, 0, 1, 0);
+  expect_numbers(pose_of(region).position_m, 0, 0, 0);
+  expect_numbers(axes_of(pose_of(region).orientation).forward, 0, 1, 0);
 }
 
 TEST(MpcdiConversion, SurfaceOfShaderLampsIsTurnedByTheFrame) {
@@ -152,7 +152,7 @@ TEST(MpcdiWriter, PosesAndLensesReadBackTheSame) {
   const Mpcdi again = parsed_archive(to_mpcdi_archive(mpcdi, "test"));
   const MpcdiRegion& region = again.buffers[0].regions[0];
   expect_same_region(region, mpcdi.buffers[0].regions[0]);
-  expect_vector(pose_of(region).position_m, 1.5, 3.0, 2.0);
+  expect_numbers(pose_of(region).position_m, 1.5, 3.0, 2.0);
   EXPECT_EQ(region.orientation->yaw_deg, 90.0);
   EXPECT_EQ(region.frustum->left_deg, -25.0);
   EXPECT_EQ(region.fisheye->coefficients[1], -0.01);

@@ -47,7 +47,7 @@ PadSettings whole_settings() {
   return settings;
 }
 
-std::string problem_of(const std::string& text) {
+std::string pad_problem(const std::string& text) {
   return error_of([&] { parse_pad_settings(text, "pads.toml"); });
 }
 
@@ -74,23 +74,23 @@ TEST(PadSettings, SayWhatTheirLinesDo) {
 }
 
 TEST(PadSettings, NameFileLineAndTheNearestWord) {
-  EXPECT_THAT(problem_of("stuck_after = 3\n"),
+  EXPECT_THAT(pad_problem("stuck_after = 3\n"),
               HasSubstr("pads.toml:1: stuck_after is not a known key; did you mean \"stuck_after_s\"?"));
-  EXPECT_THAT(problem_of("[default]\nleft_stik = {}\n"), HasSubstr("pads.toml:2: default.left_stik"));
-  EXPECT_THAT(problem_of("[default]\nleft_stick = { deadzone = 0.1 }\n"), HasSubstr("did you mean \"dead_zone\"?"));
-  EXPECT_THAT(problem_of("[default]\ninvert = [\"lefty\"]\n"), HasSubstr("did you mean \"left_y\"?"));
-  EXPECT_THAT(problem_of("[default]\nbuttons = [\"sout\"]\n"), HasSubstr("did you mean \"south\"?"));
-  EXPECT_THAT(problem_of("[default]\naxes = { rx = \"right\" }\n"), HasSubstr("default.axes.rx is \"right\""));
+  EXPECT_THAT(pad_problem("[default]\nleft_stik = {}\n"), HasSubstr("pads.toml:2: default.left_stik"));
+  EXPECT_THAT(pad_problem("[default]\nleft_stick = { deadzone = 0.1 }\n"), HasSubstr("did you mean \"dead_zone\"?"));
+  EXPECT_THAT(pad_problem("[default]\ninvert = [\"lefty\"]\n"), HasSubstr("did you mean \"left_y\"?"));
+  EXPECT_THAT(pad_problem("[default]\nbuttons = [\"sout\"]\n"), HasSubstr("did you mean \"south\"?"));
+  EXPECT_THAT(pad_problem("[default]\naxes = { rx = \"right\" }\n"), HasSubstr("default.axes.rx is \"right\""));
 }
 
 TEST(PadSettings, RefuseWhatCannotBe) {
-  EXPECT_THAT(problem_of("[default]\nleft_stick = { dead_zone = 0.5, full_at = 0.5 }\n"),
+  EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = 0.5, full_at = 0.5 }\n"),
               HasSubstr("not beyond dead_zone"));
-  EXPECT_THAT(problem_of("[default]\nleft_stick = { dead_zone = nan }\n"), HasSubstr("choose a number"));
-  EXPECT_THAT(problem_of("[default]\ncalibration = { x = [5, 4, 6] }\n"), HasSubstr("does not rise"));
-  EXPECT_THAT(problem_of("[default]\ncalibration = { x = [5, 5, 5] }\n"), HasSubstr("does not rise"));
-  EXPECT_THAT(problem_of("[[pad]]\n"), HasSubstr("is missing, and so are name and serial"));
-  EXPECT_THAT(problem_of("[[pad]]\ndevice = \"054C:0CE6\"\n"), HasSubstr("lower-case hex"));
+  EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = nan }\n"), HasSubstr("choose a number"));
+  EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 4, 6] }\n"), HasSubstr("does not rise"));
+  EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 5, 5] }\n"), HasSubstr("does not rise"));
+  EXPECT_THAT(pad_problem("[[pad]]\n"), HasSubstr("is missing, and so are name and serial"));
+  EXPECT_THAT(pad_problem("[[pad]]\ndevice = \"054C:0CE6\"\n"), HasSubstr("lower-case hex"));
 }
 
 TEST(PadSettings, OfASerialBeatThoseOfADeviceWhichBeatThoseOfAName) {

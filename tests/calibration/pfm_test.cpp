@@ -17,18 +17,18 @@ using testing::HasSubstr;
 const std::string one("\x00\x00\x80\x3f", 4);
 const std::string two("\x00\x00\x00\x40", 4);
 const std::string half("\x00\x00\x00\x3f", 4);
-const std::string unknown("\x00\x00\xc0\x7f", 4);
+const std::string unknown_bytes("\x00\x00\xc0\x7f", 4);
 const std::string zero(4, '\0');
 
 const std::string first_row = one + two + half + half + half + half;
-const std::string second_row = two + two + two + unknown + unknown + zero;
+const std::string second_row = two + two + two + unknown_bytes + unknown_bytes + zero;
 const std::string by_hand = "PF\n2 2\n-1.0\n" + first_row + second_row;
 
 FloatMap parsed(const std::string& bytes, RowOrder order = RowOrder::bottom_up) {
   return parse_float_map(std::as_bytes(std::span(bytes)), "warp.pfm", order);
 }
 
-std::string problem_of(const std::string& bytes) {
+std::string map_problem(const std::string& bytes) {
   return test::error_of([&] { parsed(bytes); });
 }
 
@@ -79,33 +79,33 @@ TEST(FloatMapFile, IsWrittenAsItWasRead) {
 }
 
 TEST(FloatMapFile, OfOneComponentIsAnErrorThatSaysSo) {
-  EXPECT_THAT(problem_of("Pf\n2 2\n-1.0\n" + zero), HasSubstr("one component"));
+  EXPECT_THAT(map_problem("Pf\n2 2\n-1.0\n" + zero), HasSubstr("one component"));
 }
 
 TEST(FloatMapFile, OfAnotherKindIsAnError) {
-  EXPECT_THAT(problem_of("P6\n2 2\n255\n"), HasSubstr("is not a portable float map"));
-  EXPECT_THAT(problem_of(""), HasSubstr("is not a portable float map"));
-  EXPECT_THAT(problem_of("PF"), HasSubstr("without width, height and scale"));
+  EXPECT_THAT(map_problem("P6\n2 2\n255\n"), HasSubstr("is not a portable float map"));
+  EXPECT_THAT(map_problem(""), HasSubstr("is not a portable float map"));
+  EXPECT_THAT(map_problem("PF"), HasSubstr("without width, height and scale"));
 }
 
 TEST(FloatMapFile, NegativeTinyAndHugeSizesAreErrors) {
-  EXPECT_THAT(problem_of("PF\n-2 2\n-1.0\n" + first_row), HasSubstr("-2 x 2"));
-  EXPECT_THAT(problem_of("PF\n1 1\n-1.0\n" + one + one + one), HasSubstr("at least 2 x 2"));
-  EXPECT_THAT(problem_of("PF\n2000000000 2000000000\n-1.0\n"), HasSubstr("are the most"));
-  EXPECT_THAT(problem_of("PF\n99999999999999999999 2\n-1.0\n"), HasSubstr("header"));
+  EXPECT_THAT(map_problem("PF\n-2 2\n-1.0\n" + first_row), HasSubstr("-2 x 2"));
+  EXPECT_THAT(map_problem("PF\n1 1\n-1.0\n" + one + one + one), HasSubstr("at least 2 x 2"));
+  EXPECT_THAT(map_problem("PF\n2000000000 2000000000\n-1.0\n"), HasSubstr("are the most"));
+  EXPECT_THAT(map_problem("PF\n99999999999999999999 2\n-1.0\n"), HasSubstr("header"));
 }
 
 TEST(FloatMapFile, TooFewOrTooManySamplesAreErrors) {
-  EXPECT_THAT(problem_of(by_hand.substr(0, by_hand.size() - 1)), HasSubstr("47 bytes of samples; 2 x 2 take 48"));
-  EXPECT_THAT(problem_of(by_hand + "x"), HasSubstr("49 bytes"));
-  EXPECT_THAT(problem_of("PF\n16384 2048\n-1.0\n" + first_row), HasSubstr("24 bytes"));
+  EXPECT_THAT(map_problem(by_hand.substr(0, by_hand.size() - 1)), HasSubstr("47 bytes of samples; 2 x 2 take 48"));
+  EXPECT_THAT(map_problem(by_hand + "x"), HasSubstr("49 bytes"));
+  EXPECT_THAT(map_problem("PF\n16384 2048\n-1.0\n" + first_row), HasSubstr("24 bytes"));
 }
 
 TEST(FloatMapFile, ScaleThatTellsNoByteOrderIsAnError) {
   for (const char* const scale : {"0", "nan", "inf", "-inf"}) {
     std::string bytes = "PF\n2 2\n";
     bytes.append(scale).append("\n").append(first_row).append(second_row);
-    EXPECT_THAT(problem_of(bytes), HasSubstr("byte order"));
+    EXPECT_THAT(map_problem(bytes), HasSubstr("byte order"));
   }
 }
 

@@ -4,13 +4,11 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
-#include "tests/support/pi.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 DomeSetup dome(double radius_m) {
   DomeSetup setup;

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "calibration/dome_warp.h"
+#include "kernels/core/angles.h"
 #include "tests/support/errors.h"
 #include "tests/support/simulated_dome.h"
 
 namespace ergodome {
 namespace {
 
-using test::pi;
 using testing::HasSubstr;
 
 //! A dome whose one projector shows the whole master upright, a pixel of it to a pixel.

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 //! Looking at the hole: right is e_φ, up is -e_θ, back is e_r.
 constexpr double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
 

@@ -9,12 +9,12 @@
 namespace ergodome {
 namespace {
 
-Show show_of(const std::string& disk, const std::string& spin = "0") {
+Show show_with_disk(const std::string& disk, const std::string& spin = "0") {
   return parse_show("[hole]\nspin = " + spin + "\n[camera]\n[[camera.key]]\nr = 30\n[disk]\n" + disk, "show.toml");
 }
 
 TEST(DiskReader, ADiskAloneEndsAtTheLastStableOrbitAndShinesAsPageAndThorneSay) {
-  const Show show = show_of("");
+  const Show show = show_with_disk("");
   ASSERT_TRUE(show.disk.has_value());
   EXPECT_EQ(*show.disk, DiskSettings{});
   EXPECT_FALSE(show.disk->inner.has_value());
@@ -25,7 +25,7 @@ TEST(DiskReader, AShowWithoutOneHasNone) {
 }
 
 TEST(DiskReader, WrittenAsTextReadsBackTheSame) {
-  Show show = show_of("");
+  Show show = show_with_disk("");
   EXPECT_EQ(*parse_show(to_toml(show), "again.toml").disk, *show.disk);
   show.disk =
       DiskSettings{4.5, 30.0, true, DiskProfile::uniform, 9000.0, true, 0.5, 2.5, DiskPattern::procedural, 1.5, -3.0};
@@ -39,7 +39,7 @@ TEST(DiskReader, RefusesWhatCannotBe) {
         "inner = 1.5\nplunging = true\nprofile = \"uniform\"", "speed = nan", "colour = 1", "exposure = -1"}) {
     SCOPED_TRACE(disk);
     try {
-      show_of(disk);
+      show_with_disk(disk);
       ADD_FAILURE() << "was taken";
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("show.toml:"));
@@ -49,7 +49,7 @@ TEST(DiskReader, RefusesWhatCannotBe) {
 }
 
 TEST(DiskReader, TakesMatterThatFallsInsideTheLastStableOrbit) {
-  EXPECT_EQ(show_of("inner = 2.5\nplunging = true\nprofile = \"uniform\"").disk->inner, 2.5);
+  EXPECT_EQ(show_with_disk("inner = 2.5\nplunging = true\nprofile = \"uniform\"").disk->inner, 2.5);
 }
 
 TEST(DiskReader, TakesAnInnerEdgeThatHoldsAtSomeTimeOfASpinThatChanges) {
@@ -63,10 +63,10 @@ TEST(DiskReader, TakesAnInnerEdgeThatHoldsAtSomeTimeOfASpinThatChanges) {
 TEST(DiskReader, IsNotDrawnInStereoModelsThatDoNotKnowItYet) {
   for (const char* model : {"flat", "omni"}) {
     const Show show =
-        show_of(std::string("[stereo]\nlayout = \"side_by_side\"\nbaseline = 0.1\nmodel = \"") + model + "\"");
+        show_with_disk(std::string("[stereo]\nlayout = \"side_by_side\"\nbaseline = 0.1\nmodel = \"") + model + "\"");
     EXPECT_EQ(missing_features(show).size(), 1U) << model;
   }
-  EXPECT_TRUE(missing_features(show_of("[stereo]\nlayout = \"side_by_side\"\nbaseline = 0.1\n")).empty());
+  EXPECT_TRUE(missing_features(show_with_disk("[stereo]\nlayout = \"side_by_side\"\nbaseline = 0.1\n")).empty());
 }
 
 }  // namespace

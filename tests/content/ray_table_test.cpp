@@ -15,13 +15,13 @@ using testing::HasSubstr;
 
 const std::string header = "a,r,theta,observer,n_r,n_theta,n_phi\n";
 
-std::vector<RayRow> parse(const std::string& text) {
+std::vector<RayRow> parsed_rays(const std::string& text) {
   std::istringstream stream(text);
   return read_ray_table(stream, "rays.csv");
 }
 
-std::string problem_of(const std::string& text) {
-  return test::error_of([&] { parse(text); });
+std::string ray_problem(const std::string& text) {
+  return test::error_of([&] { parsed_rays(text); });
 }
 
 TEST(RayTable, ReadsTheReferenceTable) {
@@ -32,7 +32,7 @@ TEST(RayTable, ReadsTheReferenceTable) {
 }
 
 TEST(RayTable, RowsWithoutAVelocityHaveNone) {
-  const auto rows = parse(header + "0.5,6,1,zamo,1,0,0\n0.5,6,1,zamo,0,1,0");
+  const auto rows = parsed_rays(header + "0.5,6,1,zamo,1,0,0\n0.5,6,1,zamo,0,1,0");
   ASSERT_EQ(rows.size(), 2U);
   for (const RayRow& row : rows) {
     EXPECT_EQ(row.velocity.x, 0.0);
@@ -42,16 +42,16 @@ TEST(RayTable, RowsWithoutAVelocityHaveNone) {
 }
 
 TEST(RayTable, TakesTheMarkThatSpreadsheetsWriteFirst) {
-  EXPECT_EQ(parse("\xEF\xBB\xBF" + header + "0.5,6,1,zamo,1,0,0\n").size(), 1U);
+  EXPECT_EQ(parsed_rays("\xEF\xBB\xBF" + header + "0.5,6,1,zamo,1,0,0\n").size(), 1U);
 }
 
 TEST(RayTable, RefusesALineWithoutEndBeforeReadingItAll) {
-  EXPECT_THAT(problem_of(header + "0.5,6,1,zamo,1,0,0\n" + std::string(1'000'000, '1')),
+  EXPECT_THAT(ray_problem(header + "0.5,6,1,zamo,1,0,0\n" + std::string(1'000'000, '1')),
               AllOf(HasSubstr("rays.csv:3"), HasSubstr("too much")));
 }
 
 TEST(RayTable, FindsColumnsByNameAndIgnoresOthers) {
-  const auto rows = parse("n_phi,n_theta,n_r,note,observer,theta,r,a\n3,0,4,hello,rain,+1.0e+00,5,-0.5\r\n");
+  const auto rows = parsed_rays("n_phi,n_theta,n_r,note,observer,theta,r,a\n3,0,4,hello,rain,+1.0e+00,5,-0.5\r\n");
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].id, "0");
   EXPECT_EQ(rows[0].spin, -0.5);
@@ -61,26 +61,26 @@ TEST(RayTable, FindsColumnsByNameAndIgnoresOthers) {
 }
 
 TEST(RayTable, ReadsNumbersOfFortyDigitsAndTinyOnes) {
-  const auto rows = parse(header + "0.5,5,1,zamo,-7.27454632735125783505123456789012345678e-01,1e-340,6.8e-1\n");
+  const auto rows = parsed_rays(header + "0.5,5,1,zamo,-7.27454632735125783505123456789012345678e-01,1e-340,6.8e-1\n");
   EXPECT_LT(rows[0].direction.x, 0.0);
   EXPECT_EQ(rows[0].direction.y, 0.0);
 }
 
 TEST(RayTable, ProblemsNameTheLine) {
-  EXPECT_THAT(problem_of(""), HasSubstr("no header"));
-  EXPECT_THAT(problem_of("a,r,theta,observer,n_r,n_theta\n"), AllOf(HasSubstr("rays.csv:1"), HasSubstr("n_phi")));
-  EXPECT_THAT(problem_of(header + "0,9,1,zamo,1,0,0\n0,x,1,zamo,1,0,0\n"),
+  EXPECT_THAT(ray_problem(""), HasSubstr("no header"));
+  EXPECT_THAT(ray_problem("a,r,theta,observer,n_r,n_theta\n"), AllOf(HasSubstr("rays.csv:1"), HasSubstr("n_phi")));
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1,0,0\n0,x,1,zamo,1,0,0\n"),
               AllOf(HasSubstr("rays.csv:3"), HasSubstr("\"x\"")));
-  EXPECT_THAT(problem_of(header + "0,nan,1,zamo,1,0,0\n"), HasSubstr("not a number"));
-  EXPECT_THAT(problem_of(header + "0,9,1,zamo,inf,0,0\n"), HasSubstr("not a number"));
-  EXPECT_THAT(problem_of(header + "0,9,1,zamo,0,0,0\n"), HasSubstr("no length"));
-  EXPECT_THAT(problem_of(header + "0,9,1,zamo,1\n"), HasSubstr("not a number"));
-  EXPECT_THAT(problem_of(header + "0,1.9,1,zamo,1,0,0\n"), HasSubstr("horizon"));
-  EXPECT_THAT(problem_of(header + "1.1,9,1,zamo,1,0,0\n"), HasSubstr("a is 1.1"));
-  EXPECT_THAT(problem_of(header + "0,9,4,zamo,1,0,0\n"), HasSubstr("theta is 4"));
-  EXPECT_THAT(problem_of(header + "0,9,1,tourist,1,0,0\n"), HasSubstr("tourist"));
-  EXPECT_THAT(problem_of(header + "0.9,1.95,1.57,static,1,0,0\n"), HasSubstr("outrun light"));
-  EXPECT_THAT(problem_of(header + std::string(70'000, '1') + "\n"), HasSubstr("too much"));
+  EXPECT_THAT(ray_problem(header + "0,nan,1,zamo,1,0,0\n"), HasSubstr("not a number"));
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,inf,0,0\n"), HasSubstr("not a number"));
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,0,0,0\n"), HasSubstr("no length"));
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1\n"), HasSubstr("not a number"));
+  EXPECT_THAT(ray_problem(header + "0,1.9,1,zamo,1,0,0\n"), HasSubstr("horizon"));
+  EXPECT_THAT(ray_problem(header + "1.1,9,1,zamo,1,0,0\n"), HasSubstr("a is 1.1"));
+  EXPECT_THAT(ray_problem(header + "0,9,4,zamo,1,0,0\n"), HasSubstr("theta is 4"));
+  EXPECT_THAT(ray_problem(header + "0,9,1,tourist,1,0,0\n"), HasSubstr("tourist"));
+  EXPECT_THAT(ray_problem(header + "0.9,1.95,1.57,static,1,0,0\n"), HasSubstr("outrun light"));
+  EXPECT_THAT(ray_problem(header + std::string(70'000, '1') + "\n"), HasSubstr("too much"));
 }
 
 TEST(RayTable, MissingFileIsAnErrorWithItsName) {

@@ -11,14 +11,14 @@
 namespace ergodome {
 namespace {
 
-Show show_of(const std::string& shells, const std::string& spin = "0") {
+Show show_with_shells(const std::string& shells, const std::string& spin = "0") {
   return parse_show("[hole]\nspin = " + spin + "\n[camera]\n[[camera.key]]\nr = 30\n" + shells, "show.toml");
 }
 
-TEST(ShellReader, AShowWithoutAnyHasNone) { EXPECT_TRUE(show_of("").shells.empty()); }
+TEST(ShellReader, AShowWithoutAnyHasNone) { EXPECT_TRUE(show_with_shells("").shells.empty()); }
 
 TEST(ShellReader, AShellNeedsItsRadiusAlone) {
-  const Show show = show_of("[[shells]]\nradius = 12\n[[shells]]\nradius = 6\ntexture = \"earth.jpg\"\n");
+  const Show show = show_with_shells("[[shells]]\nradius = 12\n[[shells]]\nradius = 6\ntexture = \"earth.jpg\"\n");
   ASSERT_EQ(show.shells.size(), 2U);
   ShellSettings plain;
   plain.radius = 12.0;
@@ -29,7 +29,7 @@ TEST(ShellReader, AShellNeedsItsRadiusAlone) {
 }
 
 TEST(ShellReader, WrittenAsTextReadsBackTheSame) {
-  Show show = show_of("[[shells]]\nradius = 12\n");
+  Show show = show_with_shells("[[shells]]\nradius = 12\n");
   show.shells.push_back({7.5, 10.0, 0.25, {1.0, 0.5, 0.0}, {0.0, 0.25, 2.0}, 0.75, 0.5, 3.0, "mars.png"});
   EXPECT_EQ(parse_show(to_toml(show), "again.toml").shells, show.shells);
 }
@@ -43,7 +43,7 @@ TEST(ShellReader, RefusesWhatCannotBe) {
         "radius = 9\ntexture = 3"}) {
     SCOPED_TRACE(shell);
     try {
-      show_of("[[shells]]\nradius = 9\n[[shells]]\n" + std::string(shell));
+      show_with_shells("[[shells]]\nradius = 9\n[[shells]]\n" + std::string(shell));
       ADD_FAILURE() << "was taken";
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("show.toml:"));
@@ -57,9 +57,9 @@ TEST(ShellReader, TakesSixteenShellsAndNoMore) {
   for (int i = 0; i < 16; ++i) {
     shells += "[[shells]]\nradius = 9\n";
   }
-  EXPECT_EQ(show_of(shells).shells.size(), 16U);
+  EXPECT_EQ(show_with_shells(shells).shells.size(), 16U);
   try {
-    show_of(shells + "[[shells]]\nradius = 9\n");
+    show_with_shells(shells + "[[shells]]\nradius = 9\n");
     ADD_FAILURE() << "was taken";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("at most 16"));
@@ -67,33 +67,33 @@ TEST(ShellReader, TakesSixteenShellsAndNoMore) {
 }
 
 TEST(ShellReader, TakesAShellAsNearToTheHorizonAsPicturesAreExact) {
-  EXPECT_EQ(show_of("[[shells]]\nradius = 2.002\n").shells[0].radius, 2.002);
-  EXPECT_EQ(show_of("[[shells]]\nradius = 1.01\n", "-1").shells[0].radius, 1.01);
+  EXPECT_EQ(show_with_shells("[[shells]]\nradius = 2.002\n").shells[0].radius, 2.002);
+  EXPECT_EQ(show_with_shells("[[shells]]\nradius = 1.01\n", "-1").shells[0].radius, 1.01);
 }
 
 TEST(ShellReader, HoldsRadiiToTheHorizonOfAllTimes) {
   const std::string radius =
       "[[animate]]\nnumber = \"shells[0].radius\"\nkey = [{ t_s = 0, value = 9 }, { t_s = 5, value = 1.5 }]\n";
-  EXPECT_THROW(show_of("[[shells]]\nradius = 9\n" + radius), Error);
-  EXPECT_NO_THROW(show_of("[[shells]]\nradius = 9\n" + radius, "0.999"));
+  EXPECT_THROW(show_with_shells("[[shells]]\nradius = 9\n" + radius), Error);
+  EXPECT_NO_THROW(show_with_shells("[[shells]]\nradius = 9\n" + radius, "0.999"));
   const std::string spin =
       "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 0, value = -0.99 }, { t_s = 5, value = 0.99 }]\n";
-  EXPECT_THROW(show_of("[[shells]]\nradius = 1.8\n" + spin), Error);
-  EXPECT_NO_THROW(show_of("[[shells]]\nradius = 2.1\n" + spin));
+  EXPECT_THROW(show_with_shells("[[shells]]\nradius = 1.8\n" + spin), Error);
+  EXPECT_NO_THROW(show_with_shells("[[shells]]\nradius = 2.1\n" + spin));
 }
 
 TEST(ShellReader, RefusesToAnimateAShellThatIsNotThere) {
   const std::string radius =
       "[[animate]]\nnumber = \"shells[1].radius\"\nkey = [{ t_s = 0, value = 9 }, { t_s = 5, value = 8 }]\n";
-  EXPECT_THROW(show_of("[[shells]]\nradius = 9\n" + radius), Error);
+  EXPECT_THROW(show_with_shells("[[shells]]\nradius = 9\n" + radius), Error);
 }
 
 TEST(ShellReader, IsNotDrawnInStereoModelsThatDoNotKnowItYet) {
   const std::string stereo = "[[shells]]\nradius = 9\n[stereo]\nlayout = \"side_by_side\"\nbaseline = 0.1\n";
   for (const char* model : {"flat", "omni"}) {
-    EXPECT_EQ(missing_features(show_of(stereo + "model = \"" + model + "\"")).size(), 1U) << model;
+    EXPECT_EQ(missing_features(show_with_shells(stereo + "model = \"" + model + "\"")).size(), 1U) << model;
   }
-  EXPECT_TRUE(missing_features(show_of(stereo)).empty());
+  EXPECT_TRUE(missing_features(show_with_shells(stereo)).empty());
 }
 
 }  // namespace

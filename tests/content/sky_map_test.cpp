@@ -9,15 +9,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "kernels/core/angles.h"
+
 namespace ergodome {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
 //! Mean light of a built-in map around a place on the sky.
 double light_at(const EnvironmentImage& image, double ra_deg, double dec_deg) {
-  const glm::dvec3 d(std::cos(dec_deg * degree) * std::cos(ra_deg * degree),
-                     std::cos(dec_deg * degree) * std::sin(ra_deg * degree), std::sin(dec_deg * degree));
+  const glm::dvec3 d(std::cos(dec_deg * one_degree) * std::cos(ra_deg * one_degree),
+                     std::cos(dec_deg * one_degree) * std::sin(ra_deg * one_degree), std::sin(dec_deg * one_degree));
   const glm::dvec2 place = map_from_direction(d);
   double sum = 0.0;
   for (int dy = -6; dy <= 6; ++dy) {
@@ -62,8 +62,8 @@ TEST(SkyMap, RotationPutsTheSpinAxisOnZAndKeepsTheHandedness) {
   for (const double dec_deg : {-90.0, -20.0, 0.0, 66.6, 90.0}) {
     sky.spin_axis_dec_deg = dec_deg;
     const glm::dmat3 turn = sky_from_map(sky);
-    const double ra = sky.spin_axis_ra_deg * degree;
-    const double dec = dec_deg * degree;
+    const double ra = sky.spin_axis_ra_deg * one_degree;
+    const double dec = dec_deg * one_degree;
     const glm::dvec3 axis(std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec));
     EXPECT_NEAR(glm::length(turn * axis - glm::dvec3(0.0, 0.0, 1.0)), 0.0, 1e-12);
     EXPECT_NEAR(glm::determinant(turn), 1.0, 1e-12);
@@ -74,7 +74,7 @@ TEST(SkyMap, GridIsBrighterInTheNorthAndHasAHueForEachQuadrant) {
   const EnvironmentImage grid = make_grid_sky(720);
   EXPECT_GT(light_at(grid, 37.0, 37.0), 2.0 * light_at(grid, 37.0, -37.0));
   const auto texel = [&](double ra_deg) {
-    const glm::dvec2 place = map_from_direction({std::cos(ra_deg * degree), std::sin(ra_deg * degree), 0.14});
+    const glm::dvec2 place = map_from_direction({std::cos(ra_deg * one_degree), std::sin(ra_deg * one_degree), 0.14});
     const std::size_t i =
         3 * (static_cast<std::size_t>(place.y * grid.height) * 720U + static_cast<std::size_t>(place.x * 720));
     return glm::vec3(grid.rgb[i], grid.rgb[i + 1], grid.rgb[i + 2]);

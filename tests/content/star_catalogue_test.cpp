@@ -20,13 +20,13 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-StarCatalogue parse(const std::string& text) {
+StarCatalogue parsed_stars(const std::string& text) {
   std::istringstream stream(text);
   return parse_star_table(stream, "stars.csv");
 }
 
-std::string problem_of(const std::string& text) {
-  return test::error_of([&] { parse(text); });
+std::string catalogue_problem(const std::string& text) {
+  return test::error_of([&] { parsed_stars(text); });
 }
 
 StarCatalogue built_in(const std::string& name) {
@@ -72,7 +72,7 @@ TEST(StarCatalogue, PlacesAreEquatorialDirections) {
 }
 
 TEST(StarTable, ReadsItsOwnColumnsInAnyOrder) {
-  const StarCatalogue read = parse("v_mag,b_v,dec_deg,hip,ra_deg\n2.5,0.6,-10,7,350.25\n-1.4,,20,8,-10\n");
+  const StarCatalogue read = parsed_stars("v_mag,b_v,dec_deg,hip,ra_deg\n2.5,0.6,-10,7,350.25\n-1.4,,20,8,-10\n");
   ASSERT_EQ(read.stars.size(), 2U);
   EXPECT_EQ(read.stars[0].number, 8U);
   EXPECT_TRUE(std::isnan(read.stars[0].b_v));
@@ -82,7 +82,7 @@ TEST(StarTable, ReadsItsOwnColumnsInAnyOrder) {
 }
 
 TEST(StarTable, ReadsHygWithHoursQuotesAndTheSunLeftOut) {
-  const StarCatalogue read = parse(
+  const StarCatalogue read = parsed_stars(
       "\"id\",\"hip\",\"proper\",\"ra\",\"dec\",\"dist\",\"mag\",\"ci\"\r\n"
       "0,,\"Sol\",0.0,0.0,0.0,-26.7,0.656\r\n"
       "32263,32349,\"Sirius, the \"\"dog\"\"\",6.752481,-16.716116,2.6371,-1.44,0.009\r\n");
@@ -93,37 +93,40 @@ TEST(StarTable, ReadsHygWithHoursQuotesAndTheSunLeftOut) {
 }
 
 TEST(StarTable, RowsWithoutPlaceOrMagnitudeAreCounted) {
-  const StarCatalogue read = parse("ra_deg,dec_deg,v_mag\n1,2,nan\n,2,3\n1,inf,3\n1,2\n1,2,3\n");
+  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag\n1,2,nan\n,2,3\n1,inf,3\n1,2\n1,2,3\n");
   EXPECT_EQ(read.stars.size(), 1U);
   EXPECT_EQ(read.left_out, 4U);
 }
 
-TEST(StarTable, HeaderAloneIsACatalogueWithoutStars) { EXPECT_TRUE(parse("ra_deg,dec_deg,v_mag\n").stars.empty()); }
-
-TEST(StarTable, ByteOrderMarkAndMissingLastNewlineDoNoHarm) {
-  EXPECT_EQ(parse("\xEF\xBB\xBFra_deg,dec_deg,v_mag\n1,2,3").stars.size(), 1U);
+TEST(StarTable, HeaderAloneIsACatalogueWithoutStars) {
+  EXPECT_TRUE(parsed_stars("ra_deg,dec_deg,v_mag\n").stars.empty());
 }
 
-TEST(StarTable, EmptyFileIsAnError) { EXPECT_THAT(problem_of(""), HasSubstr("stars.csv: is empty")); }
+TEST(StarTable, ByteOrderMarkAndMissingLastNewlineDoNoHarm) {
+  EXPECT_EQ(parsed_stars("\xEF\xBB\xBFra_deg,dec_deg,v_mag\n1,2,3").stars.size(), 1U);
+}
+
+TEST(StarTable, EmptyFileIsAnError) { EXPECT_THAT(catalogue_problem(""), HasSubstr("stars.csv: is empty")); }
 
 TEST(StarTable, MissingColumnIsNamed) {
-  EXPECT_THAT(problem_of("ra_deg,mag\n1,2\n"), AllOf(HasSubstr("stars.csv:1"), HasSubstr("dec_deg")));
+  EXPECT_THAT(catalogue_problem("ra_deg,mag\n1,2\n"), AllOf(HasSubstr("stars.csv:1"), HasSubstr("dec_deg")));
 }
 
 TEST(StarTable, TextForANumberIsAnErrorWithItsLine) {
-  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,2,3\n1,two,3\n"), AllOf(HasSubstr("stars.csv:3"), HasSubstr("two")));
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,2,3\n1,two,3\n"),
+              AllOf(HasSubstr("stars.csv:3"), HasSubstr("two")));
 }
 
 TEST(StarTable, PlaceOffTheSphereIsAnError) {
-  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,91,3\n"), HasSubstr("declination 91"));
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,91,3\n"), HasSubstr("declination 91"));
 }
 
 TEST(StarTable, MagnitudeOfNoStarIsAnError) {
-  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,1,-300\n"), HasSubstr("magnitude -300"));
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,1,-300\n"), HasSubstr("magnitude -300"));
 }
 
 TEST(StarTable, UnclosedQuoteDoesNotSwallowTheFile) {
-  EXPECT_THAT(problem_of("ra_deg,dec_deg,v_mag\n1,2,\"" + std::string(400'000, 'x')), HasSubstr("64 KiB"));
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,2,\"" + std::string(400'000, 'x')), HasSubstr("64 KiB"));
 }
 
 class StarFile : public test::FolderTest {
@@ -131,7 +134,8 @@ class StarFile : public test::FolderTest {
   std::filesystem::path written() {
     auto path = folder_ / "some.stars";
     write_star_file(
-        parse("hip,ra_deg,dec_deg,v_mag,b_v\n1,0,90,1.001,0.5\n2,359.9999999,-90,-1.4,\n3,10.1234567,5,8,-0.4\n"),
+        parsed_stars(
+            "hip,ra_deg,dec_deg,v_mag,b_v\n1,0,90,1.001,0.5\n2,359.9999999,-90,-1.4,\n3,10.1234567,5,8,-0.4\n"),
         path);
     return path;
   }

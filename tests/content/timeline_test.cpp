@@ -14,13 +14,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 //! Three lines; what a test adds begins on the fourth.
-const std::string minimal = "[camera]\n[[camera.key]]\nr = 10\n";
+const std::string smallest_show = "[camera]\n[[camera.key]]\nr = 10\n";
 
-std::string problem_of(const std::string& lines) {
-  return error_of([&] { parse_show(minimal + lines, "show.toml"); });
+std::string timeline_problem(const std::string& lines) {
+  return error_of([&] { parse_show(smallest_show + lines, "show.toml"); });
 }
 
-Show show_with(const std::string& lines) { return parse_show(minimal + lines, "show.toml"); }
+Show show_with(const std::string& lines) { return parse_show(smallest_show + lines, "show.toml"); }
 
 constexpr const char* whole_timeline = R"(
 [effects]
@@ -138,10 +138,10 @@ TEST(Timeline, CameraKeysKeepTheirHoldAndEase) {
 }
 
 TEST(Timeline, RefusesCameraKeysThatCannotBe) {
-  EXPECT_THAT(problem_of("hold_s = 9\n[[camera.key]]\nt_s = 9\nr = 8\n"),
+  EXPECT_THAT(timeline_problem("hold_s = 9\n[[camera.key]]\nt_s = 9\nr = 8\n"),
               AllOf(HasSubstr("show.toml:6"), HasSubstr("hold_s")));
-  EXPECT_THAT(problem_of("hold_s = -1\n"), HasSubstr("hold_s is -1"));
-  EXPECT_THAT(problem_of("ease = \"hold\"\n"), HasSubstr("camera.key[0].ease"));
+  EXPECT_THAT(timeline_problem("hold_s = -1\n"), HasSubstr("hold_s is -1"));
+  EXPECT_THAT(timeline_problem("ease = \"hold\"\n"), HasSubstr("camera.key[0].ease"));
 }
 
 TEST(Timeline, KnowsItsLanguages) {
@@ -161,26 +161,26 @@ TEST(Timeline, TextFallsBackToWhatThereIs) {
 
 TEST(Timeline, RefusesNumbersThatCannotBeAnimated) {
   const auto problem = [](const std::string& path) {
-    return problem_of("[[animate]]\nnumber = \"" + path + "\"\nkey = [{ t_s = 0, value = 1 }]\n");
+    return timeline_problem("[[animate]]\nnumber = \"" + path + "\"\nkey = [{ t_s = 0, value = 1 }]\n");
   };
   EXPECT_THAT(problem("hole.spinn"), AllOf(HasSubstr("show.toml:5"), HasSubstr("\"hole.spin\"")));
   EXPECT_THAT(problem("view.size_px"),
               AllOf(HasSubstr("show.toml:5"), HasSubstr("cannot be animated"), HasSubstr("one size")));
   EXPECT_THAT(problem("camera.key"), HasSubstr("by its own keys"));
   EXPECT_THAT(problem("effects.bloom.strength"), AllOf(HasSubstr("no effects.bloom"), HasSubstr("[effects.bloom]")));
-  EXPECT_THAT(problem_of("[[animate]]\nkey = [{ t_s = 0, value = 1 }]\n"), HasSubstr("number is missing"));
-  EXPECT_THAT(problem_of("[view]\nprojection = \"cylinder\"\n[[animate]]\nnumber = \"view.fov_deg\"\n"),
+  EXPECT_THAT(timeline_problem("[[animate]]\nkey = [{ t_s = 0, value = 1 }]\n"), HasSubstr("number is missing"));
+  EXPECT_THAT(timeline_problem("[view]\nprojection = \"cylinder\"\n[[animate]]\nnumber = \"view.fov_deg\"\n"),
               HasSubstr("height"));
 }
 
 TEST(Timeline, RefusesTheSameNumberTwice) {
   const std::string once = "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 0, value = 0 }]\n";
-  EXPECT_THAT(problem_of(once + once), AllOf(HasSubstr("show.toml:8"), HasSubstr("once more")));
+  EXPECT_THAT(timeline_problem(once + once), AllOf(HasSubstr("show.toml:8"), HasSubstr("once more")));
 }
 
 //! The message about keys of a number, which stand in line 6.
 std::string key_problem(const std::string& keys, const std::string& number = "hole.spin") {
-  return problem_of("[[animate]]\nnumber = \"" + number + "\"\nkey = [" + keys + "]\n");
+  return timeline_problem("[[animate]]\nnumber = \"" + number + "\"\nkey = [" + keys + "]\n");
 }
 
 TEST(Timeline, RefusesValuesThatTheNumberItselfCouldNotHave) {
@@ -189,9 +189,10 @@ TEST(Timeline, RefusesValuesThatTheNumberItselfCouldNotHave) {
   EXPECT_THAT(key_problem("{ t_s = 0, value = nan }"), HasSubstr("value is nan"));
   EXPECT_THAT(key_problem("{ t_s = inf, value = 0 }"), HasSubstr("t_s is inf"));
   EXPECT_THAT(key_problem("{ t_s = 0, value = 1e13 }", "sky.exposure"), HasSubstr("value is"));
-  EXPECT_THAT(problem_of("[view]\nlens = \"orthographic\"\n[[animate]]\nnumber = \"view.fov_deg\"\nkey = [{ t_s = 0, "
-                         "value = 200 }]\n"),
-              HasSubstr("to 180"));
+  EXPECT_THAT(
+      timeline_problem("[view]\nlens = \"orthographic\"\n[[animate]]\nnumber = \"view.fov_deg\"\nkey = [{ t_s = 0, "
+                       "value = 200 }]\n"),
+      HasSubstr("to 180"));
 }
 
 TEST(Timeline, RefusesKeysThatAreNone) {
@@ -220,12 +221,12 @@ TEST(Timeline, RefusesASpinWhoseHorizonReachesTheCamera) {
 }
 
 TEST(Timeline, RefusesTimesThatAreOutOfOrder) {
-  EXPECT_THAT(problem_of("[[chapter]]\nt_s = 5\ntitle = \"a\"\n[[chapter]]\nt_s = 5\ntitle = \"b\"\n"),
+  EXPECT_THAT(timeline_problem("[[chapter]]\nt_s = 5\ntitle = \"a\"\n[[chapter]]\nt_s = 5\ntitle = \"b\"\n"),
               AllOf(HasSubstr("show.toml:8"), HasSubstr("chapter[1].t_s")));
-  EXPECT_THAT(problem_of("[[caption]]\nfrom_s = 5\nto_s = 5\ntext = \"a\"\n"),
+  EXPECT_THAT(timeline_problem("[[caption]]\nfrom_s = 5\nto_s = 5\ntext = \"a\"\n"),
               AllOf(HasSubstr("show.toml:6"), HasSubstr("caption[0].to_s")));
-  EXPECT_THAT(problem_of("[[caption]]\nfrom_s = 5\ntext = \"a\"\n"), HasSubstr("to_s is missing"));
-  EXPECT_THAT(problem_of("[[caption]]\nfrom_s = 5\nto_s = 6\nfade_in_s = 0.7\nfade_out_s = 0.7\ntext = \"a\"\n"),
+  EXPECT_THAT(timeline_problem("[[caption]]\nfrom_s = 5\ntext = \"a\"\n"), HasSubstr("to_s is missing"));
+  EXPECT_THAT(timeline_problem("[[caption]]\nfrom_s = 5\nto_s = 6\nfade_in_s = 0.7\nfade_out_s = 0.7\ntext = \"a\"\n"),
               HasSubstr("fade_out_s takes longer"));
 }
 
@@ -238,7 +239,7 @@ TEST(Timeline, UsualFadesFitIntoWhatIsThereShortly) {
 
 TEST(Timeline, RefusesTextThatIsNone) {
   const auto problem = [](const std::string& text) {
-    return problem_of("[[chapter]]\nt_s = 0\ntitle = " + text + "\n");
+    return timeline_problem("[[chapter]]\nt_s = 0\ntitle = " + text + "\n");
   };
   EXPECT_THAT(problem("\"\""), HasSubstr("chapter[0].title is empty"));
   EXPECT_THAT(problem("{}"), HasSubstr("has no language"));
@@ -248,18 +249,18 @@ TEST(Timeline, RefusesTextThatIsNone) {
   EXPECT_THAT(problem("{ \"en-\" = \"a\" }"), HasSubstr("is no language tag"));
   EXPECT_THAT(problem("{ english_words = \"a\" }"), HasSubstr("is no language tag"));
   EXPECT_THAT(problem("\"\xff\""), HasSubstr("show.toml:6"));
-  EXPECT_THAT(problem_of("[[chapter]]\nt_s = 0\n"), HasSubstr("title is missing"));
+  EXPECT_THAT(timeline_problem("[[chapter]]\nt_s = 0\n"), HasSubstr("title is missing"));
 }
 
 TEST(Timeline, RefusesUnknownKeysAndMissingFiles) {
-  EXPECT_THAT(problem_of("[[caption]]\nfrom_s = 0\nto_s = 1\nazimut_deg = 3\ntext = \"a\"\n"),
+  EXPECT_THAT(timeline_problem("[[caption]]\nfrom_s = 0\nto_s = 1\nazimut_deg = 3\ntext = \"a\"\n"),
               AllOf(HasSubstr("show.toml:7"), HasSubstr("azimuth_deg")));
-  EXPECT_THAT(problem_of("[[captions]]\n"), HasSubstr("\"caption\""));
-  EXPECT_THAT(problem_of("[[overlay]]\nfrom_s = 0\nto_s = 1\n"), HasSubstr("overlay[0].image is missing"));
-  EXPECT_THAT(problem_of("[[audio]]\n"), HasSubstr("audio[0].file is missing"));
-  EXPECT_THAT(problem_of("[[audio]]\nfile = \"a\"\nlanguage = \"e\"\n"), HasSubstr("audio[0].language"));
-  EXPECT_THAT(problem_of("[[audio]]\nfile = \"a\"\ngain_db = 30\n"), HasSubstr("gain_db is 30"));
-  EXPECT_THAT(problem_of("[chapter]\nt_s = 0\n"), HasSubstr("[[chapter]]"));
+  EXPECT_THAT(timeline_problem("[[captions]]\n"), HasSubstr("\"caption\""));
+  EXPECT_THAT(timeline_problem("[[overlay]]\nfrom_s = 0\nto_s = 1\n"), HasSubstr("overlay[0].image is missing"));
+  EXPECT_THAT(timeline_problem("[[audio]]\n"), HasSubstr("audio[0].file is missing"));
+  EXPECT_THAT(timeline_problem("[[audio]]\nfile = \"a\"\nlanguage = \"e\"\n"), HasSubstr("audio[0].language"));
+  EXPECT_THAT(timeline_problem("[[audio]]\nfile = \"a\"\ngain_db = 30\n"), HasSubstr("gain_db is 30"));
+  EXPECT_THAT(timeline_problem("[chapter]\nt_s = 0\n"), HasSubstr("[[chapter]]"));
 }
 
 }  // namespace

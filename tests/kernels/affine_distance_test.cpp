@@ -5,13 +5,12 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/flat_parallax.h"
 #include "kernels/shadow/critical_curve.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Vector3<double> random_direction(std::mt19937_64& random) {
   std::normal_distribution<double> normal;

@@ -5,13 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/schwarzschild/tessellation.h"
-#include "tests/support/pi.h"
 
 namespace ergodome {
 namespace {
 
-using test::pi;
 using Point = Vector3<double>;
 
 double size(const Point& p) { return std::sqrt(dot(p, p)); }

@@ -6,13 +6,11 @@
 #include <cmath>
 #include <string>
 
+#include "kernels/core/angles.h"
 #include "tests/support/csv_table.h"
-#include "tests/support/pi.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 double lapse_squared(double r) { return 1.0 - 2.0 / r; }
 

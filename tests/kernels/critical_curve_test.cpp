@@ -4,12 +4,11 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "tests/kernels/reference_tables.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(CriticalCurve, PassesThroughEveryPointOfTheReferenceTable) {
   for (const auto& point : test::reference_edge()) {

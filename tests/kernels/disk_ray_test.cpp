@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/core/angles.h"
 #include "kernels/disk/disk_emitter.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/geodesic/polar_closed_form.h"
@@ -11,8 +12,7 @@
 namespace ergodome::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr CrossingLimits<double> finest = {1e-7, 1e-15, 4000};
+constexpr CrossingLimits<double> finest_crossings = {1e-7, 1e-15, 4000};
 
 using Crossings = EquatorialCrossing<double>[crossing_orders];
 
@@ -35,7 +35,7 @@ Traced trace(const ReferenceCrossing& row) {
   const CameraStation camera = station_of(row);
   Traced t{};
   t.ray = start_near_ray(camera, row.n);
-  t.finished = trace_crossings<20, true>(camera.spin, t.ray, finest, true, t.crossings);
+  t.finished = trace_crossings<20, true>(camera.spin, t.ray, finest_crossings, true, t.crossings);
   return t;
 }
 
@@ -71,7 +71,7 @@ TEST(DiskCrossings, AreTheSameWithoutTheDelay) {
     const CameraStation camera = station_of(row);
     const NearRay<double> ray = start_near_ray(camera, row.n);
     Crossings crossings;
-    ASSERT_TRUE((trace_crossings<20, false>(camera.spin, ray, finest, true, crossings)));
+    ASSERT_TRUE((trace_crossings<20, false>(camera.spin, ray, finest_crossings, true, crossings)));
     EXPECT_NEAR(1.0 / crossings[row.order].u, row.r_hit, 1e-9) << row.id;
   }
 }
@@ -98,7 +98,7 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
     const Vector3<double> n = (1.0 / length(raw)) * raw;
     const NearRay<double> ray = start_near_ray(camera, n);
     Crossings crossings;
-    ASSERT_TRUE((trace_crossings<20, true>(camera.spin, ray, finest, true, crossings)));
+    ASSERT_TRUE((trace_crossings<20, true>(camera.spin, ray, finest_crossings, true, crossings)));
     if (crossings[0].u <= 0.0) {
       continue;
     }
@@ -124,8 +124,8 @@ TEST(DiskCrossings, LieInThePlaneByTheClosedFormOfThePolarMotion) {
 TEST(DiskCrossings, AreNoneForLightThatStaysInThePlane) {
   const CameraStation camera = make_camera_station(0.5, 10.0, 0.5 * pi, 0.0, ObserverMotion::zamo);
   Crossings crossings;
-  EXPECT_TRUE((trace_crossings<20, true>(0.5, start_near_ray(camera, Vector3<double>{-1.0, 0.0, 0.0}), finest, true,
-                                         crossings)));
+  EXPECT_TRUE((trace_crossings<20, true>(0.5, start_near_ray(camera, Vector3<double>{-1.0, 0.0, 0.0}), finest_crossings,
+                                         true, crossings)));
   EXPECT_EQ(crossings[0].u, 0.0);
 }
 
@@ -135,8 +135,8 @@ TEST(DiskCrossings, BelowTheHoleAreMirrorImagesOfThoseAbove) {
     const Vector3<double> velocity = {row.beta.x, -row.beta.y, row.beta.z};
     const CameraStation camera = make_camera_station(row.a, row.r, pi - row.theta, 0.0, row.motion, velocity);
     Crossings below;
-    trace_crossings<20, true>(camera.spin, start_near_ray(camera, Vector3<double>{row.n.x, -row.n.y, row.n.z}), finest,
-                              true, below);
+    trace_crossings<20, true>(camera.spin, start_near_ray(camera, Vector3<double>{row.n.x, -row.n.y, row.n.z}),
+                              finest_crossings, true, below);
     EXPECT_NEAR(below[row.order].u, above.crossings[row.order].u, 1e-12) << row.id;
   }
 }

@@ -2,13 +2,12 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/metric/camera_station.h"
 #include "tests/kernels/reference_tables.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(KerrMetric, HorizonOfExtremalHoleIsAtOneAndOfSchwarzschildAtTwo) {
   EXPECT_DOUBLE_EQ(horizon_radius(1.0), 1.0);

@@ -4,12 +4,11 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "tests/support/projections.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 DomeView hemisphere(LensLaw law) {
   DomeView view;

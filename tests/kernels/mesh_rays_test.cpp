@@ -7,41 +7,14 @@
 #include <random>
 #include <vector>
 
-#include "content/mesh/built_in_meshes.h"
-#include "content/mesh/triangle_boxes.h"
+#include "kernels/core/angles.h"
 #include "kernels/geodesic/radial_potential.h"
 #include "kernels/schwarzschild/apparent_place.h"
+#include "tests/kernels/mesh_scene.h"
 #include "tests/kernels/reference_tables.h"
 
 namespace ergodome::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr MeshLimits finest = {1e-15, 4000};
-
-//! A mesh with its tree, at a place of its own.
-struct Placed {
-  TriangleBoxes boxes;
-  PlacedMesh mesh;
-
-  Placed(const TriangleMesh& triangles, const Vector3<double>& position, double size)
-      : boxes(build_triangle_tree(triangles)),
-        mesh{boxes.view(), position, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, size} {}
-};
-
-MeshHit look(const CameraStation& camera, const Vector3<double>& n, const MeshScene& scene) {
-  MeshHit hit;
-  EXPECT_TRUE((trace_meshes<20, NearParts::azimuth_and_delay>(camera.spin, camera.cosine_phi, camera.sine_phi,
-                                                              start_near_ray(camera, n), scene, finest, hit)));
-  return hit;
-}
-
-//! A triangle of two sides about a middle.
-TriangleMesh triangle_about(const Vector3<double>& side, const Vector3<double>& other) {
-  TriangleShape shape;
-  shape.corners = {-1.0 * (side + other), 2.0 * side - other, 2.0 * other - side};
-  return make_triangle(shape);
-}
 
 Vector3<double> unit(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 

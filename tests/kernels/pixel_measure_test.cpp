@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/core/angles.h"
 #include "tests/support/projections.h"
 
 namespace ergodome {
 namespace {
 
 using test::lens_of;
-using test::pi;
 
 //! Solid angle of all that a picture shows.
 double solid_angle_of(const Projection& p) {

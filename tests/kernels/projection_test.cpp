@@ -2,13 +2,12 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/pixel_measure.h"
 #include "tests/support/projections.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 void expect_direction(const Vector3<double>& v, double x, double y, double z) {
   EXPECT_NEAR(v.x, x, 1e-12);

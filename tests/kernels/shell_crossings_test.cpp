@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/dual.h"
 #include "kernels/schwarzschild/null_orbit.h"
 #include "kernels/shells/shell_emitter.h"
@@ -16,7 +17,6 @@
 namespace ergodome::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr NearLimits<double> finest = {1e-15, 100'000};
 
 template <class T>

@@ -7,15 +7,15 @@
 namespace ergodome::test {
 namespace {
 
-constexpr float degree = 3.14159265F / 180.0F;
+constexpr float line_deg = 3.14159265F / 180.0F;
 
-Vector3<double> on_sphere(double theta, double phi) {
+Vector3<double> place_on_sphere(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
 //! A square footprint whose sides run along θ and φ.
 ShellFootprint footprint(double theta, double phi, float width) {
-  const Vector3<double> d = on_sphere(theta, phi);
+  const Vector3<double> d = place_on_sphere(theta, phi);
   const Vector3<double> south = {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -std::sin(theta)};
   const auto in_float = [](const Vector3<double>& v, float f) {
     return f * Vector3<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -44,8 +44,8 @@ TEST(ShellGrid, CoversAsMuchOfAFootprintAsAreItsPoints) {
   for (const double theta : {0.2, 0.7, 1.3, 1.57, 2.6}) {
     for (const double phi : {-3.1, -1.0, 0.01, 0.3, 1.05}) {
       for (const double size : {0.003, 0.02, 0.1, 0.5}) {
-        const double grid = 15.0 * static_cast<double>(degree);
-        const double width = 2.0 * static_cast<double>(degree);
+        const double grid = 15.0 * static_cast<double>(line_deg);
+        const double width = 2.0 * static_cast<double>(line_deg);
         const float found = grid_coverage(footprint(theta, phi, static_cast<float>(size)), static_cast<float>(grid),
                                           static_cast<float>(width));
         // The widths of meridians are those in the footprint's middle.
@@ -60,39 +60,39 @@ TEST(ShellGrid, CoversAsMuchOfAFootprintAsAreItsPoints) {
 TEST(ShellGrid, HasLinesOfOneWidthAtAllLatitudes) {
   // A quarter of a degree beside a meridian is line, three quarters are not: whatever the latitude.
   for (const double theta : {0.12, 0.5, 1.45, 3.0}) {
-    const double inside = 0.25 * static_cast<double>(degree) / std::sin(theta);
-    const float spacing = 15.0F * degree;
-    EXPECT_NEAR(grid_coverage(footprint(theta, inside, 1e-5F), spacing, degree), 1.0F, 1e-3F) << theta;
-    EXPECT_NEAR(grid_coverage(footprint(theta, 3.0 * inside, 1e-5F), spacing, degree), 0.0F, 1e-3F) << theta;
+    const double inside = 0.25 * static_cast<double>(line_deg) / std::sin(theta);
+    const float spacing = 15.0F * line_deg;
+    EXPECT_NEAR(grid_coverage(footprint(theta, inside, 1e-5F), spacing, line_deg), 1.0F, 1e-3F) << theta;
+    EXPECT_NEAR(grid_coverage(footprint(theta, 3.0 * inside, 1e-5F), spacing, line_deg), 0.0F, 1e-3F) << theta;
   }
 }
 
 TEST(ShellGrid, IsEvenAndFiniteAtThePoles) {
-  const float spacing = 15.0F * degree;
+  const float spacing = 15.0F * line_deg;
   for (const double theta : {0.0, 1e-9, 1e-4, 3.14159265358979}) {
     for (const float width : {1e-6F, 1e-2F, 0.3F}) {
-      const float found = grid_coverage(footprint(theta, 1.0, width), spacing, degree);
+      const float found = grid_coverage(footprint(theta, 1.0, width), spacing, line_deg);
       EXPECT_GE(found, 0.0F) << theta << " " << width;
       EXPECT_LE(found, 1.0F) << theta << " " << width;
     }
     // Where meridians touch, all is line.
-    EXPECT_EQ(grid_coverage(footprint(theta, 1.0, 1e-6F), spacing, degree), 1.0F) << theta;
+    EXPECT_EQ(grid_coverage(footprint(theta, 1.0, 1e-6F), spacing, line_deg), 1.0F) << theta;
   }
   // Seen in pixels as wide as the spacing, the tone does not depend on where between the meridians one looks.
-  const float here = grid_coverage(footprint(0.02, 0.0, 0.05F), spacing, degree);
-  EXPECT_NEAR(grid_coverage(footprint(0.02, 0.13, 0.05F), spacing, degree), here, 0.02F);
+  const float here = grid_coverage(footprint(0.02, 0.0, 0.05F), spacing, line_deg);
+  EXPECT_NEAR(grid_coverage(footprint(0.02, 0.13, 0.05F), spacing, line_deg), here, 0.02F);
 }
 
 TEST(ShellGrid, FadesIntoItsMeanWhereLinesAreFinerThanPixels) {
-  const float spacing = degree;
-  const float width = 0.1F * degree;
+  const float spacing = line_deg;
+  const float width = 0.1F * line_deg;
   const float mean = 1.0F - 0.9F * 0.9F;
   for (const double theta : {0.9, 1.2, 1.5707963}) {
-    EXPECT_NEAR(grid_coverage(footprint(theta, 0.4, 60.0F * degree), spacing, width),
+    EXPECT_NEAR(grid_coverage(footprint(theta, 0.4, 60.0F * line_deg), spacing, width),
                 1.0F - 0.9F * (1.0F - 0.1F / static_cast<float>(std::sin(theta))), 1e-3F)
         << theta;
   }
-  EXPECT_NEAR(grid_coverage(footprint(1.5707963, 0.4, 60.0F * degree), spacing, width), mean, 1e-3F);
+  EXPECT_NEAR(grid_coverage(footprint(1.5707963, 0.4, 60.0F * line_deg), spacing, width), mean, 1e-3F);
   // A pixel next to the critical curve may have any footprint.
   ShellFootprint lost = footprint(1.5707963, 0.4, 1.0F);
   lost.along_x.x = std::numeric_limits<float>::quiet_NaN();

@@ -6,14 +6,15 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/dual.h"
+#include "kernels/geodesic/closed_form.h"
 #include "kernels/shadow/critical_curve.h"
 #include "tests/kernels/reference_tables.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const IntegrationSettings precise = {1e-14, 1000};
 
 struct Traced {
@@ -189,6 +190,19 @@ TEST(Taylor, WindsLogarithmicallyTowardsTheEdge) {
   };
   EXPECT_NEAR(swept(1e-8) - swept(1e-6), std::log(100.0), 1e-4);
   EXPECT_NEAR(swept(1e-10) - swept(1e-8), std::log(100.0), 1e-4);
+}
+
+TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
+  // Seen across from r = 6 a hole without spin: about the turning point u - 1/6 has the powers 2, 6, 10, 14, 18, 22 alone.
+  const CameraStation camera = make_camera_station(0.0, 6.0, 1.0, 0.0, ObserverMotion::zamo);
+  for (const double inwards : {0.0, 1e-9, 1e-4, 1e-3, -1e-3, 1e-2}) {
+    const RayStart<double> start = start_ray(camera, unit(-inwards, 0.6, 0.8));
+    double steps = 0.0;
+    bool reached = false;
+    const RayEnd<double> end = trace_taylor<20>(0.0, start, true, {1e-12, 1000}, steps, reached);
+    ASSERT_TRUE(reached);
+    EXPECT_LT(test::length(end.sky - trace_closed_form(0.0, start).sky), 1e-11) << inwards;
+  }
 }
 
 TEST(Taylor, CountsARayThatRunsOutOfStepsAsNotConverged) {

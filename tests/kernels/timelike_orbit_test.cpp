@@ -5,13 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "kernels/core/angles.h"
 #include "kernels/metric/observer.h"
-#include "tests/support/pi.h"
 
 namespace ergodome {
 namespace {
-
-using test::pi;
 
 constexpr double tolerance = 1e-13;
 constexpr int step_limit = 10'000'000;

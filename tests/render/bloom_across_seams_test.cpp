@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/cube_cells.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 //! A picture that shines as much wherever its projection has an image.
 Picture uniform_picture(const Projection& projection, float value) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/image/color_map.h"
 #include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"
@@ -12,8 +13,6 @@
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 EyeCamera eye_before_the_hole() {
   const Show show = parse_show("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 6\n", "brightening.toml");

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-double value(const DiffractionPattern& pattern, int x, int y, int channel) {
+double pattern_value(const DiffractionPattern& pattern, int x, int y, int channel) {
   return static_cast<double>(
       pattern.rgb[3U * static_cast<std::size_t>(y * pattern.size_px + x) + static_cast<std::size_t>(channel)]);
 }
@@ -144,8 +144,8 @@ TEST_F(DiffractionFile, IsLinearisedAndNormalised) {
   const auto pattern = load_diffraction_pattern(write("grey.png", 3, 1, 1, OIIO::TypeDesc::UINT16, {0.5F, 1.0F, 0.5F}));
   EXPECT_EQ(pattern.size_px, 3);
   // sRGB 0.5 is 21.4 % light.
-  EXPECT_NEAR(value(pattern, 0, 1, 1), 0.21404 / 1.42808, 1e-4);
-  EXPECT_NEAR(value(pattern, 1, 1, 2), 1.0 / 1.42808, 1e-4);
+  EXPECT_NEAR(pattern_value(pattern, 0, 1, 1), 0.21404 / 1.42808, 1e-4);
+  EXPECT_NEAR(pattern_value(pattern, 1, 1, 2), 1.0 / 1.42808, 1e-4);
   EXPECT_NEAR(sum_of(pattern.rgb, 0, 3), 1.0, 1e-6);
 }
 
@@ -153,9 +153,9 @@ TEST_F(DiffractionFile, OfEvenSizeKeepsItsMiddleInTheMiddle) {
   const auto pattern =
       load_diffraction_pattern(write("even.exr", 2, 2, 1, OIIO::TypeDesc::FLOAT, {5.0F, 5.0F, 5.0F, 5.0F}));
   EXPECT_EQ(pattern.size_px, 3);
-  EXPECT_NEAR(value(pattern, 1, 1, 0), 0.25, 1e-6);
-  EXPECT_NEAR(value(pattern, 0, 0, 0), 1.0 / 16.0, 1e-6);
-  EXPECT_NEAR(value(pattern, 2, 1, 0), 0.125, 1e-6);
+  EXPECT_NEAR(pattern_value(pattern, 1, 1, 0), 0.25, 1e-6);
+  EXPECT_NEAR(pattern_value(pattern, 0, 0, 0), 1.0 / 16.0, 1e-6);
+  EXPECT_NEAR(pattern_value(pattern, 2, 1, 0), 0.125, 1e-6);
 }
 
 TEST_F(DiffractionFile, BlackInAChannelIsAnError) {

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/core/angles.h"
 #include "tests/support/errors.h"
 
 namespace ergodome {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr double pi = 3.14159265358979323846;
 
 ApertureSettings aperture(int blades, int vanes = 0, double obstruction = 0.0, double scale = 1.0) {
   ApertureSettings settings;

@@ -7,26 +7,21 @@
 #include <limits>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/disk/page_thorne.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"
 #include "render/near_field/near_field.h"
+#include "tests/render/eye_at.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr int size_px = 96;
-constexpr double tolerance_px = 0.02;
+using test::eye_at;
 
-//! A camera that looks at the hole, with the spin axis up: right is +e_φ.
-EyeCamera eye_at(double spin, double r, double theta, ObserverMotion motion = ObserverMotion::zamo) {
-  EyeCamera eye{spin, r, theta, 0.0, motion, {}, {}, r, theta};
-  const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
-  std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
-  return eye;
-}
+constexpr int disk_size_px = 96;
+constexpr double disk_tolerance_px = 0.02;
 
 Show show_with(double spin, const DiskSettings& disk) {
   Show show;
@@ -44,21 +39,22 @@ DiskSettings uniform_disk(double inner, double outer) {
   return disk;
 }
 
-struct Drawn {
+struct DrawnDisk {
   Projection projection;
   std::vector<float> rgba;
 
-  [[nodiscard]] float alpha(int x, int y) const { return rgba[4 * static_cast<std::size_t>(y * size_px + x) + 3]; }
+  [[nodiscard]] float alpha(int x, int y) const { return rgba[4 * static_cast<std::size_t>(y * disk_size_px + x) + 3]; }
   [[nodiscard]] double luminance(int x, int y) const {
-    const float* at = rgba.data() + 4 * static_cast<std::size_t>(y * size_px + x);
+    const float* at = rgba.data() + 4 * static_cast<std::size_t>(y * disk_size_px + x);
     return static_cast<double>(luminance_of(Vector3<float>{at[0], at[1], at[2]}));
   }
 };
 
-Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view, double time_s = 0.0) {
-  Drawn drawn{make_pinhole_projection(size_px, size_px, field_of_view), std::vector<float>(4UL * size_px * size_px)};
+DrawnDisk draw_disk(const Show& show, const EyeCamera& eye, double field_of_view, double time_s = 0.0) {
+  DrawnDisk drawn{make_pinhole_projection(disk_size_px, disk_size_px, field_of_view),
+                  std::vector<float>(4UL * disk_size_px * disk_size_px)};
   const DiskPass pass(show, Backend::cpu);
-  draw_near_field(Backend::cpu, {&pass, nullptr}, eye, drawn.projection, tolerance_px, time_s, 0, size_px,
+  draw_near_field(Backend::cpu, {&pass, nullptr}, eye, drawn.projection, disk_tolerance_px, time_s, 0, disk_size_px,
                   drawn.rgba.data());
   return drawn;
 }
@@ -86,10 +82,10 @@ TEST(DiskPass, CoversThePixelsWhoseExactRaysMeetTheDisk) {
   for (const double theta : {0.3, 1.4, 1.52}) {
     const DiskSettings settings = uniform_disk(6.0, 18.0);
     const EyeCamera eye = eye_at(0.9, 40.0, theta);
-    const Drawn drawn = draw(show_with(0.9, settings), eye, 1.1);
+    const DrawnDisk drawn = draw_disk(show_with(0.9, settings), eye, 1.1);
     int met = 0;
-    for (int y = 0; y < size_px; y += 2) {
-      for (int x = 0; x < size_px; x += 2) {
+    for (int y = 0; y < disk_size_px; y += 2) {
+      for (int x = 0; x < disk_size_px; x += 2) {
         const float alpha = drawn.alpha(x, y);
         if (alpha > 0.0F && alpha < 1.0F) {
           continue;
@@ -109,14 +105,14 @@ TEST(DiskPass, CoversThePixelsWhoseExactRaysMeetTheDisk) {
 TEST(DiskPass, ShowsSecondAndThirdImagesWhereTheyAre) {
   // Below the hole stands the image of the disk's underside, of order 1.
   const EyeCamera eye = eye_at(0.0, 40.0, 1.4);
-  const Drawn drawn = draw(show_with(0.0, uniform_disk(6.0, 18.0)), eye, 0.5);
+  const DrawnDisk drawn = draw_disk(show_with(0.0, uniform_disk(6.0, 18.0)), eye, 0.5);
   bool found = false;
-  for (int y = size_px / 2; y < size_px; ++y) {
-    const ExactRay exact = exact_ray(eye, drawn.projection, size_px / 2, y);
+  for (int y = disk_size_px / 2; y < disk_size_px; ++y) {
+    const ExactRay exact = exact_ray(eye, drawn.projection, disk_size_px / 2, y);
     const double first = exact.crossings[0].u > 0.0 ? 1.0 / exact.crossings[0].u : 0.0;
     const double second = exact.crossings[1].u > 0.0 ? 1.0 / exact.crossings[1].u : 0.0;
     if (!(first > 6.0 && first < 18.0) && second > 6.5 && second < 17.0) {
-      found = found || drawn.luminance(size_px / 2, y) > 0.0;
+      found = found || drawn.luminance(disk_size_px / 2, y) > 0.0;
     }
   }
   EXPECT_TRUE(found);
@@ -129,12 +125,12 @@ TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
   const double inclination = 1.4;
   const DiskSettings settings = uniform_disk(6.0, 25.0);
   const EyeCamera eye = eye_at(0.0, r_o, inclination, ObserverMotion::fixed);
-  const Drawn drawn = draw(show_with(0.0, settings), eye, 0.9);
+  const DrawnDisk drawn = draw_disk(show_with(0.0, settings), eye, 0.9);
   const double lapse = std::sqrt(1.0 - 2.0 / r_o);
   const double at_rest = std::log(blackbody_tristimulus(settings.temperature_k).y);
   int compared = 0;
-  for (int x = 0; x < size_px; ++x) {
-    const int y = size_px / 2 - 2;
+  for (int x = 0; x < disk_size_px; ++x) {
+    const int y = disk_size_px / 2 - 2;
     const ExactRay exact = exact_ray(eye, drawn.projection, x, y);
     const double r = exact.crossings[0].u > 0.0 ? 1.0 / exact.crossings[0].u : 0.0;
     if (!(r > 6.5 && r < 24.0) || drawn.alpha(x, y) < 0.999F) {
@@ -152,12 +148,12 @@ TEST(DiskPass, HasTheShiftOfLuminetsFormulaAlongTheEquatorialLine) {
 }
 
 TEST(DiskPass, IsBrighterOnTheSideThatComes) {
-  const Drawn drawn = draw(show_with(0.5, uniform_disk(6.0, 18.0)), eye_at(0.5, 40.0, 1.4), 1.1);
+  const DrawnDisk drawn = draw_disk(show_with(0.5, uniform_disk(6.0, 18.0)), eye_at(0.5, 40.0, 1.4), 1.1);
   double left = 0.0;
   double right = 0.0;
-  for (int y = 0; y < size_px; ++y) {
-    for (int x = 0; x < size_px; ++x) {
-      (x < size_px / 2 ? left : right) += drawn.luminance(x, y);
+  for (int y = 0; y < disk_size_px; ++y) {
+    for (int x = 0; x < disk_size_px; ++x) {
+      (x < disk_size_px / 2 ? left : right) += drawn.luminance(x, y);
     }
   }
   EXPECT_GT(left, 2.0 * right);
@@ -166,12 +162,12 @@ TEST(DiskPass, IsBrighterOnTheSideThatComes) {
 TEST(DiskPass, HasTheAreaOfItsRingWithinASmallPartOfAPixelsWidth) {
   // From far above, a ring of radius r stands at b = r + 1 + O(1/r) (Gates, Hadar & Johnson 2021): edges cover pixels in part.
   const double r_o = 1e5;
-  const double pixel = 600.0 / r_o / size_px;
-  const Drawn drawn = draw(show_with(0.0, uniform_disk(100.0, 250.0)), eye_at(0.0, r_o, 0.0), 600.0 / r_o);
+  const double pixel = 600.0 / r_o / disk_size_px;
+  const DrawnDisk drawn = draw_disk(show_with(0.0, uniform_disk(100.0, 250.0)), eye_at(0.0, r_o, 0.0), 600.0 / r_o);
   double area = 0.0;
   int partly = 0;
-  for (int y = 0; y < size_px; ++y) {
-    for (int x = 0; x < size_px; ++x) {
+  for (int y = 0; y < disk_size_px; ++y) {
+    for (int x = 0; x < disk_size_px; ++x) {
       area += static_cast<double>(drawn.alpha(x, y));
       partly += drawn.alpha(x, y) > 0.0F && drawn.alpha(x, y) < 1.0F ? 1 : 0;
     }
@@ -184,10 +180,10 @@ TEST(DiskPass, HasTheAreaOfItsRingWithinASmallPartOfAPixelsWidth) {
 TEST(DiskPass, LetsLightThroughAsFarAsItIsNotOpaque) {
   DiskSettings settings = uniform_disk(6.0, 18.0);
   settings.opacity = 0.25;
-  const Drawn drawn = draw(show_with(0.0, settings), eye_at(0.0, 40.0, 0.3), 1.1);
+  const DrawnDisk drawn = draw_disk(show_with(0.0, settings), eye_at(0.0, 40.0, 0.3), 1.1);
   float most = 0.0F;
-  for (int y = 0; y < size_px; ++y) {
-    for (int x = 0; x < size_px; ++x) {
+  for (int y = 0; y < disk_size_px; ++y) {
+    for (int x = 0; x < disk_size_px; ++x) {
       most = std::max(most, drawn.alpha(x, y));
     }
   }
@@ -201,9 +197,9 @@ TEST(DiskPass, CarriesItsCloudsRound) {
   settings.pattern = DiskPattern::procedural;
   const Show show = show_with(0.0, settings);
   const EyeCamera eye = eye_at(0.0, 40.0, 0.3);
-  const Drawn now = draw(show, eye, 1.1);
-  const Drawn again = draw(show, eye, 1.1);
-  const Drawn later = draw(show, eye, 1.1, 1.0);
+  const DrawnDisk now = draw_disk(show, eye, 1.1);
+  const DrawnDisk again = draw_disk(show, eye, 1.1);
+  const DrawnDisk later = draw_disk(show, eye, 1.1, 1.0);
   EXPECT_EQ(now.rgba, again.rgba);
   EXPECT_NE(now.rgba, later.rgba);
 }
@@ -250,7 +246,7 @@ TEST(DiskPass, IsLightThroughoutAtFullSpin) {
   DiskSettings settings;
   settings.pattern = DiskPattern::procedural;
   for (const double spin : {-1.0, 1.0}) {
-    const Drawn drawn = draw(show_with(spin, settings), eye_at(spin, 40.0, 1.4), 0.5);
+    const DrawnDisk drawn = draw_disk(show_with(spin, settings), eye_at(spin, 40.0, 1.4), 0.5);
     EXPECT_TRUE(std::all_of(drawn.rgba.begin(), drawn.rgba.end(), [](float x) { return x > -1e-6F && x < 1e6F; }))
         << spin;
   }

@@ -6,34 +6,29 @@
 #include <cmath>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/geodesic/closed_form.h"
 #include "kernels/image/color_map.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
+#include "tests/render/eye_at.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-EyeCamera eye_at(double spin, double r, double theta = pi / 2) {
-  EyeCamera eye{spin, r, theta, 0.0, ObserverMotion::zamo, {}, {}, r, theta};
-  const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
-  std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
-  return eye;
-}
+using test::eye_at;
 
 SkyCube white_sky() {
   return {Backend::cpu, 16, [](const glm::dvec3&) { return glm::vec3(1.0F); }};
 }
 
-//! Lens channels of a picture, on the host.
-struct Lens {
+//! LensOfEye channels of a picture, on the host.
+struct LensOfEye {
   std::vector<float> store;
   LensPixels pixels{};
-  explicit Lens(std::size_t count) : store(14 * count) {
+  explicit LensOfEye(std::size_t count) : store(14 * count) {
     float* next = store.data();
     const auto take = [&] {
       float* channel = next;
@@ -56,7 +51,7 @@ struct Lens {
 TEST(DirectLens, PixelsShowTheSkyOfTheClosedForm) {
   const EyeCamera eye = eye_at(0.999, 5.0, 1.2);
   const Projection projection = make_dome_projection(128, pi, 0.6);
-  Lens lens(128 * 128);
+  LensOfEye lens(128 * 128);
   const DirectLens source(Backend::cpu, eye, projection, 0.01);
   source.fill(0, 128, lens.pixels);
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
@@ -85,7 +80,7 @@ TEST(DirectLens, PixelsShowTheSkyOfTheClosedForm) {
 
 TEST(DirectLens, FootprintsAreTheDifferencesOfNeighbours) {
   const Projection projection = make_dome_projection(512, pi, 0.6);
-  Lens lens(512 * 512);
+  LensOfEye lens(512 * 512);
   const DirectLens source(Backend::cpu, eye_at(0.9, 8.0), projection, 0.01);
   source.fill(0, 512, lens.pixels);
   std::vector<double> relative;
@@ -145,7 +140,7 @@ TEST(EyeRenderer, BlocksOfRowsMakeOnePicture) {
   // Larger than one block of pixels, against its parts at the same place. Most of it is shadow, which costs nothing.
   const EyeCamera eye = eye_at(0.9, 6.0);
   const Projection projection = make_pinhole_projection(2048, 1024, 1.6);
-  Lens lens(2048 * 1024);
+  LensOfEye lens(2048 * 1024);
   const DirectLens source(Backend::cpu, eye, projection, 0.05);
   source.fill(700, 324, lens.pixels);
   PictureSettings settings;

@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/dual.h"
 #include "kernels/geodesic/taylor.h"
 #include "render/lens/grid_builder.h"
@@ -13,10 +14,8 @@
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 //! A camera, its observer, and the grid for it with the budget of 0.1 px of a 4096² dome.
-struct Case {
+struct GridCase {
   double spin;
   double r;
   double theta;
@@ -26,7 +25,7 @@ struct Case {
   GridStatistics statistics{};
   LensStation station{};
 
-  Case(double a, double radius, double polar, ObserverMotion observer = ObserverMotion::zamo)
+  GridCase(double a, double radius, double polar, ObserverMotion observer = ObserverMotion::zamo)
       : spin(a), r(radius), theta(polar), motion(observer) {
     settings.pixel = pi / 4096.0;
     settings.observer = aberration_to_rain(spin, r, theta, motion, velocity);
@@ -48,17 +47,17 @@ LensBlend lens_of(const LensStation& station) {
   return {grid.chart, {grid, grid}, {}, 0.0F};
 }
 
-void read_through(const Case& c, Rays& rays) {
+void read_through(const GridCase& c, Rays& rays) {
   test::read_through(lens_of(c.station), c.camera(), c.settings.observer, rays);
 }
 
 //! Errors on the screen over random directions that see the sky, those in the cut-off and the traced ones included.
-Errors errors_of(const Case& c, std::size_t count = 100'000) {
+Errors errors_of(const GridCase& c, std::size_t count = 100'000) {
   return test::screen_errors(lens_of(c.station), c.camera(), c.settings.observer, c.settings.pixel, count);
 }
 
 TEST(LensGrid, FastHoleAtFiveHoldsATenthOfAPixelWithFewNodes) {
-  const Case c(0.999, 5.0, 0.5 * pi);
+  const GridCase c(0.999, 5.0, 0.5 * pi);
   EXPECT_LE(c.statistics.nodes, 10'000);
   const Errors errors = errors_of(c);
   EXPECT_LE(errors.at(0.99), 0.1);
@@ -67,13 +66,13 @@ TEST(LensGrid, FastHoleAtFiveHoldsATenthOfAPixelWithFewNodes) {
 }
 
 TEST(LensGrid, SlowHoleNeedsAFourthOfTheNodes) {
-  const Case c(0.5, 5.0, 0.5 * pi);
+  const GridCase c(0.5, 5.0, 0.5 * pi);
   EXPECT_LE(c.statistics.nodes, 2500);
   EXPECT_LE(errors_of(c).at(0.99), 0.1);
 }
 
 TEST(LensGrid, CloseToAFastHoleHoldsHalfAPixel) {
-  const Case c(0.999, 1.5, 0.5 * pi);
+  const GridCase c(0.999, 1.5, 0.5 * pi);
   EXPECT_LE(c.statistics.nodes, 20'000);
   const Errors errors = errors_of(c);
   EXPECT_LE(errors.at(0.99), 0.5);
@@ -81,7 +80,7 @@ TEST(LensGrid, CloseToAFastHoleHoldsHalfAPixel) {
 }
 
 TEST(LensGrid, FloatTracedNodesHoldTheSameBudget) {
-  Case c(0.999, 5.0, 0.5 * pi);
+  GridCase c(0.999, 5.0, 0.5 * pi);
   c.settings.fine = false;
   c.build();
   EXPECT_LE(errors_of(c).at(0.99), 0.1);
@@ -99,7 +98,7 @@ class LensGridOfHardCamera : public testing::TestWithParam<HardCamera> {};
 
 TEST_P(LensGridOfHardCamera, HoldsItsBudgetOverTheSky) {
   const HardCamera& camera = GetParam();
-  const Errors errors = errors_of(Case(camera.spin, camera.r, camera.theta, camera.motion), 20'000);
+  const Errors errors = errors_of(GridCase(camera.spin, camera.r, camera.theta, camera.motion), 20'000);
   EXPECT_LE(errors.at(0.98), 0.1);
   EXPECT_TRUE(std::isfinite(errors.px.back()));
 }
@@ -117,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LensGrid, MirroredHalfIsTheWholeSky) {
   // The same camera a hair off the equator gets a whole grid.
-  const Case half(0.9, 6.0, 0.5 * pi);
-  const Case whole(0.9, 6.0, 0.5 * pi - 1e-7);
+  const GridCase half(0.9, 6.0, 0.5 * pi);
+  const GridCase whole(0.9, 6.0, 0.5 * pi - 1e-7);
   ASSERT_TRUE(half.station.mirrored);
   ASSERT_FALSE(whole.station.mirrored);
   EXPECT_LT(half.statistics.nodes, 0.6 * whole.statistics.nodes);
@@ -145,7 +144,7 @@ GridSky<double> at(const LensStation& station, double gamma_turns, double s) {
 }
 
 TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
-  const Case c(0.999, 5.0, 1.0);
+  const GridCase c(0.999, 5.0, 1.0);
   const float unit = 1.0F / (16.0F * 64.0F);
   double worst_value = 0.0;
   double worst_slope = 0.0;
@@ -177,7 +176,7 @@ TEST(LensGrid, ValueAndDerivativesAreContinuousAcrossEveryKindOfCellSide) {
 }
 
 TEST(LensGrid, MagnificationMatchesTheExactOneAwayFromFlaggedCells) {
-  const Case c(0.9, 8.0, 1.2);
+  const GridCase c(0.9, 8.0, 1.2);
   Rays rays = random_rays(4000, 5);
   read_through(c, rays);
   const CameraStation camera = c.camera();
@@ -211,15 +210,15 @@ TEST(LensGrid, MagnificationMatchesTheExactOneAwayFromFlaggedCells) {
 }
 
 TEST(LensGrid, TwoBuildsAreTheSameToTheBit) {
-  const Case a(0.999, 5.0, 1.3);
-  const Case b(0.999, 5.0, 1.3);
+  const GridCase a(0.999, 5.0, 1.3);
+  const GridCase b(0.999, 5.0, 1.3);
   EXPECT_EQ(a.station.nodes, b.station.nodes);
   EXPECT_EQ(a.station.tree, b.station.tree);
   EXPECT_EQ(a.station.leaves, b.station.leaves);
 }
 
 TEST(LensGrid, NodeLimitLeavesTheRestToRays) {
-  Case c(1.0, 30.0, 0.5 * pi);
+  GridCase c(1.0, 30.0, 0.5 * pi);
   c.r = 1.01;
   c.settings.observer = aberration_to_rain(c.spin, c.r, c.theta, c.motion, {});
   c.settings.most_nodes = 2000;

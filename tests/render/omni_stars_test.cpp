@@ -23,7 +23,7 @@ constexpr double ring_px = 2.0;
 constexpr double least_move = 0.02;
 
 //! Where a star is in a picture.
-struct Spot {
+struct StarSpot {
   double x_px;
   double y_px;
 };
@@ -34,12 +34,12 @@ class OwnRays {
   OwnRays(const EyePlace& eye_at, double offset, double convergence, const Projection& projection)
       : eye_at_(eye_at), offset_(offset), convergence_(convergence), projection_(projection) {}
 
-  [[nodiscard]] OwnRay ray(const Spot& spot) const {
+  [[nodiscard]] OwnRay ray(const StarSpot& spot) const {
     return own_ray(eye_at_, direction_from_pixel(projection_, spot.x_px, spot.y_px), offset_, convergence_);
   }
 
   //! The sky at a place of the picture; nothing in the shadow.
-  [[nodiscard]] std::optional<Vector3<double>> sky(const Spot& spot) const {
+  [[nodiscard]] std::optional<Vector3<double>> sky(const StarSpot& spot) const {
     const OwnRay own = ray(spot);
     return direction_is_bright(own.camera, own.n) ? std::optional(exact_sky(own.camera, own.n)) : std::nullopt;
   }
@@ -56,7 +56,7 @@ class OwnRays {
     }
   };
 
-  [[nodiscard]] std::optional<Map> map(const Spot& spot) const {
+  [[nodiscard]] std::optional<Map> map(const StarSpot& spot) const {
     constexpr double h = 1e-3;
     const auto middle = sky(spot);
     const auto right = sky({spot.x_px + h, spot.y_px});
@@ -70,7 +70,7 @@ class OwnRays {
   }
 
   //! How far to go in the picture for a star [px], by the map at a place.
-  static Spot way_to(const Map& map, const Vector3<double>& star) {
+  static StarSpot way_to(const Map& map, const Vector3<double>& star) {
     const Vector3<double> missing = star - map.sky;
     const double a = dot(map.along_x, map.along_x);
     const double b = dot(map.along_x, map.along_y);
@@ -82,13 +82,13 @@ class OwnRays {
   }
 
   //! A star's image by Newton's method from a place nearby; nothing where that leads away.
-  [[nodiscard]] std::optional<Spot> image(Spot spot, const Vector3<double>& star) const {
+  [[nodiscard]] std::optional<StarSpot> image(StarSpot spot, const Vector3<double>& star) const {
     for (int round = 0; round < 12; ++round) {
       const auto here = map(spot);
       if (!here) {
         return std::nullopt;
       }
-      const Spot way = way_to(*here, star);
+      const StarSpot way = way_to(*here, star);
       const double length = std::hypot(way.x_px, way.y_px);
       const double part = std::min(1.0, 1.0 / length);
       spot = {spot.x_px + part * way.x_px, spot.y_px + part * way.y_px};
@@ -137,7 +137,7 @@ Show place_of_tests() {
 //! What the search of the program finds for an eye, on the screen.
 struct Found {
   StarImage image;
-  Spot spot;
+  StarSpot spot;
 };
 
 class OmniStars : public testing::TestWithParam<std::size_t> {
@@ -163,7 +163,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     const StarPatches patches = star_patches(field_, colours().view(), eye, station, settings_);
     std::vector<Found> images;
     for (const StarImage& image : find_star_images(field_, colours().view(), eye, station, patches, settings_)) {
-      Spot spot{};
+      StarSpot spot{};
       if (pixel_from_direction(case_.projection, widened(image.direction), spot.x_px, spot.y_px) && is_shown(spot)) {
         images.push_back({image, spot});
       }
@@ -171,7 +171,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
     return images;
   }
 
-  [[nodiscard]] bool is_shown(const Spot& spot) const {
+  [[nodiscard]] bool is_shown(const StarSpot& spot) const {
     return spot.x_px >= 0.0 && spot.x_px <= case_.projection.width_px && spot.y_px >= 0.0 &&
            spot.y_px <= case_.projection.height_px && image_coverage(case_.projection, spot.x_px, spot.y_px) >= 1.0;
   }
@@ -185,7 +185,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
   }
 
   //! Whether all is bright within the ring about a place.
-  [[nodiscard]] bool off_the_edge(const OwnRays& rays, const Spot& spot) const {
+  [[nodiscard]] bool off_the_edge(const OwnRays& rays, const StarSpot& spot) const {
     for (int i = 0; i < 8; ++i) {
       const double turn = 0.25 * pi * i;
       if (!rays.sky({spot.x_px + ring_px * std::cos(turn), spot.y_px + ring_px * std::sin(turn)})) {
@@ -196,7 +196,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
   }
 
   //! Solid angle of a pixel [sr].
-  [[nodiscard]] double pixel_area(const Spot& spot) const {
+  [[nodiscard]] double pixel_area(const StarSpot& spot) const {
     constexpr double h = 1e-3;
     const auto n = [&](double x, double y) { return direction_from_pixel(case_.projection, x, y); };
     const Vector3<double> normal = cross((0.5 / h) * (n(spot.x_px + h, spot.y_px) - n(spot.x_px - h, spot.y_px)),
@@ -229,7 +229,7 @@ TEST_P(OmniStars, AreWhereTheirPixelsOwnCameraSeesThem) {
       if (least_move_of(*map) < least_move * std::sqrt(pixel_area(each.spot))) {
         continue;
       }
-      const Spot way = OwnRays::way_to(*map, direction(each.image.star));
+      const StarSpot way = OwnRays::way_to(*map, direction(each.image.star));
       largest_px = std::max(largest_px, std::hypot(way.x_px, way.y_px));
       const OwnRay ray = own.ray(each.spot);
       const double g = 1.0 / start_ray(ray.camera, ray.n).energy;
@@ -259,8 +259,8 @@ class PixelMesh {
   }
 
   //! Pixels whose halves hold a star: their middles.
-  [[nodiscard]] std::vector<Spot> pixels_with(const Vector3<double>& star) const {
-    std::vector<Spot> found;
+  [[nodiscard]] std::vector<StarSpot> pixels_with(const Vector3<double>& star) const {
+    std::vector<StarSpot> found;
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
         if (holds(x, y, {0, 1, 2}, star) || holds(x, y, {3, 2, 1}, star)) {
@@ -309,7 +309,7 @@ TEST_P(OmniStars, AreAllThatASearchPixelByPixelFinds) {
     int compared = 0;
     int missed = 0;
     for (std::size_t star = 0; star < field_.stars().size(); ++star) {
-      for (const Spot& pixel : mesh.pixels_with(field_.stars()[star].direction)) {
+      for (const StarSpot& pixel : mesh.pixels_with(field_.stars()[star].direction)) {
         const auto spot = own.image(pixel, field_.stars()[star].direction);
         if (!spot || !is_shown(*spot) || !off_the_edge(own, *spot)) {
           continue;

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "render/output/text_image.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int size_px = 512;
 
 //! Where the letters of a word are, by their colour.

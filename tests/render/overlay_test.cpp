@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/view_projection.h"
@@ -20,7 +21,6 @@
 namespace ergodome {
 namespace {
 
-constexpr double degree = test::pi / 180.0;
 constexpr Tone as_it_is = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
 constexpr Presence always = {-1e9, 1e9, 0.0, 0.0};
 
@@ -130,29 +130,28 @@ class Overlays : public test::FolderTest {
   }
 };
 
-struct Direction {
+struct SheetDirection {
   double azimuth_deg;
   double elevation_deg;
 };
-constexpr Direction places[] = {{0.0, 20.0}, {40.0, 35.0}, {-75.0, 10.0}, {170.0, 60.0}, {-120.0, 80.0}};
+constexpr SheetDirection sheet_places[] = {{0.0, 20.0}, {40.0, 35.0}, {-75.0, 10.0}, {170.0, 60.0}, {-120.0, 80.0}};
 
 //! An equidistant domemaster of 180°, front at the bottom.
-Spot spot_on_domemaster(const Direction& at, double size_px) {
+Spot spot_on_domemaster(const SheetDirection& at, double size_px) {
   const double radius = (90.0 - at.elevation_deg) / 90.0 * 0.5 * size_px;
-  return {0.5 * size_px + radius * std::sin(degree * at.azimuth_deg),
-          0.5 * size_px + radius * std::cos(degree * at.azimuth_deg)};
+  return {0.5 * size_px + radius * std::sin(one_degree * at.azimuth_deg),
+          0.5 * size_px + radius * std::cos(one_degree * at.azimuth_deg)};
 }
 
 TEST_F(Overlays, StandAtTheirAzimuthAndElevationOfADome) {
-  for (const Direction& at : places) {
-    expect_dot(make_dome_projection(1000, test::pi, 0.0), at.azimuth_deg, at.elevation_deg,
-               spot_on_domemaster(at, 1000.0));
+  for (const SheetDirection& at : sheet_places) {
+    expect_dot(make_dome_projection(1000, pi, 0.0), at.azimuth_deg, at.elevation_deg, spot_on_domemaster(at, 1000.0));
   }
 }
 
 TEST_F(Overlays, AreNotMovedByADomesTilt) {
-  for (const Direction& at : places) {
-    expect_dot(make_dome_projection(1000, test::pi, 30.0 * degree), at.azimuth_deg, at.elevation_deg,
+  for (const SheetDirection& at : sheet_places) {
+    expect_dot(make_dome_projection(1000, pi, 30.0 * one_degree), at.azimuth_deg, at.elevation_deg,
                spot_on_domemaster(at, 1000.0));
   }
 }
@@ -161,19 +160,20 @@ TEST_F(Overlays, AreNotMovedByAViewerBesideTheMiddle) {
   DomeView view;
   view.tilt = 0.2;
   view.viewer = {0.2, -0.3, 0.4};
-  for (const Direction& at : places) {
+  for (const SheetDirection& at : sheet_places) {
     expect_dot(make_dome_projection(1000, view), at.azimuth_deg, at.elevation_deg, spot_on_domemaster(at, 1000.0));
   }
 }
 
 TEST_F(Overlays, AreMirroredInAPictureFromOutside) {
-  const Spot inside = spot_on_domemaster(places[1], 1000.0);
-  expect_dot(seen_from_outside(make_dome_projection(1000, test::pi, 0.0)), places[1].azimuth_deg,
-             places[1].elevation_deg, {1000.0 - inside.x_px, inside.y_px});
+  const Spot inside = spot_on_domemaster(sheet_places[1], 1000.0);
+  expect_dot(seen_from_outside(make_dome_projection(1000, pi, 0.0)), sheet_places[1].azimuth_deg,
+             sheet_places[1].elevation_deg, {1000.0 - inside.x_px, inside.y_px});
 }
 
 TEST_F(Overlays, StandAtTheirPlacesOfAWholeSphere) {
-  for (const Direction& at : {Direction{0.0, 20.0}, Direction{100.0, -15.0}, Direction{-40.0, 1.0}}) {
+  for (const SheetDirection& at :
+       {SheetDirection{0.0, 20.0}, SheetDirection{100.0, -15.0}, SheetDirection{-40.0, 1.0}}) {
     expect_dot(make_equirectangular_projection(1800, 900), at.azimuth_deg, at.elevation_deg,
                {900.0 + 5.0 * at.azimuth_deg, 450.0 - 5.0 * at.elevation_deg});
   }
@@ -188,19 +188,20 @@ TEST_F(Overlays, CrossTheSeamOfAWholeSphere) {
 
 TEST_F(Overlays, StandAtTheirPlacesOfACube) {
   const Projection front = make_cube_face_projection(800, CubeFace::front);
-  const double up = std::tan(20.0 * degree) / std::cos(25.0 * degree);
-  expect_dot(front, 25.0, 20.0, {400.0 + 400.0 * std::tan(25.0 * degree), 400.0 - 400.0 * up});
+  const double up = std::tan(20.0 * one_degree) / std::cos(25.0 * one_degree);
+  expect_dot(front, 25.0, 20.0, {400.0 + 400.0 * std::tan(25.0 * one_degree), 400.0 - 400.0 * up});
 }
 
 TEST_F(Overlays, StandAtTheirPlacesOfAScreen) {
-  const Projection screen = make_pinhole_projection(900, 600, 60.0 * degree);
-  const double px = 450.0 / std::tan(30.0 * degree);
+  const Projection screen = make_pinhole_projection(900, 600, 60.0 * one_degree);
+  const double px = 450.0 / std::tan(30.0 * one_degree);
   expect_dot(screen, -12.0, 9.0,
-             {450.0 - px * std::tan(12.0 * degree), 300.0 - px * std::tan(9.0 * degree) / std::cos(12.0 * degree)});
+             {450.0 - px * std::tan(12.0 * one_degree),
+              300.0 - px * std::tan(9.0 * one_degree) / std::cos(12.0 * one_degree)});
 }
 
 TEST_F(Overlays, OfADomeStayOnASmallScreen) {
-  const Projection screen = make_pinhole_projection(480, 270, 50.0 * degree);
+  const Projection screen = make_pinhole_projection(480, 270, 50.0 * one_degree);
   const Picture picture = drawn(captions_of({caption_of("A long line for a wide dome", 0.0, 45.0)}), "", screen);
   EXPECT_GT(sum_of_light(picture), 100.0);
   for (int x = 0; x < 480; ++x) {
@@ -211,7 +212,7 @@ TEST_F(Overlays, OfADomeStayOnASmallScreen) {
 }
 
 TEST_F(Overlays, ForThoseWhoLookElsewhereAreNotOnAScreen) {
-  const Projection screen = make_pinhole_projection(480, 270, 50.0 * degree);
+  const Projection screen = make_pinhole_projection(480, 270, 50.0 * one_degree);
   EXPECT_EQ(sum_of_light(drawn(captions_of({caption_of("Behind", 180.0)}), "", screen)), 0.0);
 }
 
@@ -232,23 +233,24 @@ TEST_F(Overlays, RollClockwise) {
 
 TEST(BentSheet, StaysLevelAndKeepsItsMiddle) {
   for (const double elevation_deg : {-30.0, 0.0, 20.0, 60.0}) {
-    const OverlaySheet sheet = bent_sheet({25.0, elevation_deg, 0.0}, 60.0 * degree, 5.0 * degree);
+    const OverlaySheet sheet = bent_sheet({25.0, elevation_deg, 0.0}, 60.0 * one_degree, 5.0 * one_degree);
     for (const double s : {0.0, 0.25, 0.5, 1.0}) {
       const Vector3<double> n = direction_on_sheet(sheet, s, 0.5);
-      EXPECT_NEAR(std::asin(n.y) / degree, elevation_deg, 1e-4) << s;
-      EXPECT_NEAR(std::atan2(n.x, -n.z) / degree, 25.0 + (s - 0.5) * 60.0 / std::cos(degree * elevation_deg), 1e-4);
+      EXPECT_NEAR(std::asin(n.y) / one_degree, elevation_deg, 1e-4) << s;
+      EXPECT_NEAR(std::atan2(n.x, -n.z) / one_degree, 25.0 + (s - 0.5) * 60.0 / std::cos(one_degree * elevation_deg),
+                  1e-4);
     }
   }
 }
 
 TEST(BentSheet, KeepsTheShapeOfLetters) {
   for (const double elevation_deg : {0.0, 30.0, 60.0, 75.0, 90.0}) {
-    const OverlaySheet sheet = bent_sheet({0.0, elevation_deg, 10.0}, 60.0 * degree, 10.0 * degree);
+    const OverlaySheet sheet = bent_sheet({0.0, elevation_deg, 10.0}, 60.0 * one_degree, 10.0 * one_degree);
     for (const double s : {0.1, 0.5, 0.9}) {
       for (const double t : {0.1, 0.5, 0.9}) {
         const Vector3<double> n = direction_on_sheet(sheet, s, t);
-        const Vector3<double> right = 1e4 * (direction_on_sheet(sheet, s + 1e-4 / (60.0 * degree), t) - n);
-        const Vector3<double> down = 1e4 * (direction_on_sheet(sheet, s, t + 1e-4 / (10.0 * degree)) - n);
+        const Vector3<double> right = 1e4 * (direction_on_sheet(sheet, s + 1e-4 / (60.0 * one_degree), t) - n);
+        const Vector3<double> down = 1e4 * (direction_on_sheet(sheet, s, t + 1e-4 / (10.0 * one_degree)) - n);
         EXPECT_NEAR(dot(right, down), 0.0, 2e-3);
         EXPECT_NEAR(dot(right, right), dot(down, down), 2e-3);
         if (t == 0.5) {
@@ -301,8 +303,8 @@ TEST(PictureTiles, OfEveryProjectionHoldWhatASheetsBoundHolds) {
 }
 
 TEST(PictureTiles, OfASmallOverlayAreFew) {
-  const PictureTiles tiles(make_dome_projection(2048, test::pi, 0.0));
-  OverlaySheet sheet = flat_sheet({0.0, 30.0, 0.0}, 10.0 * degree, 1.0);
+  const PictureTiles tiles(make_dome_projection(2048, pi, 0.0));
+  OverlaySheet sheet = flat_sheet({0.0, 30.0, 0.0}, 10.0 * one_degree, 1.0);
   bound_sheet(sheet, 0.002);
   // A square of 10 degrees is 114 px wide.
   EXPECT_LT(tiles.within(sheet).size(), 64U);
@@ -313,8 +315,7 @@ TEST_F(Overlays, HaveTheSameLightAtEverySize) {
   const Timeline timeline = captions_of({caption_of("Ergodome")});
   double part = 0.0;
   for (const int size_px : {2048, 1024, 512, 300, 150}) {
-    const double now =
-        sum_of_light(drawn(timeline, "", make_dome_projection(size_px, test::pi, 0.0))) / size_px / size_px;
+    const double now = sum_of_light(drawn(timeline, "", make_dome_projection(size_px, pi, 0.0))) / size_px / size_px;
     part = part > 0.0 ? part : now;
     EXPECT_NEAR(now / part, 1.0, 0.02) << size_px;
   }
@@ -401,7 +402,7 @@ TEST_F(Overlays, HaveNoDarkFringes) {
   for (const double width_deg : {3.0, 17.0, 80.0}) {
     Timeline timeline;
     timeline.overlays = {image_at("disc.png", 10.0, 30.0, width_deg)};
-    const Projection projection = make_dome_projection(400, test::pi, 0.0);
+    const Projection projection = make_dome_projection(400, pi, 0.0);
     const Picture before = even_picture(projection, 0.4F);
     const Picture after = drawn(timeline, folder_.string(), projection, 0.4F);
     EXPECT_GT(sum_of_light(after), sum_of_light(before) + 10.0);
@@ -445,9 +446,9 @@ TEST_F(Overlays, OfANarrowFisheyeEndAtTheirCircle) {
   overlay.fisheye = true;
   overlay.fov_deg = 90.0;
   timeline.overlays = {overlay};
-  const double covered = sum_of_light(drawn(timeline, folder_.string(), make_dome_projection(400, test::pi, 0.0)));
+  const double covered = sum_of_light(drawn(timeline, folder_.string(), make_dome_projection(400, pi, 0.0)));
   // Its circle has half the dome's radius; half a pixel is added.
-  EXPECT_NEAR(covered, test::pi * 100.5 * 100.5, 0.01 * covered);
+  EXPECT_NEAR(covered, pi * 100.5 * 100.5, 0.01 * covered);
 }
 
 TEST_F(Overlays, GiveTheirAlphaToThePicture) {
@@ -463,8 +464,8 @@ TEST_F(Overlays, GiveTheirAlphaToThePicture) {
 }
 
 TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
-  const Projection head = make_pinhole_projection(400, 200, 60.0 * degree);
-  const double px = 200.0 / std::tan(30.0 * degree);
+  const Projection head = make_pinhole_projection(400, 200, 60.0 * one_degree);
+  const double px = 200.0 / std::tan(30.0 * one_degree);
   Timeline timeline;
   timeline.overlays = {image_at("white.png", 0.0, 0.0, 2.0)};
   OverlayPass pass(timeline, folder_.string());
@@ -484,7 +485,7 @@ TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
 }
 
 TEST_F(Overlays, BehindTheDomeAreWhereThePictureHasTheSky) {
-  const Projection head = make_dome_projection(800, test::pi, 0.0);
+  const Projection head = make_dome_projection(800, pi, 0.0);
   const Projection eye = converged_projection(head, 0.3, 6.0);
   const Projection behind = overlay_projection(head, 0.3, 6.0, std::numeric_limits<double>::infinity());
   for (const double x : {200.0, 410.0, 600.0}) {
@@ -498,7 +499,7 @@ TEST_F(Overlays, AreSetInTheLanguageThatIsChosen) {
   Caption caption = caption_of("");
   caption.text = {{"en", "A"}, {"de", "Ein sehr viel längerer Text"}};
   OverlayPass pass(captions_of({caption}), "");
-  const Projection projection = make_dome_projection(300, test::pi, 0.0);
+  const Projection projection = make_dome_projection(300, pi, 0.0);
   const auto light = [&](const std::string& language) {
     pass.set_language(language);
     Picture picture = even_picture(projection, 0.0F);
@@ -521,7 +522,7 @@ TEST_F(Overlays, HideTheShowsCaptionsAndNotItsImages) {
 
 TEST_F(Overlays, OfOthersAreThereWithoutAShow) {
   OverlayPass pass({}, "");
-  const Projection projection = make_dome_projection(300, test::pi, 0.0);
+  const Projection projection = make_dome_projection(300, pi, 0.0);
   EXPECT_FALSE(pass.draws_at(std::nullopt));
   Caption welcome = caption_of("Welcome");
   welcome.presence = {};
@@ -538,7 +539,7 @@ TEST_F(Overlays, ThatAreNotThereTakeNothing) {
   Timeline timeline = captions_of({caption_of("Later")});
   timeline.captions[0].presence = {5.0, 8.0, 0.5, 0.5};
   OverlayPass pass(timeline, "");
-  const Projection projection = make_dome_projection(300, test::pi, 0.0);
+  const Projection projection = make_dome_projection(300, pi, 0.0);
   Picture picture = even_picture(projection, 0.0F);
   const auto before = work_done();
   draw(pass, picture, projection, 4.0);
@@ -547,7 +548,7 @@ TEST_F(Overlays, ThatAreNotThereTakeNothing) {
 
 TEST_F(Overlays, AreSetOnceAndTouchTheirOwnTilesAlone) {
   OverlayPass pass(captions_of({caption_of("Once")}), "");
-  const Projection projection = make_dome_projection(1024, test::pi, 0.0);
+  const Projection projection = make_dome_projection(1024, pi, 0.0);
   Picture picture = even_picture(projection, 0.0F);
   draw(pass, picture, projection);
   const auto before = work_done();

@@ -9,13 +9,12 @@
 #include <random>
 
 #include "content/sky_map.h"
+#include "kernels/core/angles.h"
 #include "kernels/sky/elliptic_filter.h"
 #include "render/sky/sky_cube.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 EnvironmentImage image_of(int width, const std::function<glm::dvec3(const glm::dvec3&)>& light) {
   EnvironmentImage image;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "render/lens/quadtree_builder.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 //! VE's standard set-up: a = 0.999, circular orbit at r = 5.
 CameraStation published_camera() { return make_camera_station(0.999, 5.0, 0.5 * pi, 0.0, ObserverMotion::geodesic); }

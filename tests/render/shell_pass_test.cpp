@@ -7,28 +7,23 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/shells/shell_crossings.h"
 #include "render/near_field/near_field.h"
 #include "render/output/image_writer.h"
+#include "tests/render/eye_at.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr int size_px = 96;
-constexpr double tolerance_px = 0.02;
+using test::eye_at;
 
-//! A camera that looks at the hole, with the spin axis up: right is +e_φ.
-EyeCamera eye_at(double spin, double r, double theta, ObserverMotion motion = ObserverMotion::zamo) {
-  EyeCamera eye{spin, r, theta, 0.0, motion, {}, {}, r, theta};
-  const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
-  std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);
-  return eye;
-}
+constexpr int shell_size_px = 96;
+constexpr double tolerance_px = 0.02;
 
 ShellSettings filled(double radius, double opacity, std::array<double, 3> color = {1.0, 1.0, 1.0}) {
   ShellSettings shell;
@@ -51,16 +46,17 @@ struct Drawn {
   std::vector<float> rgba;
 
   [[nodiscard]] float at(int x, int y, int part) const {
-    return rgba[4 * static_cast<std::size_t>(y * size_px + x) + static_cast<std::size_t>(part)];
+    return rgba[4 * static_cast<std::size_t>(y * shell_size_px + x) + static_cast<std::size_t>(part)];
   }
   [[nodiscard]] float alpha(int x, int y) const { return at(x, y, 3); }
 };
 
 Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view) {
-  Drawn drawn{make_pinhole_projection(size_px, size_px, field_of_view), std::vector<float>(4UL * size_px * size_px)};
+  Drawn drawn{make_pinhole_projection(shell_size_px, shell_size_px, field_of_view),
+              std::vector<float>(4UL * shell_size_px * shell_size_px)};
   const ShellPass shells(show, Backend::cpu);
   const std::unique_ptr<DiskPass> disk = show.disk ? std::make_unique<DiskPass>(show, Backend::cpu) : nullptr;
-  draw_near_field(Backend::cpu, {disk.get(), &shells}, eye, drawn.projection, tolerance_px, 0.0, 0, size_px,
+  draw_near_field(Backend::cpu, {disk.get(), &shells}, eye, drawn.projection, tolerance_px, 0.0, 0, shell_size_px,
                   drawn.rgba.data());
   return drawn;
 }
@@ -93,7 +89,7 @@ Vector3<double> observed(const EyeCamera& eye, const Projection& projection, dou
   return {row(0), row(1), row(2)};
 }
 
-NearRay<double> exact_ray(const EyeCamera& eye, const Projection& projection, int x, int y) {
+NearRay<double> exact_shell_ray(const EyeCamera& eye, const Projection& projection, int x, int y) {
   const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   return start_near_ray(camera, observed(eye, projection, x + 0.5, y + 0.5));
 }
@@ -107,7 +103,7 @@ std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, 
     u.push_back(1.0 / r);
   }
   Collector collector;
-  trace_shells<20, NearParts::azimuth>(eye.spin, exact_ray(eye, projection, x, y),
+  trace_shells<20, NearParts::azimuth>(eye.spin, exact_shell_ray(eye, projection, x, y),
                                        {u.data(), static_cast<int>(u.size())}, {1e-15, 4000}, true, collector);
   return collector.met;
 }
@@ -120,8 +116,8 @@ TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
       const EyeCamera eye = eye_at(0.9, camera_r, theta);
       const Drawn drawn = draw(show_with(0.9, {filled(6.0, 0.5), filled(1.5, 0.25), filled(12.0, 0.125)}), eye, 1.4);
       int wrong = 0;
-      for (int y = 0; y < size_px; y += 2) {
-        for (int x = 0; x < size_px; x += 2) {
+      for (int y = 0; y < shell_size_px; y += 2) {
+        for (int x = 0; x < shell_size_px; x += 2) {
           double clear = 1.0;
           for (const Met& each : met(eye, drawn.projection, x, y, radii)) {
             clear *= 1.0 - std::array{0.125, 0.5, 0.25}[static_cast<std::size_t>(each.shell)];
@@ -140,8 +136,8 @@ TEST(ShellPass, ShowsOfOpaqueShellsTheNearestAlone) {
   const Drawn between = draw(show, eye_at(0.9, 8.0, 1.2), 2.4);
   const EyeCamera eye = eye_at(0.9, 8.0, 1.2);
   int red = 0;
-  for (int y = 0; y < size_px; y += 3) {
-    for (int x = 0; x < size_px; x += 3) {
+  for (int y = 0; y < shell_size_px; y += 3) {
+    for (int x = 0; x < shell_size_px; x += 3) {
       EXPECT_NEAR(between.alpha(x, y), 1.0F, 1e-3F);
       const float seen = between.at(x, y, 0);
       if (seen > 0.0F && seen < 1.0F) {
@@ -155,16 +151,16 @@ TEST(ShellPass, ShowsOfOpaqueShellsTheNearestAlone) {
   }
   EXPECT_GT(red, 50);
   const Drawn outside = draw(show, eye_at(0.9, 30.0, 1.2), 0.3);
-  EXPECT_EQ(outside.at(size_px / 2, size_px / 2, 1), 1.0F);
-  EXPECT_EQ(outside.at(size_px / 2, size_px / 2, 0), 0.0F);
+  EXPECT_EQ(outside.at(shell_size_px / 2, shell_size_px / 2, 1), 1.0F);
+  EXPECT_EQ(outside.at(shell_size_px / 2, shell_size_px / 2, 0), 0.0F);
 }
 
 TEST(ShellPass, HidesTheHoleItselfBehindAShellJustAboveTheHorizon) {
   for (const double spin : {0.0, 0.9, -0.9}) {
     const Drawn drawn =
         draw(show_with(spin, {filled(horizon_radius(spin) * 1.001, 1.0)}), eye_at(spin, 20.0, 1.2), 0.1);
-    for (int y = 0; y < size_px; y += 5) {
-      for (int x = 0; x < size_px; x += 5) {
+    for (int y = 0; y < shell_size_px; y += 5) {
+      for (int x = 0; x < shell_size_px; x += 5) {
         EXPECT_NEAR(drawn.alpha(x, y), 1.0F, 1e-3F) << spin;
       }
     }
@@ -182,11 +178,12 @@ TEST(ShellPass, LiesBeforeAndBehindTheDiskAsLightMeetsThem) {
   const Drawn drawn = draw(show, eye, 1.1);
   int shell_first = 0;
   int disk_first = 0;
-  for (int y = 0; y < size_px; y += 2) {
-    for (int x = 0; x < size_px; x += 2) {
+  for (int y = 0; y < shell_size_px; y += 2) {
+    for (int x = 0; x < shell_size_px; x += 2) {
       const std::vector<Met> shells = met(eye, drawn.projection, x, y, {10.0});
       EquatorialCrossing<double> crossings[crossing_orders];
-      trace_crossings<20, true>(0.0, exact_ray(eye, drawn.projection, x, y), {1e-7, 1e-15, 4000}, true, crossings);
+      trace_crossings<20, true>(0.0, exact_shell_ray(eye, drawn.projection, x, y), {1e-7, 1e-15, 4000}, true,
+                                crossings);
       const double r = crossings[0].u > 0.0 ? 1.0 / crossings[0].u : 0.0;
       if (shells.empty() || !(r > 6.5 && r < 17.5)) {
         continue;
@@ -209,12 +206,12 @@ TEST(ShellPass, LiesBeforeAndBehindTheDiskAsLightMeetsThem) {
 TEST(ShellPass, HasTheAreaOfItsEdgeWithinASmallPartOfAPixelsWidth) {
   // Without spin the edge is where light turns at the shell: b = R / √(1 - 2/R).
   const double r_o = 1e5;
-  const double pixel = 40.0 / r_o / size_px;
+  const double pixel = 40.0 / r_o / shell_size_px;
   const Drawn drawn = draw(show_with(0.0, {filled(10.0, 1.0)}), eye_at(0.0, r_o, 1.0), 40.0 / r_o);
   double area = 0.0;
   int partly = 0;
-  for (int y = 0; y < size_px; ++y) {
-    for (int x = 0; x < size_px; ++x) {
+  for (int y = 0; y < shell_size_px; ++y) {
+    for (int x = 0; x < shell_size_px; ++x) {
       area += static_cast<double>(drawn.alpha(x, y));
       partly += drawn.alpha(x, y) > 0.01F && drawn.alpha(x, y) < 0.99F ? 1 : 0;
     }
@@ -244,8 +241,8 @@ TEST(ShellPass, DrawsLinesWhereExactRaysMeetThem) {
       const Drawn drawn = draw(show_with(0.9, {grid}), eye, camera_r > 12.0 ? 0.7 : 2.6);
       int line = 0;
       int between = 0;
-      for (int y = 0; y < size_px; y += 2) {
-        for (int x = 0; x < size_px; x += 2) {
+      for (int y = 0; y < shell_size_px; y += 2) {
+        for (int x = 0; x < shell_size_px; x += 2) {
           const std::vector<Met> all = met(eye, drawn.projection, x, y, {12.0});
           if (all.empty()) {
             continue;
@@ -255,8 +252,8 @@ TEST(ShellPass, DrawsLinesWhereExactRaysMeetThem) {
           if (seen == 0.0F || seen == 1.0F) {
             EXPECT_EQ(seen == 1.0F, off < 0.0) << theta << " " << camera_r << ": " << x << ", " << y;
             (seen == 1.0F ? line : between) += 1;
-          } else if (camera_r > 12.0 && x > size_px / 4 && x < 3 * size_px / 4 && y > size_px / 4 &&
-                     y < 3 * size_px / 4) {
+          } else if (camera_r > 12.0 && x > shell_size_px / 4 && x < 3 * shell_size_px / 4 && y > shell_size_px / 4 &&
+                     y < 3 * shell_size_px / 4) {
             EXPECT_LT(std::abs(off), 0.12) << theta << " " << camera_r << ": " << x << ", " << y;
           }
         }
@@ -273,10 +270,10 @@ TEST(ShellPass, IsTheSameAllRoundForACameraOnTheAxis) {
   grid.fill_opacity = 0.5;
   for (const double camera_r : {4.0, 20.0}) {
     const Drawn drawn = draw(show_with(0.9, {grid}), eye_at(0.9, camera_r, 0.0), 0.9);
-    for (int y = 0; y < size_px; ++y) {
-      for (int x = 0; x < size_px; ++x) {
+    for (int y = 0; y < shell_size_px; ++y) {
+      for (int x = 0; x < shell_size_px; ++x) {
         // A quarter of a turn is three hours of the grid's.
-        EXPECT_NEAR(drawn.alpha(x, y), drawn.alpha(size_px - 1 - y, x), 0.02F) << x << " " << y;
+        EXPECT_NEAR(drawn.alpha(x, y), drawn.alpha(shell_size_px - 1 - y, x), 0.02F) << x << " " << y;
       }
     }
   }
@@ -287,7 +284,7 @@ TEST(ShellPass, ShinesWithTheFourthPowerOfTheShift) {
   show.effects.redshift = true;
   const Drawn drawn = draw(show, eye_at(0.0, 20.0, 1.2), 0.1);
   const double g = std::sqrt((1.0 - 2.0 / 4.0) / (1.0 - 2.0 / 20.0));
-  EXPECT_NEAR(static_cast<double>(drawn.at(size_px / 2, size_px / 2, 0)) / (g * g * g * g), 1.0, 1e-4);
+  EXPECT_NEAR(static_cast<double>(drawn.at(shell_size_px / 2, shell_size_px / 2, 0)) / (g * g * g * g), 1.0, 1e-4);
 }
 
 TEST(ShellPass, IsLightThroughoutAtFullSpin) {
@@ -320,8 +317,8 @@ TEST_F(ShellTextures, AreThoseOfAGlobeWithLongitudeZeroInTheMiddle) {
   show.folder = folder_.string();
   show.shells[0].texture = "map.exr";
   const Drawn drawn = draw(show, eye_at(0.0, 30.0, pi / 2.0), 0.3);
-  const int left = size_px / 4;
-  const int right = 3 * size_px / 4;
+  const int left = shell_size_px / 4;
+  const int right = 3 * shell_size_px / 4;
   // To the right φ grows, up is north.
   EXPECT_NEAR(drawn.at(right, left, 0), 1.0F, 0.01F);
   EXPECT_NEAR(drawn.at(left, left, 0), 0.0F, 0.01F);

@@ -35,7 +35,7 @@ Vector3<float> look(const CubeMap& map, const glm::dvec3& d, double a, double b,
                   narrow(b * (std::cos(turn) * e2 - std::sin(turn) * e1)));
 }
 
-glm::dvec3 random_direction(std::mt19937& random) {
+glm::dvec3 random_sky_direction(std::mt19937& random) {
   std::normal_distribution<double> normal;
   return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
@@ -51,7 +51,7 @@ TEST(SkyCube, ConstantSkyStaysConstantForEveryFootprint) {
   std::mt19937 random(1);
   for (const double a : {1e-5, 1e-2, 0.3, 3.0, 1e4}) {
     for (const double b : {1e-7, 1e-3, 0.1}) {
-      const Vector3<float> light = look(sky.view(), random_direction(random), a, b);
+      const Vector3<float> light = look(sky.view(), random_sky_direction(random), a, b);
       EXPECT_NEAR(light.x, 0.25F, 1e-6F);
       EXPECT_NEAR(light.z, 2.0F, 1e-5F);
     }
@@ -62,7 +62,7 @@ TEST(SkyCube, SmallFootprintSeesTheLightOfItsDirection) {
   const SkyCube sky = dipole_sky();
   std::mt19937 random(2);
   for (int i = 0; i < 2000; ++i) {
-    const glm::dvec3 d = random_direction(random);
+    const glm::dvec3 d = random_sky_direction(random);
     const Vector3<float> light = look(sky.view(), d, 1e-3, 1e-3);
     EXPECT_NEAR(light.x, 1.0 + 0.5 * d.x, 2e-3);
     EXPECT_NEAR(light.y, 1.0 + 0.5 * d.y, 2e-3);
@@ -135,7 +135,7 @@ class WavySky {
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 40; ++i) {
       const double length = wave_number * (0.4 + 0.6 * uniform(random));
-      waves_.push_back({length * random_direction(random), 6.28 * uniform(random)});
+      waves_.push_back({length * random_sky_direction(random), 6.28 * uniform(random)});
     }
   }
 
@@ -160,8 +160,8 @@ double filter_error(const SkyCube& sky, const WavySky& wavy, double minor, doubl
   double squared = 0.0;
   constexpr int count = 1000;
   for (int i = 0; i < count; ++i) {
-    const glm::dvec3 d = random_direction(random);
-    const glm::dvec3 a = 0.5 * ratio * minor * glm::normalize(glm::cross(d, random_direction(random)));
+    const glm::dvec3 d = random_sky_direction(random);
+    const glm::dvec3 a = 0.5 * ratio * minor * glm::normalize(glm::cross(d, random_sky_direction(random)));
     const glm::dvec3 b = glm::cross(d, a) / ratio;
     const Vector3<float> seen = filtered(sky.view(), narrow(d), narrow(2.0 * a), narrow(2.0 * b));
     squared += std::pow(seen.x - wavy.light(d, a, b), 2);
@@ -198,7 +198,7 @@ TEST(SkyCube, PacksOfPixelsSeeWhatSinglePixelsSee) {
     for (int i = 0; i < 4; ++i) {
       // Every kind of footprint side by side: none, pixels of any shape, wider than the sky, not a number.
       const float size = round % 50 == i ? std::nanf("") : std::pow(10.0F, 2.5F * uniform(random) - 2.0F);
-      const Vector3<float> di = narrow(random_direction(random));
+      const Vector3<float> di = narrow(random_sky_direction(random));
       const Vector3<float> xi = size * Vector3<float>{uniform(random), uniform(random), uniform(random)};
       const Vector3<float> yi = size * Vector3<float>{uniform(random), uniform(random), uniform(random)};
       const float fi = round % 3 == 0 && i == 2 ? 0.0F : 1.0F;

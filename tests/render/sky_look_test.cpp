@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"
 #include "kernels/sky/point_sample.h"
@@ -13,8 +14,6 @@
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 //! Pixels that look at the sky in given directions, with footprints of a hundredth of a radian and any frequency ratio.
 class Looks {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "render/lens/grid_builder.h"
 #include "render/stars/star_pass.h"
-#include "tests/support/pi.h"
 
 namespace ergodome::test {
 
@@ -23,7 +23,7 @@ inline const Place places[] = {{0.999, 5.0, pi / 2, 0.7, ObserverMotion::geodesi
                                {0.5, 3.2, 1.2, -2.0, ObserverMotion::zamo},
                                {0.9, 12.0, 0.4, 4.0, ObserverMotion::rain}};
 
-inline EyeCamera eye_at(const Place& place) {
+inline EyeCamera eye_at_place(const Place& place) {
   EyeCamera eye{place.spin, place.r, place.theta, place.phi, place.motion, {}, {}, place.r, place.theta};
   const double at_hole[3][3] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
   std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &eye.frame_from_view[0][0]);

@@ -36,10 +36,10 @@ double luminance(const Vector3<float>& light) {
   return static_cast<double>(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z);
 }
 
-constexpr int size_px = 1024;
+constexpr int gather_size_px = 1024;
 
 //! The hole stands 30 degrees from the middle.
-Projection dome() { return make_dome_projection(size_px, pi, pi / 3); }
+Projection gather_dome() { return make_dome_projection(gather_size_px, pi, pi / 3); }
 
 bool is_well_inside(const PlaceOnScreen& p) { return std::hypot(p.x_px - 512.0, p.y_px - 512.0) < 510.0; }
 
@@ -56,14 +56,16 @@ struct BothSearches {
   std::vector<PlaceOnScreen> gathered_places;
 
   explicit BothSearches(const Place& place)
-      : eye(eye_at(place)), field(brightest(12000), glm::dmat3(1.0), colours().view()), settings(settings_for(14.0)) {
-    settings.pixel = pixel_angle(dome());
+      : eye(eye_at_place(place)),
+        field(brightest(12000), glm::dmat3(1.0), colours().view()),
+        settings(settings_for(14.0)) {
+    settings.pixel = pixel_angle(gather_dome());
     settings.redshift = true;
     inverted = images_of(field, eye, settings);
     for (const StarImage& image : inverted) {
-      inverted_places.push_back(on_screen(eye, dome(), image.direction));
+      inverted_places.push_back(on_screen(eye, gather_dome(), image.direction));
     }
-    gathered = gather_stars(field, StarTree(field), colours().view(), eye, dome(), settings);
+    gathered = gather_stars(field, StarTree(field), colours().view(), eye, gather_dome(), settings);
     for (const GatheredStar& star : gathered.stars) {
       gathered_places.push_back(place_of(star));
     }
@@ -87,7 +89,7 @@ class StarsGatheredByPixels : public testing::TestWithParam<Place> {
 
 TEST_P(StarsGatheredByPixels, ShineLikeInvertedImages) {
   const BothSearches both(GetParam());
-  const std::vector<double> changes = LensAbout(both.eye, dome(), least_edge_px).changes(both.inverted_places);
+  const std::vector<double> changes = LensAbout(both.eye, gather_dome(), least_edge_px).changes(both.inverted_places);
   std::multimap<int, const GatheredStar*> by_star;
   for (const GatheredStar& star : both.gathered.stars) {
     by_star.emplace(star.star, &star);
@@ -122,7 +124,7 @@ TEST_P(StarsGatheredByPixels, ShineLikeInvertedImages) {
 
 TEST_P(StarsGatheredByPixels, AreNotSeenWhereThereIsNoImage) {
   const BothSearches both(GetParam());
-  const std::vector<double> changes = LensAbout(both.eye, dome(), least_edge_px).changes(both.gathered_places);
+  const std::vector<double> changes = LensAbout(both.eye, gather_dome(), least_edge_px).changes(both.gathered_places);
   PlacesByStar places;
   for (std::size_t i = 0; i < both.inverted.size(); ++i) {
     places.emplace(both.inverted[i].star, both.inverted_places[i]);
@@ -176,7 +178,7 @@ std::vector<PlaceOnScreen> places_between_pixels(int width_px, int height_px) {
 TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
   // A whole turn, so that the left and the right rim are neighbours as well.
   const Projection projection = make_equirectangular_projection(128, 64);
-  const EyeCamera eye = eye_at({0.9, 50.0, 1.0, 0.3, ObserverMotion::zamo});
+  const EyeCamera eye = eye_at_place({0.9, 50.0, 1.0, 0.3, ObserverMotion::zamo});
   const std::vector<PlaceOnScreen> places = places_between_pixels(128, 64);
   const StarField field(stars_at(eye, projection, places), glm::dmat3(1.0), colours().view());
   std::vector<int> seen(places.size());
@@ -199,7 +201,7 @@ TEST(GatheredStar, BetweenPixelsBelongsToOneOfThem) {
 }
 
 TEST(GatheredStar, IsAnImageInItsOwnPixel) {
-  const EyeCamera eye = eye_at(places[2]);
+  const EyeCamera eye = eye_at_place(places[2]);
   const StarField field(brightest(3000), glm::dmat3(1.0), colours().view());
   for (const Projection& projection : {make_pinhole_projection(96, 64, 1.5), make_dome_projection(64, pi, pi / 3),
                                        make_equirectangular_projection(128, 64)}) {
@@ -219,7 +221,7 @@ TEST(GatheredStar, IsAnImageInItsOwnPixel) {
 
 TEST(GatheredStar, HasItsOwnLightWithoutMagnification) {
   const Projection projection = make_dome_projection(64, pi, pi / 3);
-  const EyeCamera eye = eye_at(places[2]);
+  const EyeCamera eye = eye_at_place(places[2]);
   const StarField field(brightest(100), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(20.0);
   settings.magnification = false;
@@ -234,8 +236,9 @@ TEST(GatheredStar, HasItsOwnLightWithoutMagnification) {
 TEST(GatheredStar, IsNowhereWithoutStars) {
   const StarField field({}, glm::dmat3(1.0), colours().view());
   const Projection projection = make_dome_projection(32, pi, 0.0);
-  EXPECT_TRUE(gather_stars(field, StarTree(field), colours().view(), eye_at(places[0]), projection, settings_for(9.0))
-                  .stars.empty());
+  EXPECT_TRUE(
+      gather_stars(field, StarTree(field), colours().view(), eye_at_place(places[0]), projection, settings_for(9.0))
+          .stars.empty());
 }
 
 TEST(StarTree, FindsTheStarsThatLieNear) {

@@ -18,7 +18,7 @@ using namespace test;  // NOLINT(google-build-using-namespace): the cameras and 
 class StarImages : public testing::TestWithParam<Place> {};
 
 TEST_P(StarImages, AreWhereTheClosedFormHasThem) {
-  const EyeCamera eye = eye_at(GetParam());
+  const EyeCamera eye = eye_at_place(GetParam());
   const CameraStation camera = camera_of(eye);
   const StarField field(brightest(test::sanitized ? 100 : 1000), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(8.0));
@@ -42,7 +42,7 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
   if (test::sanitized) {
     GTEST_SKIP() << "many rays";
   }
-  const EyeCamera eye = eye_at(GetParam());
+  const EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   const double faintest = static_cast<double>(settings_for(8.0).faintest);
   // The grid ends half a pixel from the edge.
@@ -75,7 +75,7 @@ TEST_P(StarImages, AreAllThatASearchWithRaysFinds) {
 
 TEST_P(StarImages, DoNotDependOnTheGrid) {
   // The same images from a grid five times as fine: none hangs on how cells happen to lie.
-  const EyeCamera eye = eye_at(GetParam());
+  const EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(test::sanitized ? 100 : 2000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(9.0);
   const auto coarse = images_of(field, eye, settings);
@@ -101,7 +101,7 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
 INSTANTIATE_TEST_SUITE_P(Cameras, StarImages, testing::ValuesIn(places));
 
 TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
-  EyeCamera eye = eye_at(GetParam());
+  EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(test::sanitized ? 200 : 3000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(8.0);
   const LensStation station = build_star_station(eye, settings.pixel);
@@ -129,7 +129,7 @@ TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
 }
 
 TEST(StarImage, OfAFarCameraIsTheStarItself) {
-  const EyeCamera eye = eye_at({0.9, 1e5, 1.0, 0.3, ObserverMotion::fixed});
+  const EyeCamera eye = eye_at_place({0.9, 1e5, 1.0, 0.3, ObserverMotion::fixed});
   const StarField field(brightest(1000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(12.0);
   settings.redshift = true;
@@ -164,7 +164,7 @@ double ring_magnification(const CameraStation& camera, double radius) {
 
 TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
   // Exactly behind a hole without spin, and so near beside it that nobody can tell.
-  const EyeCamera eye = eye_at({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
+  const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {0.0, 1e-12, 1e-10}) {
     StarCatalogue catalogue;
     catalogue.stars.push_back({1, 180.0, beside * 180.0 / pi, 1.0F, 0.5F});
@@ -182,7 +182,7 @@ TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
 
 TEST(StarImage, BesideACausticIsOneOfTwo) {
   // A point lens makes two images whose magnifications hardly differ, each half of what the rate of the map tells.
-  const EyeCamera eye = eye_at({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
+  const EyeCamera eye = eye_at_place({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {1e-6, 1e-5, 1e-4, 1e-3}) {
     StarCatalogue catalogue;
     catalogue.stars.push_back({1, 180.0, beside * 180.0 / pi, 1.0F, 0.5F});
@@ -199,7 +199,7 @@ TEST(StarImage, BesideACausticIsOneOfTwo) {
 }
 
 TEST(StarImage, NoStarsAndNoLightGiveNoImages) {
-  const EyeCamera eye = eye_at(places[0]);
+  const EyeCamera eye = eye_at_place(places[0]);
   EXPECT_TRUE(images_of(StarField({}, glm::dmat3(1.0), colours().view()), eye, settings_for(9.0)).empty());
   const StarField field(brightest(100), glm::dmat3(1.0), colours().view());
   EXPECT_TRUE(images_of(field, eye, settings_for(-20.0)).empty());

@@ -16,19 +16,19 @@ namespace {
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
 constexpr int frames = 600;
-constexpr int size_px = 1024;
-constexpr double pixel = pi / size_px;
+constexpr int curve_size_px = 1024;
+constexpr double curve_pixel = pi / curve_size_px;
 
 //! Images of some stars, in a picture for each step of an orbit.
 class LightCurve : public testing::Test {
  protected:
   LightCurve()
-      : eye_(eye_at({0.9, 8.0, 1.3, 0.0, ObserverMotion::zamo})),
+      : eye_(eye_at_place({0.9, 8.0, 1.3, 0.0, ObserverMotion::zamo})),
         field_(brightest(60), glm::dmat3(1.0), colours().view()),
         settings_(settings_for(5.0)),
-        station_(build_star_station(eye_, pixel)),
-        projection_(make_dome_projection(size_px, pi, 0.0)) {
-    settings_.pixel = pixel;
+        station_(build_star_station(eye_, curve_pixel)),
+        projection_(make_dome_projection(curve_size_px, pi, 0.0)) {
+    settings_.pixel = curve_pixel;
     settings_.redshift = true;
   }
 
@@ -48,15 +48,15 @@ class LightCurve : public testing::Test {
     const int row = static_cast<int>(points[0].y_px);
     const int column = static_cast<int>(points[0].x_px);
     constexpr int reach = 3;
-    if (row < reach || row >= size_px - reach || column < reach || column >= size_px - reach) {
+    if (row < reach || row >= curve_size_px - reach || column < reach || column >= curve_size_px - reach) {
       return 0.0;
     }
-    std::vector<float> rows(4UL * size_px * (2 * reach + 1));
+    std::vector<float> rows(4UL * curve_size_px * (2 * reach + 1));
     splat_points(points, projection_, splat_, row - reach, 2 * reach + 1, rows.data());
     double sum = 0.0;
     for (int y = 0; y <= 2 * reach; ++y) {
       for (int x = column - reach; x <= column + reach; ++x) {
-        const std::size_t at = 4 * (static_cast<std::size_t>(y) * size_px + static_cast<std::size_t>(x));
+        const std::size_t at = 4 * (static_cast<std::size_t>(y) * curve_size_px + static_cast<std::size_t>(x));
         sum += static_cast<double>(rows[at + 1]) * solid_angle(x + 0.5, row - reach + y + 0.5);
       }
     }

@@ -63,7 +63,7 @@ Picture rendered(const std::string& more) {
   return renderer.render(5.0, {}).front().picture;
 }
 
-double light_of(const Picture& picture) {
+double light_of_stars(const Picture& picture) {
   double sum = 0.0;
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
     sum += static_cast<double>(picture.rgba[i + 1]);
@@ -71,24 +71,24 @@ double light_of(const Picture& picture) {
   return sum;
 }
 
-constexpr const char* plain = "[effects]\nmagnification = true\n";
+constexpr const char* plain_effects = "[effects]\nmagnification = true\n";
 
-TEST(StarsOfAShow, AddLightToItsSky) { EXPECT_GT(light_of(rendered(plain)), 1.0); }
+TEST(StarsOfAShow, AddLightToItsSky) { EXPECT_GT(light_of_stars(rendered(plain_effects)), 1.0); }
 
 TEST(StarsOfAShow, GatheredByPixelsShineAsMuch) {
-  const double gathered = light_of(rendered(std::string(plain) + "[stars]\nmethod = \"gather\"\n"));
-  EXPECT_NEAR(gathered / light_of(rendered(plain)), 1.0, 0.03);
+  const double gathered = light_of_stars(rendered(std::string(plain_effects) + "[stars]\nmethod = \"gather\"\n"));
+  EXPECT_NEAR(gathered / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
 }
 
 TEST(StarsOfAShow, KeepTheirLightWithSpikes) {
   const double with =
-      light_of(rendered(std::string(plain) + "diffraction = { brighter_than_mag = 3, size_px = 65 }\n"));
-  EXPECT_NEAR(with / light_of(rendered(plain)), 1.0, 0.03);
+      light_of_stars(rendered(std::string(plain_effects) + "diffraction = { brighter_than_mag = 3, size_px = 65 }\n"));
+  EXPECT_NEAR(with / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
 }
 
 TEST(StarsOfAShow, WithSpikesReachFarther) {
-  const Picture without = rendered(plain);
-  const Picture with = rendered(std::string(plain) + "diffraction = { brighter_than_mag = 3, size_px = 65 }\n");
+  const Picture without = rendered(plain_effects);
+  const Picture with = rendered(std::string(plain_effects) + "diffraction = { brighter_than_mag = 3, size_px = 65 }\n");
   std::size_t brighter = 0;
   for (std::size_t i = 1; i < with.rgba.size(); i += 4) {
     brighter += with.rgba[i] > without.rgba[i] + 1e-4F ? 1U : 0U;
@@ -97,12 +97,12 @@ TEST(StarsOfAShow, WithSpikesReachFarther) {
 }
 
 TEST(StarsOfAShow, LeaveTrailsAsBrightAsTheyAre) {
-  const double with = light_of(rendered(std::string(plain) + "trails = { shutter_s = 0.2 }\n"));
-  EXPECT_NEAR(with / light_of(rendered(plain)), 1.0, 0.03);
+  const double with = light_of_stars(rendered(std::string(plain_effects) + "trails = { shutter_s = 0.2 }\n"));
+  EXPECT_NEAR(with / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
 }
 
 //! Both eyes' pictures of a show in the model omni.
-std::vector<FrameImage> omni_eyes(const std::string& baseline, const std::string& more = plain) {
+std::vector<FrameImage> omni_eyes(const std::string& baseline, const std::string& more = plain_effects) {
   ShowRenderer renderer(
       star_show(more + "[stereo]\nlayout = \"separate\"\nmodel = \"omni\"\nbaseline = " + baseline + "\n"),
       Backend::cpu);
@@ -110,7 +110,7 @@ std::vector<FrameImage> omni_eyes(const std::string& baseline, const std::string
 }
 
 TEST(StarsOfAShow, AreThoseOfOneEyeInTheModelOmniWithoutABaseline) {
-  const Picture one = rendered(plain);
+  const Picture one = rendered(plain_effects);
   for (const FrameImage& eye : omni_eyes("0.0")) {
     ASSERT_EQ(eye.picture.rgba.size(), one.rgba.size());
     // The fourth number is the shadow's: the map is black, and light that of stars alone.
@@ -123,20 +123,20 @@ TEST(StarsOfAShow, AreThoseOfOneEyeInTheModelOmniWithoutABaseline) {
 }
 
 TEST(StarsOfAShow, ShineAsMuchInBothEyesOfTheModelOmni) {
-  const double one = light_of(rendered(plain));
+  const double one = light_of_stars(rendered(plain_effects));
   const auto eyes = omni_eyes("0.4");
   ASSERT_EQ(eyes.size(), 2U);
   EXPECT_NE(eyes[0].picture.rgba, eyes[1].picture.rgba);
   for (const FrameImage& eye : eyes) {
-    EXPECT_NEAR(light_of(eye.picture) / one, 1.0, 0.05);
+    EXPECT_NEAR(light_of_stars(eye.picture) / one, 1.0, 0.05);
   }
 }
 
 TEST(StarsOfAShow, LeaveTrailsInTheModelOmni) {
   const auto still = omni_eyes("0.4");
-  const auto trailed = omni_eyes("0.4", std::string(plain) + "trails = { shutter_s = 0.2 }\n");
+  const auto trailed = omni_eyes("0.4", std::string(plain_effects) + "trails = { shutter_s = 0.2 }\n");
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(light_of(trailed[i].picture) / light_of(still[i].picture), 1.0, 0.03);
+    EXPECT_NEAR(light_of_stars(trailed[i].picture) / light_of_stars(still[i].picture), 1.0, 0.03);
   }
 }
 
@@ -147,10 +147,10 @@ TEST(StarsOfAShow, AreRefusedWherePixelsWouldGatherThemInTheModelOmni) {
 }
 
 TEST(BloomOfAShow, KeepsTheLightAndTheRim) {
-  const Picture without = rendered(plain);
-  const Picture with = rendered(std::string(plain) + "bloom = { strength = 0.3, radius_px = 5 }\n");
+  const Picture without = rendered(plain_effects);
+  const Picture with = rendered(std::string(plain_effects) + "bloom = { strength = 0.3, radius_px = 5 }\n");
   // What is scattered over the rim is lost.
-  EXPECT_NEAR(light_of(with) / light_of(without), 1.0, 0.05);
+  EXPECT_NEAR(light_of_stars(with) / light_of_stars(without), 1.0, 0.05);
   EXPECT_EQ(with.rgba[0], 0.0F);
   EXPECT_NE(with.rgba, without.rgba);
 }

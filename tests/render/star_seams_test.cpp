@@ -16,7 +16,7 @@ namespace {
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
 //! An eye whose frame is that of its view.
-EyeCamera plain_eye() {
+EyeCamera seam_eye() {
   EyeCamera eye{};
   for (int i = 0; i < 3; ++i) {
     eye.frame_from_view[i][i] = 1.0;
@@ -40,7 +40,7 @@ std::vector<float> drawn(const std::vector<StarPoint>& points, const Projection&
 
 std::vector<float> drawn(const std::vector<StarImage>& images, const Projection& projection, double sigma_px) {
   const SplatSettings settings{sigma_px, 1.0F};
-  return drawn(star_points(images, plain_eye(), projection, settings), projection, settings);
+  return drawn(star_points(images, seam_eye(), projection, settings), projection, settings);
 }
 
 //! Sum of the green light in a rectangle of a picture.
@@ -145,7 +145,7 @@ TEST(StarsAtSeams, KeepTheLightOfTrailsAcrossTheEdgesOfACube) {
     trails.directions.push_back(image_at({1.0 - 0.02 * i, 1.0 - 0.005 * i, 1.0 + 0.03 * i}).direction);
   }
   trails.ways = {{0, 20, {1.0F, 1.0F, 1.0F}}};
-  const Shutter shutter{std::vector<StarEye>(21, plain_eye())};
+  const Shutter shutter{std::vector<StarEye>(21, seam_eye())};
   for (const CubeLayout layout : {CubeLayout::cross, CubeLayout::strip}) {
     const Projection projection = make_cube_projection(256, layout);
     const SplatSettings settings{0.7, 1.0F};

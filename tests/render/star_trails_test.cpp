@@ -39,7 +39,7 @@ double light_in_picture(const std::vector<StarPoint>& points, const Projection& 
 }
 
 TEST(StarTrails, EndWhereTheImagesAreWhenTheShutterOpensAndCloses) {
-  const EyeCamera eye = eye_at(places[0]);
+  const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(6.0));
   const Shutter shutter = orbit_about(eye);
@@ -64,7 +64,7 @@ TEST(StarTrails, EndWhereTheImagesAreWhenTheShutterOpensAndCloses) {
 }
 
 TEST(StarTrails, KeepTheLightOfTheirImages) {
-  const EyeCamera eye = eye_at(places[0]);
+  const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
   // Well inside the picture, whatever the way, and not about to merge with another.
@@ -83,7 +83,7 @@ TEST(StarTrails, KeepTheLightOfTheirImages) {
 }
 
 TEST(StarTrails, OfAStillCameraArePoints) {
-  const EyeCamera eye = eye_at(places[1]);
+  const EyeCamera eye = eye_at_place(places[1]);
   const StarField field(brightest(200), glm::dmat3(1.0), colours().view());
   const auto images = images_of(field, eye, settings_for(6.0));
   const Projection projection = make_dome_projection(1024, pi, 0.0);
@@ -95,7 +95,7 @@ TEST(StarTrails, OfAStillCameraArePoints) {
 }
 
 TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
-  const EyeCamera eye = eye_at(places[0]);
+  const EyeCamera eye = eye_at_place(places[0]);
   const StarField field(brightest(300), glm::dmat3(1.0), colours().view());
   std::vector<StarImage> images = images_of(field, eye, settings_for(6.0));
   // Near the picture's middle, which a roll leaves where it is: turn about the view's x axis instead, which is e_φ.
@@ -122,7 +122,7 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
 }
 
 TEST(StarTrails, CrossThePictureSeamTheShortWay) {
-  const EyeCamera eye = eye_at(places[2]);
+  const EyeCamera eye = eye_at_place(places[2]);
   const Projection projection = make_equirectangular_projection(512, 256);
   StarTrails trails;
   // Behind the viewer: the view looks along -e_r, its right is e_φ.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "render/lens/grid_builder.h"
 #include "tests/support/lens_errors.h"
@@ -12,7 +13,6 @@
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double spin = 0.999;
 
 struct Place {

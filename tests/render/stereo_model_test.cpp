@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/geodesic/affine_distance.h"
 #include "kernels/projection/flat_parallax.h"
@@ -23,8 +24,6 @@
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Show stereo_show(const std::string& stereo,
                  const std::string& view = "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 400\n",
@@ -45,15 +44,6 @@ double left_side(const Picture& picture, int row) {
     sum += static_cast<double>(coverage(picture, x, row));
   }
   return sum;
-}
-
-Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
-  Vector3<double> view{};
-  const auto& m = eye.frame_from_view;
-  view.x = m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z;
-  view.y = m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z;
-  view.z = m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z;
-  return view;
 }
 
 //! The same from the critical curve of a camera at the eye's event.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 #include "render/output/tone_map.h"
@@ -12,12 +13,10 @@
 namespace ergodome {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 Projection screen(int size_px = 340) { return make_pinhole_projection(size_px, size_px, 0.7); }
 Projection dome(int size_px = 512) { return make_dome_projection(size_px, pi, 0.0); }
 
-const float* light_at(const Picture& picture, int x, int y) {
+const float* pattern_light_at(const Picture& picture, int x, int y) {
   return picture.rgba.data() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + x);
 }
 
@@ -52,7 +51,7 @@ TEST(TestPatterns, AreBlackBesideADomesCircle) {
   for (const std::string& name : test_pattern_names()) {
     const Picture picture = draw_test_pattern(test_pattern(name), dome(64));
     for (int channel = 0; channel < 4; ++channel) {
-      EXPECT_EQ(light_at(picture, 1, 1)[channel], 0.0F) << name;
+      EXPECT_EQ(pattern_light_at(picture, 1, 1)[channel], 0.0F) << name;
     }
   }
 }
@@ -71,7 +70,7 @@ TEST(TestPatterns, ColourBarsFallInLuminanceFromWhiteToBlack) {
   const Picture picture = draw_test_pattern(TestPattern::colour_bars, screen());
   double last = 2.0;
   for (int bar = 0; bar < 8; ++bar) {
-    const float* rgb = light_at(picture, static_cast<int>((bar + 0.5) / 8.0 * picture.width), 10);
+    const float* rgb = pattern_light_at(picture, static_cast<int>((bar + 0.5) / 8.0 * picture.width), 10);
     const double luminance = 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
                              0.0722 * static_cast<double>(rgb[2]);
     EXPECT_LT(luminance, last) << bar;
@@ -92,7 +91,9 @@ TEST(TestPatterns, ADomeHasColourBarsFourTimesRound) {
   for (int x = 8; x < 250; x += 16) {
     for (int quarter = 1; quarter < 4; ++quarter) {
       for (int channel = 0; channel < 3; ++channel) {
-        EXPECT_EQ(light_at(picture, x, 200)[channel], light_at(picture, x + 256 * quarter, 200)[channel]) << x;
+        EXPECT_EQ(pattern_light_at(picture, x, 200)[channel],
+                  pattern_light_at(picture, x + 256 * quarter, 200)[channel])
+            << x;
       }
     }
   }
@@ -102,9 +103,9 @@ TEST(TestPatterns, FieldsOfTheCheckerAreTenDegreesHigh) {
   const Picture picture = draw_test_pattern(TestPattern::checker, make_equirectangular_projection(720, 360));
   // Half a degree a pixel; in the lowest rings 36 fields go round.
   for (int field = 0; field < 35; ++field) {
-    const float here = light_at(picture, 20 * field + 10, 170)[0];
-    EXPECT_EQ(here + light_at(picture, 20 * (field + 1) + 10, 170)[0], 1.0F) << field;
-    EXPECT_EQ(here + light_at(picture, 20 * field + 10, 190)[0], 1.0F) << field;
+    const float here = pattern_light_at(picture, 20 * field + 10, 170)[0];
+    EXPECT_EQ(here + pattern_light_at(picture, 20 * (field + 1) + 10, 170)[0], 1.0F) << field;
+    EXPECT_EQ(here + pattern_light_at(picture, 20 * field + 10, 190)[0], 1.0F) << field;
   }
 }
 
@@ -113,7 +114,7 @@ TEST(TestPatterns, HalfOfEveryRingOfTheCheckerIsWhite) {
   for (int y = 10; y < 360; y += 20) {
     double sum = 0.0;
     for (int x = 0; x < 720; ++x) {
-      sum += static_cast<double>(light_at(picture, x, y)[0]);
+      sum += static_cast<double>(pattern_light_at(picture, x, y)[0]);
     }
     EXPECT_NEAR(sum / 720.0, 0.5, 1e-3) << y;
   }
@@ -127,8 +128,8 @@ TEST(TestPatterns, CirclesOfThePolarGridAreWhereTheirElevationIs) {
     const double azimuth = 165.7 * pi / 180.0;
     const int x = static_cast<int>(450.5 + radius_px * std::sin(azimuth));
     const int y = static_cast<int>(450.5 + radius_px * std::cos(azimuth));
-    EXPECT_GT(light_at(picture, x, y)[0], 0.3F) << elevation;
-    EXPECT_LT(light_at(picture, x, y - 5)[0], 0.05F) << elevation;
+    EXPECT_GT(pattern_light_at(picture, x, y)[0], 0.3F) << elevation;
+    EXPECT_LT(pattern_light_at(picture, x, y - 5)[0], 0.05F) << elevation;
   }
 }
 
@@ -137,9 +138,9 @@ TEST(TestPatterns, LinesOfResolutionAreSinglePixels) {
   // The patch in the middle: 85 px wide; its upper left corner has upright lines.
   const int left = 512 - 40;
   for (int i = 0; i < 8; ++i) {
-    const float here = light_at(picture, left + i, 512 - 38)[0];
+    const float here = pattern_light_at(picture, left + i, 512 - 38)[0];
     EXPECT_TRUE(here == 0.0F || here == 1.0F);
-    EXPECT_EQ(here + light_at(picture, left + i + 1, 512 - 38)[0], 1.0F) << i;
+    EXPECT_EQ(here + pattern_light_at(picture, left + i + 1, 512 - 38)[0], 1.0F) << i;
   }
 }
 
@@ -149,7 +150,7 @@ TEST(TestPatterns, AnEvenFieldWithoutLinesIsBetweenThemInTheBlendCheck) {
   for (const double from_zenith_deg : {35.0, 45.0, 55.0}) {
     const int x = static_cast<int>(450.5 + 5.0 * from_zenith_deg * std::sin(azimuth));
     const int y = static_cast<int>(450.5 + 5.0 * from_zenith_deg * std::cos(azimuth));
-    EXPECT_NEAR(light_at(picture, x, y)[0], 0.2158F, 1e-3F);
+    EXPECT_NEAR(pattern_light_at(picture, x, y)[0], 0.2158F, 1e-3F);
   }
 }
 
@@ -182,13 +183,13 @@ TEST(TestPatterns, AnotherPatternIsTheSameForBothEyes) {
 TEST(ProjectorNumber, HasAFrameOfSinglePixelsAlongItsEdge) {
   const Picture picture = draw_projector_number(3, "north", 320, 200);
   for (int x = 0; x < 320; ++x) {
-    EXPECT_EQ(light_at(picture, x, 0)[0], 1.0F);
-    EXPECT_EQ(light_at(picture, x, 199)[0], 1.0F);
+    EXPECT_EQ(pattern_light_at(picture, x, 0)[0], 1.0F);
+    EXPECT_EQ(pattern_light_at(picture, x, 199)[0], 1.0F);
   }
-  EXPECT_LT(light_at(picture, 160, 1)[0], 0.1F);
-  EXPECT_LT(light_at(picture, 160, 198)[0], 0.1F);
-  EXPECT_EQ(light_at(picture, 0, 100)[0], 1.0F);
-  EXPECT_EQ(light_at(picture, 319, 100)[0], 1.0F);
+  EXPECT_LT(pattern_light_at(picture, 160, 1)[0], 0.1F);
+  EXPECT_LT(pattern_light_at(picture, 160, 198)[0], 0.1F);
+  EXPECT_EQ(pattern_light_at(picture, 0, 100)[0], 1.0F);
+  EXPECT_EQ(pattern_light_at(picture, 319, 100)[0], 1.0F);
 }
 
 TEST(ProjectorNumber, DependsOnTheNumber) {

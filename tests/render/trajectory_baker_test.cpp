@@ -9,6 +9,7 @@
 #include "content/camera_path.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/lens/eye_camera.h"
 #include "render/lens/station_blend.h"
@@ -17,8 +18,6 @@
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 //! From r = 12, θ = 70° to r = 5 on the equator in ten seconds, then to rest there.
 Show approach() {

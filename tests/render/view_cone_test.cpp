@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/core/angles.h"
 #include "tests/support/projections.h"
 
 namespace ergodome {
 namespace {
 
 using test::NamedProjection;
-using test::pi;
 
 //! An eye whose frame is that of its view.
 EyeCamera plain_eye() {

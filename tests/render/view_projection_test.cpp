@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/cube_pictures.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(ViewProjection, OfACubeHasTheWidthThatWasAskedFor) {
   ViewSettings view;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/projection/make_projection.h"
-#include "tests/support/pi.h"
 
 // Pictures of every kind for tests, and places in them.
 namespace ergodome::test {

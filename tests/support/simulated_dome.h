@@ -9,7 +9,7 @@
 #include "calibration/bourke_mesh.h"
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
-#include "tests/support/pi.h"
+#include "kernels/core/angles.h"
 
 // A dome that is there only in numbers, and its projectors.
 namespace ergodome::test {

@@ -8,8 +8,8 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t usb_length = 64;
-constexpr std::size_t simple_length = 10;
+constexpr std::size_t dualshock4_usb_length = 64;
+constexpr std::size_t dualshock4_simple_length = 10;
 //! Of the reports 0x11 to 0x19 over Bluetooth, as the pad's descriptor has them: the larger ones carry sound behind the state.
 constexpr std::array<std::size_t, 9> full_lengths = {78, 142, 206, 270, 334, 398, 462, 526, 547};
 
@@ -25,8 +25,8 @@ class DualShock4 : public PadDecoder {
     if (report.empty()) {
       return PadReport::refused;
     }
-    if (report[0] == 0x01 && (report.size() == usb_length || report.size() == simple_length)) {
-      const bool is_full = report.size() == usb_length;
+    if (report[0] == 0x01 && (report.size() == dualshock4_usb_length || report.size() == dualshock4_simple_length)) {
+      const bool is_full = report.size() == dualshock4_usb_length;
       streams_ = streams_ || is_full;
       // A wireless receiver goes on reporting when no pad is with it.
       return is_full && (report[31] & 0x04) != 0 ? PadReport::absent : take(report.subspan(1), pad);

@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::uint16_t desktop = 0x01;
+constexpr std::uint16_t desktop_page = 0x01;
 constexpr std::uint16_t joystick = 0x04;
 constexpr std::uint16_t game_pad = 0x05;
 constexpr std::uint16_t multi_axis = 0x08;
@@ -18,7 +18,7 @@ struct NamedUsage {
   const char* name;
 };
 
-// HID Usage Tables 1.4: generic desktop (1), simulation (2).
+// HID Usage Tables 1.4: generic desktop_page (1), simulation (2).
 constexpr std::array<NamedUsage, 15> axis_usages = {{{{0x01, 0x30}, "x"},
                                                      {{0x01, 0x31}, "y"},
                                                      {{0x01, 0x32}, "z"},
@@ -40,7 +40,7 @@ struct ButtonUsage {
   PadButton button;
 };
 
-// Generic desktop: D-pad; consumer (12): home, back, record.
+// Generic desktop_page: D-pad; consumer (12): home, back, record.
 constexpr std::array<ButtonUsage, 7> button_usages = {{{{0x01, 0x90}, PadButton::dpad_up},
                                                        {{0x01, 0x91}, PadButton::dpad_down},
                                                        {{0x01, 0x92}, PadButton::dpad_right},
@@ -50,7 +50,7 @@ constexpr std::array<ButtonUsage, 7> button_usages = {{{{0x01, 0x90}, PadButton:
                                                        {{0x0C, 0xB2}, PadButton::capture}}};
 
 bool has_application(const HidLayout& hid, std::uint16_t usage) {
-  return std::find(hid.applications.begin(), hid.applications.end(), HidUsage{desktop, usage}) !=
+  return std::find(hid.applications.begin(), hid.applications.end(), HidUsage{desktop_page, usage}) !=
          hid.applications.end();
 }
 
@@ -119,7 +119,8 @@ void map_pad(AxisMap& map) {
 }  // namespace
 
 bool is_pad_usage(const HidUsage& usage) {
-  return usage.page == desktop && (usage.usage == joystick || usage.usage == game_pad || usage.usage == multi_axis);
+  return usage.page == desktop_page &&
+         (usage.usage == joystick || usage.usage == game_pad || usage.usage == multi_axis);
 }
 
 bool has_pad(const HidLayout& hid) {

@@ -5,7 +5,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t simple_length = 12;
+constexpr std::size_t switch_simple_length = 12;
 constexpr std::size_t least_full_length = 12;  //!< as far as the sticks; the rest is motion
 constexpr std::size_t most_full_length = 64;   //!< USB pads its reports to this; Bluetooth sends 49
 constexpr std::uint32_t factory_sticks = 0x603D;
@@ -60,7 +60,7 @@ class SwitchPro : public PadDecoder {
     }
     switch (report[0]) {
       case 0x3F:
-        return report.size() == simple_length ? take_simple(report, pad) : PadReport::refused;
+        return report.size() == switch_simple_length ? take_simple(report, pad) : PadReport::refused;
       case 0x30:
         return is_full(report) ? take_full(report, pad) : PadReport::refused;
       case 0x21:

@@ -8,7 +8,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::size_t old_length = 16;
+constexpr std::size_t xbox_old_length = 16;
 //! One S with newer firmware and Series X|S; Elite 2 by firmware.
 constexpr std::array<std::size_t, 5> new_lengths = {17, 19, 33, 39, 55};
 
@@ -35,7 +35,7 @@ class XboxBluetooth : public PadDecoder {
       return PadReport::refused;
     }
     const bool is_new = std::find(new_lengths.begin(), new_lengths.end(), report.size()) != new_lengths.end();
-    if (!is_new && report.size() != old_length) {
+    if (!is_new && report.size() != xbox_old_length) {
       return PadReport::refused;
     }
     pad.buttons.reset();

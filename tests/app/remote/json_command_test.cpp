@@ -17,30 +17,30 @@ namespace {
 using Kind = TransportCommand::Kind;
 using test::error_of;
 
-TransportCommand parsed(const std::string& text) { return parse_json_command(text, test::example_status()); }
+TransportCommand parsed_json(const std::string& text) { return parse_json_command(text, test::example_status()); }
 
-std::string refusal(const std::string& text) {
-  return error_of([&] { parsed(text); });
+std::string json_refusal(const std::string& text) {
+  return error_of([&] { parsed_json(text); });
 }
 
 TEST(JsonCommand, ReadsNumbersTruthsAndTexts) {
-  EXPECT_EQ(parsed(R"({"kind": "seek", "value": 12.5})"), (TransportCommand{Kind::seek, 12.5, ""}));
-  EXPECT_EQ(parsed(R"({"kind": "loop", "value": true})"), (TransportCommand{Kind::loop, 1.0, ""}));
-  EXPECT_EQ(parsed(R"({"kind": "blackout", "value": 0})"), (TransportCommand{Kind::blackout, 0.0, ""}));
-  EXPECT_EQ(parsed(R"({"text": "de", "kind": "language"})"), (TransportCommand{Kind::language, 0.0, "de"}));
-  EXPECT_EQ(parsed(R"({"kind": "play"})"), (TransportCommand{Kind::play, 0.0, ""}));
+  EXPECT_EQ(parsed_json(R"({"kind": "seek", "value": 12.5})"), (TransportCommand{Kind::seek, 12.5, ""}));
+  EXPECT_EQ(parsed_json(R"({"kind": "loop", "value": true})"), (TransportCommand{Kind::loop, 1.0, ""}));
+  EXPECT_EQ(parsed_json(R"({"kind": "blackout", "value": 0})"), (TransportCommand{Kind::blackout, 0.0, ""}));
+  EXPECT_EQ(parsed_json(R"({"text": "de", "kind": "language"})"), (TransportCommand{Kind::language, 0.0, "de"}));
+  EXPECT_EQ(parsed_json(R"({"kind": "play"})"), (TransportCommand{Kind::play, 0.0, ""}));
 }
 
 TEST(JsonCommand, StepsByOneWhereNoNumberIsGiven) {
-  EXPECT_EQ(parsed(R"({"kind": "step"})"), (TransportCommand{Kind::step, 1.0, ""}));
-  EXPECT_EQ(parsed(R"({"kind": "step", "value": -3})"), (TransportCommand{Kind::step, -3.0, ""}));
+  EXPECT_EQ(parsed_json(R"({"kind": "step"})"), (TransportCommand{Kind::step, 1.0, ""}));
+  EXPECT_EQ(parsed_json(R"({"kind": "step", "value": -3})"), (TransportCommand{Kind::step, -3.0, ""}));
 }
 
 TEST(JsonCommand, FindsChaptersByTheirTitlesAndIndices) {
-  EXPECT_EQ(parsed(R"({"kind": "chapter", "text": "the far side"})"), (TransportCommand{Kind::chapter, 1.0, ""}));
-  EXPECT_EQ(parsed(R"({"kind": "chapter", "value": 2})"), (TransportCommand{Kind::chapter, 2.0, ""}));
-  EXPECT_NE(refusal(R"({"kind": "chapter", "value": 3})"), "");
-  EXPECT_NE(refusal(R"({"kind": "chapter", "text": "nowhere"})"), "");
+  EXPECT_EQ(parsed_json(R"({"kind": "chapter", "text": "the far side"})"), (TransportCommand{Kind::chapter, 1.0, ""}));
+  EXPECT_EQ(parsed_json(R"({"kind": "chapter", "value": 2})"), (TransportCommand{Kind::chapter, 2.0, ""}));
+  EXPECT_NE(json_refusal(R"({"kind": "chapter", "value": 3})"), "");
+  EXPECT_NE(json_refusal(R"({"kind": "chapter", "text": "nowhere"})"), "");
 }
 
 TEST(JsonCommand, EveryRuleIsReachedByItsNameAndHasItsOwn) {
@@ -58,34 +58,35 @@ TEST(JsonCommand, EveryRuleIsReachedByItsNameAndHasItsOwn) {
 TEST(JsonCommand, RefusesNumbersThatAreNoneOrTooLarge) {
   for (const char* value : {"1e999", "-1e999", "1e300", "-1", "NaN", "Infinity", "99999999999999999999999999", "\"5\"",
                             "null", "[5]", "{}"}) {
-    EXPECT_NE(refusal(std::string(R"({"kind": "seek", "value": )") + value + "}"), "") << value;
+    EXPECT_NE(json_refusal(std::string(R"({"kind": "seek", "value": )") + value + "}"), "") << value;
   }
-  EXPECT_NE(refusal(R"({"kind": "step", "value": 0.5})"), "");
-  EXPECT_NE(refusal(R"({"kind": "loop", "value": 2})"), "");
+  EXPECT_NE(json_refusal(R"({"kind": "step", "value": 0.5})"), "");
+  EXPECT_NE(json_refusal(R"({"kind": "loop", "value": 2})"), "");
 }
 
 TEST(JsonCommand, RefusesWhatIsNotOneFlatObject) {
   for (const char* text : {"", "{", "[]", "7", "null", "\"play\"", "{}", R"({"kind": 3})", R"({"kind": "play"} x)",
                            R"({"kind": "play", "more": 1})", R"({"kind": "play", "value": {"a": 1}})",
                            R"({"kind": "language", "value": 1, "text": "de"})", "\xff\xfe{\"kind\":\"play\"}"}) {
-    EXPECT_NE(refusal(text), "") << text;
+    EXPECT_NE(json_refusal(text), "") << text;
   }
 }
 
 TEST(JsonCommand, RefusesDepthAndLength) {
   const std::string deep = R"({"kind": "seek", "value": )" + std::string(1900, '[') + std::string(1900, ']') + "}";
-  EXPECT_NE(refusal(deep).find("nested"), std::string::npos);
-  EXPECT_NE(refusal(std::string(1'000'000, '[')).find("longer"), std::string::npos);
+  EXPECT_NE(json_refusal(deep).find("nested"), std::string::npos);
+  EXPECT_NE(json_refusal(std::string(1'000'000, '[')).find("longer"), std::string::npos);
 }
 
 TEST(JsonCommand, NamesTheNearestKindAndNeverQuotesAStranger) {
-  EXPECT_NE(refusal(R"({"kind": "pauze"})").find("\"pause\""), std::string::npos);
-  EXPECT_EQ(refusal(R"({"kind": "<script>"})").find("<script>"), std::string::npos);
+  EXPECT_NE(json_refusal(R"({"kind": "pauze"})").find("\"pause\""), std::string::npos);
+  EXPECT_EQ(json_refusal(R"({"kind": "<script>"})").find("<script>"), std::string::npos);
 }
 
 TEST(JsonCommand, RefusesLanguageTagsThatAreNone) {
-  EXPECT_NE(refusal(R"({"kind": "language", "text": "../../etc"})"), "");
-  EXPECT_NE(refusal(R"({"kind": "language", "text": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"})"), "");
+  EXPECT_NE(json_refusal(R"({"kind": "language", "text": "../../etc"})"), "");
+  EXPECT_NE(json_refusal(R"({"kind": "language", "text": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"})"),
+            "");
 }
 
 TEST(StatusJson, IsValidWhateverTheStatusHolds) {

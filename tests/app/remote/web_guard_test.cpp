@@ -12,7 +12,7 @@
 namespace ergodome {
 namespace {
 
-const std::string token = "0123456789abcdef0123456789abcdef";
+const std::string guard_token = "0123456789abcdef0123456789abcdef";
 
 WebAsker from(const std::string& peer, const std::string& host) {
   WebAsker asker;
@@ -24,18 +24,18 @@ WebAsker from(const std::string& peer, const std::string& host) {
 WebAsker outsider() { return from("192.0.2.7", "192.0.2.2:8080"); }
 WebAsker insider() { return from("127.0.0.1", "localhost:8080"); }
 
-WebVerdict verdict(const WebAsker& asker) { return WebGuard(token).judge(asker); }
+WebVerdict verdict(const WebAsker& asker) { return WebGuard(guard_token).judge(asker); }
 
 TEST(WebGuard, LetsNobodyInFromOutsideWithoutTheToken) {
   WebAsker asker = outsider();
   EXPECT_EQ(verdict(asker), WebVerdict::no_token);
-  asker.url_token = token + "0";
+  asker.url_token = guard_token + "0";
   EXPECT_EQ(verdict(asker), WebVerdict::no_token);
-  asker.url_token = token.substr(1);
+  asker.url_token = guard_token.substr(1);
   EXPECT_EQ(verdict(asker), WebVerdict::no_token);
   asker.url_token.clear();
-  asker.authorization = "Basic " + token;
-  asker.cookie = "other=" + token + "; xergodome_token=" + token;
+  asker.authorization = "Basic " + guard_token;
+  asker.cookie = "other=" + guard_token + "; xergodome_token=" + guard_token;
   EXPECT_EQ(verdict(asker), WebVerdict::no_token);
 }
 
@@ -49,13 +49,13 @@ TEST(WebGuard, AnEmptyTokenIsNoToken) {
 
 TEST(WebGuard, TakesTheTokenByUrlCookieAndHeader) {
   WebAsker asker = outsider();
-  asker.url_token = token;
+  asker.url_token = guard_token;
   EXPECT_EQ(verdict(asker), WebVerdict::welcome_by_url);
   asker.url_token.clear();
-  asker.cookie = "a=b; ergodome_token=" + token + "; c=d";
+  asker.cookie = "a=b; ergodome_token=" + guard_token + "; c=d";
   EXPECT_EQ(verdict(asker), WebVerdict::welcome);
   asker.cookie.clear();
-  asker.authorization = "Bearer " + token;
+  asker.authorization = "Bearer " + guard_token;
   EXPECT_EQ(verdict(asker), WebVerdict::welcome);
 }
 
@@ -104,7 +104,7 @@ TEST(WebGuard, ChangesComeAsJsonFromThePageItself) {
 }
 
 TEST(WebGuard, KeepsTheCookieFromScriptsAndOtherSites) {
-  const std::string cookie = WebGuard(token).set_cookie();
+  const std::string cookie = WebGuard(guard_token).set_cookie();
   EXPECT_NE(cookie.find("HttpOnly"), std::string::npos);
   EXPECT_NE(cookie.find("SameSite=Strict"), std::string::npos);
 }

@@ -9,13 +9,12 @@
 
 #include "content/mesh/built_in_meshes.h"
 #include "content/mesh/mesh_reader.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Vector3<double> position(const TriangleMesh& mesh, std::size_t index) {
   const float(&p)[3] = mesh.vertices[mesh.indices[index]].position;

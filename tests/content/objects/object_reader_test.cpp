@@ -7,11 +7,10 @@
 
 #include "content/objects/object_motion.h"
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Show show_of(const std::string& rest, const std::string& spin = "0", const std::string& r = "30") {
   return parse_show("[hole]\nspin = " + spin + "\n[camera]\n[[camera.key]]\nr = " + r + "\n" + rest, "show.toml");
@@ -95,14 +94,27 @@ rings = 2
 
 TEST(ObjectReader, RefusesWhatCannotBeAndNamesFileAndKey) {
   for (const char* const object :
-       {"", "shape = \"cone\"", "shape = \"sphere\"\nmesh = \"a.obj\"", "shape = \"sphere\"\nrings = 1",
-        "shape = \"sphere\"\nsize = 0", "shape = \"sphere\"\nsize = nan", "shape = \"sphere\"\nposition = [1, 2]",
-        "shape = \"sphere\"\nposition = [inf, 0, 0]", "shape = \"sphere\"\ncolour = [1, 1, 1]",
-        "shape = \"sphere\"\nposition = [9, 0, 0]\norbit = { r = 9 }", "shape = \"sphere\"\norbit = { r = 2.5 }",
-        "shape = \"sphere\"\nkey = [{ t_s = 0 }]", "shape = \"sphere\"\nmethod = \"trace\"",
+       {"",
+        "shape = \"cone\"",
+        "shape = \"sphere\"\nmesh = \"a.obj\"",
+        "shape = \"sphere\"\nrings = 1",
+        "shape = \"sphere\"\nsize = 0",
+        "shape = \"sphere\"\nsize = nan",
+        "shape = \"sphere\"\nposition = [1, 2]",
+        "shape = \"sphere\"\nposition = [inf, 0, 0]",
+        "shape = \"sphere\"\ncolour = [1, 1, 1]",
+        "shape = \"sphere\"\nposition = [9, 0, 0]\norbit = { r = 9 }",
+        "shape = \"sphere\"\norbit = { r = 2.5 }",
+        "shape = \"sphere\"\nkey = [{ t_s = 0 }]",
+        "shape = \"sphere\"\nmethod = \"rays\"",
+        "shape = \"sphere\"\nretarded = true",
+        "shape = \"sphere\"\nmethod = \"trace\"\nretarded = true\nkey = [{ t_s = 1, position = [9, 0, 0] }]",
+        "shape = \"sphere\"\nmethod = \"trace\"\n[[objects]]\nshape = \"sphere\"",
         "shape = \"sphere\"\nkey = [{ t_s = 1, position = [9, 0, 0] }, { t_s = 1, position = [8, 0, 0] }]",
-        "shape = \"triangle\"\ncorners = [[0, 0, 0], [1, 0, 0]]", "shape = \"disk\"\ninner = 9\nouter = 8",
-        "shape = \"sphere\"\nchecker = { columns = 0 }", "shape = \"sphere\"\ntessellation = { most = 65 }",
+        "shape = \"triangle\"\ncorners = [[0, 0, 0], [1, 0, 0]]",
+        "shape = \"disk\"\ninner = 9\nouter = 8",
+        "shape = \"sphere\"\nchecker = { columns = 0 }",
+        "shape = \"sphere\"\ntessellation = { most = 65 }",
         "shape = \"sphere\"\nlight = \"lambert\""}) {
     SCOPED_TRACE(object);
     try {
@@ -123,6 +135,23 @@ TEST(ObjectReader, RefusesAHoleThatSpinsAndACameraInsideThePhotonSphere) {
   EXPECT_THROW(show_of(sphere, "0", "2.9"), Error);
   const std::string spun = "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 0, value = 0 }]\n";
   EXPECT_THROW(show_of(sphere + spun), Error);
+}
+
+TEST(ObjectReader, TakesThemWhereTheyAreTraced) {
+  const std::string sphere = "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nposition = [9, 0, 0]\n";
+  EXPECT_NO_THROW(show_of(sphere, "0.5"));
+  EXPECT_NO_THROW(show_of(sphere, "0", "2.9"));
+  EXPECT_TRUE(missing_features(show_of(sphere + "[disk]\n")).empty());
+}
+
+TEST(ObjectReader, KeepsMethodAndRetardationWhenAShowIsWritten) {
+  const Show show =
+      show_of("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nretarded = true\norbit = { r = 9 }\n", "0.5");
+  EXPECT_EQ(show.objects.front().method, ObjectMethod::trace);
+  EXPECT_TRUE(show.objects.front().retarded);
+  const Show again = parse_show(to_toml(show), "again.toml");
+  EXPECT_EQ(again.objects.front().method, ObjectMethod::trace);
+  EXPECT_TRUE(again.objects.front().retarded);
 }
 
 TEST(ObjectReader, SaysWhichPartsOfAShowDoNotGoWithObjects) {

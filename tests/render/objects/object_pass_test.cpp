@@ -11,12 +11,11 @@ namespace ergodome {
 namespace {
 
 using test::closed_form_direction;
-using test::degree;
 using test::eye_looking;
 using test::small_sphere;
 
-constexpr double r_observer = 40.0;
-const Vector3<double> to_hole = {-1.0, 0.0, 0.0};
+constexpr double pass_r_observer = 40.0;
+const Vector3<double> towards_hole = {-1.0, 0.0, 0.0};
 
 class ObjectPasses : public test::ObjectScenes {
  protected:
@@ -31,24 +30,24 @@ class ObjectPasses : public test::ObjectScenes {
 Projection fisheye(LensLaw law, double field_of_view_deg, double tilt_deg) {
   DomeView dome;
   dome.law = law;
-  dome.field_of_view = degree * field_of_view_deg;
-  dome.tilt = degree * tilt_deg;
+  dome.field_of_view = one_degree * field_of_view_deg;
+  dome.tilt = one_degree * tilt_deg;
   return make_dome_projection(512, dome);
 }
 
 TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
   // Beside the observer, so that its second image is far away and small.
   const Vector3<double> place{36.0, 3.0, 4.0};
-  const EyeCamera eye = eye_looking(r_observer, {-0.6, 0.0, 0.8});
-  const Vector3<double> expected = in_view(eye, closed_form_direction(r_observer, place, 1));
+  const EyeCamera eye = eye_looking(pass_r_observer, {-0.6, 0.0, 0.8});
+  const Vector3<double> expected = in_view(eye, closed_form_direction(pass_r_observer, place, 1));
   DomeView polynomial;
   polynomial.law = LensLaw::polynomial;
-  polynomial.field_of_view = 200.0 * degree;
+  polynomial.field_of_view = 200.0 * one_degree;
   polynomial.coefficient[0] = 0.6;
   polynomial.coefficient[1] = -0.01;
   polynomial.viewer = {0.1, 0.05, -0.1};
   const std::vector<std::pair<const char*, Projection>> projections = {
-      {"pinhole", make_pinhole_projection(512, 256, 120.0 * degree)},
+      {"pinhole", make_pinhole_projection(512, 256, 120.0 * one_degree)},
       {"frustum", make_frustum_projection(512, 256, {-1.0, 2.0, 1.0, -0.5})},
       {"dome", fisheye(LensLaw::equidistant, 180.0, 0.0)},
       {"tilted dome", fisheye(LensLaw::equidistant, 220.0, 30.0)},
@@ -58,7 +57,7 @@ TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
       {"polynomial, off the middle", make_dome_projection(512, polynomial)},
       {"equirectangular", make_equirectangular_projection(512, 256)},
       {"cube", make_cube_projection(128, CubeLayout::cross)},
-      {"cylinder", make_cylinder_projection(512, 256, 200.0 * degree, -1.0, 1.0)},
+      {"cylinder", make_cylinder_projection(512, 256, 200.0 * one_degree, -1.0, 1.0)},
       {"from outside", seen_from_outside(fisheye(LensLaw::equidistant, 180.0, 10.0))}};
   for (const auto& [name, projection] : projections) {
     SCOPED_TRACE(name);
@@ -79,8 +78,9 @@ TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
 TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
   const Vector3<double> place{44.0, 0.0, 0.3};
   const Projection projection = make_equirectangular_projection(512, 256);
-  const auto whole = draw(show_of({small_sphere(place, 0.8)}), eye_looking(r_observer, {1.0, 0.0, 0.0}), projection);
-  const auto split = draw(show_of({small_sphere(place, 0.8)}), eye_looking(r_observer, to_hole), projection);
+  const auto whole =
+      draw(show_of({small_sphere(place, 0.8)}), eye_looking(pass_r_observer, {1.0, 0.0, 0.0}), projection);
+  const auto split = draw(show_of({small_sphere(place, 0.8)}), eye_looking(pass_r_observer, towards_hole), projection);
   EXPECT_NEAR(split.light(), whole.light(), 0.02 * whole.light());
   double left = 0.0;
   double middle = 0.0;
@@ -95,7 +95,7 @@ TEST_F(ObjectPasses, WhatCrossesTheSeamOfAPanoramaIsOnBothSides) {
 
 TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
   // Opposite the zenith, and across the rim.
-  const EyeCamera eye = eye_looking(r_observer, to_hole);
+  const EyeCamera eye = eye_looking(pass_r_observer, towards_hole);
   for (const Vector3<double>& place : {Vector3<double>{40.0, 0.2, -5.0}, {40.0, 0.0, -5.0}, {44.0, 0.0, 0.0}}) {
     ObjectSettings sphere = small_sphere(place, 1.0);
     sphere.tessellation.most = 1.0;
@@ -112,13 +112,13 @@ TEST_F(ObjectPasses, NothingIsDrawnAcrossADomeByWhatIsBehindIt) {
 }
 
 TEST_F(ObjectPasses, WhatIsNearerByLightTravelTimeHidesTheOther) {
-  const Projection projection = make_pinhole_projection(128, 128, 6.0 * degree);
+  const Projection projection = make_pinhole_projection(128, 128, 6.0 * one_degree);
   ObjectSettings near = small_sphere({20.0, 0.0, 0.0}, 0.5);
   near.color = {1.0, 0.0, 0.0};
   ObjectSettings far = small_sphere({10.0, 0.0, 0.0}, 1.4);
   far.color = {0.0, 1.0, 0.0};
   for (const auto& objects : {std::vector{near, far}, std::vector{far, near}}) {
-    const auto drawn = draw(show_of(objects), eye_looking(r_observer, to_hole), projection);
+    const auto drawn = draw(show_of(objects), eye_looking(pass_r_observer, towards_hole), projection);
     EXPECT_EQ(drawn.at(64, 64, 0), 1.0F);
     EXPECT_EQ(drawn.at(64, 64, 1), 0.0F);
     EXPECT_EQ(drawn.at(64, 25, 0), 0.0F);
@@ -130,7 +130,8 @@ TEST_F(ObjectPasses, EdgesAreMixedWithWhatIsBehind) {
   const Show show = show_of({small_sphere({20.0, 0.0, 0.0}, 0.5)});
   ObjectPass pass(show);
   std::vector<float> rgba(4UL * 64 * 64, 0.25F);
-  pass.draw(eye_looking(r_observer, to_hole), make_pinhole_projection(64, 64, 6.0 * degree), 0.0, rgba.data());
+  pass.draw(eye_looking(pass_r_observer, towards_hole), make_pinhole_projection(64, 64, 6.0 * one_degree), 0.0,
+            rgba.data());
   int mixed = 0;
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
     EXPECT_GE(rgba[i], 0.25F);
@@ -152,8 +153,8 @@ TEST_F(ObjectPasses, LitSurfacesShineAsTheIlluminationOfBothWaysRoundTheHoleSays
   const Vector3<double> point = sphere.position + 0.5 * normal;
   const double expected = illuminance(show.light->position, point, normal, 1, 900.0) +
                           illuminance(show.light->position, point, normal, 2, 900.0);
-  const auto drawn = draw(show, eye_looking(r_observer, closed_form_direction(r_observer, point, 1)),
-                          make_pinhole_projection(65, 65, 0.4 * degree));
+  const auto drawn = draw(show, eye_looking(pass_r_observer, closed_form_direction(pass_r_observer, point, 1)),
+                          make_pinhole_projection(65, 65, 0.4 * one_degree));
   EXPECT_GT(expected, 0.5);
   EXPECT_NEAR(drawn.at(32, 32), expected, 0.01 * expected);
 }
@@ -164,8 +165,8 @@ TEST_F(ObjectPasses, ACheckerboardDarkensEveryOtherField) {
   triangle.triangle.corners = {{{0.0, -2.0, -2.0}, {0.0, 6.0, -2.0}, {0.0, -2.0, 6.0}}};
   triangle.position = {20.0, 0.0, 0.0};
   triangle.checker = CheckerSettings{4, 4, 0.25};
-  const auto drawn =
-      draw(show_of({triangle}), eye_looking(r_observer, to_hole), make_pinhole_projection(64, 64, 8.0 * degree));
+  const auto drawn = draw(show_of({triangle}), eye_looking(pass_r_observer, towards_hole),
+                          make_pinhole_projection(64, 64, 8.0 * one_degree));
   double light = 0.0;
   double dark = 0.0;
   drawn.each([&](double /*x*/, double /*y*/, double value) {
@@ -181,9 +182,9 @@ TEST_F(ObjectPasses, MoreTessellationMovesTheMiddleOfAnEdgeToWhereItIsSeen) {
   triangle.form = ObjectForm::triangle;
   triangle.triangle.corners = {{{0.0, -3.0, 0.0}, {0.0, 3.0, 0.0}, {0.0, 0.0, 3.0}}};
   triangle.position = {-5.0, 0.0, 1.5};
-  const EyeCamera eye = eye_looking(r_observer, to_hole);
-  const Projection projection = make_pinhole_projection(256, 256, 25.0 * degree);
-  const Vector3<double> inside = closed_form_direction(r_observer, {-5.0, 0.0, 1.6}, 1);
+  const EyeCamera eye = eye_looking(pass_r_observer, towards_hole);
+  const Projection projection = make_pinhole_projection(256, 256, 25.0 * one_degree);
+  const Vector3<double> inside = closed_form_direction(pass_r_observer, {-5.0, 0.0, 1.6}, 1);
   double x = 0.0;
   double y = 0.0;
   ASSERT_TRUE(pixel_from_direction(projection, in_view(eye, inside), x, y));
@@ -201,9 +202,9 @@ TEST_F(ObjectPasses, MoreTessellationMovesTheMiddleOfAnEdgeToWhereItIsSeen) {
 }
 
 TEST_F(ObjectPasses, RefuseObjectsInTheHoleAndEyesInsideThePhotonSphere) {
-  const Projection projection = make_pinhole_projection(16, 16, degree);
+  const Projection projection = make_pinhole_projection(16, 16, one_degree);
   const auto drawn_from = [&](double r, const ObjectSettings& object) {
-    return test::error_of([&] { draw(show_of({object}), eye_looking(r, to_hole), projection); });
+    return test::error_of([&] { draw(show_of({object}), eye_looking(r, towards_hole), projection); });
   };
   EXPECT_THAT(drawn_from(40.0, small_sphere({3.0, 0.0, 0.0}, 1.0)),
               testing::AllOf(testing::HasSubstr("scene: objects[0]: reaches from 2"), testing::HasSubstr("2.1 M")));

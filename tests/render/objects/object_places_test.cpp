@@ -12,12 +12,11 @@ namespace ergodome {
 namespace {
 
 using test::closed_form_direction;
-using test::degree;
 using test::eye_looking;
 using test::reference_pixel;
 using test::small_sphere;
 
-constexpr double r_observer = 40.0;
+constexpr double places_r_observer = 40.0;
 const Vector3<double> to_hole = {-1.0, 0.0, 0.0};
 
 class ObjectPlaces : public test::ObjectScenes {
@@ -26,8 +25,9 @@ class ObjectPlaces : public test::ObjectScenes {
   static double miss(const Vector3<double>& place, int order, double size, double field_of_view) {
     constexpr int width = 128;
     ObjectPass pass(show_of({small_sphere(place, size)}));
-    const auto drawn = draw(pass, eye_looking(r_observer, closed_form_direction(r_observer, place, order)),
-                            make_pinhole_projection(width, width, field_of_view));
+    const auto drawn =
+        draw(pass, eye_looking(places_r_observer, closed_form_direction(places_r_observer, place, order)),
+             make_pinhole_projection(width, width, field_of_view));
     double x = 0.0;
     double y = 0.0;
     drawn.middle(x, y);
@@ -56,7 +56,7 @@ TEST_F(ObjectPlaces, FirstImagesAreWithinATwentiethOfAPixelOfTheClosedForm) {
                                        {-30.0, -2.0, 3.0},
                                        {10.0, 0.0, -0.5},
                                        {45.0, 3.0, 4.0}}) {
-    EXPECT_LT(miss(place, 1, 0.02, 0.8 * degree), 0.05 * reference_pixel)
+    EXPECT_LT(miss(place, 1, 0.02, 0.8 * one_degree), 0.05 * reference_pixel)
         << place.x << " " << place.y << " " << place.z;
   }
 }
@@ -64,10 +64,10 @@ TEST_F(ObjectPlaces, FirstImagesAreWithinATwentiethOfAPixelOfTheClosedForm) {
 TEST_F(ObjectPlaces, SecondImagesAreOnTheOtherSideAndWithinATwentiethOfAPixelOfTheClosedForm) {
   for (const Vector3<double>& place :
        {Vector3<double>{-5.0, 3.0, -0.5}, {-6.0, 1.5, -1.0}, {5.0, 3.0, 2.0}, {-30.0, -2.0, 3.0}}) {
-    EXPECT_LT(miss(place, 2, 0.03, 0.1 * degree), 0.05 * reference_pixel)
+    EXPECT_LT(miss(place, 2, 0.03, 0.1 * one_degree), 0.05 * reference_pixel)
         << place.x << " " << place.y << " " << place.z;
-    const Vector3<double> first = closed_form_direction(r_observer, place, 1);
-    const Vector3<double> second = closed_form_direction(r_observer, place, 2);
+    const Vector3<double> first = closed_form_direction(places_r_observer, place, 1);
+    const Vector3<double> second = closed_form_direction(places_r_observer, place, 2);
     EXPECT_LT(first.y * second.y + first.z * second.z, 0.0);
   }
 }
@@ -77,14 +77,14 @@ TEST_F(ObjectPlaces, AMovingObserverSeesThemWhereAberrationPutsThem) {
   const Vector3<double> velocity{-0.3, 0.2, 0.4};
   const FrameBoost boost = frame_boost(velocity);
   double energy = 0.0;
-  const Vector3<double> seen =
-      aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch}, closed_form_direction(r_observer, place, 1), energy);
+  const Vector3<double> seen = aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch},
+                                         closed_form_direction(places_r_observer, place, 1), energy);
   // Against the motion: what is ahead moves together.
-  EXPECT_GT(dot(seen, boost.axis), dot(closed_form_direction(r_observer, place, 1), boost.axis));
-  EyeCamera eye = eye_looking(r_observer, seen);
+  EXPECT_GT(dot(seen, boost.axis), dot(closed_form_direction(places_r_observer, place, 1), boost.axis));
+  EyeCamera eye = eye_looking(places_r_observer, seen);
   eye.motion = ObserverMotion::velocity;
   eye.velocity = velocity;
-  constexpr double field_of_view = 0.8 * degree;
+  constexpr double field_of_view = 0.8 * one_degree;
   const auto drawn = draw(show_of({small_sphere(place, 0.02)}), eye, make_pinhole_projection(128, 128, field_of_view));
   double x = 0.0;
   double y = 0.0;
@@ -96,27 +96,28 @@ TEST_F(ObjectPlaces, AMovingObserverSeesThemWhereAberrationPutsThem) {
 TEST_F(ObjectPlaces, ASphereExactlyBehindIsARingOfTheRightRadii) {
   constexpr double r = 10.0;
   constexpr double size = 0.5;
-  const Projection projection = make_pinhole_projection(512, 512, 25.0 * degree);
+  const Projection projection = make_pinhole_projection(512, 512, 25.0 * one_degree);
   // A little off the axis, where no corner is: one is a whole ring, and its triangles are left out.
   ObjectSettings sphere = small_sphere({-r, 0.0, 1e-3}, size);
   sphere.tessellation.most = 64.0;
-  const auto drawn = draw(show_of({sphere}), eye_looking(r_observer, to_hole), projection);
+  const auto drawn = draw(show_of({sphere}), eye_looking(places_r_observer, to_hole), projection);
   // The limb: the rays that graze the ball, on both sides.
   double inner = 10.0;
   double outer = 0.0;
   for (int i = 0; i < 720; ++i) {
-    const double at = i * 0.5 * degree;
+    const double at = i * 0.5 * one_degree;
     const double x = -r + size * std::cos(at);
     const double y = size * std::sin(at);
     const double phi = std::atan2(std::abs(y), x);
     for (const int order : {1, 2}) {
-      const double angle = std::acos(-1.0) - connecting_ray(r_observer, std::hypot(x, y), image_angle(phi, order)).xi;
+      const double angle =
+          std::acos(-1.0) - connecting_ray(places_r_observer, std::hypot(x, y), image_angle(phi, order)).xi;
       inner = std::min(inner, angle);
       outer = std::max(outer, angle);
     }
   }
   const auto [nearest, farthest] = extent(drawn, projection);
-  constexpr double pixel = 25.0 * degree / 512.0;
+  constexpr double pixel = 25.0 * one_degree / 512.0;
   EXPECT_NEAR(nearest, inner, 1.5 * pixel);
   EXPECT_NEAR(farthest, outer, 1.5 * pixel);
   // Round it there is no gap.
@@ -126,30 +127,30 @@ TEST_F(ObjectPlaces, ASphereExactlyBehindIsARingOfTheRightRadii) {
     double x = 0.0;
     double y = 0.0;
     const double sine = std::sin(middle);
-    pixel_from_direction(projection, {sine * std::cos(i * degree), sine * std::sin(i * degree), -std::cos(middle)}, x,
-                         y);
+    pixel_from_direction(projection,
+                         {sine * std::cos(i * one_degree), sine * std::sin(i * one_degree), -std::cos(middle)}, x, y);
     covered += drawn.at(static_cast<int>(x), static_cast<int>(y)) > 0.9F ? 1 : 0;
   }
   EXPECT_GT(covered, 350);
 }
 
 TEST_F(ObjectPlaces, NothingIsDrawnAcrossTheShadowWhileASphereCrossesTheAxis) {
-  const Projection projection = make_pinhole_projection(128, 128, 25.0 * degree);
-  const double shadow = std::asin(std::sqrt(27.0 * (1.0 - 2.0 / r_observer)) / r_observer);
+  const Projection projection = make_pinhole_projection(128, 128, 25.0 * one_degree);
+  const double shadow = std::asin(std::sqrt(27.0 * (1.0 - 2.0 / places_r_observer)) / places_r_observer);
   for (const double y : {-0.7, -0.003, 0.0, 0.3}) {
     for (const double x : {-6.0, 6.0}) {
       ObjectSettings sphere = small_sphere({x, y, 0.0}, 0.5);
       // Coarse triangles are torn as fine ones are.
       for (const double most : {1.0, 64.0}) {
         sphere.tessellation.most = most;
-        const auto drawn = draw(show_of({sphere}), eye_looking(r_observer, to_hole), projection);
+        const auto drawn = draw(show_of({sphere}), eye_looking(places_r_observer, to_hole), projection);
         EXPECT_GT(drawn.light(), 10.0) << x << " " << y;
         // A chord of the ring comes a little nearer than the ring: here by less than a tenth.
         const auto [nearest, farthest] = extent(drawn, projection);
         if (x < 0.0) {
           EXPECT_GT(nearest, 0.9 * shadow) << y << " " << most;
         }
-        EXPECT_LT(farthest, 12.0 * degree) << y << " " << most;
+        EXPECT_LT(farthest, 12.0 * one_degree) << y << " " << most;
       }
     }
   }

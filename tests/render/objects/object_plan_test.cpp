@@ -17,16 +17,10 @@ using Work = std::map<std::string, WorkCount>;
 
 const std::vector<std::string> work_of_objects = {"load_meshes", "open_gl", "make_connection_table", "draw_objects"};
 
-class ObjectPlans : public test::FolderTest {
+class TracedObjectPlans : public test::FolderTest {
  protected:
   void SetUp() override {
     FolderTest::SetUp();
-    test::driver_was_loaded = true;
-    try {
-      const GlThread thread;
-    } catch (const Error& problem) {
-      GTEST_SKIP() << problem.what();
-    }
     Picture map;
     map.width = 64;
     map.height = 32;
@@ -50,6 +44,20 @@ class ObjectPlans : public test::FolderTest {
     return show;
   }
 
+  //! Holds what a plan says of some work, by line 12 of the show, to what a picture and one more have done.
+  static void expect_planned(const std::vector<std::string>& names, const FramePlan& plan, const Work& first,
+                             const Work& second) {
+    for (const std::string& name : names) {
+      const auto pass = std::ranges::find(plan.passes, name, &PlannedPass::name);
+      ASSERT_NE(pass, plan.passes.end()) << name;
+      EXPECT_THAT(pass->why, testing::HasSubstr("line 12"));
+      ASSERT_TRUE(first.contains(name)) << name;
+      EXPECT_TRUE(pass->runs == 0 || first.at(name).runs == pass->runs) << name;
+      EXPECT_TRUE(pass->elements == 0 || first.at(name).elements == pass->elements) << name;
+      EXPECT_EQ(second.contains(name), pass->moment == WorkMoment::picture) << name;
+    }
+  }
+
   //! What a picture and one more of the same moment take.
   static std::pair<Work, Work> work_of(const Show& show, ViewMode mode) {
     const Work start = work_done();
@@ -61,6 +69,72 @@ class ObjectPlans : public test::FolderTest {
   }
 };
 
+//! The same of polygons, where there is an OpenGL.
+class ObjectPlans : public TracedObjectPlans {
+ protected:
+  void SetUp() override {
+    TracedObjectPlans::SetUp();
+    test::driver_was_loaded = true;
+    try {
+      const GlThread thread;
+    } catch (const Error& problem) {
+      GTEST_SKIP() << problem.what();
+    }
+  }
+};
+
+const std::vector<std::string> work_of_tracing = {"load_meshes", "mark_object_tiles", "look_at_objects", "lay_objects"};
+
+ObjectSettings traced(ObjectSettings object) {
+  object.method = ObjectMethod::trace;
+  return object;
+}
+
+TEST_F(TracedObjectPlans, NameWhatTracingTakesAndNothingThatPolygonsDo) {
+  const Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  const FramePlan plan = plan_frame(show, {});
+  const auto [first, second] = work_of(show, ViewMode::sky);
+  expect_planned(work_of_tracing, plan, first, second);
+  for (const char* const name : {"open_gl", "make_connection_table", "draw_objects"}) {
+    EXPECT_EQ(std::ranges::find(plan.passes, name, &PlannedPass::name), plan.passes.end()) << name;
+    EXPECT_FALSE(first.contains(name)) << name;
+  }
+  for (const auto& [name, work] : first) {
+    if (name.starts_with("buffer: objects'") || name == "buffer: meshes") {
+      EXPECT_NE(std::ranges::find(plan.buffers, name, &PlannedBuffer::name), plan.buffers.end()) << name;
+    }
+  }
+}
+
+TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
+  Show show = show_with({traced(test::small_sphere({60.0, 0.0, 0.0}, 1.0))});
+  show.view.field_of_view_deg = 10.0;
+  const Work work = work_of(show, ViewMode::sky).first;
+  EXPECT_TRUE(work.contains("mark_object_tiles"));
+  EXPECT_FALSE(work.contains("look_at_objects"));
+}
+
+TEST_F(TracedObjectPlans, AHeatMapShowsNoObjects) {
+  const Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  FrameRequest request;
+  request.mode = ViewMode::steps;
+  const FramePlan plan = plan_frame(show, request);
+  EXPECT_EQ(std::ranges::find(plan.passes, "mark_object_tiles", &PlannedPass::name), plan.passes.end());
+  EXPECT_FALSE(work_of(show, ViewMode::steps).first.contains("mark_object_tiles"));
+}
+
+TEST_F(TracedObjectPlans, AFrameOfAShowHasItsObjectInFrontOfTheSky) {
+  ObjectSettings sphere = traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0));
+  sphere.color = {0.0, 0.5, 0.0};
+  ShowRenderer renderer(show_with({sphere}), Backend::cpu);
+  const std::vector<FrameImage> images = renderer.render(0.0, {});
+  const std::vector<float>& rgba = images.front().picture.rgba;
+  const std::size_t middle = 4 * (32 * 64 + 32);
+  EXPECT_FLOAT_EQ(rgba[middle], 0.0F);
+  EXPECT_NEAR(rgba[middle + 1], 0.5F, 1e-3F);
+  EXPECT_NEAR(rgba[0], 0.25F, 0.01F);
+}
+
 TEST_F(ObjectPlans, NameWhatObjectsTakeAndTheLineThatCallsForIt) {
   Show show = show_with({test::small_sphere({10.0, 0.0, 0.0}, 1.0)});
   FrameRequest request;
@@ -68,15 +142,7 @@ TEST_F(ObjectPlans, NameWhatObjectsTakeAndTheLineThatCallsForIt) {
   request.mesh_bytes = ObjectPass::mesh_bytes(show);
   const FramePlan plan = plan_frame(show, request);
   const auto [first, second] = work_of(show, ViewMode::sky);
-  for (const std::string& name : work_of_objects) {
-    const auto pass = std::ranges::find(plan.passes, name, &PlannedPass::name);
-    ASSERT_NE(pass, plan.passes.end()) << name;
-    EXPECT_THAT(pass->why, testing::HasSubstr("line 12"));
-    ASSERT_TRUE(first.contains(name)) << name;
-    EXPECT_TRUE(pass->runs == 0 || first.at(name).runs == pass->runs) << name;
-    EXPECT_TRUE(pass->elements == 0 || first.at(name).elements == pass->elements) << name;
-    EXPECT_EQ(second.contains(name), pass->moment == WorkMoment::picture) << name;
-  }
+  expect_planned(work_of_objects, plan, first, second);
   const auto meshes = std::ranges::find(plan.buffers, "buffer: meshes", &PlannedBuffer::name);
   ASSERT_NE(meshes, plan.buffers.end());
   EXPECT_EQ(meshes->bytes, first.at("buffer: meshes").elements);
@@ -87,11 +153,13 @@ TEST_F(ObjectPlans, NameWhatObjectsTakeAndTheLineThatCallsForIt) {
   }
 }
 
-TEST_F(ObjectPlans, WithoutObjectsNoMeshIsReadNoTableIsMadeAndNoOpenGlIsOpened) {
+TEST_F(TracedObjectPlans, WithoutObjectsNoMeshIsReadNoTableIsMadeAndNoOpenGlIsOpened) {
   const Show show = show_with({});
   const FramePlan plan = plan_frame(show, {});
   const auto [first, second] = work_of(show, ViewMode::sky);
-  for (const std::string& name : work_of_objects) {
+  std::vector<std::string> names = work_of_objects;
+  names.insert(names.end(), work_of_tracing.begin(), work_of_tracing.end());
+  for (const std::string& name : names) {
     EXPECT_EQ(std::ranges::find(plan.passes, name, &PlannedPass::name), plan.passes.end()) << name;
     EXPECT_FALSE(first.contains(name)) << name;
     EXPECT_FALSE(second.contains(name)) << name;

@@ -5,17 +5,15 @@
 #include <vector>
 
 #include "content/mesh/built_in_meshes.h"
+#include "kernels/core/angles.h"
 #include "tests/render/objects/object_scene.h"
-#include "tests/support/pi.h"
 #include "tests/support/sanitized.h"
 
 // What is drawn from connecting rays, against rays that are followed to the same triangles.
 namespace ergodome {
 namespace {
 
-using test::degree;
 using test::eye_looking;
-using test::pi;
 
 constexpr double r_observer = 40.0;
 constexpr int size_px = test::sanitized ? 96 : 240;
@@ -65,7 +63,7 @@ class ObjectRaysAndPolygons : public test::ObjectScenes {
   //! Outlines agree within a pixel: what differs lies beside one.
   static void expect_same_outlines(const ObjectSettings& object) {
     const EyeCamera eye = eye_looking(r_observer, {-1.0, 0.0, 0.0});
-    const Projection projection = make_pinhole_projection(size_px, size_px, 25.0 * degree);
+    const Projection projection = make_pinhole_projection(size_px, size_px, 25.0 * one_degree);
     const Show show = show_of({object});
     const test::DrawnObjects drawn = draw(show, eye, projection);
     const std::vector<bool> seen = seen_by_rays(show, eye, projection);
@@ -92,7 +90,7 @@ TEST_F(ObjectRaysAndPolygons, ShowASphereInTheSamePixelsRoundTheHole) {
     SCOPED_TRACE(phi_deg);
     ObjectSettings sphere;
     sphere.form = ObjectForm::sphere;
-    sphere.position = {6.0 * std::cos(phi_deg * degree), 6.0 * std::sin(phi_deg * degree), 0.3};
+    sphere.position = {6.0 * std::cos(phi_deg * one_degree), 6.0 * std::sin(phi_deg * one_degree), 0.3};
     sphere.tessellation.most = 16.0;
     expect_same_outlines(sphere);
   }
@@ -110,7 +108,7 @@ TEST_F(ObjectRaysAndPolygons, ShowADiskWithAThicknessInTheSamePixels) {
   disk.form = ObjectForm::disk;
   disk.disk.segments = 24;
   disk.disk.rings = 4;
-  disk.turn = {0.0, 20.0 * degree, 0.0};
+  disk.turn = {0.0, 20.0 * one_degree, 0.0};
   disk.size = 0.4;
   disk.tessellation.most = 16.0;
   expect_same_outlines(disk);

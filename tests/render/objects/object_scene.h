@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/schwarzschild/apparent_place.h"
@@ -16,11 +17,10 @@
 // Small scenes with objects, drawn without a sky.
 namespace ergodome::test {
 
-inline constexpr double right_angle = 1.57079632679489661923;
-inline constexpr double degree = right_angle / 90.0;
+inline constexpr double right_angle = 0.5 * pi;
 
 //! A pixel of what tests measure by: a picture of 1024 pixels across 25°.
-inline constexpr double reference_pixel = 25.0 * degree / 1024.0;
+inline constexpr double reference_pixel = 25.0 * one_degree / 1024.0;
 
 inline ObjectSettings small_sphere(const Vector3<double>& position, double size) {
   ObjectSettings object;

@@ -8,14 +8,13 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/core/angles.h"
 #include "tests/support/errors.h"
-#include "tests/support/pi.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
 
-using test::pi;
 using testing::HasSubstr;
 
 ConnectionTableSettings table_for(double r_observer) {

@@ -1,0 +1,138 @@
+#include "app/accuracy/report_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <map>
+
+#include "app/accuracy/report_numbers.h"
+#include "render/accuracy/equal_error.h"
+
+namespace ergodome {
+
+namespace {
+
+struct NamedError {
+  double error;
+  const char* name;
+};
+
+constexpr NamedError pixel_errors[] = {
+    {1.0, "one pixel"}, {0.25, "a quarter pixel"}, {0.1, "a tenth of a pixel"}, {0.01, "a hundredth of a pixel"}};
+
+//! Axes of so few choices are told choice by choice.
+constexpr std::size_t few_choices = 5;
+
+//! "A quarter pixel costs 3 ms a frame (...); a tenth of a pixel costs 7 ms (...)." One clause a choice: the finest error that it holds.
+std::string cost_sentence(const AccuracyAxis& axis) {
+  std::string text;
+  for (std::size_t i = 0; i < std::size(pixel_errors); ++i) {
+    const Measurement* const choice = cheapest_within(axis, pixel_errors[i].error, FrameCost::ready);
+    const bool finer_too =
+        i + 1 < std::size(pixel_errors) && cheapest_within(axis, pixel_errors[i + 1].error, FrameCost::ready) == choice;
+    if (choice == nullptr || finer_too) {
+      continue;
+    }
+    const std::string unit = text.empty() ? " ms " + axis.time : " ms";
+    text += text.empty() ? "" : "; ";
+    text += fmt::format("{} costs {}{} ({})", pixel_errors[i].name, short_number(cost_ms(*choice, FrameCost::ready)),
+                        unit, choice_name(*choice));
+  }
+  if (!text.empty()) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    text += '.';
+  }
+  return text;
+}
+
+//! "ewa (an ellipse): half of all are right within 1.3 %, 99 of 100 within 68 %; 36 ms a frame."
+std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice) {
+  std::string text = fmt::format(
+      "{} ({}{}): half of what was compared is right within {}, 99 of 100 within {}; {} ms {}", choice.method,
+      choice.setting, choice.published.empty() ? std::string() : ", published: " + choice.published,
+      error_text(axis, choice.error.median), error_text(axis, choice.error.p99),
+      short_number(cost_ms(choice, FrameCost::ready)), axis.time);
+  if (choice.lost > 0.0) {
+    text += fmt::format("; {} % are missing", short_number(100.0 * choice.lost));
+  }
+  return text + '.';
+}
+
+//! "quadtree, spline (published: VE) takes 4.2 times as long as taylor to be right within a tenth of a pixel ..."
+std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& row, const NamedError& error) {
+  const Measurement* const any = row.choice;
+  if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {
+    return {};
+  }
+  return fmt::format("{} (published: {}) takes {} times as long as {} to be right within {} in 99 of 100 pixels.",
+                     row.method, any->published, short_number(row.ratio.median), axis.base, error.name);
+}
+
+}  // namespace
+
+std::vector<std::string> axis_sentences(const AccuracyAxis& axis) {
+  std::vector<std::string> sentences;
+  if (axis.choices.size() <= few_choices) {
+    for (const Measurement& choice : axis.choices) {
+      sentences.push_back(choice_sentence(axis, choice));
+    }
+    return sentences;
+  }
+  const std::string costs = cost_sentence(axis);
+  if (!costs.empty()) {
+    sentences.push_back(costs);
+  }
+  if (axis.unit == ErrorUnit::pixels && !axis.base.empty()) {
+    const NamedError& error = pixel_errors[2];
+    for (const EqualErrorRow& row : compare_at(axis, error.error, FrameCost::ready)) {
+      const std::string sentence = published_sentence(axis, row, error);
+      if (!sentence.empty()) {
+        sentences.push_back(sentence);
+      }
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> accuracy_sentences(const AccuracyReport& report) {
+  std::vector<std::string> sentences;
+  for (const AccuracyAxis& axis : report.axes) {
+    std::string first = axis.title + ": ";
+    for (const std::string& sentence : axis_sentences(axis)) {
+      sentences.push_back(first + sentence);
+      first = "  ";
+    }
+  }
+  return sentences;
+}
+
+std::string method_words(const std::string& method) {
+  static const std::map<std::string, std::string> words = {
+      {"direct rays",
+       "this program's own way without a grid: the path of light is followed for every pixel of every frame"},
+      {"conforming grid",
+       "this program's own grid: light is followed for some thousand directions, laid out about the shadow's edge; "
+       "pixels are read off "
+       "between them"},
+      {"quadtree, linear", "the grid of Verbraeck & Eisemann, read off along straight lines"},
+      {"quadtree, spline", "the grid of Verbraeck & Eisemann, read off along smooth curves"},
+      {"quadtree", "the grid of Verbraeck & Eisemann, read off along smooth curves"},
+      {"taylor", "light is followed in long steps, each by a series of ten terms or twenty: this program's own"},
+      {"cash_karp", "light is followed in steps of fifth order (Cash & Karp), in this program's equations"},
+      {"rk34", "the same in steps of third and fourth order"},
+      {"baseline_rk34", "the same steps in the equations as they were published, in angles"},
+      {"closed_form", "the path of light as a formula: slow, and exact; what all the others are compared with"},
+      {"stations with derivatives", "lenses computed at some places of the camera's path, and how they change there"},
+      {"plain stations", "lenses computed at some places of the camera's path; between them they are mixed"},
+      {"point", "the one spot of the map that the pixel's middle sees; details flicker"},
+      {"ewa", "a weighted mean over the patch of the map that the pixel sees, from smaller copies of the map"},
+      {"polygon", "the exact mean over the patch, taken as a quadrangle"},
+      {"inverse", "for every star it is asked where on the screen its light arrives"},
+      {"gather", "for every pixel it is asked which stars it sees"}};
+  const auto found = words.find(method);
+  return found != words.end() ? found->second : std::string();
+}
+
+}  // namespace ergodome

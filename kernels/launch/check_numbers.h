@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+
+#include "kernels/launch/kernel_table.h"
+#include "kernels/launch/launch.h"
+
+namespace ergodome {
+
+//! Whether every buffer is scanned for NaN and infinity as it leaves a kernel's launch, to find where one comes from: the environment
+//! variable ERGODOME_CHECK_NUMBERS=1, or set_numbers_checked(). Off, it costs a launch a look at a flag; on, one at each number, and on a
+//! GPU its way to the host.
+bool numbers_are_checked();
+void set_numbers_checked(bool on);
+
+//! Throws Error, naming kernel, channel and index, for the first number that is not finite; a null buffer has none.
+void require_finite(const std::string& kernel, Backend backend, const char* channel, const float* values, long count);
+void require_finite(const std::string& kernel, Backend backend, const char* channel, const double* values, long count);
+
+//! The same for all that a kernel has written.
+void check_outputs(const std::string& kernel, Backend backend, const RayBatch<float>& batch);
+void check_outputs(const std::string& kernel, Backend backend, const RayBatch<double>& batch);
+void check_outputs(const std::string& kernel, Backend backend, const PixelBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const OmniBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const LookUpBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const OmniLookUpBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const LookUpRaysBatch<double>& batch);
+void check_outputs(const std::string& kernel, Backend backend, const QuadtreeRaysBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const QuadtreePixelBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const ShadeBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const NearFieldBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const OverlayBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const BlendCheckBatch& batch);
+
+template <class S, class Camera>
+void check_outputs(const std::string& kernel, Backend backend, const NodeBatch<S, Camera>& batch) {
+  require_finite(kernel, backend, "nodes", batch.nodes, static_cast<long>(batch.count) * floats_a_node);
+}
+
+template <class S, class Camera>
+void check_outputs(const std::string& kernel, Backend backend, const CheckBatch<S, Camera>& batch) {
+  require_finite(kernel, backend, "error_px", batch.error_px, batch.count);
+  require_finite(kernel, backend, "area_px", batch.area_px, batch.count);
+}
+
+template <class S, class Camera>
+void check_outputs(const std::string& kernel, Backend backend, const StarImageBatch<S, Camera>& batch) {
+  for (const S* direction : batch.direction) {
+    require_finite(kernel, backend, "direction", direction, batch.count);
+  }
+  require_finite(kernel, backend, "solid_angle", batch.solid_angle, batch.count);
+  require_finite(kernel, backend, "stretch", batch.stretch, batch.count);
+  require_finite(kernel, backend, "frequency_ratio", batch.frequency_ratio, batch.count);
+  require_finite(kernel, backend, "miss", batch.miss, batch.count);
+}
+
+}  // namespace ergodome

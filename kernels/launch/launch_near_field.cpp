@@ -1,0 +1,63 @@
+#include "kernels/launch/launch.h"
+#include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/run_on_cpu.h"
+
+namespace ergodome {
+
+const char* near_field_name(DiskDrawing disk, bool shells) {
+  constexpr const char* names[3][2] = {{nullptr, "draw_shells"},
+                                       {"draw_disk", "draw_shells, disk"},
+                                       {"draw_disk, pattern", "draw_shells, disk, pattern"}};
+  return names[static_cast<int>(disk)][shells ? 1 : 0];
+}
+
+void draw_near_field(Backend backend, const NearFieldBatch& batch) {
+  const char* const name = near_field_name(batch.drawing, batch.shells.count > 0);
+  if (name == nullptr) {
+    return;
+  }
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  WorkCounter& counter = work_counter(name);
+  const WorkScope work(counter, pixels);
+  if (backend == Backend::cuda) {
+    draw_near_field_cuda(batch);
+  } else {
+    run_on_cpu(active_table().draw_near_field, batch, pixels, active_table().lanes_float);
+  }
+  finish(counter, backend, batch);
+}
+
+void mark_object_tiles(Backend backend, const ObjectTileBatch& batch) {
+  static WorkCounter counter("mark_object_tiles");
+  const WorkScope work(counter, batch.count);
+  if (backend == Backend::cuda) {
+    return mark_object_tiles_cuda(batch);
+  }
+  run_on_cpu(active_table().mark_object_tiles, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
+void look_at_objects(Backend backend, const ObjectPixelBatch& batch) {
+  static WorkCounter counter("look_at_objects");
+  const WorkScope work(counter, batch.count);
+  if (backend == Backend::cuda) {
+    return look_at_objects_cuda(batch);
+  }
+  run_on_cpu(active_table().look_at_objects, batch, batch.count, active_table().lanes_double, grid_grain);
+}
+
+void lay_objects(Backend backend, const LayObjectsBatch& batch) {
+  const int pixels = batch.row_count * batch.projection.width_px;
+  static WorkCounter counter("lay_objects");
+  const WorkScope work(counter, pixels);
+  if (backend == Backend::cuda) {
+    return lay_objects_cuda(batch);
+  }
+  const LayObjects lay{batch};
+  parallel_for(pixels, 64 * grain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      lay(i);
+    }
+  });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "kernels/core/host_device.h"
+#include "kernels/mesh/draw_objects.h"
+
+// The drawing of objects, compiled once per instruction set.
+namespace ergodome::inline ERGO_TARGET {
+
+void mark_object_tiles(const ObjectTileBatch& batch, int begin, int end);
+void look_at_objects(const ObjectPixelBatch& batch, int begin, int end);
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/mesh/light_ray.h"
+#include "kernels/mesh/surface.h"
+#include "kernels/projection/projection.h"
+
+namespace ergodome {
+
+//! Objects as an eye sees them.
+struct ObjectScene {
+  CameraStation camera;
+  Projection projection;
+  double
+      frame_from_view[3]
+                     [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
+  MeshScene scene;
+  const SurfaceLook* looks;  //!< one a mesh
+  LampPlace lamp;            //!< strength 0: none
+  MeshLimits limits;
+  bool shifted;   //!< light goes with g⁴
+  bool retarded;  //!< some mesh is
+};
+
+//! What pixels of a square tile may see of the objects.
+enum class TileMark : std::uint8_t {
+  nothing,
+  objects,
+  fine  //!< of an object that is not much larger than a pixel there
+};
+
+//! Tiles of an image to be marked.
+struct ObjectTileBatch {
+  ObjectScene objects;
+  const std::int32_t* tiles;  //!< two numbers each: their first pixel, x and y
+  int count;
+  int side_px;
+  TileMark* marks;  //!< one a tile
+};
+
+//! What a pixel is full of, if not the number of a mesh.
+inline constexpr std::int32_t pixel_of_nothing = -1;
+inline constexpr std::int32_t pixel_of_several = -2;
+
+//! Pixels to be looked at.
+struct ObjectPixelBatch {
+  ObjectScene objects;
+  const std::int32_t* pixels;  //!< two numbers each: x and y
+  int count;
+  int samples;            //!< along each side of a pixel: 2 or 4
+  float* rgba;            //!< four a pixel: linear light times the part of the pixel that objects cover, and that part
+  float* time;            //!< one a pixel: mean Mino time from the objects to the camera, where there are any
+  std::int32_t* content;  //!< one a pixel: the mesh that all of it shows with little contrast, or one of the above
+};
+
+//! Calls action(functor) with Functor<T, what rays carry> for a batch.
+template <template <class, NearParts> class Functor, class T, class Batch, class Action>
+inline void dispatch_objects(const Batch& batch, const Action& action) {
+  if (batch.objects.retarded) {
+    action(Functor<T, NearParts::azimuth_and_delay>{batch});
+  } else {
+    action(Functor<T, NearParts::azimuth>{batch});
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "kernels/projection/projection.h"
+
+namespace ergodome {
+
+//! Objects in the pixels of a block of rows, in a backend's memory.
+struct ObjectLayer {
+  const float* rgba =
+      nullptr;  //!< four a pixel: linear light times the part of the pixel that objects cover, and that part; nullptr: there are none
+  const float* time =
+      nullptr;  //!< one a pixel: Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
+};
+
+//! A block of rows of a picture that objects are laid over, with nothing else near the hole: four floats a pixel.
+struct LayObjectsBatch {
+  ObjectLayer objects;
+  ProjectionOf<float> projection;
+  int first_row;
+  int row_count;
+  float* rgba;
+};
+
+inline namespace ERGO_TARGET {
+
+//! Index i is pixel i of the block.
+struct LayObjects {
+  LayObjectsBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const float* const object = batch.objects.rgba + 4 * static_cast<long>(index);
+    const float covered = object[3];
+    if (!(covered > 0.0F)) {
+      return;
+    }
+    const int width_px = batch.projection.width_px;
+    const int row = index / width_px;
+    const float x_px = static_cast<float>(index - row * width_px) + 0.5F;
+    const float inside = image_coverage(batch.projection, x_px, static_cast<float>(row + batch.first_row) + 0.5F);
+    float* const to = batch.rgba + 4 * static_cast<long>(index);
+    for (int k = 0; k < 3; ++k) {
+      to[k] = inside * object[k] + (1.0F - covered) * to[k];
+    }
+    to[3] = inside * covered + (1.0F - covered) * to[3];
+  }
+};
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

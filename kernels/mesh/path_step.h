@@ -1,0 +1,173 @@
+#pragma once
+
+#include "kernels/core/dual.h"
+#include "kernels/near_field/radial_fate.h"
+#include "kernels/near_field/series_search.h"
+
+namespace ergodome {
+
+//! Radii between which something stands [M].
+struct RadialBounds {
+  double least;  //!< outside the horizon
+  double greatest;
+};
+
+//! How far rays are followed, and how exactly.
+struct MeshLimits {
+  double tolerance;  //!< local error of the path
+  int step_limit;
+  double delay = 0.0;  //!< coordinate time that has gone by where rays start [M]
+};
+
+inline namespace ERGO_TARGET {
+
+//! A piece of one ray's path: its series, in scaled time h from 0 on. T is double, or Dual<double>.
+template <int Order, NearParts Parts, class T>
+struct PathStep {
+  detail::NearSeries<Order, T, Parts> series;
+  Vector3<double> axes[2];  //!< where m's x and y point, before frame dragging
+  double least_u;           //!< beyond it nothing stands: places are held there
+  double length;            //!< of the step, in h
+  double scale;             //!< h over Mino time
+  double start;             //!< Mino time at h = 0, from the camera, for a photon that is seen with energy 1 [1/M]
+  double delay_at_camera;   //!< coordinate time that counts from elsewhere [M]
+
+  //! A vector of m's axes at h, in pseudo-Cartesian ones.
+  ERGO_HD Vector3<T> turned(const T& drag, const T& x, const T& y, const T& z) const {
+    T sine;
+    T cosine;
+    sine_cosine(drag, sine, cosine);
+    const T along = cosine * x - sine * y;
+    const T across = sine * x + cosine * y;
+    return {along * axes[0].x + across * axes[1].x, along * axes[0].y + across * axes[1].y, z};
+  }
+
+  //! Pseudo-Cartesian place [M].
+  ERGO_HD Vector3<T> point(const T& h) const {
+    const auto& s = series;
+    const T u = series_value(s.u, h);
+    const T r = 1.0 / (value_of(u) > least_u ? u : T(least_u));
+    return r * turned(series_value(s.drag, h), series_value(s.x, h), series_value(s.y, h), series_value(s.z, h));
+  }
+
+  //! dm/dλ, backwards, in pseudo-Cartesian axes and without the turn by frame dragging [M].
+  ERGO_HD Vector3<T> polar_momentum(const T& h) const {
+    const auto& s = series;
+    return scale * turned(series_value(s.drag, h), series_rate(s.x, h), series_rate(s.y, h), series_rate(s.z, h));
+  }
+
+  //! Coordinate time from there to the camera [M]; 0 where it is not carried.
+  ERGO_HD double delay(double h) const {
+    if constexpr (has_delay(Parts)) {
+      return delay_at_camera + value_of(series_value(series.delay, T(h)));
+    } else {
+      return 0.0;
+    }
+  }
+};
+
+namespace detail {
+
+template <class T>
+ERGO_HD double one_lane(const T& all, int i) {
+  return lane(all, i);
+}
+template <class T>
+ERGO_HD Dual<double> one_lane(const Dual<T>& all, int i) {
+  return {lane(all.value, i), lane(all.along_x, i), lane(all.along_y, i)};
+}
+
+template <int Count, class T, class One>
+ERGO_HD void take_lane(const T (&all)[Count], int i, One (&one)[Count]) {
+  for (int k = 0; k < Count; ++k) {
+    one[k] = one_lane(all[k], i);
+  }
+}
+
+//! The series of one of many rays.
+template <int Order, NearParts Parts, class T, class One>
+ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries<Order, One, Parts>& one) {
+  take_lane(all.u, i, one.u);
+  take_lane(all.x, i, one.x);
+  take_lane(all.y, i, one.y);
+  take_lane(all.z, i, one.z);
+  take_lane(all.drag, i, one.drag);
+  if constexpr (has_delay(Parts)) {
+    take_lane(all.delay, i, one.delay);
+  }
+}
+
+//! The number that one lane of T holds.
+template <class T>
+struct OneLane {
+  using Type = double;
+};
+template <class T>
+struct OneLane<Dual<T>> {
+  using Type = Dual<double>;
+};
+
+}  // namespace detail
+
+//! Follows rays backwards from a camera at azimuth φ, step by step, as long as they may come between the radii, all the ways round the hole:
+//! visit(lane, step) is called for each step that does, and says whether the lane needs no more. Lanes are doubles, or duals of them.
+//! `active_at_start`: lanes to follow. False where a ray met the step limit before it was decided.
+template <int Order, NearParts Parts, class T, class Visit>
+ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
+                                      const RadialBounds& bounds, const MeshLimits& limits,
+                                      const MaskOf<RealOf<T>>& active_at_start, Visit&& visit) {
+  static_assert(has_azimuth(Parts) && sizeof(ScalarOf<T>) == 8);
+  using Real = RealOf<T>;
+  using One = typename detail::OneLane<T>::Type;
+  const Real zero(0.0);
+  const Real outermost(1.0 / bounds.greatest);
+  const Real innermost(1.0 / bounds.least);
+  const RadialFate<Real> fate = radial_fate(spin, ray);
+  const Real scale =
+      safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(1.0));
+  const Real inverse_scale = Real(1.0) / scale;
+  const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
+  detail::NearSeries<Order, T, Parts> s;
+  detail::start_series(ray, inverse_scale, s);
+  PathStep<Order, Parts, One> step;
+  step.axes[0] = {cosine_phi, sine_phi, 0.0};
+  step.axes[1] = {-sine_phi, cosine_phi, 0.0};
+  step.delay_at_camera = limits.delay;
+  Real time = zero;
+  Real u = value_of(s.u[0]);
+  const auto goes_by = [&](const Real& rate) {
+    return (keeps_inwards(fate, u, rate) & (u >= innermost)) | (keeps_outwards(fate, u, rate) & (u <= outermost));
+  };
+  MaskOf<Real> active = active_at_start & !goes_by(value_of(s.u[1]));
+  for (int count = 0; count < limits.step_limit && any(active); ++count) {
+    detail::expand_near(spin, ray, coefficients, s);
+    const Real length = detail::near_step(s, scale, limits.tolerance);
+    const Real end_u = value_of(series_value(s.u, length));
+    const Real end_rate = value_of(series_rate(s.u, length));
+    // Far out light goes inwards only, or outwards only.
+    const MaskOf<Real> far_out = (u < outermost) & (end_u < outermost) & (value_of(s.u[1]) * end_rate > zero);
+    const unsigned near = mask_bits(active & !far_out);
+    Real found = zero;
+    for (int i = 0; i < RealTraits<Real>::lane_count; ++i) {
+      if (((near >> static_cast<unsigned>(i)) & 1U) == 0U) {
+        continue;
+      }
+      detail::take_lane(s, i, step.series);
+      step.least_u = 0.5 * ::fmin(1.0 / bounds.greatest, lane(value_of(ray.u), i));
+      step.length = lane(length, i);
+      step.scale = lane(scale, i);
+      step.start = lane(time, i);
+      if (visit(i, step)) {
+        set_lane(found, i, 1.0);
+      }
+    }
+    time = time + length * inverse_scale;
+    detail::move_series(s, length);
+    u = end_u;
+    active = active & !goes_by(end_rate) & !(found > zero);
+  }
+  return !active;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

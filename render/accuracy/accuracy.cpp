@@ -1,0 +1,142 @@
+#include "render/accuracy/accuracy.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <optional>
+
+#include "content/animated_show.h"
+#include "kernels/core/angles.h"
+#include "kernels/launch/instruction_set.h"
+#include "kernels/launch/parallel_for.h"
+#include "render/accuracy/picture_race.h"
+#include "render/accuracy/star_axis.h"
+#include "render/accuracy/station_axis.h"
+#include "render/accuracy/stopwatch.h"
+#include "render/plan/frame_needs.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double arcmin = one_degree / 60.0;
+constexpr const char* closed_form_reference =
+    "rays in closed form, at one pixel of each cell of a lattice; what is seen of a wrong direction is the "
+    "displacement on the screen";
+
+AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const std::vector<AccuracyMoment>& moments) {
+  AccuracyReport report;
+  const AccuracyMoment& first = moments.front();
+  report.show = show.name;
+  report.title = show.title;
+  report.machine = fmt::format("processor, {}, {} threads", name_of(active_instruction_set()), thread_count());
+  report.date = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
+  report.width_px = first.projection.width_px;
+  report.height_px = first.projection.height_px;
+  report.pixel_arcmin = first.pixel / arcmin;
+  for (const AccuracyMoment& moment : moments) {
+    report.times_s.push_back(moment.time_s);
+  }
+  report.samples = static_cast<int>(pixel_lattice(first.projection, settings.lattice, settings.seed).pixels.size());
+  report.rounds = settings.rounds;
+  return report;
+}
+
+//! What a show has and this does not measure.
+std::vector<std::string> notes_of(const Show& show, const AccuracySettings& settings) {
+  std::vector<std::string> notes = {
+      "everything ran on the processor; a GPU is not looked at",
+      "grids are read a register of pixels at a time, the published quadtree a pixel at a time, as its hash asks"};
+  if (eye_count(show.stereo) > 1 || find_animation(show, "stereo.baseline") != nullptr) {
+    notes.emplace_back("the show is stereoscopic; what is measured is one eye, that of the head");
+  }
+  if (settings.quick && draws_slowly(show)) {
+    notes.emplace_back(
+        "whole frames have objects that take seconds to draw where there is no GPU; leave out --quick to see them");
+  }
+  if (show.disk || !show.shells.empty() || !show.objects.empty()) {
+    notes.emplace_back("ways to draw what is near the hole are not compared; its time is in the whole frame's");
+  }
+  return notes;
+}
+
+std::optional<AccuracyAxis> measure_axis(const std::string& name, const Show& show,
+                                         const std::vector<AccuracyMoment>& moments, const AccuracySettings& settings,
+                                         const AccuracyProgress& progress) {
+  if (name == "rays") {
+    return AccuracyAxis{"rays",
+                        "Where the light of each pixel comes from",
+                        ErrorUnit::pixels,
+                        closed_form_reference,
+                        "taylor",
+                        measure_lenses(sky_choices(settings.quick), PixelNeed::sky, moments, settings, progress)};
+  }
+  if (name == "lens") {
+    return AccuracyAxis{
+        "lens",
+        "The same with the pixels' footprints on the sky, which the map's filter asks for",
+        ErrorUnit::pixels,
+        closed_form_reference,
+        "conforming grid",
+        measure_lenses(footprint_choices(settings.quick), PixelNeed::footprint, moments, settings, progress)};
+  }
+  if (name == "stations") {
+    return measure_stations(show, moments, settings, progress);
+  }
+  if (name == "stars") {
+    return measure_stars(show, moments, settings, progress);
+  }
+  return name == "map" ? measure_map(show, settings, progress) : measure_frames(show, settings, progress);
+}
+
+}  // namespace
+
+std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings& settings) {
+  std::vector<std::string> names;
+  for (const std::string name : accuracy_axis_names) {
+    const bool has = name == "lens" ? lens_channels(ViewMode::sky, frame_needs(show, ViewMode::sky).shading).footprint
+                     : name == "stations" ? has_stations(show)
+                     : name == "stars"    ? !show.sky.stars.empty()
+                     : name == "frame"    ? !(settings.quick && draws_slowly(show))
+                                          : true;
+    const bool asked = settings.axes.empty() || std::ranges::find(settings.axes, name) != settings.axes.end();
+    if (has && asked) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+AccuracySettings quick_settings() {
+  AccuracySettings settings;
+  settings.most_px = 384;
+  settings.moments = 1;
+  settings.rounds = 3;
+  settings.lattice = 128;
+  settings.quick = true;
+  return settings;
+}
+
+AccuracyReport measure_accuracy(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress) {
+  const Stopwatch watch;
+  const std::vector<AccuracyMoment> moments = accuracy_moments(show, settings);
+  AccuracyReport report = head_of(show, settings, moments);
+  for (const std::string& name : accuracy_axes(show, settings)) {
+    if (std::optional<AccuracyAxis> axis = measure_axis(name, show, moments, settings, progress)) {
+      report.axes.push_back(std::move(*axis));
+    } else {
+      report.notes.push_back("the camera stands still at the moments that were looked at: no stations between them");
+    }
+  }
+  const std::vector<std::string> notes = notes_of(show, settings);
+  report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+  for (AccuracyAxis& axis : report.axes) {
+    mark_pareto(axis);
+  }
+  report.took_s = 1e-3 * watch.elapsed_ms();
+  return report;
+}
+
+}  // namespace ergodome

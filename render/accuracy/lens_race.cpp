@@ -1,0 +1,229 @@
+#include "render/accuracy/lens_race.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/core/error.h"
+#include "render/accuracy/pixel_reference.h"
+#include "render/accuracy/stopwatch.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What is this slow is drawn twice in all: to warm up, which then counts as a run, and in the second round; its flicker is not looked at [ms].
+constexpr double slow_ms = 1500.0;
+constexpr double slow_for_a_quick_look_ms = 400.0;
+constexpr std::size_t slow_round = 1;
+//! What is this short any other program can double: the quickest of some tries in a row is one run [ms].
+constexpr double short_ms = 50.0;
+constexpr int short_tries = 3;
+
+//! What a choice has done so far, over all moments.
+struct Entry {
+  std::vector<double> errors;
+  std::vector<double> flickers;
+  std::size_t lost = 0;
+  double warm_up_ms = 0.0;  //!< at the moment at hand
+  bool slow = false;        //!< the same
+  //! By moment, and in each by round.
+  std::vector<std::vector<double>> prepare_ms;
+  std::vector<std::vector<double>> frame_ms;
+  //! Of the moment at hand, by pixel: displacement in the view's axes.
+  std::vector<Vector3<double>> misses;
+};
+
+//! Means over the moments, by round: of the rounds that all have.
+std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
+  std::vector<double> means = moments.empty() ? std::vector<double>() : moments.front();
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    means.resize(std::min(means.size(), moments[i].size()));
+    for (std::size_t round = 0; round < means.size(); ++round) {
+      means[round] += moments[i][round];
+    }
+  }
+  for (double& mean : means) {
+    mean /= static_cast<double>(moments.size());
+  }
+  return means;
+}
+
+double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+//! What a pixel's sky was when it was asked for: displacements of all pixels that count, zero elsewhere.
+std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReference& reference,
+                                       const PixelLattice& lattice) {
+  std::vector<Vector3<double>> misses(reference.size());
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    misses[i] = reference.counts(i) ? reference.miss(i, lens.sky(lattice.pixels[i])) : Vector3<double>{};
+  }
+  return misses;
+}
+
+//! Reads errors after a draw. Pixels that are dark, and dark by the method too, say nothing.
+void read_errors(const PixelLens& lens, const PixelReference& reference, const PixelLattice& lattice, Entry& entry,
+                 ErrorMap& map) {
+  entry.misses = misses_of(lens, reference, lattice);
+  map.width = lattice.columns;
+  map.height = lattice.rows;
+  map.error.assign(reference.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    const bool seen = reference.counts(i) && lens.sky(lattice.pixels[i]).has_value();
+    if (reference.counts(i) && (reference.is_lit(i) || seen)) {
+      entry.errors.push_back(length(entry.misses[i]));
+      entry.lost += seen ? 0 : 1;
+      map.error[i] = static_cast<float>(entry.errors.back());
+    }
+  }
+}
+
+class LensRace {
+ public:
+  LensRace(const std::vector<LensChoiceToMeasure>& choices, PixelNeed need, const AccuracySettings& settings,
+           const AccuracyProgress& progress)
+      : choices_(choices),
+        need_(need),
+        settings_(settings),
+        progress_(progress),
+        entries_(choices.size()),
+        results_(choices.size()) {
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      results_[i].method = choices[i].method;
+      results_[i].setting = choices[i].setting;
+      results_[i].precision = choices[i].precision;
+      results_[i].published = choices[i].published;
+    }
+  }
+
+  //! Errors and times at a moment.
+  void run(const AccuracyMoment& moment) {
+    go_on(progress_, "reference rays");
+    lattice_ = pixel_lattice(moment.projection, settings_.lattice, settings_.seed);
+    LensScene scene(moment, moment.eye, need_);
+    const PixelReference now(moment.eye, moment.projection, lattice_.pixels, moment.pixel);
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+      warm_up(i, scene, now);
+    }
+    see_flicker(moment, now);
+    for (std::size_t round = 0; round < static_cast<std::size_t>(settings_.rounds); ++round) {
+      for (std::size_t i = 0; i < choices_.size(); ++i) {
+        time(i, scene, round);
+      }
+    }
+    first_moment_ = false;
+  }
+
+  std::vector<Measurement> results(std::size_t moments) {
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+      Measurement& result = results_[i];
+      Entry& entry = entries_[i];
+      result.lost =
+          entry.errors.empty() ? 0.0 : static_cast<double>(entry.lost) / static_cast<double>(entry.errors.size());
+      result.error = summary_of(std::move(entry.errors));
+      if (!entry.flickers.empty()) {
+        result.flicker = summary_of(std::move(entry.flickers)).p99;
+      }
+      result.memory_bytes /= moments;
+      result.prepare_ms = means_of(entry.prepare_ms);
+      result.frame_ms = means_of(entry.frame_ms);
+    }
+    return std::move(results_);
+  }
+
+ private:
+  void warm_up(std::size_t i, LensScene& scene, const PixelReference& now) {
+    go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+    entries_[i].prepare_ms.emplace_back();
+    entries_[i].frame_ms.emplace_back();
+    const Stopwatch whole;
+    const std::unique_ptr<PixelLens> lens = choices_[i].make(scene);
+    const double prepared_ms = whole.elapsed_ms();
+    const Stopwatch watch;
+    lens->draw();
+    entries_[i].warm_up_ms = watch.elapsed_ms();
+    entries_[i].slow = entries_[i].warm_up_ms > (settings_.quick ? slow_for_a_quick_look_ms : slow_ms);
+    if (entries_[i].slow) {
+      add_run(i, prepared_ms, entries_[i].warm_up_ms);
+    }
+    ErrorMap map;
+    read_errors(*lens, now, lattice_, entries_[i], map);
+    results_[i].memory_bytes += lens->bytes();
+    if (first_moment_) {
+      results_[i].map = std::move(map);
+      results_[i].disk_bytes = lens->disk_bytes();
+    }
+  }
+
+  void see_flicker(const AccuracyMoment& moment, const PixelReference& now) {
+    go_on(progress_, "the next frame");
+    LensScene scene(moment, moment.next, need_);
+    const PixelReference next(moment.next, moment.projection, lattice_.pixels, moment.pixel);
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+      if (entries_[i].slow) {
+        continue;
+      }
+      go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+      const std::unique_ptr<PixelLens> lens = choices_[i].make(scene);
+      lens->draw();
+      const std::vector<Vector3<double>> misses = misses_of(*lens, next, lattice_);
+      for (std::size_t k = 0; k < misses.size(); ++k) {
+        if (now.counts(k) && next.counts(k) && now.is_lit(k) && next.is_lit(k)) {
+          entries_[i].flickers.push_back(length(misses[k] - entries_[i].misses[k]));
+        }
+      }
+    }
+  }
+
+  void time(std::size_t i, LensScene& scene, std::size_t round) {
+    if (entries_[i].slow && round != slow_round) {
+      return;
+    }
+    go_on(progress_, choices_[i].method + ", " + choices_[i].setting);
+    double prepared_ms = std::numeric_limits<double>::infinity();
+    double frame_ms = prepared_ms;
+    for (int attempt = 0; attempt < (entries_[i].warm_up_ms < short_ms ? short_tries : 1); ++attempt) {
+      const Stopwatch whole;
+      const std::unique_ptr<PixelLens> lens = choices_[i].make(scene);
+      prepared_ms = std::min(prepared_ms, whole.elapsed_ms());
+      const Stopwatch frame;
+      lens->draw();
+      frame_ms = std::min(frame_ms, frame.elapsed_ms());
+    }
+    add_run(i, prepared_ms, frame_ms);
+  }
+
+  void add_run(std::size_t i, double prepared_ms, double frame_ms) {
+    entries_[i].prepare_ms.back().push_back(prepared_ms);
+    entries_[i].frame_ms.back().push_back(frame_ms);
+  }
+
+  const std::vector<LensChoiceToMeasure>& choices_;
+  PixelNeed need_;
+  const AccuracySettings& settings_;
+  const AccuracyProgress& progress_;
+  std::vector<Entry> entries_;
+  std::vector<Measurement> results_;
+  PixelLattice lattice_;
+  bool first_moment_ = true;
+};
+
+}  // namespace
+
+void go_on(const AccuracyProgress& progress, const std::string& doing) {
+  if (progress && !progress(doing)) {
+    throw Error("accuracy", "stopped; nothing was written", "run it again");
+  }
+}
+
+std::vector<Measurement> measure_lenses(const std::vector<LensChoiceToMeasure>& choices, PixelNeed need,
+                                        const std::vector<AccuracyMoment>& moments, const AccuracySettings& settings,
+                                        const AccuracyProgress& progress) {
+  LensRace race(choices, need, settings, progress);
+  for (const AccuracyMoment& moment : moments) {
+    race.run(moment);
+  }
+  return race.results(std::max<std::size_t>(moments.size(), 1));
+}
+
+}  // namespace ergodome

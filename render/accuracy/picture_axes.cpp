@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "render/accuracy/picture_race.h"
+
+namespace ergodome {
+
+namespace {
+
+//! References take many samples a pixel: pictures are no wider than this.
+constexpr int most_map_px = 512;
+
+AccuracySettings smaller(const AccuracySettings& settings, const Show& show) {
+  AccuracySettings small = settings;
+  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.most_px);
+  small.size_px = std::min(size_px, most_map_px);
+  return small;
+}
+
+//! The show's map alone.
+Show map_alone(Show show) {
+  show.sky.stars.clear();
+  show.disk.reset();
+  show.shells.clear();
+  show.objects.clear();
+  show.effects.bloom.reset();
+  show.effects.diffraction.reset();
+  show.effects.trails.reset();
+  show.stereo = {};
+  std::erase_if(show.timeline.animations, [](const Animation& animation) {
+    return !animation.path.starts_with("hole.") && !animation.path.starts_with("sky.exposure");
+  });
+  return show;
+}
+
+Show with_filter(Show show, SkyFilter filter) {
+  show.sky.filter = filter;
+  return show;
+}
+
+}  // namespace
+
+AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const AccuracyProgress& progress) {
+  const AccuracySettings settings = smaller(asked, show);
+  const int blocks = settings.quick ? 3 : 4;
+  const Show alone = map_alone(show);
+  const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
+  go_on(progress, "loading the sky for the reference");
+  ShowRenderer exact(with_filter(alone, SkyFilter::polygon), Backend::cpu, LensChoice::direct);
+  const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
+    exact.apply(moment.time_s);
+    Projection fine = moment.projection;
+    fine.width_px *= blocks;
+    fine.height_px *= blocks;
+    return averaged(exact.render_eye(pose, 0.0, fine, ViewMode::sky, {moment.time_s}), blocks);
+  };
+  const std::vector<PictureChoice> choices = {
+      {"point", "one look at the finest texels", "", with_filter(alone, SkyFilter::point), LensChoice::live},
+      {"ewa", "an ellipse", "", with_filter(alone, SkyFilter::ewa), LensChoice::live},
+      {"polygon", "the pixel's outline", "VE", with_filter(alone, SkyFilter::polygon), LensChoice::live}};
+  AccuracyAxis axis;
+  axis.name = "map";
+  axis.title = "How a pixel looks at the map of the sky";
+  axis.unit = ErrorUnit::light;
+  axis.reference = fmt::format(
+      "the map's light over the outlines of {0} x {0} parts of each pixel, each summed exactly, by direct rays; as a "
+      "part of the picture's mean luminance, in pictures of {1} pixels",
+      blocks, moments.front().projection.width_px);
+  axis.choices = measure_pictures(choices, reference, moments, settings, progress);
+  return axis;
+}
+
+AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress) {
+  AccuracySettings asked = settings;
+  asked.rounds = draws_slowly(show) ? std::min(asked.rounds, 2) : asked.rounds;
+  Show mono = show;
+  mono.stereo = {};
+  std::erase_if(mono.timeline.animations,
+                [](const Animation& animation) { return animation.path.starts_with("stereo."); });
+  const auto at_budget = [&](double budget_px) {
+    Show changed = mono;
+    changed.quality.budget_px = budget_px;
+    return changed;
+  };
+  Show published = mono;
+  published.grid_scheme = GridScheme::quadtree;
+  const std::vector<AccuracyMoment> moments = accuracy_moments(mono, asked);
+  go_on(progress, "loading the sky for the reference");
+  ShowRenderer exact(at_budget(0.005), Backend::cpu, LensChoice::direct);
+  const ReferencePicture reference = [&](const AccuracyMoment& moment, const CameraPose& pose) {
+    exact.apply(moment.time_s);
+    return exact.render_eye(pose, 0.0, moment.projection, ViewMode::sky, {moment.time_s});
+  };
+  std::vector<PictureChoice> choices = {{"direct rays", "budget 0.25 px", "", at_budget(0.25), LensChoice::direct},
+                                        {"quadtree", "level 10, spline", "VE", published, LensChoice::live}};
+  for (const double budget_px :
+       asked.quick || draws_slowly(show) ? std::vector<double>{0.25} : std::vector<double>{1.0, 0.25, 0.05}) {
+    choices.push_back(
+        {"conforming grid", fmt::format("budget {:g} px", budget_px), "", at_budget(budget_px), LensChoice::live});
+  }
+  AccuracyAxis axis;
+  axis.name = "frame";
+  axis.title = "A whole frame as the show has it, for one eye";
+  axis.unit = ErrorUnit::light;
+  axis.reference =
+      "the same frame by direct rays to a thousandth of a pixel; as a part of the picture's mean luminance";
+  axis.choices = measure_pictures(choices, reference, moments, asked, progress);
+  return axis;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,54 @@
+#include "render/objects/surface_store.h"
+
+#include <algorithm>
+
+#include "kernels/launch/work_counter.h"
+#include "render/objects/object_meshes.h"
+#include "render/overlay/overlay_image.h"
+
+namespace ergodome {
+
+SurfaceStore::SurfaceStore(const Show& show, Backend backend) {
+  static WorkCounter counter("load_meshes");
+  const WorkScope scope(counter, static_cast<long>(show.objects.size()));
+  const ObjectMeshes loaded = load_meshes(show);
+  for (const TriangleMesh& mesh : loaded.meshes) {
+    meshes_.push_back(store(mesh, backend));
+  }
+  for (const std::size_t index : loaded.mesh_of) {
+    const Stored& mesh = meshes_[index];
+    trees_.push_back({mesh.nodes.data(), mesh.corners.data(), mesh.triangles.data(), mesh.middle, mesh.radius});
+    surfaces_.push_back({mesh.vertices.data(), mesh.indices.data(), mesh.part_of.data(), mesh.parts.data()});
+    triangle_count_ += loaded.meshes[index].triangle_count();
+  }
+}
+
+SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backend) {
+  Stored stored;
+  std::vector<SurfacePart> parts;
+  std::vector<std::uint32_t> part_of(mesh.indices.size() / 3);
+  for (const MeshPart& part : mesh.parts) {
+    const auto from = part_of.begin() + static_cast<long>(part.first_index / 3);
+    std::fill_n(from, part.index_count / 3, static_cast<std::uint32_t>(parts.size()));
+    SurfacePart own = {{part.color[0], part.color[1], part.color[2]}, !part.image.empty(), {}};
+    if (own.textured) {
+      const OverlayImage image = read_overlay_image(part.image);
+      stored.images.emplace_back(backend, image.texels, "meshes");
+      own.image = image.view(stored.images.back().data());
+    }
+    parts.push_back(own);
+  }
+  const TriangleBoxes boxes = build_triangle_tree(mesh);
+  stored.nodes = {backend, boxes.nodes, "meshes"};
+  stored.corners = {backend, boxes.corners, "meshes"};
+  stored.triangles = {backend, boxes.triangles, "meshes"};
+  stored.vertices = {backend, mesh.vertices, "meshes"};
+  stored.indices = {backend, mesh.indices, "meshes"};
+  stored.part_of = {backend, part_of, "meshes"};
+  stored.parts = {backend, parts, "meshes"};
+  stored.middle = boxes.middle;
+  stored.radius = boxes.radius;
+  return stored;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "content/mesh/triangle_boxes.h"
+#include "content/show.h"
+#include "kernels/mesh/surface.h"
+#include "render/backend/buffer.h"
+
+namespace ergodome {
+
+//! The meshes of a show's objects with their trees and images, where the kernels of a backend can read them.
+class SurfaceStore {
+ public:
+  //! Reads or makes them, each file once. Throws Error where one cannot be read.
+  SurfaceStore(const Show& show, Backend backend);
+
+  //! One an object.
+  [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
+  [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+
+  [[nodiscard]] long triangle_count() const { return triangle_count_; }
+
+ private:
+  //! What one mesh takes.
+  struct Stored {
+    Buffer<TreeNode> nodes;
+    Buffer<float> corners;
+    Buffer<std::uint32_t> triangles;
+    Buffer<SurfaceVertex> vertices;
+    Buffer<std::uint32_t> indices;
+    Buffer<std::uint32_t> part_of;
+    Buffer<SurfacePart> parts;
+    std::deque<Buffer<std::uint16_t>> images;
+    Vector3<double> middle{};
+    double radius = 0.0;
+  };
+
+  static Stored store(const TriangleMesh& mesh, Backend backend);
+
+  std::deque<Stored> meshes_;
+  std::vector<TriangleTree> trees_;
+  std::vector<Surface> surfaces_;
+  long triangle_count_ = 0;
+};
+
+}  // namespace ergodome

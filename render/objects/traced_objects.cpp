@@ -1,0 +1,82 @@
+#include "render/objects/traced_objects.h"
+
+#include <algorithm>
+
+#include "kernels/projection/pixel_measure.h"
+#include "render/lens/direct_lens.h"
+#include "render/objects/object_pixels.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int picture_step_limit = 4000;
+//! A path's local error is this part of what a pixel may be off by.
+constexpr double part_of_tolerance = 0.01;
+
+SurfaceLook look_of(const ObjectSettings& object, const Surface& surface) {
+  const auto factor = [&](double part) { return static_cast<float>(object.exposure * part); };
+  SurfaceLook look{
+      surface, {factor(object.color.x), factor(object.color.y), factor(object.color.z)}, 0.0F, 0.0F, 1.0F, object.lit};
+  if (object.checker) {
+    look.columns = static_cast<float>(object.checker->columns);
+    look.rows = static_cast<float>(object.checker->rows);
+    look.dark = static_cast<float>(object.checker->dark);
+  }
+  return look;
+}
+
+std::vector<SurfaceLook> looks_of(const Show& show, const std::vector<Surface>& surfaces) {
+  std::vector<SurfaceLook> looks;
+  looks.reserve(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    looks.push_back(look_of(show.objects[i], surfaces[i]));
+  }
+  return looks;
+}
+
+}  // namespace
+
+TracedObjects::TracedObjects(const Show& show, Backend backend)
+    : backend_(backend),
+      objects_(show.objects),
+      lamp_(show.light ? LampPlace{show.light->position, show.light->strength} : LampPlace{}),
+      shifted_(show.effects.redshift),
+      surfaces_(show, backend),
+      looks_(backend, looks_of(show, surfaces_.surfaces()), "meshes"),
+      placed_(backend, show.objects.size(), "meshes") {}
+
+std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backend) {
+  return has_objects(show, ObjectMethod::trace) ? std::make_unique<TracedObjects>(show, backend) : nullptr;
+}
+
+long TracedObjects::triangle_count() const { return surfaces_.triangle_count(); }
+
+ObjectLayer TracedObjects::look(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s,
+                                const RowBlock& rows) {
+  const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), time_s);
+  placed_.write(placed.meshes.data(), placed.meshes.size());
+  const double tolerance = std::clamp(part_of_tolerance * tolerance_px * pixel_angle(projection), 1e-10, 1e-6);
+  ObjectScene scene{station_of(eye),
+                    projection,
+                    {},
+                    placed.around(eye.spin, placed_.data()),
+                    looks_.data(),
+                    lamp_,
+                    {tolerance, picture_step_limit, 0.0},
+                    shifted_,
+                    std::ranges::any_of(placed.meshes, &PlacedMesh::retarded)};
+  std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);
+  ObjectPixels pixels(backend_, scene, rows.first, rows.count);
+  pixels.look();
+  const std::size_t count = pixels.time().size();
+  if (time_.size() < count) {
+    rgba_ = Buffer<float>(backend_, 4 * count, "objects' picture");
+    time_ = Buffer<float>(backend_, count, "objects' picture");
+  }
+  rgba_.write(pixels.rgba().data(), 4 * count);
+  time_.write(pixels.time().data(), count);
+  return {rgba_.data(), time_.data()};
+}
+
+}  // namespace ergodome

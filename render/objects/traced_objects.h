@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "content/show.h"
+#include "kernels/mesh/lay_objects.h"
+#include "render/backend/buffer.h"
+#include "render/lens/eye_camera.h"
+#include "render/objects/placed_meshes.h"
+#include "render/objects/surface_store.h"
+
+namespace ergodome {
+
+//! A block of rows of a picture.
+struct RowBlock {
+  int first;
+  int count;
+};
+
+//! A show's objects as exact rays see them, about a hole of any spin: all image orders, shadows, frequency shift, light travel time.
+//!
+//! Tiles of the picture that cannot see an object cost a ray; pixels that can cost four, and sixteen where outlines, textures or shadows run through them or
+//! their neighbours.
+class TracedObjects {
+ public:
+  //! Loads the meshes; the show must have objects. Throws Error where a mesh or an image cannot be read.
+  TracedObjects(const Show& show, Backend backend);
+
+  //! Looks at the objects in rows of a picture, where they are at a show time. The layer stays until the next call.
+  ObjectLayer look(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s,
+                   const RowBlock& rows);
+
+  //! Triangles of all objects.
+  [[nodiscard]] long triangle_count() const;
+
+ private:
+  Backend backend_;
+  std::vector<ObjectSettings> objects_;
+  LampPlace lamp_;
+  bool shifted_;
+  SurfaceStore surfaces_;
+  Buffer<SurfaceLook> looks_;
+  Buffer<PlacedMesh> placed_;
+  Buffer<float> rgba_;
+  Buffer<float> time_;
+};
+
+//! Those of a show whose objects are traced; else none.
+std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backend);
+
+}  // namespace ergodome

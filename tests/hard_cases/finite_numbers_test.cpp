@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "content/show_reader.h"
+#include "content/sky_map.h"
+#include "kernels/core/error.h"
+#include "kernels/launch/check_numbers.h"
+#include "render/frame/show_renderer.h"
+#include "tests/hard_cases/random_places.h"
+#include "tests/support/sanitized.h"
+
+// No NaN and no infinity leaves a kernel: what looks for them finds one that is planted, and finds none in the built-in shows.
+namespace ergodome::test {
+namespace {
+
+//! Buffers are scanned as long as this lives.
+class NumbersChecked : public testing::Test {
+ protected:
+  NumbersChecked() : before_(numbers_are_checked()) { set_numbers_checked(true); }
+  ~NumbersChecked() override { set_numbers_checked(before_); }
+  NumbersChecked(const NumbersChecked&) = delete;
+  NumbersChecked& operator=(const NumbersChecked&) = delete;
+
+ private:
+  bool before_;
+};
+
+//! A hundred rays, one of which leads nowhere.
+struct PlantedRays {
+  std::vector<double> n[3], g;
+
+  explicit PlantedRays(double planted) : g(100) {
+    for (int axis = 0; axis < 3; ++axis) {
+      n[axis].assign(100, axis == 2 ? 1.0 : 0.0);
+    }
+    n[1][17] = planted;
+  }
+
+  RayBatch<double> batch() {
+    RayBatch<double> all{};
+    all.camera = station_at({0.9, 8.0, 1.0});
+    all.settings = {1e-9, 1000};
+    all.count = 100;
+    for (int axis = 0; axis < 3; ++axis) {
+      all.direction[axis] = n[axis].data();
+    }
+    all.frequency_ratio = g.data();
+    return all;
+  }
+};
+
+TEST_F(NumbersChecked, APlantedNanIsFoundWithItsKernelChannelAndIndex) {
+  PlantedRays rays(std::nan(""));
+  try {
+    trace_rays(Backend::cpu, rays.batch());
+    FAIL() << "nothing was found";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place(), "kernel trace_rays, double");
+    EXPECT_NE(error.problem().find("frequency_ratio[17] of 100 is "), std::string::npos) << error.problem();
+  }
+}
+
+TEST_F(NumbersChecked, RaysWithoutOnePass) {
+  PlantedRays rays(0.0);
+  EXPECT_NO_THROW(trace_rays(Backend::cpu, rays.batch()));
+}
+
+TEST_F(NumbersChecked, NothingIsLookedAtWhenItIsSwitchedOff) {
+  set_numbers_checked(false);
+  PlantedRays rays(std::nan(""));
+  EXPECT_NO_THROW(trace_rays(Backend::cpu, rays.batch()));
+}
+
+//! A built-in show before the grid sky, for small pictures.
+Show small_show(const std::string& name) {
+  Show show = read_show(built_in_content_folder() / "shows" / (name + ".toml"));
+  show.sky.map = "grid";
+  return show;
+}
+
+class BuiltInShows : public testing::TestWithParam<const char*> {};
+
+TEST_P(BuiltInShows, LetNothingLeaveAKernelThatIsNoNumber) {
+  set_numbers_checked(true);
+  const Show show = small_show(GetParam());
+  ShowRenderer renderer(show, Backend::cpu);
+  const double end_s = std::max(show.duration_s, 1.0);
+  for (const double part : {0.0, 0.31, 0.77, 1.0}) {
+    EXPECT_NO_THROW(renderer.render(part * end_s, {ViewMode::sky, sanitized ? 32 : 96})) << part;
+  }
+  for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order,
+                              ViewMode::frequency_ratio, ViewMode::magnification}) {
+    EXPECT_NO_THROW(renderer.render(0.5 * end_s, {mode, 32})) << static_cast<int>(mode);
+  }
+  set_numbers_checked(false);
+}
+
+TEST_P(BuiltInShows, LetNothingLeaveAKernelThatIsNoNumberThroughAGrid) {
+  set_numbers_checked(true);
+  const Show show = small_show(GetParam());
+  ShowRenderer renderer(show, Backend::cpu, LensChoice::live);
+  EXPECT_NO_THROW(renderer.render(0.6 * std::max(show.duration_s, 1.0), {ViewMode::sky, sanitized ? 32 : 96}));
+  set_numbers_checked(false);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, BuiltInShows,
+                         testing::Values("once-around", "fall", "eyes", "first-light", "dome-still", "grid-sky",
+                                         "prograde-edge", "free-flight", "star-field", "star-trails", "disk", "shells",
+                                         "published-effects"),
+                         [](const auto& each) {
+                           std::string name = each.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+//! Cameras that look at the whole sky from where it is hard.
+TEST_F(NumbersChecked, HardPlacesLetNothingLeaveAKernelThatIsNoNumber) {
+  for (const char* camera :
+       {"spin = 1\n[camera]\n[[camera.key]]\nr = 1.001\n",
+        "spin = 1\n[camera]\nobserver = \"rain\"\n[[camera.key]]\nr = 1.000001\n",
+        "spin = 0.9\n[camera]\nobserver = \"rain\"\n[[camera.key]]\nr = 1.4358909\n",
+        "spin = -1\n[camera]\n[[camera.key]]\nr = 3\ntheta_deg = 0\n",
+        "spin = 0\n[camera]\n[[camera.key]]\nr = 3\ntheta_deg = 180\n",
+        "spin = 0.5\n[camera]\n[[camera.key]]\nr = 1e6\n",
+        "spin = 0.999\n[camera]\nobserver = { beta = 0.9999, toward = [0, 0, 1] }\n[[camera.key]]\nr = 2\n"}) {
+    const Show show =
+        parse_show("[hole]\n" + std::string(camera) +
+                       "[sky]\nmap = \"grid\"\nstars = \"bright_stars\"\nfaintest_mag = 3\n[effects]\nredshift = true\n"
+                       "magnification = true\n[view]\nprojection = \"equirect\"\n",
+                   "show.toml");
+    for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
+      ShowRenderer renderer(show, Backend::cpu, lens);
+      EXPECT_NO_THROW(renderer.render(0.0, {ViewMode::sky, sanitized ? 32 : 64})) << camera;
+      EXPECT_NO_THROW(renderer.render(0.0, {ViewMode::magnification, 32})) << camera;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ergodome::test

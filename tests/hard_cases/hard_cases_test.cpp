@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include "tests/hard_cases/miss.h"
+#include "tests/support/sanitized.h"
+
+// Every case of the list (case_list.cpp) through every way of tracing a ray and every source of a lens.
+namespace ergodome::test {
+namespace {
+
+enum class Family { double_ray, float_ray, live_grid, streamed, quadtree };
+
+//! A way to find out what a ray sees. `coarser`: how many times more than the row allows it may miss by, because its own tolerance is so
+//! much coarser; of the sky for rays in double, of the screen for those in float.
+struct Method {
+  const char* name;
+  Family family;
+  SeenSky (*see)(const Place& place, const Directions& rays);
+  double coarser;
+};
+
+const Method methods[] = {
+    {"Taylor", Family::double_ray,
+     [](const Place& p, const Directions& n) { return by_rays(p, n, TraceMethod::taylor, 1e-12); }, 1.0},
+    {"CashKarp", Family::double_ray,
+     [](const Place& p, const Directions& n) { return by_rays(p, n, TraceMethod::cash_karp, 1e-9); }, 1e3},
+    {"RungeKutta34", Family::double_ray,
+     [](const Place& p, const Directions& n) { return by_rays(p, n, TraceMethod::rk34, 1e-7); }, 2e5},
+    {"TaylorInFloat", Family::float_ray,
+     [](const Place& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::taylor, 1e-6); }, 1.0},
+    {"CashKarpInFloat", Family::float_ray,
+     [](const Place& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::cash_karp, 1e-5); }, 10.0},
+    {"RungeKutta34InFloat", Family::float_ray,
+     [](const Place& p, const Directions& n) { return by_float_rays(p, n, TraceMethod::rk34, 1e-5); }, 50.0},
+    {"LiveGrid", Family::live_grid,
+     [](const Place& p, const Directions& n) { return by_live_grid(p, n, Nodes::in_double); }, 1.0},
+    {"LiveGridInFloat", Family::live_grid,
+     [](const Place& p, const Directions& n) { return by_live_grid(p, n, Nodes::in_float); }, 1.0},
+    {"StreamedStations", Family::streamed, by_streamed_stations, 1.0},
+    {"Quadtree", Family::quadtree, by_quadtree, 1.0},
+};
+
+void expect_double_rays(const Misses& misses, const HardCase& hard, double coarser) {
+  EXPECT_LE(misses.sky, coarser * hard.allowed.sky);
+  // Runge-Kutta pairs may run out of steps next to the edge, where digits of their estimates end; the series may not.
+  EXPECT_LE(coarser > 1.0 ? 0 : misses.unresolved, 0);
+}
+
+//! Under the sanitizers grids are built ten times coarser, and rays are so few that one in a hundred is the worst.
+constexpr double grid_scale = sanitized ? 2000.0 : 1.0;
+constexpr double few_rays = sanitized ? 100.0 : 1.0;
+
+//! What the row allows a family of methods.
+double limit_of(const Allowed& allowed, Family family) {
+  switch (family) {
+    case Family::double_ray:
+      return allowed.sky;
+    case Family::float_ray:
+      return allowed.float_ray;
+    case Family::live_grid:
+      return allowed.grid_px;
+    case Family::streamed:
+      return allowed.streamed_px;
+    case Family::quadtree:
+      break;
+  }
+  return allowed.quadtree_px;
+}
+
+void expect_allowed(const HardCase& hard, const Method& method, const Misses& misses) {
+  const double limit = limit_of(hard.allowed, method.family);
+  EXPECT_EQ(misses.improper, 0) << "neither a unit vector nor none";
+  if (limit >= unbounded || (sanitized && method.family == Family::quadtree)) {
+    return;
+  }
+  EXPECT_LE(misses.wrong, method.family == Family::quadtree ? 3 : 0)
+      << "light where it is dark, or none where it is not";
+  switch (method.family) {
+    case Family::double_ray:
+      return expect_double_rays(misses, hard, method.coarser);
+    case Family::float_ray:
+      EXPECT_EQ(misses.unresolved, 0);
+      EXPECT_LE(misses.screen_at(0.99), few_rays * method.coarser * limit) << "rad on the screen";
+      return;
+    case Family::quadtree:
+      EXPECT_LE(misses.screen_at(0.75) / dome_pixel, limit) << "px";
+      return;
+    case Family::live_grid:
+    case Family::streamed:
+      EXPECT_EQ(misses.unresolved, 0);
+      EXPECT_LE(misses.screen_at(0.99) / dome_pixel, grid_scale * limit) << "px";
+      return;
+  }
+}
+
+class HardCases : public testing::TestWithParam<HardCase> {};
+
+TEST_P(HardCases, AreMetByEveryMethodWithinWhatTheRowAllowsOrToldOf) {
+  const HardCase& hard = GetParam();
+  const Directions rays = hard.rays(station_at(hard.place));
+  const std::vector<ExactRay> exact = exact_rays(station_at(hard.place), rays);
+  SCOPED_TRACE(hard.why);
+  for (const Method& method : methods) {
+    if (limit_of(hard.allowed, method.family) != not_asked) {
+      SCOPED_TRACE(method.name);
+      expect_allowed(hard, method, misses_of(exact, method.see(hard.place, rays)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, HardCases, testing::ValuesIn(hard_cases()),
+                         [](const auto& each) { return name_of(each.param); });
+
+}  // namespace
+}  // namespace ergodome::test

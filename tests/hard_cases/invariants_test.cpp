@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <mutex>
+#include <sstream>
+
+#include "kernels/launch/parallel_for.h"
+#include "tests/hard_cases/random_places.h"
+#include "tests/hard_cases/ray_walk.h"
+#include "tests/support/sanitized.h"
+
+// The first integrals of rays by chance, all the way from the camera to the sky: in all a million rays a run.
+namespace ergodome::test {
+namespace {
+
+constexpr int cameras = sanitized ? 40 : 1000;
+constexpr int rays_a_camera = sanitized ? 20 : 500;
+
+//! What a sweep found.
+struct Found {
+  long walked = 0;
+  long lost = 0;       //!< rays that did not come to an end
+  double worst = 0.0;  //!< miss of a first integral
+  std::string at;      //!< where that was
+};
+
+template <int Order, class S>
+void walk_all(const Place& place, const Directions& rays, S tolerance, Found& found) {
+  const auto camera = converted_station<S>(station_at(place));
+  for (const Vector3<double>& n : rays) {
+    const Vector3<S> direction = {static_cast<S>(n.x), static_cast<S>(n.y), static_cast<S>(n.z)};
+    const RayStart<S> start = start_ray(camera, direction);
+    if (!comes_from_sky(camera.spin, camera.horizon_r, start)) {
+      continue;
+    }
+    const Walk<S> walked = walk<Order>(camera.spin, start, tolerance, 5000);
+    ++found.walked;
+    found.lost += walked.reached ? 0 : 1;
+    // What is not a number counts as the worst.
+    if (!(walked.misses.worst() <= found.worst)) {
+      found.worst = walked.misses.worst();
+      std::ostringstream at;
+      at.precision(17);
+      at << words_of(place) << " n " << n.x << " " << n.y << " " << n.z << ": radial " << walked.misses.radial
+         << " polar " << walked.misses.polar << " unit " << walked.misses.unit << " axial " << walked.misses.axial
+         << " tangent " << walked.misses.tangent << " in " << walked.steps << " steps";
+      found.at = at.str();
+    }
+  }
+}
+
+template <int Order, class S>
+Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
+  Found all;
+  std::mutex lock;
+  parallel_for(cameras, 4, [&](int begin, int end) {
+    for (int camera = begin; camera < end; ++camera) {
+      // A stream of its own for each camera, so that threads change nothing.
+      std::mt19937_64 random(number_of(seed) + 1000003ULL * static_cast<std::uint64_t>(camera));
+      const Place place = random_place(random, least_height);
+      Found found;
+      walk_all<Order>(place, random_rays(random, station_at(place), rays_a_camera, nearest), tolerance, found);
+      const std::lock_guard guard(lock);
+      all.walked += found.walked;
+      all.lost += found.lost;
+      if (!(found.worst <= all.worst)) {
+        all.worst = found.worst;
+        all.at = found.at;
+      }
+    }
+  });
+  return all;
+}
+
+class Invariants : public testing::TestWithParam<Seed> {};
+
+TEST_P(Invariants, HoldAllAlongRaysInDouble) {
+  const Found found = sweep<20>(GetParam(), 1e-12, 1e-5, 1e-12);
+  EXPECT_GT(found.walked, cameras * rays_a_camera / 3);
+  // Only along an extremal horizon light winds too often to count.
+  EXPECT_LE(found.lost, found.walked / 10'000);
+  EXPECT_LT(found.worst, 1e-9 * room_of(GetParam())) << found.at;
+}
+
+TEST_P(Invariants, HoldAllAlongRaysInFloat) {
+  const Found found = sweep<10>(GetParam(), 1e-6F, 1e-2, 1e-3);
+  EXPECT_GT(found.walked, cameras * rays_a_camera / 3);
+  EXPECT_LE(found.lost, found.walked / 1'000);
+  EXPECT_LT(found.worst, 1e-3 * room_of(GetParam())) << found.at;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Invariants, testing::Values(Seed::fixed, Seed::by_chance), [](const auto& each) {
+  return std::string(each.param == Seed::fixed ? "TheFixedSeed" : "ASeedByChance");
+});
+
+TEST(Walk, EndsWhereTheTracerDoes) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 20; ++i) {
+    const Place place = random_place(random, 1e-2);
+    const CameraStation camera = station_at(place);
+    for (const Vector3<double>& n : random_rays(random, camera, 16, 1e-3)) {
+      const RayStart<double> start = start_ray(camera, n);
+      if (!comes_from_sky(camera.spin, camera.horizon_r, start)) {
+        continue;
+      }
+      double steps = 0.0;
+      bool reached = false;
+      const RayEnd<double> end = trace_taylor<20>(camera.spin, start, true, {1e-12, 5000}, steps, reached);
+      const Walk<double> walked = walk<20>(camera.spin, start, 1e-12, 5000);
+      EXPECT_EQ(walked.steps, static_cast<int>(steps)) << words_of(place);
+      EXPECT_NEAR(dot(walked.sky, end.sky), 1.0, 1e-11) << words_of(place);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ergodome::test

@@ -1,0 +1,131 @@
+#include "tests/hard_cases/lens_methods.h"
+
+#include <memory>
+
+#include "content/trajectory/station_codec.h"
+#include "kernels/launch/launch.h"
+#include "render/lens/grid_builder.h"
+#include "render/lens/quadtree_builder.h"
+#include "render/lens/station_blend.h"
+#include "tests/support/sanitized.h"
+
+namespace ergodome::test {
+
+namespace {
+
+//! Directions and results as the kernels want them.
+template <class S>
+struct Arrays {
+  std::vector<S> n[3], sky[3], status;
+
+  explicit Arrays(const Directions& rays) : status(rays.size()) {
+    for (const Vector3<double>& ray : rays) {
+      n[0].push_back(static_cast<S>(ray.x));
+      n[1].push_back(static_cast<S>(ray.y));
+      n[2].push_back(static_cast<S>(ray.z));
+    }
+    for (std::vector<S>& component : sky) {
+      component.resize(rays.size());
+    }
+  }
+
+  RayBatch<S> batch(const CameraStationOf<S>& camera, const IntegrationSettings& settings, TraceMethod method) {
+    RayBatch<S> all{};
+    all.camera = camera;
+    all.settings = settings;
+    all.method = method;
+    all.count = static_cast<int>(status.size());
+    for (int k = 0; k < 3; ++k) {
+      all.direction[k] = n[k].data();
+      all.sky[k] = sky[k].data();
+    }
+    all.status = status.data();
+    return all;
+  }
+
+  [[nodiscard]] SeenSky seen() const {
+    SeenSky result;
+    for (int k = 0; k < 3; ++k) {
+      result.sky[k].assign(sky[k].begin(), sky[k].end());
+    }
+    result.status.assign(status.begin(), status.end());
+    return result;
+  }
+};
+
+//! Steps that no method needs but at an extremal horizon.
+constexpr int step_limit = 20'000;
+
+Aberration observer_of(const Place& p) { return aberration_to_rain(p.spin, p.r, p.theta, p.motion, p.beta); }
+
+LensStation built_station(const Place& place, Nodes nodes) {
+  GridSettings settings;
+  settings.pixel = dome_pixel;
+  settings.budget_px = sanitized ? 1.0 : 0.1;
+  settings.observer = observer_of(place);
+  settings.fine = nodes == Nodes::in_double;
+  return build_lens_station(place.spin, place.r, place.theta, settings);
+}
+
+std::shared_ptr<const StationBuffers> streamed(const LensStation& station) {
+  const PackedStation packed = pack_station(station);
+  return std::make_shared<StationBuffers>(Backend::cpu,
+                                          unpack_station(packed.bytes, packed.unpacked_bytes, "a station of a test"));
+}
+
+}  // namespace
+
+SeenSky by_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance) {
+  Arrays<double> arrays(rays);
+  trace_rays(Backend::cpu, arrays.batch(station_at(place), {tolerance, step_limit}, method));
+  return arrays.seen();
+}
+
+SeenSky by_float_rays(const Place& place, const Directions& rays, TraceMethod method, double tolerance) {
+  Arrays<float> arrays(rays);
+  trace_rays(Backend::cpu,
+             arrays.batch(converted_station<float>(station_at(place)), {tolerance, step_limit, true}, method));
+  return arrays.seen();
+}
+
+SeenSky by_lens(const LensBlend& lens, const Place& place, const Directions& rays) {
+  Arrays<double> arrays(rays);
+  LookUpRaysBatch<double> batch{};
+  batch.rays = arrays.batch(station_at(place), {1e-10, step_limit}, TraceMethod::taylor);
+  batch.lens = lens;
+  batch.aberration = observer_of(place);
+  look_up_rays(Backend::cpu, batch);
+  return arrays.seen();
+}
+
+SeenSky by_live_grid(const Place& place, const Directions& rays, Nodes nodes) {
+  const StationBlend lens(std::make_shared<StationBuffers>(Backend::cpu, built_station(place, nodes)));
+  return by_lens(lens.view(), place, rays);
+}
+
+SeenSky by_streamed_stations(const Place& place, const Directions& rays) {
+  // As close together as a bake puts them there: a part of the height above the horizon.
+  const double apart = 0.01 * (place.r - horizon_radius(place.spin));
+  Place inner = place;
+  Place outer = place;
+  inner.r -= 0.5 * apart;
+  outer.r += 0.5 * apart;
+  const StationBlend blend(Backend::cpu, streamed(built_station(inner, Nodes::in_double)),
+                           streamed(built_station(outer, Nodes::in_double)), {place.r, place.theta});
+  return by_lens(blend.view(), place, rays);
+}
+
+SeenSky by_quadtree(const Place& place, const Directions& rays) {
+  const CameraStation camera = station_at(place);
+  QuadtreeSettings settings;
+  settings.coarsest_level = sanitized ? 4 : 6;
+  settings.finest_level = sanitized ? 6 : 10;
+  const QuadtreeLens lens(camera, false, settings);
+  Arrays<double> arrays(rays);
+  const QuadtreeRaysBatch batch = {arrays.batch(camera, {1e-9, step_limit}, TraceMethod::taylor),
+                                   look_up_of(lens.view(), QuadtreeInterpolation::spline)};
+  read_quadtree_rays(Backend::cpu, batch);
+  return arrays.seen();
+}
+
+}  // namespace ergodome::test

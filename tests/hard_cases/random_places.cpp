@@ -1,0 +1,105 @@
+#include "tests/hard_cases/random_places.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "kernels/core/angles.h"
+#include "kernels/shadow/critical_curve.h"
+
+namespace ergodome::test {
+
+namespace {
+
+double uniform(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+//! 10^low ... 10^high, evenly in the exponent.
+double magnitude(std::mt19937_64& random, double low, double high) {
+  return std::pow(10.0, uniform(random, low, high));
+}
+
+double random_spin(std::mt19937_64& random) {
+  const double side = uniform(random, 0.0, 1.0) < 0.5 ? -1.0 : 1.0;
+  const double kind = uniform(random, 0.0, 1.0);
+  if (kind < 0.3) {
+    return side * (1.0 - magnitude(random, -9.0, -1.0));
+  }
+  return kind < 0.35 ? 0.0 : uniform(random, -1.0, 1.0);
+}
+
+double random_theta(std::mt19937_64& random) {
+  const double kind = uniform(random, 0.0, 1.0);
+  const double south = uniform(random, 0.0, 1.0);
+  if (kind < 0.3) {
+    const double theta = kind < 0.03 ? 0.0 : magnitude(random, -12.0, -1.0);
+    return south < 0.5 ? theta : pi - theta;
+  }
+  return kind < 0.45 ? 0.5 * pi : std::acos(uniform(random, -1.0, 1.0));
+}
+
+}  // namespace
+
+std::uint64_t number_of(Seed seed) {
+  if (seed == Seed::fixed) {
+    return 20260401;
+  }
+  static const std::uint64_t chance = [] {
+    const char* given = std::getenv("ERGODOME_SWEEP_SEED");
+    const std::uint64_t number = given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
+    std::cout << "sweeps by chance: ERGODOME_SWEEP_SEED=" << number << " repeats them\n" << std::flush;
+    return number;
+  }();
+  return chance;
+}
+
+Place random_place(std::mt19937_64& random, double least_height) {
+  Place place{};
+  place.spin = random_spin(random);
+  place.r = horizon_radius(place.spin) * (1.0 + magnitude(random, std::log10(least_height), 5.8));
+  place.theta = random_theta(random);
+  const double motion = uniform(random, 0.0, 1.0);
+  place.motion = motion < 0.4 ? ObserverMotion::zamo : motion < 0.7 ? ObserverMotion::rain : ObserverMotion::velocity;
+  place.beta = uniform(random, 0.0, 0.99) * any_direction(random);
+  return place;
+}
+
+Directions random_rays(std::mt19937_64& random, const CameraStation& camera, int count, double nearest) {
+  const ShadowChart chart = make_shadow_chart(camera);
+  const double sides[] = {-1.0, 1.0};
+  Directions all;
+  while (static_cast<int>(all.size()) < count) {
+    const int kind = static_cast<int>(all.size()) % 8;
+    if (kind < 4) {
+      all.push_back(any_direction(random));
+    } else if (kind == 4) {
+      const double side = sides[random() % 2];
+      all.push_back(
+          beside(detail::principal_direction(camera, side), magnitude(random, -12.0, -1.0), uniform(random, 0.0, 7.0)));
+    } else if (kind == 5) {
+      // In the plane of e_r and e_θ a ZAMO sees light without angular momentum.
+      const double angle = uniform(random, 0.0, 2.0 * pi);
+      all.push_back(
+          beside({std::cos(angle), std::sin(angle), 0.0}, magnitude(random, -12.0, -1.0), uniform(random, 0.0, 7.0)));
+    } else {
+      const double gamma = uniform(random, 0.0, 2.0 * pi);
+      const double distance = sides[random() % 2] * magnitude(random, std::log10(nearest), -1.0);
+      const double alpha = edge_polar_angle(camera, chart, gamma) + distance;
+      all.push_back(chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma));
+    }
+  }
+  return all;
+}
+
+std::string words_of(const Place& place) {
+  std::ostringstream words;
+  words << std::setprecision(17) << "a " << place.spin << " (1 - |a| " << 1.0 - std::abs(place.spin) << ") r "
+        << place.r << " theta " << place.theta << " motion " << static_cast<int>(place.motion) << " beta "
+        << place.beta.x << " " << place.beta.y << " " << place.beta.z;
+  return words.str();
+}
+
+}  // namespace ergodome::test

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/geodesic/radial_potential.h"
+#include "kernels/geodesic/taylor.h"
+
+// A ray step by step, as trace_taylor goes, with somebody who looks on.
+namespace ergodome::test {
+
+//! By how much the first integrals of a ray are missed where it is, each as a part of its largest term.
+struct IntegralMisses {
+  double radial = 0.0;   //!< u'² = U(u)
+  double polar = 0.0;    //!< |m'|² = C + a² m_z²
+  double unit = 0.0;     //!< |m|² = 1
+  double axial = 0.0;    //!< (m x m')_z, which is -L
+  double tangent = 0.0;  //!< m · m' = 0
+
+  [[nodiscard]] double worst() const { return std::max({radial, polar, unit, axial, tangent}); }
+
+  void take(const IntegralMisses& other) {
+    // Written so that what is not a number stays.
+    const auto larger = [](double a, double b) { return b <= a ? a : b; };
+    radial = larger(radial, other.radial);
+    polar = larger(polar, other.polar);
+    unit = larger(unit, other.unit);
+    axial = larger(axial, other.axial);
+    tangent = larger(tangent, other.tangent);
+  }
+};
+
+//! `state` with rates in Mino time; everything is formed in double.
+template <class S>
+IntegralMisses integral_misses(double spin, const RayStart<S>& exact, const RayState<S>& s) {
+  const double a2 = spin * spin;
+  const double c = exact.polar_constant;
+  const double l = exact.axial_angular_momentum;
+  const double k = exact.shear_constant;
+  const double u = s.u;
+  const double quartic = a2 * (c - l * l) * u * u * u * u;
+  const double potential = 1.0 + (a2 - c) * u * u + 2.0 * k * u * u * u - quartic;
+  const double radial_scale = 1.0 + std::abs(a2 - c) * u * u + 2.0 * std::abs(k) * u * u * u + std::abs(quartic);
+  const Vector3<double> m = {s.m.x, s.m.y, s.m.z};
+  const Vector3<double> rate = {s.m_rate.x, s.m_rate.y, s.m_rate.z};
+  const double speed2 = std::abs(c) + a2;
+  const double turning = m.x * rate.y - m.y * rate.x;
+  const double at_start = static_cast<double>(exact.m.x) * static_cast<double>(exact.m_rate.y) -
+                          static_cast<double>(exact.m.y) * static_cast<double>(exact.m_rate.x);
+  const double speed = std::sqrt(speed2) + 1e-6;
+  return {std::abs(static_cast<double>(s.u_rate) * static_cast<double>(s.u_rate) - potential) / radial_scale,
+          std::abs(dot(rate, rate) - c - a2 * m.z * m.z) / (speed * speed), std::abs(dot(m, m) - 1.0),
+          std::abs(turning - at_start) / speed, std::abs(dot(m, rate)) / speed};
+}
+
+//! Where a walk ended, and the worst on the way.
+template <class S>
+struct Walk {
+  Vector3<S> sky;
+  int steps = 0;
+  bool reached = false;
+  IntegralMisses misses;
+};
+
+//! Follows a ray that comes from the sky as trace_taylor does, with a look at the middle and the end of every step.
+template <int Order, class S>
+Walk<S> walk(S spin, const RayStart<S>& start, S tolerance, int step_limit) {
+  const S polar_speed = safe_sqrt(std::max(start.polar_constant, S(0))) + S(1);
+  const S inverse_scale = S(1) / polar_speed;
+  const S local = local_tolerance(spin, start, IntegrationSettings{static_cast<double>(tolerance), step_limit});
+  const auto coefficients = taylor_coefficients(spin, start, inverse_scale);
+  RayState<S> state = initial_state(start);
+  state.u_rate *= inverse_scale;
+  state.m_rate = inverse_scale * state.m_rate;
+  const auto in_mino_time = [&](RayState<S> s) {
+    s.u_rate *= polar_speed;
+    s.m_rate = polar_speed * s.m_rate;
+    return s;
+  };
+  Walk<S> walked;
+  TaylorSeries<Order, S> series;
+  while (walked.steps < step_limit && !walked.reached) {
+    expand(spin, coefficients, state, series);
+    S h = std::min(S(3), detail::step_length(series, local, polar_speed));
+    walked.reached = series_value(series.u, h) <= S(0);
+    h = walked.reached ? detail::time_to_infinity(series, h) : h;
+    walked.misses.take(integral_misses(spin, start, in_mino_time(evaluate(series, S(0.5) * h))));
+    state = evaluate(series, h);
+    walked.misses.take(integral_misses(spin, start, in_mino_time(state)));
+    ++walked.steps;
+  }
+  walked.sky = sky_direction(state);
+  return walked;
+}
+
+}  // namespace ergodome::test

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "kernels/launch/launch.h"
+#include "render/lens/eye_camera.h"
+
+namespace ergodome::test {
+
+//! The sky where the ray of an observed direction comes from, by the Runge-Kutta pair of Cash & Karp: neither the closed form nor the series of the references.
+inline Vector3<double> cash_karp_sky(const EyeCamera& eye, const Vector3<double>& n) {
+  const double direction[3] = {n.x, n.y, n.z};
+  double sky[3] = {};
+  RayBatch<double> batch{};
+  batch.camera = make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
+  batch.settings = {1e-12, 1'000'000};
+  batch.method = TraceMethod::cash_karp;
+  batch.count = 1;
+  for (int i = 0; i < 3; ++i) {
+    batch.direction[i] = &direction[i];
+    batch.sky[i] = &sky[i];
+  }
+  trace_rays(Backend::cpu, batch);
+  return {sky[0], sky[1], sky[2]};
+}
+
+}  // namespace ergodome::test
