@@ -63,14 +63,11 @@ ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const s
   settings.r_observer_nearest = rows[of_observer.front()].r_observer;
   settings.r_observer_farthest = settings.r_observer_nearest;
   for (const std::size_t i : of_observer) {
-    if (rows[i].order > 2) {
-      throw Error(rows[i].place, fmt::format("is of order {}", rows[i].order),
-                  "tables hold orders 1 and 2; choose --method closed_form");
-    }
     if (std::max(rows[i].r, rows[i].r_observer) > farthest_of_table) {
       throw Error(rows[i].place, fmt::format("has a radius above {:.9g}", farthest_of_table),
                   "tables end there; choose --method closed_form");
     }
+    settings.orders = std::max(settings.orders, rows[i].order);
     settings.r_nearest = std::min(settings.r_nearest, rows[i].r);
     settings.r_farthest = std::max(settings.r_farthest, rows[i].r);
   }
@@ -97,9 +94,9 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
       const SeenPoint point = look_up_connection(table.view(), r_observer, rows[i].r, rows[i].angle);
       answers[i] = {point.xi, point.travel_time};
     }
-    fmt::print("r_obs {:.9g}: a table of {} x {} an order, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n", r_observer,
-               settings.rows, settings.columns, settings.r_nearest, settings.r_farthest,
-               table.view().grid.fan_rows * fan_columns, time.count());
+    fmt::print("r_obs {:.9g}: a table of {} x {} an order, {} orders, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n",
+               r_observer, settings.rows, settings.columns, settings.orders, settings.r_nearest, settings.r_farthest,
+               table.view().grid.fan_rows * fan_columns(table.view().grid), time.count());
     progress.advance_to(++done);
   }
   return answers;

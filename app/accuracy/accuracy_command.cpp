@@ -91,9 +91,9 @@ void add_accuracy_command(CLI::App& app) {
   command->add_option("--rounds", options->rounds, "timed runs of each choice, in turn (default: 5, quick 3)")
       ->check(CLI::Range(1, 1000));
   command
-      ->add_option(
-          "--axes", options->axes,
-          "measure these choices alone: rays, lens, stations, map, stars, frame (default: all that the show has)")
+      ->add_option("--axes", options->axes,
+                   "measure these choices alone: rays, lens, stations, stereo, map, stars, near, frame (default: all "
+                   "that the show has)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(accuracy_axis_names.begin(), accuracy_axis_names.end())));
   command->add_option("--at", options->at, "error at which methods are compared")->capture_default_str();

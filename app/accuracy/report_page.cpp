@@ -259,7 +259,8 @@ std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot
       "&amp; "
       "Eisemann, Interactive Black-Hole Visualization (2021); MSW, Müller, Schulz &amp; Weiskopf, Adaptive polygon "
       "rendering "
-      "in the Schwarzschild spacetime (2021); RK34, a published GLSL tracer with an embedded Runge-Kutta 3(4) pair. "
+      "in the Schwarzschild spacetime (2021); HP, Hamilton &amp; Polhemus, Stereoscopic visualization in curved "
+      "spacetime (2010); RK34, a published GLSL tracer with an embedded Runge-Kutta 3(4) pair. "
       "All of "
       "them as this program has them. The numbers: <a href=\"accuracy.csv\">accuracy.csv</a>, <a "
       "href=\"accuracy.json\">accuracy.json</a>.</p>\n</body></html>\n",

@@ -23,7 +23,7 @@ constexpr NamedError pixel_errors[] = {
     {1.0, "one pixel"}, {0.25, "a quarter pixel"}, {0.1, "a tenth of a pixel"}, {0.01, "a hundredth of a pixel"}};
 
 //! Axes of so few choices are told choice by choice.
-constexpr std::size_t few_choices = 5;
+constexpr std::size_t few_choices = 9;
 
 //! "A quarter pixel costs 3 ms a frame (...); a tenth of a pixel costs 7 ms (...)." One clause a choice: the finest error that it holds.
 std::string cost_sentence(const AccuracyAxis& axis) {
@@ -129,6 +129,11 @@ std::string method_words(const std::string& method) {
       {"point", "the one spot of the map that the pixel's middle sees; details flicker"},
       {"ewa", "a weighted mean over the patch of the map that the pixel sees, from smaller copies of the map"},
       {"polygon", "the exact mean over the patch, taken as a quadrangle"},
+      {"physical", "two cameras, one an eye: what two eyes would see there"},
+      {"flat", "one camera; what is near is moved as if space were flat (Hamilton & Polhemus 2010)"},
+      {"omni", "eyes that turn with the direction one looks at, for people who look around"},
+      {"rays", "light is followed from every pixel to what it meets"},
+      {"polygons", "triangles whose corners are put where their light arrives (Müller, Schulz & Weiskopf)"},
       {"inverse", "for every star it is asked where on the screen its light arrives"},
       {"gather", "for every pixel it is asked which stars it sees"}};
   const auto found = words.find(method);

@@ -141,6 +141,18 @@ void check_glb(std::string_view bytes, const std::string& place) {
   }
 }
 
+//! An image that the importer has found in the file itself: a PNG, a JPEG, or what else its kind says.
+MeshImage image_inside(const aiTexture& from, const std::string& place) {
+  const std::string_view kind(from.achFormatHint, strnlen(from.achFormatHint, sizeof from.achFormatHint));
+  const bool coded = from.mHeight == 0 && from.mWidth > 0 && from.pcData != nullptr;
+  if (!coded || kind.empty() || !std::ranges::all_of(kind, [](unsigned char c) { return std::isalnum(c) != 0; })) {
+    throw Error(place, "has an image inside the file that is neither PNG nor JPEG", "export it with such images");
+  }
+  // The importer counts bytes here.
+  return {fmt::format("{}, its image {}.{}", place, from.mFilename.C_Str(), kind),
+          std::make_shared<const std::string>(reinterpret_cast<const char*>(from.pcData), from.mWidth)};
+}
+
 MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& place,
                  const std::filesystem::path& folder) {
   MeshPart part;
@@ -157,15 +169,19 @@ MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& pl
   if (material.GetTexture(aiTextureType_DIFFUSE, 0, &image) != aiReturn_SUCCESS) {
     return part;
   }
+  if (const aiTexture* const inside = scene.GetEmbeddedTexture(image.C_Str())) {
+    part.image = image_inside(*inside, place);
+    return part;
+  }
   const std::filesystem::path named = std::filesystem::path(image.C_Str()).lexically_normal();
-  if (scene.GetEmbeddedTexture(image.C_Str()) != nullptr || named.string().starts_with("data:")) {
-    throw Error(place, "has an image inside the file", "keep images in files of their own beside it");
+  if (named.string().starts_with("data:")) {
+    throw Error(place, "has an image inside the file that cannot be read", "export it with PNG or JPEG images");
   }
   if (named.is_absolute() || named.empty() || *named.begin() == "..") {
     throw Error(place, fmt::format("names an image outside its folder (\"{}\")", named.string()),
                 "keep images beside the mesh");
   }
-  part.image = (folder / named).string();
+  part.image.name = (folder / named).string();
   return part;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,20 @@
 
 namespace ergodome {
 
+//! The picture on some triangles.
+struct MeshImage {
+  std::string name;                          //!< path of its file, or what messages call it; empty: there is none
+  std::shared_ptr<const std::string> bytes;  //!< of one that is inside the mesh's own file, coded as its name ends
+
+  [[nodiscard]] bool empty() const { return name.empty(); }
+};
+
 //! Triangles of one look, one after the other in the indices.
 struct MeshPart {
   std::uint32_t first_index = 0;
   std::uint32_t index_count = 0;
   std::array<float, 3> color = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies the image
-  std::string image;                                //!< path of the file with its texture; empty: none
+  MeshImage image;
 };
 
 //! A surface of triangles, in a unit and about a middle of its own. Their corners run counterclockwise as seen from outside.

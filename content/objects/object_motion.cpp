@@ -11,7 +11,7 @@ namespace {
 
 //! Where an orbit leads, `ahead` of where it has come to at a show time [rad].
 Vector3<double> place_on(const ObjectOrbit& orbit, double time_s, double ahead) {
-  const double turns = orbit.speed * time_s / (orbit.r * std::sqrt(orbit.r) * full_turn);
+  const double turns = orbit_rate(orbit) * std::abs(orbit.speed) * time_s / full_turn;
   // Whole turns go first: shows may run for years.
   const double angle = orbit.phi + full_turn * (turns - std::floor(turns)) + ahead;
   const double along = orbit.r * std::cos(angle);
@@ -33,6 +33,11 @@ Vector3<double> position_at(const ObjectSettings& object, double time_s) {
 
 }  // namespace
 
+double orbit_rate(const ObjectOrbit& orbit) {
+  const double way = std::copysign(1.0, orbit.speed);
+  return way / (orbit.r * std::sqrt(orbit.r) + way * std::cos(orbit.inclination) * orbit.spin);
+}
+
 ObjectPlacement placement_at(const ObjectSettings& object, double time_s) {
   const double sx = std::sin(object.turn.x);
   const double cx = std::cos(object.turn.x);
@@ -45,9 +50,8 @@ ObjectPlacement placement_at(const ObjectSettings& object, double time_s) {
                                 {sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx},
                                 {-sy, cy * sx, cy * cx}}};
   if (object.orbit && object.orbit->speed != 0.0) {
-    const double r = object.orbit->r;
     placement.ahead = place_on(*object.orbit, time_s, 0.25 * full_turn);
-    placement.rate = std::copysign(1.0 / (r * std::sqrt(r)), object.orbit->speed);
+    placement.rate = orbit_rate(*object.orbit);
   }
   return placement;
 }

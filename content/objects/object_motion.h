@@ -20,6 +20,11 @@ struct ObjectPlacement {
   }
 };
 
+//! Angular velocity along an orbit, in the hole's time [1/M]: 1 / (r^(3/2) + a cos i), below 0 backwards. It is that of matter in free fall in
+//! the plane of the equator (Bardeen, Press & Teukolsky 1972, eq. 2.16), with the hole and against it, and about holes without spin; where an
+//! inclined orbit about a spinning hole would leave its circle it is between the two.
+double orbit_rate(const ObjectOrbit& orbit);
+
 //! An object's placement at a show time.
 ObjectPlacement placement_at(const ObjectSettings& object, double time_s);
 

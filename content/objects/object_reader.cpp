@@ -161,6 +161,15 @@ void read_look(TomlTable& table, const std::string& file, ObjectSettings& object
   }
   object.method = static_cast<ObjectMethod>(table.choice("method", 0, {"polygon", "trace"}));
   object.retarded = table.boolean("retarded", false);
+  object.images = table.integer("images", object.images, 1, most_polygon_images);
+}
+
+//! Rays find every image; polygons those that they are asked for.
+void check_images(const TomlTable& table, const ObjectSettings& object) {
+  if (object.method == ObjectMethod::trace && table.has("images")) {
+    throw table.error_at("images", "is for polygons: rays see every image",
+                         "leave it out, or write method = \"polygon\"");
+  }
 }
 
 //! Light travel time is asked of what traces light, and of motions that go by the hole's time.
@@ -187,6 +196,7 @@ ObjectSettings read_object(const toml::table& from, const std::string& file, std
   read_motion(table, file, object);
   read_look(table, file, object);
   check_retarded(table, object);
+  check_images(table, object);
   table.refuse_unknown_keys();
   return object;
 }
@@ -198,6 +208,9 @@ double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 void read_objects(TomlTable& root, const std::string& file, Show& show) {
   for (const toml::table* each : root.tables("objects", most_objects)) {
     show.objects.push_back(read_object(*each, file, show.objects.size()));
+    if (show.objects.back().orbit) {
+      show.objects.back().orbit->spin = show.spin;
+    }
   }
   if (const toml::table* const from = root.table("light")) {
     TomlTable table(*from, file, "light");

@@ -20,13 +20,14 @@ enum class ObjectMethod {
   trace     //!< exact rays, of any spin
 };
 
-//! A circular orbit, run through at the angular velocity of matter in free fall, r^(-3/2).
+//! A circular orbit, run through at the angular velocity of matter in free fall: see orbit_rate().
 struct ObjectOrbit {
   double r = 10.0;           //!< [M]
   double phi = 0.0;          //!< where on the orbit it is at time 0, from the ascending node [rad]
   double inclination = 0.0;  //!< of the orbit to the plane z = 0 [rad]
   double node = 0.0;         //!< azimuth where it goes through that plane upwards [rad]
-  double speed = 20.0;       //!< M of the hole's time in a second of the show
+  double speed = 20.0;       //!< M of the hole's time in a second of the show; below 0 it goes backwards
+  double spin = 0.0;         //!< of the hole that it is about [M]
 
   bool operator==(const ObjectOrbit&) const = default;
 };
@@ -59,6 +60,7 @@ struct ObjectSettings {
   ObjectMethod method = ObjectMethod::polygon;
   bool retarded = false;  //!< traced: it is seen where it was when its light left it
   TessellationSettings tessellation;
+  int images = 2;      //!< of polygons: 1, the direct one; each more goes half a turn further round the hole
   double torn = 10.0;  //!< triangles whose circumference grows by more are taken for torn by the hole and left out
 };
 
@@ -67,6 +69,9 @@ struct PointLight {
   Vector3<double> position = {0.0, 0.0, 0.0};  //!< pseudo-Cartesian [M]
   double strength = 1.0;                       //!< white light on what faces it at a distance of 1 M in flat space
 };
+
+//! Images of an object that polygons draw at the most: the fifth is 10^-6 as wide as the first, which tables in float just tell from the edge.
+inline constexpr int most_polygon_images = 5;
 
 //! Radii that the triangles of objects may reach [M], and those where they may be seen and lit from.
 inline constexpr double nearest_of_objects = 2.1;

@@ -74,6 +74,9 @@ toml::table table_of(const ObjectSettings& object) {
                                                  {"factor", object.tessellation.factor},
                                                  {"power", object.tessellation.power},
                                                  {"torn", object.torn}}}};
+  if (object.method == ObjectMethod::polygon) {
+    table.insert("images", object.images);
+  }
   add_form(object, table);
   add_motion(object, table);
   if (object.checker) {

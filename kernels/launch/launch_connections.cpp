@@ -25,8 +25,8 @@ void make_connection_table(const ConnectionBatch& batch) {
   const int nodes = grid.layers * grid.rows * (grid.columns + 1);
   static WorkCounter counter("make_connection_table");
   const WorkScope work(counter, nodes);
-  run<SolveConnectionFan>(batch, grid.layers * grid.fan_rows * fan_columns, 16);
-  run<SpreadConnectionRows>(batch, grid.layers * grid.rows * fan_columns, 256);
+  run<SolveConnectionFan>(batch, grid.layers * grid.fan_rows * fan_columns(grid), 16);
+  run<SpreadConnectionRows>(batch, grid.layers * grid.rows * fan_columns(grid), 256);
   run<FillConnectionNodes>(batch, nodes, 4096);
 }
 

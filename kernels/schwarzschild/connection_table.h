@@ -5,7 +5,7 @@
 #include "kernels/schwarzschild/connecting_ray.h"
 
 // A table of connecting rays, after Müller, Schulz & Weiskopf (2021), section 3.1: over u = 1/r and the azimuth φ that the ray sweeps, for
-// one observer or for several radii. Orders 1 and 2 are one axis: nothing happens to the rays at φ = π.
+// one observer or for several radii. Orders are one axis, two of them or more: nothing happens to the rays at φ = π.
 //
 // It holds where a point seems to be: x = t cos ξ, y = t sin ξ, and z = t cos ζ with the emission angle ζ, all divided by r and the
 // observer's radius. These are normal coordinates of light's geometry, smooth wherever there is light, the observer's own place included,
@@ -21,9 +21,10 @@ struct ConnectionGrid {
   double u_low, u_high;                    //!< [1/M]
   double u_observer_low, u_observer_high;  //!< [1/M]; equal for one observer
   int rows;                                //!< nodes in u, 4 or more
-  int columns;                             //!< steps in φ from 0 to 2π, 4 or more
+  int columns;                             //!< steps in φ from 0 to its end, 4 or more
   int layers;                              //!< observers: 1, or 4 or more
   int fan_rows;                            //!< places in u where rays are solved
+  int orders;                              //!< half turns that φ goes through
 };
 
 struct ConnectionNode {
@@ -52,8 +53,6 @@ struct ConnectionView {
 //! Spacing of a fan's rays in φ: an interpolation of ten points errs by less than a float's rounding.
 inline constexpr int fan_steps_to_pi = 20;
 inline constexpr int fan_stencil = 10;
-//! From 0 to 2π, and what the stencil needs beyond.
-inline constexpr int fan_columns = 2 * fan_steps_to_pi + fan_stencil / 2 + 1;
 
 //! What a table says of a point.
 struct SeenPoint {
@@ -63,6 +62,9 @@ struct SeenPoint {
 };
 
 inline namespace ERGO_TARGET {
+
+//! Rays of a row of the fan: from φ = 0 to its end, and what the stencil needs beyond.
+ERGO_HD int fan_columns(const ConnectionGrid& grid) { return grid.orders * fan_steps_to_pi + fan_stencil / 2 + 1; }
 
 ERGO_HD double observer_u(const ConnectionGrid& grid, int layer) {
   const double share = grid.layers > 1 ? static_cast<double>(layer) / (grid.layers - 1) : 0.0;
@@ -80,7 +82,7 @@ ERGO_HD bool covers(const ConnectionGrid& grid, double r_observer, double r, dou
   constexpr double slack = 1.0 + 1e-12;
   const double u = 1.0 / r;
   const double u_observer = 1.0 / r_observer;
-  return u * slack >= grid.u_low && u <= grid.u_high * slack && angle >= 0.0 && angle <= 6.283185307179587 * slack &&
+  return u * slack >= grid.u_low && u <= grid.u_high * slack && angle >= 0.0 && angle <= pi * grid.orders * slack &&
          u_observer * slack >= grid.u_observer_low && u_observer <= grid.u_observer_high * slack;
 }
 
@@ -130,7 +132,8 @@ ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observ
   const double u = 1.0 / r;
   const detail::CubicStencil row =
       detail::cubic_stencil((u - grid.u_low) / (grid.u_high - grid.u_low) * (grid.rows - 1), 0, grid.rows - 1);
-  const detail::CubicStencil column = detail::cubic_stencil(angle / full_turn * grid.columns, -1, grid.columns);
+  const detail::CubicStencil column =
+      detail::cubic_stencil(angle / (pi * grid.orders) * grid.columns, -1, grid.columns);
   ConnectionPlace place = detail::read_layer(view, 0, row, column);
   if (grid.layers > 1) {
     const double share = (1.0 / r_observer - grid.u_observer_low) / (grid.u_observer_high - grid.u_observer_low);

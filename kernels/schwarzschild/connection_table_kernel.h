@@ -12,8 +12,8 @@ struct SolveConnectionFan {
 
   ERGO_HD void operator()(int index) const {
     const ConnectionGrid& grid = batch.grid;
-    const int column = index % fan_columns;
-    const int line = index / fan_columns;
+    const int column = index % fan_columns(grid);
+    const int line = index / fan_columns(grid);
     const double u = fan_u(grid, line % grid.fan_rows);
     const double u_observer = observer_u(grid, line / grid.fan_rows);
     const double angle = pi * column / fan_steps_to_pi;
@@ -34,16 +34,17 @@ struct SpreadConnectionRows {
 
   ERGO_HD void operator()(int index) const {
     const ConnectionGrid& grid = batch.grid;
-    const int column = index % fan_columns;
-    const int line = index / fan_columns;
+    const int column = index % fan_columns(grid);
+    const int line = index / fan_columns(grid);
     const int row = line % grid.rows;
     const int layer = line / grid.rows;
     const double u = grid.u_low + (grid.u_high - grid.u_low) * row / (grid.rows - 1);
-    const ConnectionPlace* const fan = batch.fan + static_cast<long>(layer) * grid.fan_rows * fan_columns + column;
+    const ConnectionPlace* const fan =
+        batch.fan + static_cast<long>(layer) * grid.fan_rows * fan_columns(grid) + column;
     double weights = 0.0;
     ConnectionPlace sum{0.0, 0.0, 0.0};
     for (int i = 0; i < grid.fan_rows; ++i) {
-      const ConnectionPlace& place = fan[static_cast<long>(i) * fan_columns];
+      const ConnectionPlace& place = fan[static_cast<long>(i) * fan_columns(grid)];
       const double apart = u - fan_u(grid, i);
       if (::fabs(apart) < 1e-14 * u) {
         sum = place;
@@ -67,8 +68,8 @@ struct FillConnectionNodes {
   ERGO_HD void operator()(int index) const {
     const ConnectionGrid& grid = batch.grid;
     const int column = index % (grid.columns + 1);
-    const ConnectionPlace* const row = batch.spread + static_cast<long>(index / (grid.columns + 1)) * fan_columns;
-    const double at = 2.0 * fan_steps_to_pi * column / grid.columns;
+    const ConnectionPlace* const row = batch.spread + static_cast<long>(index / (grid.columns + 1)) * fan_columns(grid);
+    const double at = static_cast<double>(grid.orders) * fan_steps_to_pi * column / grid.columns;
     const int first = static_cast<int>(at) - fan_stencil / 2 + 1;
     ConnectionPlace sum{0.0, 0.0, 0.0};
     double weights = 0.0;

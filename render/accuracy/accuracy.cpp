@@ -14,6 +14,7 @@
 #include "render/accuracy/picture_race.h"
 #include "render/accuracy/star_axis.h"
 #include "render/accuracy/station_axis.h"
+#include "render/accuracy/stereo_axis.h"
 #include "render/accuracy/stopwatch.h"
 #include "render/plan/frame_needs.h"
 
@@ -49,17 +50,41 @@ std::vector<std::string> notes_of(const Show& show, const AccuracySettings& sett
   std::vector<std::string> notes = {
       "everything ran on the processor; a GPU is not looked at",
       "grids are read a register of pixels at a time, the published quadtree a pixel at a time, as its hash asks"};
-  if (eye_count(show.stereo) > 1 || find_animation(show, "stereo.baseline") != nullptr) {
-    notes.emplace_back("the show is stereoscopic; what is measured is one eye, that of the head");
+  if (eye_count(show.stereo) > 1) {
+    notes.emplace_back(
+        "the show is stereoscopic; but for the stereo models, what is measured is one eye, that of the head");
   }
   if (settings.quick && draws_slowly(show)) {
     notes.emplace_back(
         "whole frames have objects that take seconds to draw where there is no GPU; leave out --quick to see them");
   }
-  if (show.disk || !show.shells.empty() || !show.objects.empty()) {
-    notes.emplace_back("ways to draw what is near the hole are not compared; its time is in the whole frame's");
-  }
   return notes;
+}
+
+bool has_footprints(const Show& show) {
+  return lens_channels(ViewMode::sky, frame_needs(show, ViewMode::sky).shading).footprint;
+}
+
+bool has_near_things(const Show& show) { return show.disk || !show.shells.empty() || !show.objects.empty(); }
+
+//! Whether it has some measurement of that name.
+bool has_axis(const std::string& name, const Show& show, bool quick) {
+  if (name == "lens") {
+    return has_footprints(show);
+  }
+  if (name == "stations") {
+    return has_stations(show);
+  }
+  if (name == "stereo") {
+    return eye_count(show.stereo) > 1;
+  }
+  if (name == "stars") {
+    return !show.sky.stars.empty();
+  }
+  if (name == "near") {
+    return has_near_things(show) && !(quick && draws_slowly(show));
+  }
+  return name != "frame" || !(quick && draws_slowly(show));
 }
 
 std::optional<AccuracyAxis> measure_axis(const std::string& name, const Show& show,
@@ -85,6 +110,13 @@ std::optional<AccuracyAxis> measure_axis(const std::string& name, const Show& sh
   if (name == "stations") {
     return measure_stations(show, moments, settings, progress);
   }
+  if (name == "stereo") {
+    return measure_stereo(show, has_footprints(show) ? PixelNeed::footprint : PixelNeed::sky, moments, settings,
+                          progress);
+  }
+  if (name == "near") {
+    return measure_near(show, settings, progress);
+  }
   if (name == "stars") {
     return measure_stars(show, moments, settings, progress);
   }
@@ -96,13 +128,8 @@ std::optional<AccuracyAxis> measure_axis(const std::string& name, const Show& sh
 std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings& settings) {
   std::vector<std::string> names;
   for (const std::string name : accuracy_axis_names) {
-    const bool has = name == "lens" ? lens_channels(ViewMode::sky, frame_needs(show, ViewMode::sky).shading).footprint
-                     : name == "stations" ? has_stations(show)
-                     : name == "stars"    ? !show.sky.stars.empty()
-                     : name == "frame"    ? !(settings.quick && draws_slowly(show))
-                                          : true;
     const bool asked = settings.axes.empty() || std::ranges::find(settings.axes, name) != settings.axes.end();
-    if (has && asked) {
+    if (asked && has_axis(name, show, settings.quick)) {
       names.push_back(name);
     }
   }
@@ -127,7 +154,10 @@ AccuracyReport measure_accuracy(const Show& show, const AccuracySettings& settin
     if (std::optional<AccuracyAxis> axis = measure_axis(name, show, moments, settings, progress)) {
       report.axes.push_back(std::move(*axis));
     } else {
-      report.notes.push_back("the camera stands still at the moments that were looked at: no stations between them");
+      report.notes.emplace_back(
+          name == "stations"
+              ? "the camera stands still at the moments that were looked at: no stations between them"
+              : "the eyes are at one place at the moments that were looked at: no stereo models to compare");
     }
   }
   const std::vector<std::string> notes = notes_of(show, settings);

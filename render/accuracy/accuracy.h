@@ -7,7 +7,8 @@
 namespace ergodome {
 
 //! Names of all axes, in the order of reports.
-inline constexpr std::array accuracy_axis_names = {"rays", "lens", "stations", "map", "stars", "frame"};
+inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", "stereo",
+                                                   "map",  "stars", "near",     "frame"};
 
 //! The choices that a show leaves: names of axes, of those that are asked for.
 //!

@@ -100,7 +100,7 @@ class LensRace {
   void run(const AccuracyMoment& moment) {
     go_on(progress_, "reference rays");
     lattice_ = pixel_lattice(moment.projection, settings_.lattice, settings_.seed);
-    LensScene scene(moment, moment.eye, need_);
+    LensScene scene(moment, FrameOfMoment::now, need_);
     const PixelReference now(moment.eye, moment.projection, lattice_.pixels, moment.pixel);
     for (std::size_t i = 0; i < choices_.size(); ++i) {
       warm_up(i, scene, now);
@@ -157,7 +157,7 @@ class LensRace {
 
   void see_flicker(const AccuracyMoment& moment, const PixelReference& now) {
     go_on(progress_, "the next frame");
-    LensScene scene(moment, moment.next, need_);
+    LensScene scene(moment, FrameOfMoment::next, need_);
     const PixelReference next(moment.next, moment.projection, lattice_.pixels, moment.pixel);
     for (std::size_t i = 0; i < choices_.size(); ++i) {
       if (entries_[i].slow) {

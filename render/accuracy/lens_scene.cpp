@@ -37,13 +37,13 @@ std::unique_ptr<RayPicture<S>> make_rays(const EyeCamera& eye, const Projection&
 
 }  // namespace
 
-LensScene::LensScene(const AccuracyMoment& moment, const EyeCamera& eye, PixelNeed need)
-    : moment_(moment), eye_(eye), need_(need) {}
+LensScene::LensScene(const AccuracyMoment& moment, FrameOfMoment frame, PixelNeed need)
+    : moment_(moment), frame_(frame), need_(need) {}
 
 template <>
 RayPicture<float>& LensScene::rays<float>() {
   if (!narrow_) {
-    narrow_ = make_rays<float>(eye_, projection());
+    narrow_ = make_rays<float>(eye(), projection());
   }
   return *narrow_;
 }
@@ -51,7 +51,7 @@ RayPicture<float>& LensScene::rays<float>() {
 template <>
 RayPicture<double>& LensScene::rays<double>() {
   if (!wide_) {
-    wide_ = make_rays<double>(eye_, projection());
+    wide_ = make_rays<double>(eye(), projection());
   }
   return *wide_;
 }

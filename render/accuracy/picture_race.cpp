@@ -22,26 +22,28 @@ bool is_whole(const Picture& picture, std::int64_t pixel) {
   return picture.rgba[static_cast<std::size_t>(4 * pixel) + 3] >= 0.9999F;
 }
 
-//! Mean luminance of the whole pixels.
+//! Mean luminance of the whole pixels that shine.
 double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) {
   double sum = 0.0;
   double count = 0.0;
   for (const std::int64_t pixel : pixels) {
-    sum += is_whole(picture, pixel) ? luminance(picture, pixel) : 0.0;
-    count += is_whole(picture, pixel) ? 1.0 : 0.0;
+    const double light = is_whole(picture, pixel) ? luminance(picture, pixel) : 0.0;
+    sum += light;
+    count += light > 0.0 ? 1.0 : 0.0;
   }
   return count > 0.0 && sum > 0.0 ? sum / count : 1.0;
 }
 
-//! By pixel, the signed difference of the luminance as a part of the mean; NaN where nothing is compared.
+//! By pixel, the signed difference of the luminance as a part of the mean; NaN where nothing is compared: what is dark in both says nothing.
 std::vector<double> differences(const Picture& picture, const Picture& exact, const std::vector<std::int64_t>& pixels) {
   const double scale = 1.0 / mean_of(exact, pixels);
   std::vector<double> values;
   values.reserve(pixels.size());
   for (const std::int64_t pixel : pixels) {
-    const bool compared = is_whole(exact, pixel) && is_whole(picture, pixel);
-    values.push_back(compared ? scale * (luminance(picture, pixel) - luminance(exact, pixel))
-                              : std::numeric_limits<double>::quiet_NaN());
+    const double right = luminance(exact, pixel);
+    const double drawn = luminance(picture, pixel);
+    const bool compared = is_whole(exact, pixel) && is_whole(picture, pixel) && (right > 0.0 || drawn > 0.0);
+    values.push_back(compared ? scale * (drawn - right) : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }

@@ -19,8 +19,8 @@ struct PictureChoice {
 //! A picture that others are compared with, of the size of the moment's projection. It may render at another size and average.
 using ReferencePicture = std::function<Picture(const AccuracyMoment& moment, const CameraPose& pose)>;
 
-//! Measures ways to draw pictures: the difference of each compared pixel's luminance from the reference's, as a part of the reference's mean;
-//! its change from a frame to the next; times of a frame whose lens is there, in turn; and what the last of them spent its time on.
+//! Measures ways to draw pictures: the difference of each compared pixel's luminance from the reference's, as a part of the mean of
+//! what shines in the reference; its change from a frame to the next; times of a frame whose lens is there, in turn; and what the last of them spent its time on.
 //!
 //! Pixels that the shadow or the rim of the image covers in part are not compared.
 std::vector<Measurement> measure_pictures(const std::vector<PictureChoice>& choices, const ReferencePicture& reference,
@@ -35,6 +35,9 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& settings, con
 
 //! Whether frames take seconds without a GPU: they have objects, drawn by OpenGL. Fewer of them are then looked at.
 inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
+
+//! Disk, shells and objects alone: by rays, and objects by the published polygons where those can draw them. The show has some.
+AccuracyAxis measure_near(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
 //! Whole frames as the show has them, by where their lens comes from.
 AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);

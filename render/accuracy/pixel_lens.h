@@ -22,13 +22,20 @@ struct RayPicture {
 //! What is asked of a pixel: where its light comes from, or also the footprint that it has on the sky there.
 enum class PixelNeed { sky, footprint };
 
+//! The instant of a moment that is looked at, or the frame after it.
+enum class FrameOfMoment { now, next };
+
 //! An eye, its picture, and room for what methods find there. Methods share the room: what one has found is there until the next draws.
 class LensScene {
  public:
-  LensScene(const AccuracyMoment& moment, const EyeCamera& eye, PixelNeed need);
+  LensScene(const AccuracyMoment& moment, FrameOfMoment frame, PixelNeed need);
 
   [[nodiscard]] const AccuracyMoment& moment() const { return moment_; }
-  [[nodiscard]] const EyeCamera& eye() const { return eye_; }
+  [[nodiscard]] const EyeCamera& eye() const { return frame_ == FrameOfMoment::now ? moment_.eye : moment_.next; }
+  //! Of the head whose eye that is.
+  [[nodiscard]] const CameraPose& pose() const {
+    return frame_ == FrameOfMoment::now ? moment_.pose : moment_.next_pose;
+  }
   [[nodiscard]] const Projection& projection() const { return moment_.projection; }
 
   //! Made at the first call.
@@ -40,7 +47,7 @@ class LensScene {
 
  private:
   const AccuracyMoment& moment_;
-  EyeCamera eye_;
+  FrameOfMoment frame_;
   PixelNeed need_;
   std::unique_ptr<RayPicture<float>> narrow_;
   std::unique_ptr<RayPicture<double>> wide_;

@@ -26,13 +26,14 @@ RadialRange table_range(const RadialRange& range) {
   return wider;
 }
 
-ConnectionTexture::ConnectionTexture(double r_observer, const RadialRange& range)
+ConnectionTexture::ConnectionTexture(double r_observer, const RadialRange& range, int orders)
     : r_observer_(r_observer), range_(range) {
   ConnectionTableSettings settings;
   settings.r_nearest = range.nearest;
   settings.r_farthest = range.farthest;
   settings.r_observer_nearest = r_observer;
   settings.r_observer_farthest = r_observer;
+  settings.orders = orders;
   const ConnectionTable table(settings);
   const ConnectionView view = table.view();
   grid_ = view.grid;
@@ -50,13 +51,15 @@ ConnectionTexture::ConnectionTexture(double r_observer, const RadialRange& range
 
 ConnectionTexture::~ConnectionTexture() { glDeleteTextures(1, &texture_); }
 
-bool ConnectionTexture::serves(double r_observer, const RadialRange& range) const {
-  return r_observer == r_observer_ && range.nearest == range_.nearest && range.farthest == range_.farthest;
+bool ConnectionTexture::serves(double r_observer, const RadialRange& range, int orders) const {
+  return r_observer == r_observer_ && orders == grid_.orders && range.nearest == range_.nearest &&
+         range.farthest == range_.farthest;
 }
 
-const ConnectionTexture& ConnectionTextures::table(double r_observer, const RadialRange& points) {
+const ConnectionTexture& ConnectionTextures::table(double r_observer, const RadialRange& points, int orders) {
   const RadialRange range = table_range(points);
-  const auto found = std::ranges::find_if(tables_, [&](const auto& each) { return each->serves(r_observer, range); });
+  const auto found =
+      std::ranges::find_if(tables_, [&](const auto& each) { return each->serves(r_observer, range, orders); });
   if (found != tables_.end()) {
     std::rotate(found, found + 1, tables_.end());
     return *tables_.back();
@@ -64,7 +67,7 @@ const ConnectionTexture& ConnectionTextures::table(double r_observer, const Radi
   if (tables_.size() == most_tables) {
     tables_.erase(tables_.begin());
   }
-  tables_.push_back(std::make_unique<ConnectionTexture>(r_observer, range));
+  tables_.push_back(std::make_unique<ConnectionTexture>(r_observer, range, orders));
   return *tables_.back();
 }
 

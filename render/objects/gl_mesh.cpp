@@ -7,15 +7,15 @@
 #include <cstddef>
 
 #include "kernels/core/error.h"
-#include "render/overlay/overlay_image.h"
+#include "render/objects/object_meshes.h"
 #include "render/present/gl_program.h"
 
 namespace ergodome {
 
 namespace {
 
-unsigned texture_of(const std::string& path) {
-  const OverlayImage image = read_overlay_image(path);
+unsigned texture_of(const MeshImage& from) {
+  const OverlayImage image = read_mesh_image(from);
   GLuint texture = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &texture);
   glTextureStorage2D(texture, image.level_count, GL_RGBA16, image.width, image.height);

@@ -12,8 +12,16 @@ namespace ergodome {
 
 namespace {
 
-//! Images of each object: by light that sweeps less than half a turn about the hole, and less than a whole one.
-constexpr int image_orders = 2;
+//! Half turns that a table has at the least: light of lamps comes by the first two ways.
+constexpr int least_orders = 2;
+
+int orders_of(std::span<const PlacedObject> objects) {
+  int orders = least_orders;
+  for (const PlacedObject& object : objects) {
+    orders = std::max(orders, object.settings->images);
+  }
+  return orders;
+}
 
 void set_vec3(int at, const Vector3<double>& v) {
   glUniform3f(at, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
@@ -63,11 +71,14 @@ ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes)
 ObjectDrawing::~ObjectDrawing() { glDeleteProgram(program_); }
 
 void ObjectDrawing::set_tables(const Scene& scene) {
-  set_table(unit_table, uniform_table_range, tables_.table(scene.view.r, scene.range));
+  const int orders = orders_of(scene.objects);
+  set_table(unit_table, uniform_table_range, tables_.table(scene.view.r, scene.range, orders));
+  glUniform1i(uniform_table_orders, orders);
   const bool lit =
       scene.light && std::ranges::any_of(scene.objects, [](const PlacedObject& o) { return o.settings->lit; });
   if (lit) {
-    set_table(unit_light_table, uniform_light_table_range, tables_.table(length(scene.light->position), scene.range));
+    set_table(unit_light_table, uniform_light_table_range,
+              tables_.table(length(scene.light->position), scene.range, least_orders));
   }
 }
 
@@ -95,7 +106,7 @@ void ObjectDrawing::draw_object(const Scene& scene, const PlacedObject& object) 
                              settings.exposure * settings.color.z * static_cast<double>(own[2])});
     glUniform1i(uniform_textured, part.image != 0 ? 1 : 0);
     glBindTextureUnit(unit_image, part.image);
-    for (int order = 1; order <= image_orders; ++order) {
+    for (int order = 1; order <= settings.images; ++order) {
       glUniform1i(uniform_order, order);
       mesh.draw(part, settings.tessellation.most);
     }

@@ -43,4 +43,8 @@ ObjectMeshes load_meshes(const Show& show) {
   return loaded;
 }
 
+OverlayImage read_mesh_image(const MeshImage& image) {
+  return image.bytes ? read_overlay_image(*image.bytes, image.name) : read_overlay_image(image.name);
+}
+
 }  // namespace ergodome

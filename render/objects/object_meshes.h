@@ -4,6 +4,7 @@
 
 #include "content/mesh/triangle_mesh.h"
 #include "content/show.h"
+#include "render/overlay/overlay_image.h"
 
 namespace ergodome {
 
@@ -15,5 +16,8 @@ struct ObjectMeshes {
 
 //! Makes them, or reads them, each file once. Throws Error where one cannot be read.
 ObjectMeshes load_meshes(const Show& show);
+
+//! Reads the picture on a mesh's triangles, which is there. Throws Error like read_overlay_image.
+OverlayImage read_mesh_image(const MeshImage& image);
 
 }  // namespace ergodome

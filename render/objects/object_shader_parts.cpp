@@ -3,9 +3,10 @@
 namespace ergodome {
 
 const char* const object_sight_source = R"(
-const float two_pi = 6.28318530717958647692;
+const float half_turn = 3.14159265358979323846;
 layout(binding = 0) uniform sampler2D table;
 layout(location = 3) uniform int order;
+layout(location = 20) uniform int table_orders;
 layout(location = 4) uniform vec4 table_range;
 layout(location = 5) uniform mat3 view_from_frame;
 layout(location = 6) uniform vec4 boost;
@@ -17,7 +18,7 @@ vec4 cubic_weights(float at, int first) {
 }
 vec3 read_table(float r, float angle) {
   ivec2 last = textureSize(table, 0) - 1;
-  float column = angle / two_pi * float(last.x);
+  float column = angle / (half_turn * float(table_orders)) * float(last.x);
   float row = clamp((1.0 / r - table_range.x) / (table_range.y - table_range.x), 0.0, 1.0) * float(last.y);
   int first_column = clamp(int(floor(column)) - 1, -1, last.x - 3);
   int first_row = clamp(int(floor(row)) - 1, 0, last.y - 3);
@@ -37,10 +38,11 @@ void see(vec3 place, out vec3 direction, out float time) {
   float r = length(place);
   float beside = length(place.yz);
   float phi = atan(beside, place.x);
-  vec3 node = read_table(r, order == 1 ? phi : two_pi - phi);
+  bool odd = order % 2 == 1;
+  vec3 node = read_table(r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
   // In line with the hole every plane is right; one is taken.
   vec2 across = beside > 0.0 ? place.yz / beside : vec2(1.0, 0.0);
-  float side = order == 1 ? 1.0 : -1.0;
+  float side = odd ? 1.0 : -1.0;
   float span = length(node.xy);
   direction = vec3(node.x, side * node.y * across) / max(span, 1e-30);
   time = r * table_range.z * span;

@@ -12,7 +12,7 @@ enum ObjectUniform : int {
   uniform_model = 0,            //!< mat3: from the mesh to that frame, with the size
   uniform_position = 1,         //!< vec3: of the mesh's middle [M]
   uniform_turn = 2,             //!< mat3: the same without the size
-  uniform_order = 3,            //!< int: 1 or 2
+  uniform_order = 3,            //!< int: from 1 on
   uniform_table_range = 4,      //!< vec4: least and greatest 1/r, the observer's r, √(1 - 2/r) there
   uniform_view_from_frame = 5,  //!< mat3
   uniform_boost = 6,            //!< vec4: axis and stretch of the aberration from the rest frame to the observer's own
@@ -29,6 +29,7 @@ enum ObjectUniform : int {
   uniform_textured = 17,        //!< int
   uniform_light = 18,           //!< vec4: place and strength; no strength: the surface shines by itself
   uniform_light_table_range = 19,  //!< vec4: as of the observer
+  uniform_table_orders = 20,       //!< int: of the observer's table; that of the light has two
 };
 
 //! Texture units: the observer's table, the light's, and the mesh's image.

@@ -4,7 +4,6 @@
 
 #include "kernels/launch/work_counter.h"
 #include "render/objects/object_meshes.h"
-#include "render/overlay/overlay_image.h"
 
 namespace ergodome {
 
@@ -32,7 +31,7 @@ SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backe
     std::fill_n(from, part.index_count / 3, static_cast<std::uint32_t>(parts.size()));
     SurfacePart own = {{part.color[0], part.color[1], part.color[2]}, !part.image.empty(), {}};
     if (own.textured) {
-      const OverlayImage image = read_overlay_image(part.image);
+      const OverlayImage image = read_mesh_image(part.image);
       stored.images.emplace_back(backend, image.texels, "meshes");
       own.image = image.view(stored.images.back().data());
     }

@@ -1,5 +1,6 @@
 #include "render/overlay/overlay_image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -140,11 +141,17 @@ void put_pixel(const Coding& coding, const float* from, std::uint16_t* to) {
   to[3] = whole_number(alpha);
 }
 
-std::unique_ptr<OIIO::ImageInput> opened_overlay(const std::filesystem::path& path) {
+//! `memory`: where the file's bytes are, if they are not on a disk.
+std::unique_ptr<OIIO::ImageInput> opened_overlay(const std::filesystem::path& path,
+                                                 OIIO::Filesystem::IOProxy* memory = nullptr) {
   OIIO::ImageSpec wishes;
   // Else whole numbers would be multiplied by alpha before they are decoded.
   wishes.attribute("oiio:UnassociatedAlpha", 1);
-  auto input = OIIO::ImageInput::open(path.string(), &wishes);
+  if (memory != nullptr) {
+    // Readers that are given wishes look for it there alone.
+    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
+  }
+  auto input = OIIO::ImageInput::open(path.string(), &wishes, memory);
   if (!input) {
     throw unreadable_overlay(path, OIIO::geterror());
   }
@@ -158,6 +165,33 @@ std::unique_ptr<OIIO::ImageInput> opened_overlay(const std::filesystem::path& pa
                 fmt::format("make it {} px or less a side", longest_overlay_px));
   }
   return input;
+}
+
+OverlayImage read_opened_overlay(OIIO::ImageInput& input, const std::filesystem::path& path) {
+  const OIIO::ImageSpec spec = input.spec();
+  const Coding coding = coding_of(spec);
+  OverlayImage image = empty_image(spec.width, spec.height);
+  const auto width = static_cast<std::size_t>(spec.width);
+  const auto channels = static_cast<std::size_t>(coding.channels);
+  // Rows are read some at a time; files in tiles, which are rare, at once.
+  const int most_rows = spec.tile_width > 0 ? spec.height : std::min(rows_at_a_time, spec.height);
+  std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
+  for (int row = 0; row < spec.height; row += most_rows) {
+    const int count = std::min(most_rows, spec.height - row);
+    const bool read = spec.tile_width > 0
+                          ? input.read_image(0, 0, 0, coding.channels, OIIO::TypeDesc::FLOAT, rows.data())
+                          : input.read_scanlines(0, 0, spec.y + row, spec.y + row + count, 0, 0, coding.channels,
+                                                 OIIO::TypeDesc::FLOAT, rows.data());
+    if (!read) {
+      throw unreadable_overlay(path, input.geterror());
+    }
+    std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
+    for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {
+      put_pixel(coding, rows.data() + channels * i, to + 4 * i);
+    }
+  }
+  make_levels(image);
+  return image;
 }
 
 }  // namespace
@@ -190,30 +224,13 @@ OverlaySize overlay_image_size(const std::filesystem::path& path) {
 
 OverlayImage read_overlay_image(const std::filesystem::path& path) {
   const auto input = opened_overlay(path);
-  const OIIO::ImageSpec spec = input->spec();
-  const Coding coding = coding_of(spec);
-  OverlayImage image = empty_image(spec.width, spec.height);
-  const auto width = static_cast<std::size_t>(spec.width);
-  const auto channels = static_cast<std::size_t>(coding.channels);
-  // Rows are read some at a time; files in tiles, which are rare, at once.
-  const int most_rows = spec.tile_width > 0 ? spec.height : std::min(rows_at_a_time, spec.height);
-  std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
-  for (int row = 0; row < spec.height; row += most_rows) {
-    const int count = std::min(most_rows, spec.height - row);
-    const bool read = spec.tile_width > 0
-                          ? input->read_image(0, 0, 0, coding.channels, OIIO::TypeDesc::FLOAT, rows.data())
-                          : input->read_scanlines(0, 0, spec.y + row, spec.y + row + count, 0, 0, coding.channels,
-                                                  OIIO::TypeDesc::FLOAT, rows.data());
-    if (!read) {
-      throw unreadable_overlay(path, input->geterror());
-    }
-    std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
-    for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {
-      put_pixel(coding, rows.data() + channels * i, to + 4 * i);
-    }
-  }
-  make_levels(image);
-  return image;
+  return read_opened_overlay(*input, path);
+}
+
+OverlayImage read_overlay_image(std::string_view bytes, const std::string& name) {
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  const auto input = opened_overlay(name, &memory);
+  return read_opened_overlay(*input, name);
 }
 
 }  // namespace ergodome

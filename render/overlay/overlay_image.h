@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "kernels/overlay/overlay_texture.h"
@@ -41,5 +43,8 @@ OverlaySize overlay_image_size(const std::filesystem::path& path);
 //! Reads an image through OpenImageIO. Whole numbers are decoded from sRGB, unless the file says that they are linear; floating point is linear.
 //! Grey becomes colour; without alpha all of it covers. Throws Error for what is missing, torn, or larger than longest_overlay_px a side.
 OverlayImage read_overlay_image(const std::filesystem::path& path);
+
+//! The same of a file's bytes; `name` ends as such a file's would, and messages call it so.
+OverlayImage read_overlay_image(std::string_view bytes, const std::string& name);
 
 }  // namespace ergodome

@@ -25,8 +25,11 @@ void check(const ConnectionTableSettings& settings) {
     throw Error(place, "has a number of layers that does not fit its observers",
                 "choose 1 for one observer, 4 or more for a range");
   }
+  if (settings.orders < 2 || settings.orders > most_connection_orders) {
+    throw Error(place, "has a number of orders that it cannot hold", "choose 2 to 16");
+  }
   if (settings.rows < 4 || settings.columns < 4 || settings.rows > 8192 || settings.columns > 8192 ||
-      static_cast<double>(settings.layers) * settings.rows * settings.columns > 2e8) {
+      0.5 * settings.orders * settings.layers * settings.rows * settings.columns > 2e8) {
     throw Error(place, "has a size that cannot be made", "choose 4 to 8192 rows and columns, 2e8 nodes at most");
   }
 }
@@ -49,13 +52,15 @@ ConnectionTable::ConnectionTable(const ConnectionTableSettings& settings) {
   grid_.u_observer_low = 1.0 / settings.r_observer_farthest;
   grid_.u_observer_high = 1.0 / settings.r_observer_nearest;
   grid_.rows = settings.rows;
-  grid_.columns = 2 * settings.columns;
+  grid_.orders = settings.orders;
+  grid_.columns = settings.orders * settings.columns;
   grid_.layers = settings.layers;
   grid_.fan_rows = fan_rows_for(grid_.u_low, grid_.u_high);
   const auto layers = static_cast<std::size_t>(grid_.layers);
   const auto rows = static_cast<std::size_t>(grid_.rows);
-  std::vector<ConnectionPlace> fan(layers * static_cast<std::size_t>(grid_.fan_rows) * fan_columns);
-  std::vector<ConnectionPlace> spread(layers * rows * fan_columns);
+  std::vector<ConnectionPlace> fan(layers * static_cast<std::size_t>(grid_.fan_rows) *
+                                   static_cast<std::size_t>(fan_columns(grid_)));
+  std::vector<ConnectionPlace> spread(layers * rows * static_cast<std::size_t>(fan_columns(grid_)));
   nodes_.resize(layers * rows * (static_cast<std::size_t>(grid_.columns) + 1));
   make_connection_table({grid_, fan.data(), spread.data(), nodes_.data()});
 }

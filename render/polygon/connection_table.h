@@ -6,6 +6,9 @@
 
 namespace ergodome {
 
+//! Orders that a table may hold: what goes round more often is some 10^-20 of a turn from the edge of the shadow.
+inline constexpr int most_connection_orders = 16;
+
 //! Radii that tables reach to [M]; farther out the closed form serves.
 inline constexpr double farthest_of_table = 1e6;
 
@@ -17,10 +20,11 @@ struct ConnectionTableSettings {
   double r_observer_farthest = 40.0;
   int rows = 256;     //!< in 1/r
   int columns = 512;  //!< in azimuth, an order
+  int orders = 2;     //!< of images: 2 to most_connection_orders
   int layers = 1;     //!< observers, evenly in 1/r: 1 for one, else 4 or more
 };
 
-//! Connecting rays of orders 1 and 2 for one observer's radius or a range of them.
+//! Connecting rays of the first orders for one observer's radius or a range of them.
 class ConnectionTable {
  public:
   //! Makes it on the processor: milliseconds for an observer. Throws Error for settings that make no table.

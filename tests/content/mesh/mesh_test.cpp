@@ -161,9 +161,9 @@ TEST_F(MeshFilesOnDisk, AnObjHasTheColoursAndImagesOfItsMaterials) {
   const TriangleMesh mesh = read_mesh(folder_ / "a.obj");
   ASSERT_EQ(mesh.parts.size(), 2U);
   EXPECT_THAT(mesh.parts[0].color, testing::ElementsAre(0.5F, 0.25F, 0.0F));
-  EXPECT_EQ(mesh.parts[0].image, (folder_ / "skin.png").string());
+  EXPECT_EQ(mesh.parts[0].image.name, (folder_ / "skin.png").string());
   EXPECT_THAT(mesh.parts[1].color, testing::ElementsAre(0.0F, 0.0F, 1.0F));
-  EXPECT_EQ(mesh.parts[1].image, "");
+  EXPECT_TRUE(mesh.parts[1].image.empty());
 }
 
 TEST_F(MeshFilesOnDisk, AGltfIsReadWithItsBufferAndWhereItsNodeStands) {
@@ -180,6 +180,39 @@ TEST_F(MeshFilesOnDisk, AGltfIsReadWithItsBufferAndWhereItsNodeStands) {
   EXPECT_THAT(mesh.parts.front().color, testing::ElementsAre(0.25F, 0.5F, 0.75F));
   std::filesystem::remove(folder_ / "b.bin");
   EXPECT_THAT(reason_of([&] { read_mesh(folder_ / "b.gltf"); }), testing::HasSubstr("b.gltf: "));
+}
+
+//! A triangle with a texture whose image's JSON is told.
+std::string gltf_with_image(const std::string& image) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
+    "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],"textures":[{"source":0}],"images":[)" +
+         image + R"(],
+    "buffers":[{"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/","byteLength":60}],
+    "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24},
+      {"buffer":0,"byteOffset":0,"byteLength":16}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+      {"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"}]})";
+}
+
+TEST(MeshReader, KeepsTheBytesOfAnImageInsideTheFile) {
+  const TriangleMesh coded =
+      parse_mesh(gltf_with_image(R"({"uri":"data:image/png;base64,aGVsbG8="})"), MeshFormat::gltf, "a.gltf");
+  ASSERT_TRUE(coded.parts.front().image.bytes);
+  EXPECT_EQ(*coded.parts.front().image.bytes, "hello");
+  EXPECT_THAT(coded.parts.front().image.name, testing::AllOf(testing::StartsWith("a.gltf"), testing::EndsWith(".png")));
+  const TriangleMesh viewed =
+      parse_mesh(gltf_with_image(R"({"bufferView":2,"mimeType":"image/jpeg"})"), MeshFormat::gltf, "a.gltf");
+  ASSERT_TRUE(viewed.parts.front().image.bytes);
+  EXPECT_EQ(viewed.parts.front().image.bytes->size(), 16U);
+  EXPECT_THAT(viewed.parts.front().image.name, testing::EndsWith(".jpg"));
+}
+
+TEST(MeshReader, RefusesAnImageInsideTheFileOfNoKnownKind) {
+  EXPECT_THAT(reason_of([] {
+                parse_mesh(gltf_with_image(R"({"bufferView":2,"mimeType":"image/../x"})"), MeshFormat::gltf, "a.gltf");
+              }),
+              testing::HasSubstr("neither PNG nor JPEG"));
 }
 
 TEST_F(MeshFilesOnDisk, NothingOutsideTheFolderIsNamed) {

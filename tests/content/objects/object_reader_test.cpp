@@ -154,6 +154,15 @@ TEST(ObjectReader, KeepsMethodAndRetardationWhenAShowIsWritten) {
   EXPECT_TRUE(again.objects.front().retarded);
 }
 
+TEST(ObjectReader, KeepsTheNumberOfImagesOfPolygonsWhenAShowIsWritten) {
+  const Show show = show_of("[[objects]]\nshape = \"sphere\"\nposition = [9, 0, 0]\nimages = 4\n");
+  EXPECT_EQ(show.objects.front().images, 4);
+  EXPECT_EQ(parse_show(to_toml(show), "again.toml").objects.front().images, 4);
+  EXPECT_THROW(show_of("[[objects]]\nshape = \"sphere\"\nposition = [9, 0, 0]\nimages = 6\n"), Error);
+  EXPECT_THROW(show_of("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nposition = [9, 0, 0]\nimages = 2\n"),
+               Error);
+}
+
 TEST(ObjectReader, SaysWhichPartsOfAShowDoNotGoWithObjects) {
   const std::string sphere = "[[objects]]\nshape = \"sphere\"\nposition = [9, 0, 0]\n";
   EXPECT_TRUE(missing_features(show_of(sphere)).empty());
@@ -172,6 +181,20 @@ TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
   expect_place(placement_at(object, 0.0).position, {9.0 * std::sqrt(0.5), 9.0 * std::sqrt(0.5), 0.0});
   expect_place(placement_at(object, 0.5 * period_s).position, {-9.0 * std::sqrt(0.5), -9.0 * std::sqrt(0.5), 0.0});
   expect_place(placement_at(object, 1000.0 * period_s).position, placement_at(object, 0.0).position);
+}
+
+TEST(ObjectMotion, AnOrbitAboutASpinningHoleIsRunThroughAsMatterInFreeFallDoes) {
+  // Bardeen, Press & Teukolsky (1972), eq. 2.16: 1 / (r^1.5 + a) with the hole, 1 / (r^1.5 - a) against it.
+  const auto rate_of = [](const char* orbit) {
+    return orbit_rate(
+        *show_of(std::string("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\norbit = ") + orbit + "\n", "0.9")
+             .objects.front()
+             .orbit);
+  };
+  EXPECT_NEAR(rate_of("{ r = 9 }"), 1.0 / 27.9, 1e-15);
+  EXPECT_NEAR(rate_of("{ r = 9, speed = -5 }"), -1.0 / 26.1, 1e-15);
+  EXPECT_NEAR(rate_of("{ r = 9, inclination_deg = 180 }"), 1.0 / 26.1, 1e-15);
+  EXPECT_NEAR(rate_of("{ r = 9, inclination_deg = 90 }"), 1.0 / 27.0, 1e-15);
 }
 
 TEST(ObjectMotion, AnInclinedOrbitRisesAtItsNode) {

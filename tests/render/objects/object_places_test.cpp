@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <optional>
+
 #include "kernels/metric/frame_boost.h"
 #include "tests/render/objects/object_scene.h"
 
@@ -21,17 +24,36 @@ const Vector3<double> to_hole = {-1.0, 0.0, 0.0};
 
 class ObjectPlaces : public test::ObjectScenes {
  protected:
-  //! How far from the middle of a narrow view towards where the closed form sees it the image of a small sphere is [rad].
-  static double miss(const Vector3<double>& place, int order, double size, double field_of_view) {
+  //! Where the image of a small sphere is beside where the closed form has it, in the middle of a narrow view [rad]; nothing where none is drawn.
+  struct Offset {
+    double away;    //!< from the hole
+    double beside;  //!< round it
+  };
+  static std::optional<Offset> offset(const Vector3<double>& place, int order, double size, double field_of_view,
+                                      int images = 2) {
     constexpr int width = 128;
-    ObjectPass pass(show_of({small_sphere(place, size)}));
-    const auto drawn =
-        draw(pass, eye_looking(places_r_observer, closed_form_direction(places_r_observer, place, order)),
-             make_pinhole_projection(width, width, field_of_view));
+    ObjectSettings object = test::small_sphere(place, size);
+    object.images = images;
+    ObjectPass pass(show_of({object}));
+    const EyeCamera eye = eye_looking(places_r_observer, closed_form_direction(places_r_observer, place, order));
+    const auto drawn = draw(pass, eye, make_pinhole_projection(width, width, field_of_view));
+    if (!(drawn.light() > 4.0)) {
+      return std::nullopt;
+    }
     double x = 0.0;
     double y = 0.0;
     drawn.middle(x, y);
-    return drawn.light() > 4.0 ? std::hypot(x - 0.5 * width, y - 0.5 * width) * field_of_view / width : 1.0;
+    const double scale = field_of_view / width;
+    const double right = scale * (x - 0.5 * width);
+    const double up = scale * (0.5 * width - y);
+    const Vector3<double> hole = in_view(eye, to_hole);
+    const double size_of_hole = std::hypot(hole.x, hole.y);
+    return Offset{-(right * hole.x + up * hole.y) / size_of_hole, (right * hole.y - up * hole.x) / size_of_hole};
+  }
+
+  static double miss(const Vector3<double>& place, int order, double size, double field_of_view) {
+    const std::optional<Offset> found = offset(place, order, size, field_of_view);
+    return found ? std::hypot(found->away, found->beside) : 1.0;
   }
 
   //! Angles from the hole's middle of all that is drawn.
@@ -70,6 +92,22 @@ TEST_F(ObjectPlaces, SecondImagesAreOnTheOtherSideAndWithinATwentiethOfAPixelOfT
     const Vector3<double> second = closed_form_direction(places_r_observer, place, 2);
     EXPECT_LT(first.y * second.y + first.z * second.z, 0.0);
   }
+}
+
+TEST_F(ObjectPlaces, FurtherImagesThatAreAskedForAreAsFarFromTheHoleAsTheClosedFormHasThem) {
+  // They are streaks along the ring, longer than the view. Triangles are chords of it: spheres are so small that chords do not tell.
+  for (const Vector3<double>& place : {Vector3<double>{-5.0, 3.0, -0.5}, {-6.0, 1.5, -1.0}, {5.0, 3.0, 2.0}}) {
+    const auto third = offset(place, 3, 0.05, 0.01 * one_degree, 3);
+    const auto fourth = offset(place, 4, 0.05, 0.001 * one_degree, 4);
+    ASSERT_TRUE(third && fourth) << place.x << " " << place.y << " " << place.z;
+    EXPECT_NEAR(third->away, 0.0, 0.002 * reference_pixel) << place.x << " " << place.y << " " << place.z;
+    EXPECT_NEAR(fourth->away, 0.0, 0.002 * reference_pixel) << place.x << " " << place.y << " " << place.z;
+  }
+}
+
+TEST_F(ObjectPlaces, ImagesThatAreNotAskedForAreNotDrawn) {
+  EXPECT_FALSE(offset({-5.0, 3.0, -0.5}, 2, 0.03, 0.1 * one_degree, 1));
+  EXPECT_FALSE(offset({-5.0, 3.0, -0.5}, 3, 0.1, 0.02 * one_degree, 2));
 }
 
 TEST_F(ObjectPlaces, AMovingObserverSeesThemWhereAberrationPutsThem) {

@@ -41,7 +41,7 @@ TableErrors errors_of(const ConnectionTable& table, int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> u(grid.u_low, grid.u_high);
   std::uniform_real_distribution<double> u_observer(grid.u_observer_low, grid.u_observer_high);
-  std::uniform_real_distribution<double> phi(0.0, 2.0 * pi);
+  std::uniform_real_distribution<double> phi(0.0, pi * grid.orders);
   TableErrors errors;
   for (int i = 0; i < count; ++i) {
     const double r = 1.0 / u(random);
@@ -118,6 +118,17 @@ TEST(ConnectionTable, ReachesFromTheHorizonToFarAway) {
   EXPECT_LT(TableErrors::median(errors.xi_deg), 1e-5);
 }
 
+TEST(ConnectionTable, HoldsAsManyOrdersAsAreAskedFor) {
+  ConnectionTableSettings settings = table_for(40.0);
+  settings.orders = 5;
+  const ConnectionTable table(settings);
+  const TableErrors errors = errors_of(table, pairs / 5);
+  EXPECT_LT(TableErrors::median(errors.xi_deg), 1e-6);
+  EXPECT_LT(TableErrors::largest(errors.xi_deg), 1e-4);
+  EXPECT_TRUE(covers(table.view().grid, 40.0, 8.0, 5.0 * pi));
+  EXPECT_FALSE(covers(table.view().grid, 40.0, 8.0, 5.1 * pi));
+}
+
 TEST(ConnectionTable, KnowsWhatItHolds) {
   const ConnectionTable table(table_for(40.0));
   const ConnectionGrid& grid = table.view().grid;
@@ -136,6 +147,8 @@ TEST(ConnectionTable, RefusesSettingsThatMakeNoTable) {
     return test::error_of([&] { const ConnectionTable table(settings); });
   };
   EXPECT_THAT(problem_of([](auto& s) { s.r_nearest = 2.0; }), HasSubstr("radii"));
+  EXPECT_THAT(problem_of([](auto& s) { s.orders = 1; }), HasSubstr("orders"));
+  EXPECT_THAT(problem_of([](auto& s) { s.orders = 17; }), HasSubstr("orders"));
   EXPECT_THAT(problem_of([](auto& s) { s.r_nearest = s.r_farthest; }), HasSubstr("radii"));
   EXPECT_THAT(problem_of([](auto& s) { s.r_observer_nearest = std::nan(""); }), HasSubstr("radii"));
   EXPECT_THAT(problem_of([](auto& s) { s.r_observer_nearest = 20.0; }), HasSubstr("layers"));
