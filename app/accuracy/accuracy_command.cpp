@@ -71,6 +71,9 @@ void run(const AccuracyOptions& options) {
     write_report_folder(report, at_px, options.out);
   }
   fmt::print("{}", options.json ? json_text(report) : table_text(report, at_px));
+  if (!options.out.empty() && !options.json) {
+    fmt::print("\nPage: {}\n", (std::filesystem::path(options.out) / "report.html").string());
+  }
 }
 
 }  // namespace

@@ -56,6 +56,14 @@ TEST_F(CommandLine, AccuracyWritesAPageThatHasEveryFigureItNames) {
   }
 }
 
+TEST_F(CommandLine, AccuracySaysLastWhereItsPageIs) {
+  write("small.toml", accuracy_show);
+  ASSERT_EQ(run("accuracy small.toml --quick --rounds 1 --axes map --out report"), 0) << output_;
+  EXPECT_THAT(output_, testing::EndsWith("\nPage: report/report.html\n"));
+  ASSERT_EQ(run("accuracy small.toml --quick --rounds 1 --axes map"), 0) << output_;
+  EXPECT_THAT(output_, Not(HasSubstr("Page:")));
+}
+
 TEST_F(CommandLine, AccuracyTellsTheSameInItsTablesAndFiles) {
   write("small.toml", accuracy_show);
   ASSERT_EQ(run("accuracy small.toml --quick --rounds 2 --axes map --out report --json"), 0) << output_;
