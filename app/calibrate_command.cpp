@@ -41,25 +41,34 @@ std::string moved(const std::string& file, const std::filesystem::path& from, co
   return file.empty() ? file : std::filesystem::relative(from / file, to).string();
 }
 
-//! Part of the dome's screen, as seen from its middle, that a projector lights.
-double lit_part(const ProjectorOptics& projector, const DomeScreen& screen) {
+//! Parts of the dome's screen, as seen from its middle, that each projector lights, and that none does, last.
+std::vector<double> lit_parts_of(const std::vector<ProjectorOptics>& projectors, const DomeScreen& screen) {
   constexpr int places = 4000;
-  int lit = 0;
+  std::vector<double> lit(projectors.size() + 1, 0.0);
   int all = 0;
   for (int i = 0; i < places; ++i) {
     const double up = 1.0 - 2.0 * (i + 0.5) / places;
     const double across = std::sqrt(1.0 - up * up);
     const double azimuth = 2.39996322972865332 * i;
-    const Vector3<double> point =
-        projector.dome_radius_m() * Vector3<double>{across * std::sin(azimuth), up, -across * std::cos(azimuth)};
+    const Vector3<double> direction = {across * std::sin(azimuth), up, -across * std::cos(azimuth)};
     double u = 0.0;
     double v = 0.0;
-    if (master_place(screen, point, u, v)) {
-      ++all;
-      lit += projector.raster_place(point) ? 1 : 0;
+    if (!master_place(screen, direction, u, v)) {
+      continue;
     }
+    ++all;
+    bool dark = true;
+    for (std::size_t k = 0; k < projectors.size(); ++k) {
+      const bool reached = projectors[k].raster_place(projectors[k].dome_radius_m() * direction).has_value();
+      lit[k] += reached ? 1.0 : 0.0;
+      dark = dark && !reached;
+    }
+    lit.back() += dark ? 1.0 : 0.0;
   }
-  return static_cast<double>(lit) / all;
+  for (double& part : lit) {
+    part /= all;
+  }
+  return lit;
 }
 
 void run_live(const CalibrateOptions& options) {
@@ -90,6 +99,7 @@ void run(const CalibrateOptions& options) {
   const DomeBlend blend(projectors, screen, options.blend);
   const std::filesystem::path out = options.out;
   make_folder(out);
+  const std::vector<double> lit = lit_parts_of(projectors, screen);
   Progress progress("warps and masks", static_cast<long>(projectors.size()));
   for (std::size_t i = 0; i < projectors.size(); ++i) {
     ProjectorSetup& projector = setup.projectors[i];
@@ -104,10 +114,10 @@ void run(const CalibrateOptions& options) {
     projector.blend_mask = name + "_blend.png";
     projector.blend_mask_gamma = 1.0;
     projector.black_level_mask = moved(projector.black_level_mask, setup.folder, out);
-    fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows,
-               100.0 * lit_part(projectors[i], screen));
+    fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
     progress.advance_to(static_cast<long>(i) + 1);
   }
+  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
   setup.folder = out;
   const std::filesystem::path file = out / std::filesystem::path(options.setup).filename();
   write_dome_setup(file, setup);

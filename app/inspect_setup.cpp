@@ -85,7 +85,7 @@ void print_setup(const nlohmann::json& facts) {
                projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
                projector["warp"].get<std::string>());
   }
-  fmt::print("{:.1f} % of the dome are lit by none\n", 100.0 * facts["dark_part"].get<double>());
+  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * facts["dark_part"].get<double>());
 }
 
 }  // namespace ergodome

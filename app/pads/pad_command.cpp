@@ -113,7 +113,11 @@ void list_pads(HidApi& api, const PadSettings& settings, const fs::path& file) {
     fmt::print(
         "no controllers found. Microsoft's pads are found over Bluetooth alone, Logitech's with their switch at D.\n");
   }
-  fmt::print("settings are read from {}\n", file.empty() ? "nowhere: there is no file" : file.string());
+  if (file.empty()) {
+    fmt::print("there is no settings file, so the usual settings hold; --calibrate makes one\n");
+  } else {
+    fmt::print("settings are read from {}\n", file.string());
+  }
 }
 
 //! Adds a [[pad]] for each controller that has none, and writes all.

@@ -21,20 +21,6 @@ constexpr Vector3<float> colours[] = {{0.9F, 0.15F, 0.1F},  {0.1F, 0.5F, 1.0F}, 
                                       {0.95F, 0.6F, 0.05F}, {0.6F, 0.2F, 0.9F}, {0.0F, 0.7F, 0.7F},
                                       {0.9F, 0.3F, 0.6F},   {0.5F, 0.5F, 0.4F}};
 
-//! A warp the other way round: where on the raster each part of the master is, at the middles of size x size pixels.
-WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
-  WarpMesh turned = picture.warp;
-  for (WarpNode& node : turned.nodes) {
-    std::swap(node.x, node.u);
-    std::swap(node.y, node.v);
-  }
-  WarpMesh raster = resampled_warp(turned, size_px, size_px);
-  for (WarpNode& node : raster.nodes) {
-    node.valid = node.valid && node.u >= 0.0F && node.u <= 1.0F && node.v >= 0.0F && node.v <= 1.0F;
-  }
-  return raster;
-}
-
 //! The value of a mask's first channel at a place of the raster; 1 where there is no mask.
 float mask_at(const BlendMap& mask, const WarpNode& place) {
   if (mask.width == 0) {
@@ -45,6 +31,22 @@ float mask_at(const BlendMap& mask, const WarpNode& place) {
   const std::size_t sample =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(column);
   return mask.values[sample * static_cast<std::size_t>(mask.channels)];
+}
+
+//! A warp the other way round: where on the raster each part of the master is, at the middles of size x size pixels. Meshes go on beyond a
+//! fisheye's image circle; what the mask leaves no light is not valid.
+WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
+  WarpMesh turned = picture.warp;
+  for (WarpNode& node : turned.nodes) {
+    std::swap(node.x, node.u);
+    std::swap(node.y, node.v);
+  }
+  WarpMesh raster = resampled_warp(turned, size_px, size_px);
+  for (WarpNode& node : raster.nodes) {
+    node.valid = node.valid && node.u >= 0.0F && node.u <= 1.0F && node.v >= 0.0F && node.v <= 1.0F &&
+                 node.intensity * mask_at(picture.blend, node) > 0.0F;
+  }
+  return raster;
 }
 
 //! How much of a pixel the lines of the raster cover.

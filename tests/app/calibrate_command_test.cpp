@@ -37,6 +37,28 @@ TEST_F(CalibrateCommand, WritesASetupWhoseProjectorsHaveWarpsAndMasks) {
   }
 }
 
+TEST_F(CalibrateCommand, LightsAllOfTheDomeOfTheExample) {
+  ASSERT_EQ(run("calibrate '" ERGODOME_TEST_DATA_DIR
+                "/../../calibration/examples/three-projectors.toml' --out made --size 512"),
+            0)
+      << output_;
+  EXPECT_THAT(output_, HasSubstr("\n0.0 % of the dome is lit by none\n"));
+  ASSERT_EQ(run("inspect made/three-projectors.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("\n0.0 % of the dome is lit by none\n"));
+}
+
+TEST_F(CalibrateCommand, AndInspectTellTheSamePartsOfTheDome) {
+  // Meshes go on beyond the image circle, where a fisheye has no light.
+  write("dome.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\npitch_deg = 90\nfisheye = { fov_deg = 90 }\n"
+        "resolution_px = [256, 128]\nwindow_px = [0, 0]\n");
+  ASSERT_EQ(run("calibrate dome.toml --out made --size 512"), 0) << output_;
+  // A cap of 45 degrees: 1 - cos 45° of the half sphere.
+  EXPECT_THAT(output_, HasSubstr("29 % of the dome\n70.7 % of the dome is lit by none"));
+  ASSERT_EQ(run("inspect made/dome.toml"), 0) << output_;
+  EXPECT_THAT(output_, testing::ContainsRegex("yes +29.[0-6] %"));
+}
+
 TEST_F(CalibrateCommand, WritesAnMpcdiCalibrationOfTheSame) {
   write("dome.toml", dome_of_two);
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512 --mpcdi made.mpcdi"), 0) << output_;

@@ -119,7 +119,7 @@ TEST_F(CommandLine, InspectTellsHowMuchOfTheDomeAProjectorLights) {
         "window_px = [0, 0]\n");
   ASSERT_EQ(run("inspect dome.toml --picture dome.png --size 200"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("33.3 %  from geometry"));
-  EXPECT_THAT(output_, HasSubstr("66.7 % of the dome are lit by none"));
+  EXPECT_THAT(output_, HasSubstr("66.7 % of the dome is lit by none"));
   EXPECT_TRUE(is_complete_image(folder_ / "dome.png", 200, 200));
 }
 

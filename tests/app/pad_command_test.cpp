@@ -38,7 +38,7 @@ TEST_F(PadCommand, SaysWhereThereIsNone) {
   ASSERT_EQ(run("pad" + fixture("mouse_and_keyboard")), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("no controllers found"));
   ASSERT_EQ(run("pad"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("settings are read from nowhere"));
+  EXPECT_THAT(output_, HasSubstr("there is no settings file"));
 }
 
 TEST_F(PadCommand, ShowsLiveValuesInPlainLines) {
