@@ -11,7 +11,7 @@ namespace ergodome {
 //! The greatest speed of an observer of whom a show tells it.
 inline constexpr double fastest_observer = 0.999999;
 
-//! Reads a show file (TOML, see README). Throws Error with file, line, key and remedy for whatever is wrong in it: unknown keys,
+//! Reads a show file (TOML, see content/SHOWS.md). Throws Error with file, line, key and remedy for whatever is wrong in it: unknown keys,
 //! values out of range, cameras inside the horizon, observers that cannot exist there.
 Show read_show(const std::filesystem::path& path);
 
