@@ -8,8 +8,10 @@
 #include "kernels/core/angles.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/output/image_writer.h"
+#include "tests/hard_cases/case_sheets.h"
 #include "tests/hard_cases/miss.h"
 #include "tests/hard_cases/ray_sets.h"
+#include "tests/hard_cases/sky_window.h"
 
 // Makes the pictures and the tables of HARD_CASES.md: show_hard_cases FOLDER.
 namespace ergodome::test {
@@ -36,24 +38,6 @@ std::array<unsigned char, 3> colour_of(const SeenSky& seen, std::size_t i) {
   const bool light = (row + column) % 2 == 0;
   const auto part = [&](bool strong) { return static_cast<unsigned char>((light ? 245 : 150) - (strong ? 0 : 90)); };
   return {part(sky.x > 0.0), part(sky.y > 0.0), part(sky.z > 0.0)};
-}
-
-//! Directions of a square window of the camera's sky about `middle` [rad across], row by row.
-Directions window(const Vector3<double>& middle, double across) {
-  const Vector3<double> up =
-      std::abs(middle.y) < 0.9 ? Vector3<double>{0.0, -1.0, 0.0} : Vector3<double>{1.0, 0.0, 0.0};
-  const Vector3<double> right = normalized(cross(middle, up));
-  const Vector3<double> top = cross(right, middle);
-  const double half = std::tan(0.5 * across);
-  Directions all;
-  for (int y = 0; y < panel_px; ++y) {
-    for (int x = 0; x < panel_px; ++x) {
-      const double h = half * (2.0 * (x + 0.5) / panel_px - 1.0);
-      const double v = half * (1.0 - 2.0 * (y + 0.5) / panel_px);
-      all.push_back(normalized(middle + h * right + v * top));
-    }
-  }
-  return all;
 }
 
 Panel panel_of(const SeenSky& seen) {
@@ -84,7 +68,7 @@ void write_pair(const std::filesystem::path& file, const Panel& left, const Pane
 
 void show_axis(const std::filesystem::path& folder) {
   const Place place = {0.9, 6.0, 1e-4};
-  const Directions rays = window({-1.0, 0.0, 0.0}, 2.4);
+  const Directions rays = square_window({-1.0, 0.0, 0.0}, 2.4, panel_px);
   write_pair(folder / "hard-axis.png", panel_of(by_rays(place, rays, TraceMethod::baseline_rk34, 1e-4)),
              panel_of(by_rays(place, rays, TraceMethod::taylor, 1e-4)));
 }
@@ -95,7 +79,8 @@ void show_edge(const std::filesystem::path& folder) {
   const ShadowChart chart = make_shadow_chart(camera);
   const double gamma = 1.2;
   const double edge = edge_polar_angle(camera, chart, gamma) + 6e-6;
-  const Directions rays = window(chart_direction<double>(chart, std::cos(edge), std::sin(edge), gamma), 1.6e-5);
+  const Directions rays =
+      square_window(chart_direction<double>(chart, std::cos(edge), std::sin(edge), gamma), 1.6e-5, panel_px);
   write_pair(folder / "hard-edge.png", panel_of(by_float_rays(place, rays, TraceMethod::taylor, 1e-6)),
              panel_of(by_rays(place, rays, TraceMethod::taylor, 1e-9)));
 }
@@ -105,14 +90,15 @@ void show_grids(const std::filesystem::path& folder) {
   const CameraStation camera = station_at(place);
   const ShadowChart chart = make_shadow_chart(camera);
   const double edge = edge_polar_angle(camera, chart, 0.6) + 0.04;
-  const Directions rays = window(chart_direction<double>(chart, std::cos(edge), std::sin(edge), 0.6), 0.25);
+  const Directions rays =
+      square_window(chart_direction<double>(chart, std::cos(edge), std::sin(edge), 0.6), 0.25, panel_px);
   write_pair(folder / "hard-grids.png", panel_of(by_quadtree(place, rays)),
              panel_of(by_live_grid(place, rays, Nodes::in_double)));
 }
 
 void show_poles(const std::filesystem::path& folder) {
   const Place place = {0.9, 6.0, 0.0};
-  const Directions rays = window({-1.0, 0.0, 0.0}, 2.4);
+  const Directions rays = square_window({-1.0, 0.0, 0.0}, 2.4, panel_px);
   write_pair(folder / "hard-poles.png", panel_of(by_quadtree(place, rays)),
              panel_of(by_live_grid(place, rays, Nodes::in_double)));
 }
@@ -253,6 +239,7 @@ int main(int argc, char** argv) {
   show_grids(folder);
   show_poles(folder);
   show_textbook(folder);
+  write_case_sheets(folder);
   tell_cases();
   std::puts("");
   tell_where_float_is_enough();

@@ -1,0 +1,89 @@
+#include <algorithm>
+
+#include "content/animated_show.h"
+#include "render/disk/disk_pass.h"
+#include "render/plan/planner.h"
+#include "render/shells/shell_pass.h"
+#include "render/stars/blackbody_colours.h"
+
+namespace ergodome {
+
+void Planner::plan_near_field() {
+  if (show_.disk) {
+    const bool recoloured = find_animation(show_, "disk.temperature_K") != nullptr;
+    buffer("blackbody table", WorkMoment::start, BlackbodyColours::bytes,
+           why(recoloured ? "disk.temperature_K" : "disk"));
+    buffer("disk profile", WorkMoment::start, DiskPass::profile_bytes, why("disk"));
+  }
+  if (!show_.shells.empty()) {
+    buffer("shells", WorkMoment::start, static_cast<long>(show_.shells.size()) * ShellPass::shell_bytes, why("shells"));
+    if (std::ranges::any_of(show_.shells, [](const ShellSettings& shell) { return !shell.texture.empty(); })) {
+      buffer("shell texture", WorkMoment::start, 0, why("shells"));
+    }
+  }
+  // What one part is without at some times, the other has to itself.
+  for (const bool shells : {true, false}) {
+    if (shells ? needs_.shells : !always_.shells) {
+      plan_near_rays(shells);
+    }
+  }
+}
+
+void Planner::plan_near_rays(bool shells) {
+  const bool edges_move =
+      find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
+  const bool shells_go = needs_.shells != always_.shells;
+  const std::string with = shells ? ", " + why("shells") : "";
+  if (needs_.disk) {
+    const bool pattern = needs_.disk_pattern;
+    pixel_pass(near_field_name(pattern ? DiskDrawing::pattern : DiskDrawing::plain, shells),
+               why(pattern ? "disk.pattern" : "disk") + with,
+               edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern);
+  }
+  if (needs_.disk_pattern && !always_.disk_pattern) {
+    pixel_pass(near_field_name(DiskDrawing::plain, shells), why("disk.contrast") + with, true);
+  }
+  if (shells && (!always_.disk || edges_move)) {
+    pixel_pass(near_field_name(DiskDrawing::none, true), why("shells"), needs_.disk || shells_go);
+  }
+}
+
+void Planner::plan_traced_objects(const std::string& objects) {
+  buffer("meshes", WorkMoment::start, 0, objects);
+  if (!needs_.traced_objects) {
+    return;
+  }
+  // How many pixels these take is not known beforehand.
+  pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects);
+  pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
+  if (!always_.disk && !always_.shells) {
+    pixel_pass("lay_objects", objects, needs_.disk || needs_.shells);
+  }
+  for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
+    buffer(name, WorkMoment::picture, 0, objects);
+  }
+}
+
+void Planner::plan_objects() {
+  if (show_.objects.empty()) {
+    return;
+  }
+  const std::string objects = why("objects");
+  pass("load_meshes", WorkMoment::start, 1, static_cast<long>(show_.objects.size()), objects);
+  if (has_objects(show_, ObjectMethod::trace)) {
+    return plan_traced_objects(objects);
+  }
+  pass("open_gl", WorkMoment::start, 1, 1, objects);
+  buffer("meshes", WorkMoment::start, request_.mesh_bytes, objects);
+  if (!needs_.objects) {
+    return;
+  }
+  const bool lit = std::ranges::any_of(show_.objects, &ObjectSettings::lit);
+  const std::string tables = lit ? objects + ", " + why("light") : objects;
+  pass("make_connection_table", WorkMoment::place, 0, 0, tables);
+  buffer("connecting rays", WorkMoment::place, 0, tables);
+  pass("draw_objects", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, objects);
+  buffer("objects' picture", WorkMoment::start, 0, objects);
+}
+
+}  // namespace ergodome

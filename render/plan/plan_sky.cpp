@@ -1,0 +1,121 @@
+#include "content/animated_show.h"
+#include "render/plan/planner.h"
+#include "render/sky/column_sums.h"
+#include "render/sky/sky_cube.h"
+#include "render/stars/blackbody_colours.h"
+
+namespace ergodome {
+
+void Planner::plan_shading() {
+  const SkyShading& shading = needs_.shading;
+  plan_map(shading);
+  if (request_.mode != ViewMode::sky) {
+    return pixel_pass("shade_heat_map", why_view());
+  }
+  if (shading.filter == SkyFilter::polygon) {
+    pixel_pass("filter_polygons", why("sky.filter"));
+  }
+  std::string reason = why("sky.filter");
+  if (shading.shift != SkyShift::none) {
+    reason += ", " + why("effects.redshift");
+  }
+  if (shading.brightening) {
+    reason += ", " + why("sky.brightening");
+  }
+  pixel_pass(shading_name(shading.filter, shading.shift, shading.brightening), reason);
+}
+
+void Planner::plan_map(const SkyShading& shading) {
+  const bool polygons = shading.filter == SkyFilter::polygon;
+  const bool fitted = shading.shift == SkyShift::blackbody_fit;
+  const int width = request_.map_width_px;
+  const auto sky_buffer = [&](const char* name, long bytes, const std::string& reason) {
+    buffer(name, sky_turns() ? WorkMoment::picture : WorkMoment::start, sky_turns() ? 0 : bytes,
+           sky_turns() ? reason + ", " + why("sky.spin_axis") : reason);
+  };
+  sky_buffer("sky map", static_cast<long>(SkyCube::bytes_for(polygons ? 1 : width)), why("sky.map"));
+  if (polygons) {
+    sky_buffer("column sums", ColumnSums::bytes_for(width, fitted), why("sky.filter"));
+  }
+  if (fitted) {
+    // One to fit temperatures by, one for the kernels.
+    sky_buffer("blackbody table", 2 * BlackbodyColours::bytes, why("sky.shift"));
+  }
+}
+
+void Planner::plan_star_loading() {
+  const bool turns = sky_turns();
+  const std::string stars = why("sky.stars") + (turns ? ", " + why("sky.spin_axis") : "");
+  const WorkMoment moment = turns ? WorkMoment::picture : WorkMoment::start;
+  pass("load_stars", moment, turns ? 0 : 1, 0, stars, turns);
+  buffer("blackbody table", moment, turns ? 0 : BlackbodyColours::bytes, stars);
+  if (frame_needs(show_, ViewMode::sky).spikes) {
+    const bool changes = find_animation(show_, "effects.diffraction.obstruction") != nullptr ||
+                         find_animation(show_, "effects.diffraction.scale") != nullptr;
+    buffer("diffraction pattern", turns || changes ? WorkMoment::picture : WorkMoment::start, 0,
+           why("effects.diffraction"));
+  }
+}
+
+void Planner::plan_stars() {
+  const std::string stars = why("sky.stars");
+  if (needs_.gather) {
+    pass("gather_stars", WorkMoment::picture, plan_.eyes * gathers_, plan_.eyes * gathered_pixels_,
+         why("stars.method"));
+    pass("trace_rays, double", WorkMoment::picture, 0, 0, why("stars.method"));
+  } else {
+    plan_grid(stars, false);
+    buffer("shadow edge", WorkMoment::place, 0, stars);
+    pass("search_patches", WorkMoment::picture, plan_.eyes, 0, stars);
+    pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
+    pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
+  }
+  if (needs_.trails) {
+    pass("follow_trails", WorkMoment::picture, plan_.eyes, 0, why("effects.trails"), !always_.trails);
+    if (needs_.gather) {
+      pass("find_star_images", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+      pass("find_star_images, double", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+    }
+  }
+  pass("splat_stars", WorkMoment::picture, plan_.eyes * blocks_, 0, show_.effects.psf ? why("effects.psf") : stars,
+       true);
+  if (needs_.spikes) {
+    pass("draw_spikes", WorkMoment::picture, plan_.eyes * blocks_, 0, why("effects.diffraction"), true);
+  }
+}
+
+void Planner::plan_light() {
+  if (shown_ > 1 && show_.stereo.model == StereoModel::flat && show_.stereo.baseline > 0.0) {
+    const bool at_times = !(least_.stereo.baseline > 0.0);
+    pass("trace_affine_distances", WorkMoment::picture, 1, 0, why("stereo.model"), at_times);
+    pass("mask_shadow", WorkMoment::picture, shown_, shown_ * pixels_, why("stereo.baseline"), at_times);
+  }
+  if (needs_.bloom) {
+    pass("add_bloom", WorkMoment::picture, shown_, shown_ * pixels_, why("effects.bloom"), !always_.bloom);
+  }
+  if (needs_.clear_outside) {
+    pass("clear_outside", WorkMoment::picture, shown_, shown_ * pixels_,
+         why(needs_.bloom ? "effects.bloom" : "effects.diffraction"), !always_.clear_outside);
+  }
+  if (needs_.auto_exposure) {
+    pass("meter_light", WorkMoment::picture, shown_, shown_ * pixels_, why("tone.auto"));
+  }
+  plan_overlays();
+}
+
+void Planner::plan_overlays() {
+  const Timeline& timeline = show_.timeline;
+  if (!timeline.overlays.empty()) {
+    buffer("overlay images", WorkMoment::start, request_.overlay_bytes, why("overlay"));
+  }
+  if (request_.mode != ViewMode::sky || (timeline.overlays.empty() && timeline.captions.empty())) {
+    return;
+  }
+  if (!timeline.captions.empty()) {
+    pass("set_captions", WorkMoment::start, 0, 0, why("caption"), true);
+    buffer("captions", WorkMoment::start, 0, why("caption"));
+  }
+  pass("draw_overlay", WorkMoment::picture, 0, 0, why(timeline.captions.empty() ? "overlay" : "caption"), true);
+}
+
+}  // namespace ergodome

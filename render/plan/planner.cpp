@@ -1,0 +1,118 @@
+#include "render/plan/planner.h"
+
+#include <fmt/format.h>
+
+#include "content/animated_show.h"
+#include "render/frame/show_renderer.h"
+#include "render/stars/picture_sheets.h"
+
+namespace ergodome {
+
+Planner::Planner(const Show& show, const FrameRequest& request)
+    : show_(show_at_most(show)),
+      least_(show_at_least(show)),
+      request_(request),
+      needs_(frame_needs(show_, request.mode)),
+      always_(frame_needs(least_, request.mode)) {
+  const int size_px = request.size_px > 0 ? request.size_px : show.view.size_px;
+  const Projection projection = make_projection(show_.view, size_px, 0.0);
+  plan_.width_px = projection.width_px;
+  plan_.height_px = projection.height_px;
+  plan_.eyes = drawn_pictures(show_.stereo);
+  shown_ = eye_count(show.stereo);
+  pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
+  block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
+  blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
+  channels_ = lens_channels(request.mode, needs_.shading);
+  for (const PictureSheet& sheet : picture_sheets(projection)) {
+    ++gathers_;
+    gathered_pixels_ += static_cast<long>(sheet.cell.width_px) * sheet.cell.height_px;
+  }
+}
+
+FramePlan Planner::plan() {
+  plan_channels();
+  plan_lens();
+  plan_shading();
+  if (!show_.sky.stars.empty()) {
+    plan_star_loading();
+  }
+  if (needs_.stars) {
+    plan_stars();
+  }
+  plan_near_field();
+  plan_objects();
+  plan_light();
+  return plan_;
+}
+
+std::string Planner::why(const std::string& key) const {
+  const auto line = show_.lines.find(key);
+  const std::string reason = line != show_.lines.end()
+                                 ? fmt::format("{} ({}.toml line {})", key, show_.name, line->second)
+                                 : fmt::format("{} (by default)", key);
+  return reason + why_animated(key);
+}
+
+std::string Planner::why_animated(const std::string& key) const {
+  std::string lines;
+  for (const Animation& animation : show_.timeline.animations) {
+    const auto line = show_.lines.find("animate." + animation.path);
+    if ((animation.path == key || animation.path.starts_with(key + ".") || animation.path.starts_with(key + "[")) &&
+        line != show_.lines.end()) {
+      lines += fmt::format("{}{}", lines.empty() ? ", animated from line " : ", ", line->second);
+    }
+  }
+  return lines;
+}
+
+bool Planner::sky_turns() const {
+  return find_animation(show_, "sky.spin_axis.ra_deg") != nullptr ||
+         find_animation(show_, "sky.spin_axis.dec_deg") != nullptr;
+}
+
+std::string Planner::why_view() const {
+  return request_.mode == ViewMode::sky ? why("sky.map") : std::string("the view that was asked for");
+}
+
+void Planner::pass(const std::string& name, WorkMoment moment, long runs, long elements, const std::string& reason,
+                   bool if_needed) {
+  plan_.passes.push_back({name, moment, runs, elements, if_needed, reason});
+}
+
+void Planner::buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason) {
+  plan_.buffers.push_back({"buffer: " + name, moment, bytes, reason});
+}
+
+void Planner::pixel_pass(const std::string& name, const std::string& reason, bool if_needed) {
+  // Where the baseline comes and goes, one picture serves both eyes at times.
+  const bool known = drawn_pictures(least_.stereo) == plan_.eyes;
+  pass(name, WorkMoment::picture, known ? plan_.eyes * blocks_ : 0, known ? plan_.eyes * pixels_ : 0, reason,
+       if_needed);
+}
+
+void Planner::plan_channels() {
+  const auto channel = [&](bool wanted, const char* name, int floats, const std::string& reason) {
+    if (wanted) {
+      plan_.channels.push_back({name, floats, reason});
+    }
+  };
+  const bool sky = request_.mode == ViewMode::sky;
+  channel(true, "coverage", 1, "every picture has a shadow");
+  channel(true, "error_estimate", 1, "every picture says which rays failed");
+  channel(channels_.sky, "sky", 3, why_view());
+  channel(channels_.footprint, "footprint", 6,
+          sky ? why(needs_.shading.brightening ? "sky.brightening" : "sky.filter") : why_view());
+  channel(channels_.frequency_ratio, "frequency_ratio", 1, sky ? why("effects.redshift") : why_view());
+  channel(channels_.steps, "steps", 1, why_view());
+  channel(channels_.half_orbits, "half_orbits", 1, why_view());
+  const long block = static_cast<long>(block_rows_) * plan_.width_px;
+  constexpr long float_bytes = sizeof(float);
+  buffer("lens channels", WorkMoment::start, channels_.floats() * block * float_bytes, "the channels above");
+  buffer("picture", WorkMoment::start, 4 * block * float_bytes, why("view.size_px"));
+  buffer("finished picture", WorkMoment::picture, plan_.eyes * 4 * pixels_ * float_bytes, why("view.size_px"));
+}
+
+FramePlan plan_frame(const Show& show, const FrameRequest& request) { return Planner(show, request).plan(); }
+
+}  // namespace ergodome
