@@ -7,6 +7,7 @@
 #include "render/frame/show_renderer.h"
 #include "render/lens/trajectory_baker.h"
 #include "tests/support/errors.h"
+#include "tests/support/tiny_sky.h"
 
 namespace ergodome {
 namespace {
@@ -15,12 +16,14 @@ using testing::HasSubstr;
 
 //! A small starry picture with effects.
 Show starry_show() {
-  return parse_show(
+  Show show = parse_show(
       "duration_s = 2\n[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 9\n[sky]\nmap = \"grid\"\nstars = "
       "\"bright_stars\"\nfaintest_mag = 3\n[effects]\nmagnification = true\npsf = {}\n"
       "diffraction = { size_px = 33 }\nbloom = { radius_px = 4 }\n[view]\nsize_px = 48\n[tone]\nauto = {}\n[stereo]\n"
       "baseline = 0.1\nconvergence = 8\n",
       "show.toml");
+  show.sky.map = test::tiny_sky();
+  return show;
 }
 
 //! The show with one number that goes from one value to another between 0 and 1 s.

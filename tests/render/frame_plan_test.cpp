@@ -106,8 +106,8 @@ class FramePlans : public test::FolderTest {
     show.camera.keys[1].time_s = 1.0;
     show.camera.keys[1].phi = 0.4;
     show.sky.map = "sky.exr";
-    show.sky.faintest_mag = 4.0;
-    show.view.size_px = 96;
+    show.sky.faintest_mag = test::sanitized ? 2.0 : 4.0;
+    show.view.size_px = test::sanitized ? 40 : 96;
     return show;
   }
 
