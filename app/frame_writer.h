@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/lens_options.h"
 #include "app/setup_show.h"
@@ -33,6 +34,8 @@ struct RenderOptions {
   LensOptions lens;
   bool resume = false;
   std::string pattern;
+  std::vector<std::string> budget;  //!< words of --budget
+  int checked_moments = 0;          //!< at which the budget is checked, in place of writing frames; 0: none
 };
 
 //! The format of the files that are asked for. Throws Error for a compression that the format has not.

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/budget/budget_option.h"
+#include "app/budget/render_budget.h"
 #include "app/commands.h"
 #include "app/frame_writer.h"
 #include "app/interrupt.h"
@@ -130,7 +132,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   }
 }
 
-void run(const RenderOptions& options) {
+void run(RenderOptions options) {
   Show show = chosen_show(options);
   const std::optional<DomeSetup> setup = chosen_setup(options);
   if (setup) {
@@ -145,6 +147,9 @@ void run(const RenderOptions& options) {
   require_file_layout(options, show);
   require_movie(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
+  if (!use_render_budget(options, show, setup)) {
+    return;
+  }
   make_folder(options.out);
   FrameWriter writer(options, show, setup);
   write_frames(options, writer, first, last);
@@ -202,6 +207,11 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
   add_lens_options(*command, options->lens);
+  add_budget_option(*command, options->budget);
+  command
+      ->add_option("--check", options->checked_moments,
+                   "with --budget: measure the error at so many random moments of the show, and write no frames")
+      ->check(CLI::Range(1, 1000));
   command->add_option("--pattern", options->pattern, "a test pattern, or all of them, instead of the show's frames")
       ->check(CLI::IsMember(pattern_choices()));
   command->add_option("--setup", options->setup,

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/player/picture_error.h"
 #include "render/output/color_bar.h"
 
 namespace ergodome {
@@ -37,7 +38,7 @@ PictureAnswer answer_to(const FrameSource::Render& render, const PictureRequest&
     answer.problem = problem.what();
   }
   answer.size_px = request.size_px;
-  answer.time_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  answer.time_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count() - answer.measuring_ms;
   return answer;
 }
 
@@ -52,6 +53,11 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   renderer.set_observer(frame.observer.motion, frame.observer.velocity);
   renderer.set_exposure(frame.exposure_stops);
   renderer.set_stereo(frame.stereo);
+  if (request.quality) {
+    FrameQuality quality = *request.quality;
+    quality.budget_px *= static_cast<double>(request.size_px) / request.whole_px;
+    renderer.set_quality(quality);
+  }
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
   overlays.set_captions(frame.captions);
@@ -66,8 +72,7 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   set_up(renderer, request);
   const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
   // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
-  constexpr double patience_s = 0.02;
-  const ShowMoment moment = {frame.path_time_s, patience_s};
+  const ShowMoment moment = {frame.path_time_s, request.patience_s};
   PictureAnswer answer;
   if (renderer.backend() != Backend::cpu && eye_count(frame.stereo) < 2 && !renderer.finishes_pictures()) {
     const float* rgba =
@@ -76,6 +81,11 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   } else {
     answer.picture = renderer.render_window(frame.pose, projection, frame.mode, moment);
     draw_color_bar(answer.picture, frame.mode);
+  }
+  if (request.errors_asked) {
+    const auto begun = Clock::now();
+    answer.errors_px = picture_errors(renderer, request, projection, moment);
+    answer.measuring_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }
   if (request.disparity_asked) {
     answer.disparity = frame_disparity(renderer.show(), frame.pose, projection);

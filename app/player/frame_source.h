@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,6 +23,12 @@ struct PictureRequest {
   double captions_opacity = 0.0;
   int size_px = 0;  //!< width of one eye's image
   bool disparity_asked = false;
+  std::optional<FrameQuality>
+      quality;  //!< in place of the show's; its budget counts in pixels of a picture `whole_px` wide
+  int whole_px = 0;
+  double patience_s = 0.02;  //!< how long the picture waits for its lens before it takes an older one
+  bool errors_asked = false;
+  std::uint64_t error_seed = 0;  //!< of the pixels that are looked at
 };
 
 //! A picture that stayed in a GPU's memory: four floats a pixel, until the next request.
@@ -39,8 +46,10 @@ struct PictureAnswer {
   std::optional<DevicePicture> on_device;  //!< in place of the picture's pixels
   double time_ms = 0.0;
   int size_px = 0;
-  std::optional<Disparity> disparity;  //!< where it was asked for, of two eyes
-  std::string problem;                 //!< why there is none; the last good one stays on the screen
+  std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes
+  std::optional<std::vector<double>> errors_px;  //!< where they were asked for (app/player/picture_error.h)
+  double measuring_ms = 0.0;                     //!< what they took; not in time_ms
+  std::string problem;                           //!< why there is none; the last good one stays on the screen
 };
 
 //! One picture as the request's stereo layout has it; eyes that it keeps apart come side by side on a window. Throws Error.

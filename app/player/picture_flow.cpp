@@ -33,9 +33,12 @@ PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool 
   }
   const bool whole = wish.renderer && wish.renderer->backend() != Backend::cpu;
   if (pending_) {
-    ask(wish, whole ? finest_px_ : std::min(moving_size_px_, finest_px_));
+    if (!moving || !pace_ || pace_->is_due(now_())) {
+      const int moving_px = hold_ ? hold_->size_px : whole ? finest_px_ : moving_size_px_;
+      ask(wish, std::min(moving_px, finest_px_), moving);
+    }
   } else if (refining_ && report_.size_px < finest_px_ && !moving) {
-    ask(wish, std::min(2 * report_.size_px, finest_px_));
+    ask(wish, std::min(2 * report_.size_px, finest_px_), false);
   }
   return news;
 }
@@ -52,7 +55,27 @@ bool PictureFlow::hangs() {
   return working_s > hang_factor * 1e-3 * report_.frame_time_ms * std::max(1.0, growth * growth);
 }
 
-void PictureFlow::ask(PictureRequest wish, int size_px) {
+void PictureFlow::hold(const PictureHold& hold) {
+  if (!hold_ || hold_->frame_s != hold.frame_s) {
+    pace_.emplace(hold.frame_s);
+  }
+  hold_ = hold;
+}
+
+void PictureFlow::note_interval() {
+  const double now_s = now_();
+  report_.interval_ms.reset();
+  if (asked_moving_ && last_moving_s_) {
+    report_.interval_ms = 1000.0 * (now_s - *last_moving_s_);
+  }
+  last_moving_s_ = asked_moving_ ? std::optional(now_s) : std::nullopt;
+}
+
+void PictureFlow::ask(PictureRequest wish, int size_px, bool moving) {
+  if (pace_) {
+    pace_->begin(now_());
+  }
+  asked_moving_ = moving;
   wish.size_px = size_px;
   asked_size_px_ = size_px;
   pending_ = false;
@@ -76,7 +99,9 @@ PictureNews PictureFlow::receive() {
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
   moving_size_px_ =
       std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), std::min(smallest_px, finest_px_), finest_px_);
+  note_interval();
   report_.frame_time_ms = answer->time_ms;
+  report_.errors_px = answer->errors_px;
   report_.size_px = answer->size_px;
   report_.lens = answer->picture.lens;
   report_.disparity = answer->disparity;

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "app/backend_choice.h"
+#include "app/budget/budget_option.h"
+#include "app/budget/play_plan.h"
 #include "app/commands.h"
 #include "app/exhibit/kept_settings.h"
 #include "app/lens_options.h"
@@ -29,6 +33,7 @@ struct PlayArguments {
   ExhibitOptions exhibit_options;
   std::string new_controls;
   LensOptions lens;
+  std::vector<std::string> budget;
   PlayOptions options;
 };
 
@@ -78,6 +83,33 @@ void use_exhibit(PlayArguments& arguments) {
   options.exhibit = arguments.exhibit_options;
 }
 
+//! Measures the show, chooses what the budget leaves open, and says so. The renderer that this was done with, for the show to begin with; none
+//! without a budget.
+std::shared_ptr<ShowRenderer> use_budget(PlayArguments& arguments, const Show& show, const RendererLoader::Make& make) {
+  const Budget budget = parse_budget(arguments.budget);
+  if (budget.empty()) {
+    return nullptr;
+  }
+  PlayOptions& options = arguments.options;
+  std::shared_ptr<ShowRenderer> renderer = make(show);
+  const ToldPlan told =
+      plan_play(*renderer, show,
+                {budget, options.size_px, arguments.size_given, lens_choice(arguments.lens), options.free_flight});
+  fmt::print("{}\n", told.line);
+  std::fflush(stdout);
+  options.budget = told.plan;
+  return renderer;
+}
+
+//! `make`, but for the first time that the show is asked for: then what was measured with serves.
+RendererLoader::Make with_first(RendererLoader::Make make, const std::string& name,
+                                std::shared_ptr<ShowRenderer> first) {
+  const auto kept = std::make_shared<std::shared_ptr<ShowRenderer>>(std::move(first));
+  return [make = std::move(make), name, kept](const Show& show) {
+    return *kept && show.name == name ? std::exchange(*kept, nullptr) : make(show);
+  };
+}
+
 void run(PlayArguments arguments) {
   if (!arguments.new_controls.empty()) {
     write_default_controls(arguments.new_controls);
@@ -95,7 +127,7 @@ void run(PlayArguments arguments) {
   const Show show = options.load(arguments.show.empty() ? "free-flight" : arguments.show);
   const Backend backend = choose_backend(arguments.backend);
   const bool may_fall_back = arguments.backend == "auto";
-  const auto make = [backend, may_fall_back, lens = arguments.lens](const Show& any) {
+  const RendererLoader::Make make = [backend, may_fall_back, lens = arguments.lens](const Show& any) {
     const auto on = [&](Backend chosen) {
       return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), open_stream(any, lens, chosen));
     };
@@ -108,7 +140,8 @@ void run(PlayArguments arguments) {
       return on(Backend::cpu);  // the GPU is lost
     }
   };
-  Player(show, make, options).run();
+  std::shared_ptr<ShowRenderer> first = use_budget(arguments, show, make);
+  Player(show, with_first(make, show.name, std::move(first)), options).run();
 }
 
 }  // namespace
@@ -136,6 +169,7 @@ void add_play_command(CLI::App& app) {
       command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
           ->check(CLI::Range(16, 8192))
           ->capture_default_str();
+  add_budget_option(*command, arguments->budget);
   command->add_option("--setup", arguments->setup, "dome setup (.toml): a window for each of its projectors, too");
   command->add_flag("--no-control", arguments->options.hide_control,
                     "with --setup: the projectors' windows alone; keys work in them");

@@ -62,6 +62,9 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
       pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
       services_(options.services, show),
       recording_(options.record) {
+  if (options_.budget) {
+    budget_.emplace(*options_.budget);
+  }
   Show first = show;
   if (options_.exhibit) {
     exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
@@ -211,8 +214,34 @@ void Player::update_picture() {
   wish.renderer = renderers_.current();
   wish.frame = session_->frame();
   wish.disparity_asked = session_->times_shown();
+  add_budget(wish);
   const bool words_changed = add_words(wish);
   note(pictures_.advance(wish, words_changed || session_->changed(), session_->moving()));
+}
+
+void Player::add_budget(PictureRequest& wish) {
+  if (!budget_) {
+    return;
+  }
+  const PlayPlan& plan = budget_->plan();
+  const Rung& rung = budget_->rung();
+  wish.quality = rung.quality;
+  wish.whole_px = plan.whole_px;
+  wish.patience_s = 1e-3 * plan.patience_ms;
+  wish.errors_asked = budget_->wants_errors(session_->now_s());
+  wish.error_seed = static_cast<std::uint64_t>(pictures_.report().pictures);
+  if (plan.budget.frame_rate_hz) {
+    pictures_.hold({rung.size_px, 1e-3 * plan.budget.frame_ms()});
+  }
+}
+
+void Player::note_budget() {
+  const PictureReport& report = pictures_.report();
+  budget_->note_picture(report.frame_time_ms, report.interval_ms);
+  if (report.errors_px) {
+    budget_->note_errors(*report.errors_px);
+    budget_->ask_errors(session_->now_s());
+  }
 }
 
 bool Player::add_words(PictureRequest& wish) {
@@ -255,6 +284,9 @@ void Player::note(PictureNews news) {
   }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());
+    if (budget_) {
+      note_budget();
+    }
   }
   if (!first_answer_) {
     first_answer_ = Clock::now();
@@ -265,9 +297,12 @@ void Player::note(PictureNews news) {
 }
 
 void Player::update_texts() {
-  screen_.set_text(
-      PanelPlace::top_left,
-      session_->times_shown() ? times_text(pictures_.report(), session_->frame().stereo, renderers_.backend()) : "");
+  std::string times;
+  if (session_->times_shown()) {
+    times = times_text(pictures_.report(), session_->frame().stereo, renderers_.backend());
+    times += budget_ ? fmt::format("\n{}", budget_->display_text()) : "";
+  }
+  screen_.set_text(PanelPlace::top_left, times);
   screen_.set_text(PanelPlace::bottom_middle, session_->caption());
   screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(true) : "");
 }
@@ -311,6 +346,9 @@ void Player::end_in_time() {
 void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
     fmt::print("{} pictures after the first in {:.1f} s\n", pictures_.report().pictures - 1, options_.for_seconds);
+    if (budget_) {
+      fmt::print("{}\n", budget_->summary_text());
+    }
   }
   if (const auto streamed = renderers_.current() ? renderers_.current()->stream_statistics() : std::nullopt) {
     ergodome::print_statistics(*streamed);

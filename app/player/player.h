@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/budget/play_budget.h"
 #include "app/exhibit/exhibit_scenes.h"
 #include "app/navigation/controls.h"
 #include "app/pads/hid_api.h"
@@ -36,6 +37,7 @@ struct PlayOptions {
   std::string pad_fixture;   //!< recorded pads in place of those that are plugged in
   ServiceOptions services;   //!< sound, clocks, remote control
   std::optional<ExhibitOptions> exhibit;
+  std::optional<PlayPlan> budget;
   std::function<Show(const std::string&)> load;  //!< reads a show's file and makes it what the command line asks for
 };
 
@@ -63,6 +65,9 @@ class Player {
   void note(PictureNews news);
   void advance_exhibit(PlayerInput& input);
   void change_scene();
+  //! Puts what the budget asks of the next picture into a wish.
+  void add_budget(PictureRequest& wish);
+  void note_budget();
   //! Puts what visitors are to read into the picture; whether that is something else than before.
   bool add_words(PictureRequest& wish);
   [[nodiscard]] std::string help_text(bool columns) const;
@@ -89,6 +94,7 @@ class Player {
   FrameTimes frame_times_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   RecordingFile recording_;
+  std::optional<PlayBudget> budget_;
 };
 
 }  // namespace ergodome

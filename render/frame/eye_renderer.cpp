@@ -159,13 +159,18 @@ std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Proje
                                    : std::vector<StarPoint>();
 }
 
+std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Projection& projection,
+                                                  const PictureSettings& settings) {
+  return lenses_.choose(
+      {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
+}
+
 float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                     const PictureSettings& settings, const char** lens) {
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
-  const auto source = lenses_.choose(
-      {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
+  const auto source = lens_for(eye, projection, settings);
   render_rows(*source, shade, settings.polygons, 0, projection.height_px);
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
   if (!stars.empty()) {
@@ -237,9 +242,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   const int block_rows = rows_of_a_block(projection.width_px, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
   ShadeBatch shade = prepare(projection, sky, settings, most);
-  const auto chosen = settings.given == nullptr ? lenses_.choose({settings.lens, eye, projection, settings.mode,
-                                                                  settings.accuracy, settings.moment, settings.scheme})
-                                                : nullptr;
+  const auto chosen = settings.given == nullptr ? lens_for(eye, projection, settings) : nullptr;
   const LensSource* const source = settings.given != nullptr ? settings.given : chosen.get();
   picture.lens = source->name();
   picture.behind = source->behind();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -71,6 +72,10 @@ class EyeRenderer {
   void set_stream(std::shared_ptr<StationStream> stream) { lenses_.set_stream(std::move(stream)); }
 
   [[nodiscard]] Backend backend() const { return backend_; }
+
+  //! The lens that a picture with these settings is drawn through; with the grids that earlier pictures left.
+  std::unique_ptr<LensSource> lens_for(const EyeCamera& eye, const Projection& projection,
+                                       const PictureSettings& settings);
 
   //! Floats that are kept for the lens of pictures: what their channels take.
   [[nodiscard]] std::size_t lens_floats() const { return lens_.size(); }

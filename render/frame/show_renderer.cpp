@@ -170,6 +170,11 @@ Picture ShowRenderer::render_eye(const CameraPose& pose, double eye_offset, cons
                           picture_settings(mode, moment, eye_offset));
 }
 
+std::unique_ptr<LensSource> ShowRenderer::lens_of(const CameraPose& pose, const Projection& projection,
+                                                  const ShowMoment& moment) {
+  return renderer_.lens_for(eye_camera(show_, pose, 0.0), projection, picture_settings(ViewMode::sky, moment, 0.0));
+}
+
 const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
                                                ViewMode mode, const ShowMoment& moment, const char** lens) {
   float* const rgba = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),

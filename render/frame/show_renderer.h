@@ -35,6 +35,15 @@ struct ViewChoice {
   int size_px = 0;  //!< width of one eye's image; 0: as the show says
 };
 
+//! What of a picture can be traded for time while a show goes on.
+struct FrameQuality {
+  double budget_px = 0.25;  //!< QualitySettings::budget_px, of the pictures that are drawn
+  LensChoice lens = LensChoice::automatic;
+  SkyFilter filter = SkyFilter::ewa;
+
+  bool operator==(const FrameQuality&) const = default;
+};
+
 //! Renders the frames of a show.
 class ShowRenderer {
  public:
@@ -79,6 +88,14 @@ class ShowRenderer {
 
   //! What a person may turn while the show plays, until apply() animates it. Throws Error for what cannot be drawn, and keeps the old.
   void set_stereo(const StereoSettings& stereo);
+
+  //! For all pictures from now on; set_show() brings its own budget and filter again. A filter by polygons stays, and none becomes one: they read another sky.
+  void set_quality(const FrameQuality& quality);
+  [[nodiscard]] FrameQuality quality() const;
+
+  //! The lens that the head's picture is drawn through; see render_eye.
+  std::unique_ptr<LensSource> lens_of(const CameraPose& pose, const Projection& projection,
+                                      const ShowMoment& moment = {});
 
   //! Stops of exposure on top of the show's.
   void set_exposure(double stops) { exposure_stops_ = stops; }

@@ -60,6 +60,16 @@ void ShowRenderer::apply(double time_s) {
   }
 }
 
+void ShowRenderer::set_quality(const FrameQuality& quality) {
+  show_.quality.budget_px = quality.budget_px;
+  lens_ = quality.lens;
+  if (show_.sky.filter != SkyFilter::polygon && quality.filter != SkyFilter::polygon) {
+    show_.sky.filter = quality.filter;
+  }
+}
+
+FrameQuality ShowRenderer::quality() const { return {show_.quality.budget_px, lens_, show_.sky.filter}; }
+
 void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> stream) {
   Show next = show_at(show, time_s_);
   const std::vector<std::string> missing = missing_features(next);

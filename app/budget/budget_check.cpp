@@ -1,0 +1,48 @@
+#include "app/budget/budget_check.h"
+
+#include <random>
+
+#include "app/budget/lens_error.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/accuracy/statistics.h"
+#include "render/lens/eye_camera.h"
+#include "render/plan/frame_needs.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int checked_rows = 48;
+constexpr int checked_columns = 48;
+
+}  // namespace
+
+BudgetCheck check_error(ShowRenderer& renderer, const Show& show, const FrameQuality& quality, int size_px, int moments,
+                        std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  renderer.set_quality(quality);
+  std::vector<double> errors_px;
+  BudgetCheck check;
+  for (int i = 0; i < moments; ++i) {
+    const double time_s = show.duration_s * static_cast<double>(random() >> 11U) * 0x1p-53;
+    renderer.apply(time_s);
+    const CameraPose pose = camera_pose(show, time_s);
+    const Projection projection = make_projection(renderer.show().view, size_px > 0 ? size_px : show.view.size_px, 0.0);
+    const LensErrors exact(eye_camera(renderer.show(), pose, 0.0), projection,
+                           row_samples(projection, checked_rows, checked_columns, random()), pixel_angle(projection));
+    const bool footprints = lens_channels(ViewMode::sky, frame_needs(renderer.show(), ViewMode::sky).shading).footprint;
+    const auto lens = renderer.lens_of(pose, projection, {time_s});
+    const std::vector<double> all =
+        exact.errors(renderer.backend(), *lens, footprints ? PixelNeed::footprint : PixelNeed::sky);
+    errors_px.push_back(summary_of(all).p99);
+    if (errors_px.back() >= check.worst_px) {
+      check.worst_px = errors_px.back();
+      check.worst_time_s = time_s;
+    }
+  }
+  check.moments = moments;
+  check.median_px = spread_of(errors_px).median;
+  return check;
+}
+
+}  // namespace ergodome

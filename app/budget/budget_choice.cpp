@@ -1,0 +1,86 @@
+#include "app/budget/budget_choice.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+namespace ergodome {
+
+namespace {
+
+//! Times and errors are told apart from here on.
+constexpr double alike = 1.05;
+
+double known_or_infinite(double value) { return std::isnan(value) ? std::numeric_limits<double>::infinity() : value; }
+
+using SettingFilter = std::function<bool(const MeasuredSetting&)>;
+using SettingNumber = std::function<double(const MeasuredSetting&)>;
+
+double time_of_setting(const MeasuredSetting& setting) { return known_or_infinite(setting.frame_ms()); }
+double error_of_setting(const MeasuredSetting& setting) { return known_or_infinite(setting.error_px); }
+
+//! Of the settings that `may` be taken, the one with the least `cost`, and among those that cost alike the one with the least `other`.
+std::optional<std::size_t> least_setting(std::span<const MeasuredSetting> settings, const SettingFilter& may,
+                                         const SettingNumber& cost, const SettingNumber& other) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MeasuredSetting& setting : settings) {
+    least = may(setting) ? std::min(least, cost(setting)) : least;
+  }
+  std::optional<std::size_t> best;
+  // Where no cost is known, they come in the order in which they were measured.
+  const bool known = std::isfinite(least);
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (may(settings[i]) && cost(settings[i]) <= alike * least &&
+        (!best || (known && other(settings[i]) < other(settings[*best])))) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+//! choose_setting(), of settings that `may` be taken.
+BudgetChoice choose_of(std::span<const MeasuredSetting> settings, const Budget& budget, BudgetFirst first,
+                       const SettingFilter& may) {
+  const auto in_error = [&](const MeasuredSetting& setting) {
+    return !budget.error_px || is_within(error_of_setting(setting), *budget.error_px);
+  };
+  const auto in_time = [&](const MeasuredSetting& setting) {
+    return !budget.frame_rate_hz || time_of_setting(setting) <= budget.frame_ms();
+  };
+  const auto any = [](const MeasuredSetting&) { return true; };
+  const auto of_those = [&](const auto& more) {
+    return [&](const MeasuredSetting& setting) { return may(setting) && more(setting); };
+  };
+  const auto cheapest = [&](const auto& more) {
+    return least_setting(settings, of_those(more), time_of_setting, error_of_setting);
+  };
+  const auto most_accurate = [&](const auto& more) {
+    return least_setting(settings, of_those(more), error_of_setting, time_of_setting);
+  };
+  const auto both = [&](const MeasuredSetting& setting) { return in_error(setting) && in_time(setting); };
+  std::optional<std::size_t> best = budget.error_px ? cheapest(both) : most_accurate(both);
+  const bool error_first = budget.error_px && (first == BudgetFirst::error || !budget.frame_rate_hz);
+  if (!best) {
+    best = error_first ? cheapest(in_error) : most_accurate(in_time);
+  }
+  if (!best) {
+    best = error_first ? most_accurate(any) : cheapest(any);
+  }
+  const MeasuredSetting& chosen = settings[best.value_or(0)];
+  return {best.value_or(0), in_error(chosen), in_time(chosen)};
+}
+
+}  // namespace
+
+BudgetChoice choose_setting(std::span<const MeasuredSetting> settings, const Budget& budget, BudgetFirst first) {
+  const SkyFilter filter = settings.front().quality.filter;
+  const BudgetChoice as_shown = choose_of(
+      settings, budget, first, [&](const MeasuredSetting& setting) { return setting.quality.filter == filter; });
+  if (as_shown.holds_rate) {
+    return as_shown;
+  }
+  const BudgetChoice any = choose_of(settings, budget, first, [](const MeasuredSetting&) { return true; });
+  return any.holds_rate && any.holds_error == as_shown.holds_error ? any : as_shown;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ergodome {
+
+//! Adds --budget to a command: words for parse_budget(). The option may be given twice; each time it takes one word.
+void add_budget_option(CLI::App& command, std::vector<std::string>& words);
+
+}  // namespace ergodome

@@ -1,0 +1,98 @@
+#include "app/budget/budget_texts.h"
+
+#include <fmt/format.h>
+
+namespace ergodome {
+
+namespace {
+
+std::string error_text(double error_px, std::size_t moments) {
+  if (std::isnan(error_px)) {
+    return "error not measured, for want of time";
+  }
+  return fmt::format("measured error {:.3g} px (99 of 100 pixels, {})", error_px,
+                     moments > 1 ? fmt::format("worst of {} moments", moments) : "at one moment");
+}
+
+std::string time_text(double frame_ms, const SettingsMeasurement& measured) {
+  if (std::isnan(frame_ms)) {
+    return "time of a frame not measured";
+  }
+  const bool told = measured.drawn_px.size() > 1;
+  return fmt::format(
+      "{:.3g} ms a frame{}", frame_ms,
+      told ? fmt::format(" (told from pictures of {} and {} px)", measured.drawn_px[0], measured.drawn_px[1]) : "");
+}
+
+std::string took_text(const SettingsMeasurement& measured) {
+  return fmt::format("measuring took {:.1f} s{}", measured.took_s,
+                     measured.cut_short ? ", and there was no time for all" : "");
+}
+
+//! What of a budget an error and a frame's time miss, each after a semicolon.
+std::string missed_text(const Budget& budget, bool holds_error, double error_px, bool holds_rate, double frame_ms) {
+  std::string text;
+  if (!holds_error && !std::isnan(error_px)) {
+    const double over_px = error_px - *budget.error_px;
+    text +=
+        over_px > 0.0
+            ? fmt::format("; the error is missed by {:.3g} px", over_px)
+            : fmt::format(
+                  "; the error is within the budget, but not within the half of it that leaves room for other moments");
+  }
+  if (!holds_rate && !std::isnan(frame_ms)) {
+    text += fmt::format("; the rate is missed: a frame takes {:.3g} ms more than {:.3g} ms",
+                        frame_ms - budget.frame_ms(), budget.frame_ms());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const FrameQuality& quality) {
+  const char* lens = quality.lens == LensChoice::direct     ? "direct rays"
+                     : quality.lens == LensChoice::live     ? "live lens"
+                     : quality.lens == LensChoice::streamed ? "streamed lens"
+                                                            : "lens";
+  return fmt::format("{} of {:.3g} px{}", lens, quality.budget_px,
+                     quality.filter == SkyFilter::point ? ", plain look at the map" : "");
+}
+
+std::string choice_text(const Budget& budget, const SettingsMeasurement& measured, const BudgetChoice& choice) {
+  const MeasuredSetting& setting = measured.settings[choice.setting];
+  return fmt::format("budget {}: {}; {}, {}{}; {}", text_of(budget), text_of(setting.quality),
+                     error_text(setting.error_px, measured.times_s.size()), time_text(setting.frame_ms(), measured),
+                     missed_text(budget, choice.holds_error, setting.error_px, choice.holds_rate, setting.frame_ms()),
+                     took_text(measured));
+}
+
+std::string ladder_text(const Budget& budget, const SettingsMeasurement& measured, const std::vector<Rung>& ladder,
+                        std::size_t first) {
+  const Rung& rung = ladder[first];
+  const bool holds_error = !budget.error_px || is_within(rung.error_px, *budget.error_px);
+  const bool holds_rate = !budget.frame_rate_hz || rung.frame_ms <= budget.frame_ms();
+  return fmt::format("budget {}: {}, pictures {} px wide of {}, step {} of {}; {}, {}{}; {}", text_of(budget),
+                     text_of(rung.quality), rung.size_px, measured.width_px, first + 1, ladder.size(),
+                     error_text(rung.error_px, measured.times_s.size()), time_text(rung.frame_ms, measured),
+                     missed_text(budget, holds_error, rung.error_px, holds_rate, rung.frame_ms), took_text(measured));
+}
+
+std::string record_text(const Budget& budget, const RateRecord& record, long changes, std::size_t rung,
+                        std::size_t rungs) {
+  const double rate_hz = record.rate_hz();
+  const double off = rate_hz / *budget.frame_rate_hz - 1.0;
+  return fmt::format(
+      "budget {}: {:.2f} fps over {} frames ({:+.1f} % of the rate), {:.1f} % of them late, the longest {:.0f} ms; "
+      "settings changed {} times, last at step {} of {}",
+      text_of(budget), rate_hz, record.frames(), 100.0 * off, 100.0 * record.late(), record.longest_ms(), changes,
+      rung + 1, rungs);
+}
+
+std::string check_text(const Budget& budget, const BudgetCheck& check) {
+  const bool within = check.worst_px <= *budget.error_px;
+  return fmt::format("error at {} random moments: median {:.3g} px, worst {:.3g} px at {:.2f} s; {} {:g} px",
+                     check.moments, check.median_px, check.worst_px, check.worst_time_s, within ? "within" : "beyond",
+                     *budget.error_px);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,77 @@
+#include "app/budget/lens_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "render/backend/buffer.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A whole number in part `part` of `parts` of [0, whole).
+int within_part(std::mt19937_64& random, int part, int parts, int whole) {
+  const auto begin = static_cast<std::int64_t>(part) * whole / parts;
+  const auto end = static_cast<std::int64_t>(part + 1) * whole / parts;
+  return static_cast<int>(begin + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(end - begin)));
+}
+
+}  // namespace
+
+RowSamples row_samples(const Projection& projection, int rows, int columns, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  rows = std::clamp(rows, 1, projection.height_px);
+  RowSamples samples;
+  samples.columns = std::clamp(columns, 1, projection.width_px);
+  for (int i = 0; i < rows; ++i) {
+    const int row = within_part(random, i, rows, projection.height_px);
+    samples.rows.push_back(row);
+    for (int k = 0; k < samples.columns; ++k) {
+      samples.pixels.push_back(static_cast<std::int64_t>(row) * projection.width_px +
+                               within_part(random, k, samples.columns, projection.width_px));
+    }
+  }
+  return samples;
+}
+
+LensErrors::LensErrors(const EyeCamera& eye, const Projection& projection, RowSamples samples, double pixel)
+    : projection_(projection), samples_(std::move(samples)), reference_(eye, projection, samples_.pixels, pixel) {}
+
+std::vector<double> LensErrors::errors(Backend backend, const LensSource& lens, PixelNeed need) const {
+  constexpr std::size_t read_channels = 4;
+  const std::size_t channel_count = need == PixelNeed::footprint ? 10 : read_channels;
+  const auto width = static_cast<std::size_t>(projection_.width_px);
+  const Buffer<float> row(backend, channel_count * width, "measured row");
+  LensPixels out{};
+  out.coverage = row.data();
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.sky[k] = row.data() + (k + 1) * width;
+    if (need == PixelNeed::footprint) {
+      out.sky_along_x[k] = row.data() + (k + 4) * width;
+      out.sky_along_y[k] = row.data() + (k + 7) * width;
+    }
+  }
+  std::vector<float> seen(read_channels * width);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < samples_.pixels.size(); ++i) {
+    const auto columns = static_cast<std::size_t>(samples_.columns);
+    if (i % columns == 0) {
+      lens.fill(samples_.rows[i / columns], 1, out);
+      row.read(seen.data(), seen.size());
+    }
+    const auto x = static_cast<std::size_t>(samples_.pixels[i]) % width;
+    const Vector3<double> sky = {static_cast<double>(seen[width + x]), static_cast<double>(seen[2 * width + x]),
+                                 static_cast<double>(seen[3 * width + x])};
+    // A pixel that is dark has no direction; one that failed has one that is no number, and counts as infinitely wrong.
+    const bool dark = !(seen[x] > 0.0F) || dot(sky, sky) == 0.0;
+    if (reference_.counts(i) && (reference_.is_lit(i) || !dark)) {
+      const Vector3<double> miss = reference_.miss(i, dark ? std::nullopt : std::optional(sky));
+      errors.push_back(std::sqrt(dot(miss, miss)));
+    }
+  }
+  return errors;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,86 @@
+#include "app/budget/play_budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/budget/budget_texts.h"
+#include "render/accuracy/statistics.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double errors_every_s = 2.0;
+//! Pixels whose errors are remembered: those of the last few measurements.
+constexpr std::size_t remembered_errors = 1000;
+//! Fewer tell nothing of one in a hundred.
+constexpr std::size_t telling_errors = 100;
+
+std::vector<double> rung_times(const std::vector<Rung>& ladder) {
+  std::vector<double> times_ms;
+  times_ms.reserve(ladder.size());
+  for (const Rung& rung : ladder) {
+    times_ms.push_back(rung.frame_ms);
+  }
+  return times_ms;
+}
+
+}  // namespace
+
+double lens_patience_ms(const Budget& budget) {
+  constexpr double most_ms = 20.0;
+  constexpr double share = 0.4;
+  return budget.frame_rate_hz ? std::min(most_ms, share * budget.frame_ms()) : most_ms;
+}
+
+PlayBudget::PlayBudget(const PlayPlan& plan) : plan_(plan) {
+  if (plan_.budget.frame_rate_hz) {
+    keeper_.emplace(rung_times(plan_.ladder), plan_.budget.frame_ms(), plan_.first);
+    record_.emplace(plan_.budget.frame_ms());
+  }
+}
+
+void PlayBudget::note_picture(double work_ms, std::optional<double> interval_ms) {
+  work_ms_ = work_ms;
+  // What stands still is made as fine as it can be, and has all the time that it takes.
+  if (keeper_ && interval_ms) {
+    keeper_->note(work_ms, *interval_ms);
+    record_->note(*interval_ms);
+  }
+}
+
+void PlayBudget::ask_errors(double now_s) { errors_due_s_ = now_s + errors_every_s; }
+
+void PlayBudget::note_errors(const std::vector<double>& errors_px) {
+  errors_px_.insert(errors_px_.end(), errors_px.begin(), errors_px.end());
+  while (errors_px_.size() > remembered_errors) {
+    errors_px_.pop_front();
+  }
+}
+
+double PlayBudget::error_px() const {
+  return errors_px_.size() < telling_errors ? rung().error_px : summary_of({errors_px_.begin(), errors_px_.end()}).p99;
+}
+
+std::string PlayBudget::display_text() const {
+  std::string text = fmt::format("budget {}: error {:.3f} px", text_of(plan_.budget), error_px());
+  if (keeper_) {
+    text += fmt::format(", {:.1f} of {:.1f} ms, {:.1f} fps, step {} of {}", work_ms_, plan_.budget.frame_ms(),
+                        record_->rate_hz(), keeper_->rung() + 1, plan_.ladder.size());
+  }
+  return text;
+}
+
+std::string PlayBudget::summary_text() const {
+  const std::string error = fmt::format(
+      "error {:.3g} px ({})", error_px(),
+      errors_px_.size() < telling_errors ? "as measured at the start" : "99 of 100 pixels of the last pictures");
+  if (!keeper_) {
+    return fmt::format("budget {}: {}", text_of(plan_.budget), error);
+  }
+  return fmt::format(
+      "{}; {}", record_text(plan_.budget, *record_, keeper_->changes(), keeper_->rung(), plan_.ladder.size()), error);
+}
+
+}  // namespace ergodome

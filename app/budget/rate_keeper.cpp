@@ -1,0 +1,135 @@
+#include "app/budget/rate_keeper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace ergodome {
+
+namespace {
+
+//! Frames whose median counts; and of frames that are far too slow.
+constexpr std::size_t median_frames = 9;
+constexpr std::size_t few_frames = 3;
+//! Share of a frame's time that drawing may take: the window, and frames slower than the median, need the rest.
+constexpr double most_work = 0.9;
+constexpr double far_too_much_work = 1.5;
+//! The same for a finer rung that is about to be tried. Between the two nothing is changed.
+constexpr double work_to_try = 0.75;
+//! Late by this much counts even where drawing alone fits; but what the window takes by itself no rung helps.
+constexpr double late_interval = 1.04;
+constexpr double work_of_the_window = 0.5;
+constexpr std::size_t interval_frames = 30;
+//! A finer rung is tried after so many seconds of quick frames at first, and after no more than so many.
+constexpr double first_patience_s = 1.0;
+constexpr double most_patience_s = 60.0;
+//! A rung has proven itself after so many seconds.
+constexpr double proof_s = 2.0;
+//! A finer rung takes so much more where that was not measured.
+constexpr double unknown_ratio = 1.5;
+
+long frames_in(double seconds, double frame_ms) {
+  return std::max(static_cast<long>(std::lround(1000.0 * seconds / frame_ms)), 3L);
+}
+
+double median_of_last(const std::deque<double>& values, std::size_t count) {
+  std::vector<double> last(values.end() - static_cast<std::ptrdiff_t>(std::min(count, values.size())), values.end());
+  const auto middle = last.begin() + static_cast<std::ptrdiff_t>(last.size() / 2);
+  std::nth_element(last.begin(), middle, last.end());
+  return *middle;
+}
+
+//! Mean of all but the longest tenth.
+double mean_but_spikes(const std::deque<double>& values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.resize(sorted.size() - sorted.size() / 10);
+  return std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
+}
+
+void keep_last(std::deque<double>& values, double value, std::size_t most) {
+  values.push_back(value);
+  if (values.size() > most) {
+    values.pop_front();
+  }
+}
+
+}  // namespace
+
+RateKeeper::RateKeeper(std::vector<double> rung_ms, double frame_ms, std::size_t first)
+    : rung_ms_(std::move(rung_ms)),
+      frame_ms_(frame_ms),
+      rung_(std::min(first, rung_ms_.empty() ? 0 : rung_ms_.size() - 1)),
+      patience_(frames_in(first_patience_s, frame_ms)) {}
+
+void RateKeeper::note(double work_ms, double interval_ms) {
+  ++frames_here_;
+  if (frames_here_ == 1) {
+    return;  // It made what the rung's later frames find there.
+  }
+  keep_last(work_ms_, work_ms, median_frames);
+  keep_last(interval_ms_, interval_ms, interval_frames);
+  if (is_too_slow()) {
+    go_down();
+    return;
+  }
+  if (trying_ && frames_here_ > frames_in(proof_s, frame_ms_)) {
+    trying_ = false;
+    patience_ = std::max(patience_ / 2, frames_in(first_patience_s, frame_ms_));
+  }
+  frames_quick_ = finer_would_fit() ? frames_quick_ + 1 : 0;
+  if (frames_quick_ > patience_) {
+    go_up();
+  }
+}
+
+bool RateKeeper::is_too_slow() const {
+  if (work_ms_.size() >= few_frames && median_of_last(work_ms_, few_frames) > far_too_much_work * frame_ms_) {
+    return true;
+  }
+  if (work_ms_.size() < median_frames) {
+    return false;
+  }
+  const double work_ms = median_of_last(work_ms_, median_frames);
+  const double mean_ms = mean_but_spikes(interval_ms_);
+  const bool late = interval_ms_.size() == interval_frames && mean_ms > late_interval * frame_ms_;
+  return work_ms > most_work * frame_ms_ || (late && work_ms > work_of_the_window * frame_ms_);
+}
+
+double RateKeeper::finer_ratio() const {
+  const double ratio = rung_ms_[rung_ - 1] / rung_ms_[rung_];
+  return std::isfinite(ratio) ? std::max(ratio, 1.0) : unknown_ratio;
+}
+
+bool RateKeeper::finer_would_fit() const {
+  return rung_ > 0 && work_ms_.size() == median_frames &&
+         finer_ratio() * median_of_last(work_ms_, median_frames) < work_to_try * frame_ms_;
+}
+
+void RateKeeper::go_to(std::size_t rung) {
+  rung_ = rung;
+  ++changes_;
+  work_ms_.clear();
+  interval_ms_.clear();
+  frames_here_ = 0;
+  frames_quick_ = 0;
+}
+
+void RateKeeper::go_down() {
+  if (rung_ + 1 >= rung_ms_.size()) {
+    return;
+  }
+  if (trying_) {
+    patience_ = std::min(2 * patience_, frames_in(most_patience_s, frame_ms_));
+  }
+  trying_ = false;
+  go_to(rung_ + 1);
+}
+
+void RateKeeper::go_up() {
+  trying_ = true;
+  go_to(rung_ - 1);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,146 @@
+#include "app/budget/settings_ladder.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "app/budget/budget_choice.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Widths go down by so much: a third of the pixels.
+constexpr double width_step = 0.82;
+//! Without an error in the budget, coarser lenses than this come after smaller pictures [px].
+constexpr double unseen_px = 1.0;
+//! A rung that is not quicker than the one before by so much is none.
+constexpr double least_gain = 0.97;
+
+class LadderMaker {
+ public:
+  LadderMaker(std::span<const MeasuredSetting> settings, const LadderLimits& limits)
+      : settings_(settings), limits_(limits) {}
+
+  void add(const MeasuredSetting& lens, int size_px, bool plain_look) {
+    Rung rung{lens.quality, size_px, lens.error_px, frame_ms(lens, size_px, plain_look)};
+    const MeasuredSetting* const direct = direct_twin(lens);
+    if (direct != nullptr && lens.quality.lens == LensChoice::automatic) {
+      // Either may come.
+      rung.error_px = std::max(rung.error_px, direct->error_px);
+    }
+    if (plain_look) {
+      rung.quality.filter = SkyFilter::point;
+    }
+    if (!ladder_.empty() && rung.frame_ms >= least_gain * ladder_.back().frame_ms) {
+      return;
+    }
+    ladder_.push_back(rung);
+  }
+
+  [[nodiscard]] std::vector<Rung> take() { return std::move(ladder_); }
+
+ private:
+  //! The same budget by direct rays, if it was measured.
+  [[nodiscard]] const MeasuredSetting* direct_twin(const MeasuredSetting& lens) const {
+    const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
+      return each.quality == FrameQuality{lens.quality.budget_px, LensChoice::direct, lens.quality.filter};
+    });
+    return found != settings_.end() ? &*found : nullptr;
+  }
+
+  //! A lens of the kind with a plain look at the map, if one was measured: a lens's budget does not change what that saves.
+  [[nodiscard]] const MeasuredSetting* plain_twin(const MeasuredSetting& lens) const {
+    const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
+      return each.quality.lens == lens.quality.lens && each.quality.filter == SkyFilter::point;
+    });
+    return found != settings_.end() ? &*found : nullptr;
+  }
+
+  [[nodiscard]] double frame_ms(const MeasuredSetting& lens, int size_px, bool plain_look) const {
+    const double width_share = static_cast<double>(size_px) / limits_.widest_px;
+    const double pixel_share = width_share * width_share;
+    const MeasuredSetting* const direct = direct_twin(lens);
+    const bool by_rays = lens.quality.lens == LensChoice::automatic && direct != nullptr &&
+                         limits_.height_to_width * size_px * size_px < limits_.grid_from_pixels;
+    const double time_ms = by_rays ? direct->picture_ms(pixel_share)
+                                   : std::min(lens.lens_ms, limits_.patience_ms) + lens.picture_ms(pixel_share);
+    const MeasuredSetting* const plain = plain_look ? plain_twin(lens) : nullptr;
+    return plain == nullptr ? time_ms : time_ms + plain->picture_ms(pixel_share) - lens.picture_ms(pixel_share);
+  }
+
+  std::span<const MeasuredSetting> settings_;
+  LadderLimits limits_;
+  std::vector<Rung> ladder_;
+};
+
+//! What the ladder's lenses are: direct rays and plain looks stand beside them; the most accurate first.
+std::vector<MeasuredSetting> ladder_lenses(std::span<const MeasuredSetting> settings) {
+  std::vector<MeasuredSetting> lenses;
+  const FrameQuality first = settings.front().quality;
+  std::ranges::copy_if(settings, std::back_inserter(lenses), [&](const MeasuredSetting& each) {
+    return each.quality.lens == first.lens && each.quality.filter == first.filter;
+  });
+  std::ranges::stable_sort(lenses, {}, [](const MeasuredSetting& each) { return each.quality.budget_px; });
+  return lenses;
+}
+
+std::vector<int> ladder_widths(const LadderLimits& limits) {
+  std::vector<int> widths;
+  for (double width = limits.widest_px; width > limits.narrowest_px; width *= width_step) {
+    widths.push_back(static_cast<int>(std::lround(width)));
+  }
+  widths.push_back(std::min(limits.narrowest_px, limits.widest_px));
+  return widths;
+}
+
+//! How many of the lenses come before smaller pictures, of which the last is that of all sizes: the cheapest within the error alone, or all
+//! that are not seen.
+std::span<const MeasuredSetting> fine_lenses(std::span<const MeasuredSetting> lenses, const Budget& budget) {
+  if (budget.error_px) {
+    const BudgetChoice choice = choose_setting(lenses, {budget.error_px, std::nullopt}, BudgetFirst::error);
+    return lenses.subspan(choice.setting, 1);
+  }
+  const auto coarse =
+      std::ranges::find_if(lenses, [](const MeasuredSetting& each) { return each.error_px > unseen_px; });
+  return lenses.first(static_cast<std::size_t>(std::max<std::ptrdiff_t>(coarse - lenses.begin(), 1)));
+}
+
+}  // namespace
+
+std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, const Budget& budget,
+                                  const LadderLimits& limits) {
+  const std::vector<MeasuredSetting> lenses = ladder_lenses(settings);
+  const std::vector<int> widths = ladder_widths(limits);
+  const std::span<const MeasuredSetting> fine = fine_lenses(lenses, budget);
+  LadderMaker maker(settings, limits);
+  for (const MeasuredSetting& lens : fine) {
+    maker.add(lens, widths.front(), false);
+  }
+  for (const int width : widths) {
+    maker.add(fine.back(), width, false);
+  }
+  const bool may_look_plainly = fine.back().quality.filter == SkyFilter::ewa;
+  maker.add(fine.back(), widths.back(), may_look_plainly);
+  for (const MeasuredSetting& lens : lenses) {
+    if (lens.quality.budget_px > fine.back().quality.budget_px) {
+      maker.add(lens, widths.back(), may_look_plainly);
+    }
+  }
+  return maker.take();
+}
+
+std::size_t first_rung(std::span<const Rung> ladder, double frame_ms) {
+  const auto found =
+      std::ranges::find_if(ladder, [&](const Rung& rung) { return rung.frame_ms <= foretold_share * frame_ms; });
+  if (found != ladder.end() || ladder.empty()) {
+    return static_cast<std::size_t>(found - ladder.begin());
+  }
+  if (!std::isnan(ladder.front().frame_ms)) {
+    return ladder.size() - 1;
+  }
+  const auto same =
+      std::ranges::find_if(ladder, [&](const Rung& rung) { return rung.quality != ladder.front().quality; });
+  return static_cast<std::size_t>(same - ladder.begin()) - 1;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,312 @@
+#include "app/budget/settings_measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "app/budget/lens_error.h"
+#include "content/animated_show.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/accuracy/picture_race.h"
+#include "render/accuracy/statistics.h"
+#include "render/lens/eye_camera.h"
+#include "render/plan/frame_needs.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int budget_moments = 6;
+constexpr int sampled_rows = 32;
+constexpr int sampled_columns = 32;
+//! Widths of the pictures that times are told from, where the whole one is wider.
+constexpr int small_px = 160;
+constexpr int larger_px = 480;
+constexpr std::size_t timed_draws = 3;
+constexpr std::size_t timed_moments = 2;
+//! Of a picture's time, this share goes with its pixels at the least.
+constexpr double least_by_pixels = 0.3;
+//! Shares of the time after which lenses, and then direct rays, leave the rest to what comes after.
+constexpr double lenses_share = 0.6;
+constexpr double direct_share = 0.8;
+//! A lens's budget against the picture's: grids are better than they promise, mostly.
+constexpr double loosest_lens = 2.0;
+constexpr double finest_lens = 0.1;
+constexpr double lens_step = 0.70710678118654752;
+//! Without an error in the budget [px].
+constexpr double loosest_px = 4.0;
+constexpr double finest_px = 0.015;
+
+//! One moment of a show.
+struct BudgetMoment {
+  double time_s = 0.0;
+  CameraPose pose{};
+  Projection projection{};
+  std::unique_ptr<LensErrors> errors;
+};
+
+class SettingsMeter {
+ public:
+  SettingsMeter(ShowRenderer& renderer, const MeasurementOrder& order)
+      : renderer_(renderer),
+        order_(order),
+        deadline_(order.now, order.limit_s),
+        first_quality_(renderer.quality()),
+        need_(lens_channels(ViewMode::sky, frame_needs(renderer.show(), ViewMode::sky).shading).footprint
+                  ? PixelNeed::footprint
+                  : PixelNeed::sky) {
+    result_.width_px = order.size_px > 0 ? order.size_px : renderer.show().view.size_px;
+  }
+
+  SettingsMeasurement measure(const Show& show) {
+    look_at_moments(show);
+    const std::vector<double> budgets = lens_budgets();
+    const std::size_t chosen = search(order_.lens, budgets, lenses_share);
+    if (order_.lens == LensChoice::automatic && !automatic_is_direct_) {
+      search_direct(budgets, result_.settings[chosen].quality.budget_px);
+    }
+    if (!draws_slowly(show) || renderer_.backend() != Backend::cpu) {
+      time_pictures(chosen);
+    }
+    renderer_.set_quality(first_quality_);
+    result_.cut_short = deadline_.cut_short();
+    result_.took_s = deadline_.elapsed_s();
+    return std::move(result_);
+  }
+
+ private:
+  void look_at_moments(const Show& show) {
+    for (const double time_s : budget_times(show, budget_moments)) {
+      const auto look = [&] { moments_.push_back(moment_at(show, time_s)); };
+      if (moments_.empty()) {
+        look();
+      } else {
+        deadline_.run(StartWork::reference, look, 0.5 * lenses_share, 1.0);
+      }
+    }
+    for (const BudgetMoment& moment : moments_) {
+      result_.times_s.push_back(moment.time_s);
+    }
+    const Projection& whole = moments_.front().projection;
+    result_.height_to_width = static_cast<double>(whole.height_px) / whole.width_px;
+  }
+
+  BudgetMoment moment_at(const Show& show, double time_s) {
+    renderer_.apply(time_s);
+    BudgetMoment moment;
+    moment.time_s = time_s;
+    moment.pose = camera_pose(show, time_s);
+    moment.projection = make_projection(renderer_.show().view, result_.width_px, 0.0);
+    moment.errors =
+        std::make_unique<LensErrors>(eye_camera(renderer_.show(), moment.pose, 0.0), moment.projection,
+                                     row_samples(moment.projection, sampled_rows, sampled_columns, moments_.size() + 1),
+                                     pixel_angle(moment.projection));
+    const double next_s = time_s + 1.0 / show.frame_rate_hz;
+    const CameraPose next = camera_pose(show, next_s);
+    moves_ = moves_ || order_.free_flight || next.r != moment.pose.r || next.theta != moment.pose.theta ||
+             spin_at(show, next_s) != renderer_.show().spin;
+    return moment;
+  }
+
+  [[nodiscard]] std::vector<double> lens_budgets() const {
+    const double loosest = order_.budget.error_px ? loosest_lens * *order_.budget.error_px : loosest_px;
+    const double finest = order_.budget.error_px ? finest_lens * *order_.budget.error_px : finest_px;
+    std::vector<double> budgets;
+    for (double budget_px = loosest; budget_px >= finest; budget_px *= order_.budget.error_px ? lens_step : 0.5) {
+      budgets.push_back(budget_px);
+    }
+    return budgets;
+  }
+
+  //! From the loosest lens to the first that is within the budget, or all; the number of the last one.
+  std::size_t search(LensChoice lens, const std::vector<double>& budgets, double share) {
+    std::size_t last = result_.settings.size();
+    for (const double budget_px : budgets) {
+      MeasuredSetting setting;
+      setting.quality = {budget_px, lens, first_quality_.filter};
+      const bool whole = measure_lens(setting, share);
+      if (std::isnan(setting.error_px)) {
+        break;  // There is no time for finer ones.
+      }
+      last = result_.settings.size();
+      result_.settings.push_back(setting);
+      if (whole && order_.budget.error_px) {
+        break;
+      }
+    }
+    if (last == result_.settings.size()) {
+      // Nothing was measured at all: what the show itself asks for.
+      MeasuredSetting setting;
+      setting.quality = {std::min(first_quality_.budget_px, budgets.front()), lens, first_quality_.filter};
+      result_.settings.push_back(setting);
+    }
+    return last;
+  }
+
+  //! Direct rays with the loosest budget that serves, and with the lens's own: one stands in for the lens, the other is what `automatic` draws
+  //! small pictures by.
+  void search_direct(const std::vector<double>& budgets, double lens_px) {
+    if (order_.budget.error_px) {
+      search(LensChoice::direct, budgets, direct_share);
+    }
+    if (result_.settings.back().quality != FrameQuality{lens_px, LensChoice::direct, first_quality_.filter}) {
+      search(LensChoice::direct, {lens_px}, direct_share);
+    }
+  }
+
+  //! Errors and the lens's time at all moments, until one is not within the budget. Whether all were looked at, and are within it.
+  bool measure_lens(MeasuredSetting& setting, double share) {
+    std::vector<double> times_ms;
+    bool within = true;
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      const BudgetMoment& moment = moments_[i];
+      const auto measure = [&] {
+        renderer_.apply(moment.time_s);
+        renderer_.set_quality(setting.quality);
+        const double begun_s = deadline_.elapsed_s();
+        const auto lens = renderer_.lens_of(moment.pose, moment.projection, {moment.time_s});
+        times_ms.push_back(1000.0 * (deadline_.elapsed_s() - begun_s));
+        const double error_px = summary_of(moment.errors->errors(renderer_.backend(), *lens, need_)).p99;
+        setting.error_px = std::isnan(setting.error_px) ? error_px : std::max(setting.error_px, error_px);
+        if (setting.quality.lens == LensChoice::automatic) {
+          automatic_is_direct_ = std::string_view(lens->name()) == "direct";
+        }
+      };
+      if (!deadline_.run(StartWork::lens, measure, share)) {
+        within = false;
+        break;
+      }
+      if (order_.budget.error_px && !is_within(setting.error_px, *order_.budget.error_px)) {
+        // Where this lens fails the next one may, too: that moment is asked first.
+        const auto failed = moments_.begin() + static_cast<std::ptrdiff_t>(i);
+        std::rotate(moments_.begin(), failed, failed + 1);
+        within = false;
+        break;
+      }
+    }
+    const int eyes = drawn_pictures(renderer_.show().stereo);
+    setting.lens_ms = times_ms.empty() ? setting.lens_ms : moves_ ? eyes * spread_of(times_ms).median : 0.0;
+    return within;
+  }
+
+  //! Times of pictures, for each way to draw them; a lens's budget changes them little.
+  void time_pictures(std::size_t chosen) {
+    const FrameQuality lens = result_.settings[chosen].quality;
+    const bool automatic = lens.lens == LensChoice::automatic;
+    time_kind(lens, automatic ? (automatic_is_direct_ ? LensChoice::direct : LensChoice::live) : lens.lens);
+    if (automatic && !automatic_is_direct_) {
+      time_kind({lens.budget_px, LensChoice::direct, lens.filter}, LensChoice::direct);
+    }
+    if (order_.budget.frame_rate_hz && lens.filter == SkyFilter::ewa) {
+      MeasuredSetting plain = result_.settings[chosen];
+      plain.quality.filter = SkyFilter::point;
+      plain.fixed_ms = plain.pixels_ms = std::numeric_limits<double>::quiet_NaN();
+      result_.settings.push_back(plain);
+      time_kind(plain.quality, automatic ? LensChoice::live : lens.lens);
+    }
+  }
+
+  //! Draws pictures with settings, by a lens of which they are a case, and tells all settings alike what they take.
+  void time_kind(const FrameQuality& quality, LensChoice drawn_by) {
+    const int whole_px = result_.width_px;
+    result_.drawn_px = whole_px > larger_px ? std::vector<int>{small_px, larger_px} : std::vector<int>{whole_px};
+    std::vector<double> times_ms;
+    for (const int width_px : result_.drawn_px) {
+      const std::optional<double> time_ms = time_at_width(quality, drawn_by, width_px);
+      if (!time_ms) {
+        return;
+      }
+      times_ms.push_back(*time_ms);
+    }
+    // A line through the times of two sizes, which begins above nothing; it rises, whatever else the machine did meanwhile.
+    const auto share = [&](std::size_t i) { return std::pow(static_cast<double>(result_.drawn_px[i]) / whole_px, 2); };
+    double pixels_ms = times_ms.back() / share(times_ms.size() - 1);
+    double fixed_ms = 0.0;
+    if (times_ms.size() > 1) {
+      pixels_ms =
+          std::clamp((times_ms[1] - times_ms[0]) / (share(1) - share(0)), least_by_pixels * pixels_ms, pixels_ms);
+      fixed_ms = times_ms[1] - pixels_ms * share(1);
+    }
+    for (MeasuredSetting& setting : result_.settings) {
+      if (setting.quality.lens == quality.lens && setting.quality.filter == quality.filter) {
+        setting.fixed_ms = fixed_ms;
+        setting.pixels_ms = pixels_ms;
+      }
+    }
+  }
+
+  //! Median time of pictures of a width at two moments, whose lenses are there [ms]; nothing where the time is over.
+  std::optional<double> time_at_width(const FrameQuality& quality, LensChoice drawn_by, int width_px) {
+    std::vector<double> times_ms;
+    for (std::size_t i = 0; i < std::min(timed_moments, moments_.size()); ++i) {
+      const BudgetMoment& moment = moments_[i];
+      const auto draw = [&] {
+        renderer_.apply(moment.time_s);
+        // The angle is what the whole picture's lens was made for, and serves here.
+        const double share = static_cast<double>(width_px) / result_.width_px;
+        renderer_.set_quality({share * quality.budget_px, drawn_by, quality.filter});
+        const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);
+        for (std::size_t round = 0; round <= timed_draws; ++round) {
+          const double begun_s = deadline_.elapsed_s();
+          renderer_.render_window(moment.pose, projection, ViewMode::sky, {moment.time_s});
+          if (round > 0) {
+            times_ms.push_back(1000.0 * (deadline_.elapsed_s() - begun_s));
+          }
+        }
+      };
+      const double growth = width_px == small_px ? 1.5 : 4.0;
+      deadline_.run(width_px == small_px ? StartWork::small_picture : StartWork::picture, draw, 1.0, growth);
+    }
+    return times_ms.empty() ? std::nullopt : std::optional(spread_of(times_ms).median);
+  }
+
+  ShowRenderer& renderer_;
+  const MeasurementOrder& order_;
+  Deadline deadline_;
+  FrameQuality first_quality_;
+  PixelNeed need_;
+  std::vector<BudgetMoment> moments_;
+  bool moves_ = false;
+  bool automatic_is_direct_ = false;  //!< where the whole picture is not worth a grid
+  SettingsMeasurement result_;
+};
+
+}  // namespace
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<double> budget_times(const Show& show, int count) {
+  if (show.camera.keys.size() < 2 && show.timeline.animations.empty()) {
+    return {0.5 * show.duration_s};
+  }
+  constexpr int looked_at = 400;
+  // Beside a small horizon, of a fast spin, light is bent in finer detail.
+  double nearest_s = 0.0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= looked_at; ++i) {
+    const double time_s = show.duration_s * i / looked_at;
+    const double spin = spin_at(show, time_s);
+    const double horizon = 1.0 + std::sqrt(std::max(1.0 - spin * spin, 0.0));
+    const double height = camera_pose(show, time_s).r + horizon;
+    if (height < nearest) {
+      nearest = height;
+      nearest_s = time_s;
+    }
+  }
+  std::vector<double> times_s = {nearest_s};
+  for (int i = 0; i + 1 < count; ++i) {
+    times_s.push_back(show.duration_s * (i + 0.5) / (count - 1));
+  }
+  return times_s;
+}
+
+SettingsMeasurement measure_settings(ShowRenderer& renderer, const Show& show, const MeasurementOrder& order) {
+  return SettingsMeter(renderer, order).measure(show);
+}
+
+}  // namespace ergodome
