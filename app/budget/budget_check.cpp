@@ -10,15 +10,8 @@
 
 namespace ergodome {
 
-namespace {
-
-constexpr int checked_rows = 48;
-constexpr int checked_columns = 48;
-
-}  // namespace
-
 BudgetCheck check_error(ShowRenderer& renderer, const Show& show, const FrameQuality& quality, int size_px, int moments,
-                        std::uint64_t seed) {
+                        std::uint64_t seed, int rows) {
   std::mt19937_64 random(seed);
   renderer.set_quality(quality);
   std::vector<double> errors_px;
@@ -29,7 +22,7 @@ BudgetCheck check_error(ShowRenderer& renderer, const Show& show, const FrameQua
     const CameraPose pose = camera_pose(show, time_s);
     const Projection projection = make_projection(renderer.show().view, size_px > 0 ? size_px : show.view.size_px, 0.0);
     const LensErrors exact(eye_camera(renderer.show(), pose, 0.0), projection,
-                           row_samples(projection, checked_rows, checked_columns, random()), pixel_angle(projection));
+                           row_samples(projection, rows, rows, random()), pixel_angle(projection));
     const bool footprints = lens_channels(ViewMode::sky, frame_needs(renderer.show(), ViewMode::sky).shading).footprint;
     const auto lens = renderer.lens_of(pose, projection, {time_s});
     const std::vector<double> all =

@@ -71,8 +71,10 @@ std::string ladder_text(const Budget& budget, const SettingsMeasurement& measure
   const Rung& rung = ladder[first];
   const bool holds_error = !budget.error_px || is_within(rung.error_px, *budget.error_px);
   const bool holds_rate = !budget.frame_rate_hz || rung.frame_ms <= budget.frame_ms();
-  return fmt::format("budget {}: {}, pictures {} px wide of {}, step {} of {}; {}, {}{}; {}", text_of(budget),
-                     text_of(rung.quality), rung.size_px, measured.width_px, first + 1, ladder.size(),
+  const std::string step = budget.frame_rate_hz ? fmt::format(", pictures {} px wide of {}, step {} of {}",
+                                                              rung.size_px, measured.width_px, first + 1, ladder.size())
+                                                : "";
+  return fmt::format("budget {}: {}{}; {}, {}{}; {}", text_of(budget), text_of(rung.quality), step,
                      error_text(rung.error_px, measured.times_s.size()), time_text(rung.frame_ms, measured),
                      missed_text(budget, holds_error, rung.error_px, holds_rate, rung.frame_ms), took_text(measured));
 }

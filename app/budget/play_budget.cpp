@@ -11,6 +11,8 @@ namespace ergodome {
 
 namespace {
 
+//! Of each new interval in the mean that is displayed.
+constexpr double smoothing = 0.1;
 constexpr double errors_every_s = 2.0;
 //! Pixels whose errors are remembered: those of the last few measurements.
 constexpr std::size_t remembered_errors = 1000;
@@ -47,6 +49,7 @@ void PlayBudget::note_picture(double work_ms, std::optional<double> interval_ms)
   if (keeper_ && interval_ms) {
     keeper_->note(work_ms, *interval_ms);
     record_->note(*interval_ms);
+    interval_ms_ = interval_ms_ > 0.0 ? interval_ms_ + smoothing * (*interval_ms - interval_ms_) : *interval_ms;
   }
 }
 
@@ -67,7 +70,7 @@ std::string PlayBudget::display_text() const {
   std::string text = fmt::format("budget {}: error {:.3f} px", text_of(plan_.budget), error_px());
   if (keeper_) {
     text += fmt::format(", {:.1f} of {:.1f} ms, {:.1f} fps, step {} of {}", work_ms_, plan_.budget.frame_ms(),
-                        record_->rate_hz(), keeper_->rung() + 1, plan_.ladder.size());
+                        interval_ms_ > 0.0 ? 1000.0 / interval_ms_ : 0.0, keeper_->rung() + 1, plan_.ladder.size());
   }
   return text;
 }

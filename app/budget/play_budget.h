@@ -54,7 +54,8 @@ class PlayBudget {
   std::optional<RateKeeper> keeper_;  //!< where there is a rate
   std::optional<RateRecord> record_;  //!< the same
   std::deque<double> errors_px_;
-  double work_ms_ = 0.0;  //!< of the last picture
+  double work_ms_ = 0.0;      //!< of the last picture
+  double interval_ms_ = 0.0;  //!< of the last few, smoothed; 0: none yet
   double errors_due_s_ = 0.0;
 };
 

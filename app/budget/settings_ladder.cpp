@@ -31,10 +31,10 @@ class LadderMaker {
     if (plain_look) {
       rung.quality.filter = SkyFilter::point;
     }
-    if (!ladder_.empty() && rung.frame_ms >= least_gain * ladder_.back().frame_ms) {
-      return;
+    const bool known = ladder_.empty() || !std::isnan(ladder_.front().frame_ms);
+    if (ladder_.empty() || !known || rung.frame_ms < least_gain * ladder_.back().frame_ms) {
+      ladder_.push_back(rung);
     }
-    ladder_.push_back(rung);
   }
 
   [[nodiscard]] std::vector<Rung> take() { return std::move(ladder_); }
@@ -61,6 +61,7 @@ class LadderMaker {
     const double pixel_share = width_share * width_share;
     const MeasuredSetting* const direct = direct_twin(lens);
     const bool by_rays = lens.quality.lens == LensChoice::automatic && direct != nullptr &&
+                         !std::isnan(direct->picture_ms()) &&
                          limits_.height_to_width * size_px * size_px < limits_.grid_from_pixels;
     const double time_ms = by_rays ? direct->picture_ms(pixel_share)
                                    : std::min(lens.lens_ms, limits_.patience_ms) + lens.picture_ms(pixel_share);
@@ -132,15 +133,8 @@ std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, con
 std::size_t first_rung(std::span<const Rung> ladder, double frame_ms) {
   const auto found =
       std::ranges::find_if(ladder, [&](const Rung& rung) { return rung.frame_ms <= foretold_share * frame_ms; });
-  if (found != ladder.end() || ladder.empty()) {
-    return static_cast<std::size_t>(found - ladder.begin());
-  }
-  if (!std::isnan(ladder.front().frame_ms)) {
-    return ladder.size() - 1;
-  }
-  const auto same =
-      std::ranges::find_if(ladder, [&](const Rung& rung) { return rung.quality != ladder.front().quality; });
-  return static_cast<std::size_t>(same - ladder.begin()) - 1;
+  const auto smallest = std::ranges::min_element(ladder, {}, &Rung::size_px);
+  return static_cast<std::size_t>((found != ladder.end() ? found : smallest) - ladder.begin());
 }
 
 }  // namespace ergodome

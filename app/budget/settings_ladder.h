@@ -34,8 +34,8 @@ struct LadderLimits {
 std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, const Budget& budget,
                                   const LadderLimits& limits);
 
-//! The first rung whose foretold time leaves room in a frame of the budget's rate; the last where none does. Where no time is
-//! known, the smallest picture with the best settings: what keeps the rate finds the way from there.
+//! The first rung whose foretold time leaves room in a frame of the budget's rate. Where none does, or no time is known, the smallest picture with
+//! the best settings: what keeps the rate finds the way from there.
 std::size_t first_rung(std::span<const Rung> ladder, double frame_ms);
 
 //! Share of a frame's time that a picture may be foretold to take: the window needs the rest.

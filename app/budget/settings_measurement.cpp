@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "app/budget/lens_error.h"
@@ -20,21 +21,23 @@ namespace ergodome {
 namespace {
 
 constexpr int budget_moments = 6;
+//! Rows of a moment, and pixels of each row; of a moment that stands for all, twice as many of both.
 constexpr int sampled_rows = 32;
 constexpr int sampled_columns = 32;
 //! Widths of the pictures that times are told from, where the whole one is wider.
 constexpr int small_px = 160;
-constexpr int larger_px = 480;
-constexpr std::size_t timed_draws = 3;
+constexpr int larger_px = 384;
+constexpr std::size_t timed_draws = 2;
 constexpr std::size_t timed_moments = 2;
 //! Of a picture's time, this share goes with its pixels at the least.
 constexpr double least_by_pixels = 0.3;
-//! Shares of the time after which lenses, and then direct rays, leave the rest to what comes after.
-constexpr double lenses_share = 0.6;
-constexpr double direct_share = 0.8;
+//! Shares of the time after which moments, pictures and lenses leave the rest to what comes after.
+constexpr double moments_share = 0.25;
+constexpr double pictures_share = 0.6;
+constexpr double lenses_share = 0.9;
 //! A lens's budget against the picture's: grids are better than they promise, mostly.
 constexpr double loosest_lens = 2.0;
-constexpr double finest_lens = 0.1;
+constexpr double finest_lens = 0.03;
 constexpr double lens_step = 0.70710678118654752;
 //! Without an error in the budget [px].
 constexpr double loosest_px = 4.0;
@@ -46,6 +49,14 @@ struct BudgetMoment {
   CameraPose pose{};
   Projection projection{};
   std::unique_ptr<LensErrors> errors;
+};
+
+//! What pictures take that are drawn in one way, as in MeasuredSetting.
+struct KindTimes {
+  LensChoice lens = LensChoice::automatic;
+  SkyFilter filter = SkyFilter::ewa;
+  double fixed_ms = 0.0;
+  double pixels_ms = 0.0;
 };
 
 class SettingsMeter {
@@ -63,14 +74,17 @@ class SettingsMeter {
 
   SettingsMeasurement measure(const Show& show) {
     look_at_moments(show);
+    look_at_lens();
+    // Before lenses, for which all the time would not be too much.
+    if (!draws_slowly(show) || renderer_.backend() != Backend::cpu) {
+      time_pictures();
+    }
     const std::vector<double> budgets = lens_budgets();
     const std::size_t chosen = search(order_.lens, budgets, lenses_share);
     if (order_.lens == LensChoice::automatic && !automatic_is_direct_) {
       search_direct(budgets, result_.settings[chosen].quality.budget_px);
     }
-    if (!draws_slowly(show) || renderer_.backend() != Backend::cpu) {
-      time_pictures(chosen);
-    }
+    add_times();
     renderer_.set_quality(first_quality_);
     result_.cut_short = deadline_.cut_short();
     result_.took_s = deadline_.elapsed_s();
@@ -79,12 +93,13 @@ class SettingsMeter {
 
  private:
   void look_at_moments(const Show& show) {
-    for (const double time_s : budget_times(show, budget_moments)) {
-      const auto look = [&] { moments_.push_back(moment_at(show, time_s)); };
+    const std::vector<double> times_s = budget_times(show, budget_moments);
+    for (const double time_s : times_s) {
+      const auto look = [&] { moments_.push_back(moment_at(show, time_s, times_s.size() > 1 ? 1 : 2)); };
       if (moments_.empty()) {
         look();
       } else {
-        deadline_.run(StartWork::reference, look, 0.5 * lenses_share, 1.0);
+        deadline_.run(StartWork::reference, look, moments_share, 1.0);
       }
     }
     for (const BudgetMoment& moment : moments_) {
@@ -94,16 +109,16 @@ class SettingsMeter {
     result_.height_to_width = static_cast<double>(whole.height_px) / whole.width_px;
   }
 
-  BudgetMoment moment_at(const Show& show, double time_s) {
+  BudgetMoment moment_at(const Show& show, double time_s, int samples) {
     renderer_.apply(time_s);
     BudgetMoment moment;
     moment.time_s = time_s;
     moment.pose = camera_pose(show, time_s);
     moment.projection = make_projection(renderer_.show().view, result_.width_px, 0.0);
-    moment.errors =
-        std::make_unique<LensErrors>(eye_camera(renderer_.show(), moment.pose, 0.0), moment.projection,
-                                     row_samples(moment.projection, sampled_rows, sampled_columns, moments_.size() + 1),
-                                     pixel_angle(moment.projection));
+    moment.errors = std::make_unique<LensErrors>(
+        eye_camera(renderer_.show(), moment.pose, 0.0), moment.projection,
+        row_samples(moment.projection, samples * sampled_rows, samples * sampled_columns, moments_.size() + 1),
+        pixel_angle(moment.projection));
     const double next_s = time_s + 1.0 / show.frame_rate_hz;
     const CameraPose next = camera_pose(show, next_s);
     moves_ = moves_ || order_.free_flight || next.r != moment.pose.r || next.theta != moment.pose.theta ||
@@ -150,10 +165,10 @@ class SettingsMeter {
   //! small pictures by.
   void search_direct(const std::vector<double>& budgets, double lens_px) {
     if (order_.budget.error_px) {
-      search(LensChoice::direct, budgets, direct_share);
+      search(LensChoice::direct, budgets, 1.0);
     }
     if (result_.settings.back().quality != FrameQuality{lens_px, LensChoice::direct, first_quality_.filter}) {
-      search(LensChoice::direct, {lens_px}, direct_share);
+      search(LensChoice::direct, {lens_px}, 1.0);
     }
   }
 
@@ -171,9 +186,6 @@ class SettingsMeter {
         times_ms.push_back(1000.0 * (deadline_.elapsed_s() - begun_s));
         const double error_px = summary_of(moment.errors->errors(renderer_.backend(), *lens, need_)).p99;
         setting.error_px = std::isnan(setting.error_px) ? error_px : std::max(setting.error_px, error_px);
-        if (setting.quality.lens == LensChoice::automatic) {
-          automatic_is_direct_ = std::string_view(lens->name()) == "direct";
-        }
       };
       if (!deadline_.run(StartWork::lens, measure, share)) {
         within = false;
@@ -192,75 +204,112 @@ class SettingsMeter {
     return within;
   }
 
+  //! What is drawn for times: a lens that may come to be chosen.
+  [[nodiscard]] double usual_px() const { return kept_share * order_.budget.error_px.value_or(1.0); }
+
+  //! Looks which lens `automatic` is.
+  void look_at_lens() {
+    const auto look = [&] {
+      const BudgetMoment& moment = moments_.front();
+      renderer_.apply(moment.time_s);
+      renderer_.set_quality({usual_px(), order_.lens, first_quality_.filter});
+      const auto lens = renderer_.lens_of(moment.pose, moment.projection, {moment.time_s});
+      automatic_is_direct_ = order_.lens == LensChoice::automatic && std::string_view(lens->name()) == "direct";
+    };
+    deadline_.run(StartWork::lens, look);
+  }
+
   //! Times of pictures, for each way to draw them; a lens's budget changes them little.
-  void time_pictures(std::size_t chosen) {
-    const FrameQuality lens = result_.settings[chosen].quality;
-    const bool automatic = lens.lens == LensChoice::automatic;
-    time_kind(lens, automatic ? (automatic_is_direct_ ? LensChoice::direct : LensChoice::live) : lens.lens);
+  void time_pictures() {
+    const bool automatic = order_.lens == LensChoice::automatic;
+    const LensChoice drawn_by = !automatic ? order_.lens : automatic_is_direct_ ? LensChoice::direct : LensChoice::live;
+    const SkyFilter filter = first_quality_.filter;
+    time_kind(order_.lens, filter, drawn_by);
     if (automatic && !automatic_is_direct_) {
-      time_kind({lens.budget_px, LensChoice::direct, lens.filter}, LensChoice::direct);
+      time_kind(LensChoice::direct, filter, LensChoice::direct);
     }
-    if (order_.budget.frame_rate_hz && lens.filter == SkyFilter::ewa) {
-      MeasuredSetting plain = result_.settings[chosen];
-      plain.quality.filter = SkyFilter::point;
-      plain.fixed_ms = plain.pixels_ms = std::numeric_limits<double>::quiet_NaN();
-      result_.settings.push_back(plain);
-      time_kind(plain.quality, automatic ? LensChoice::live : lens.lens);
+    if (order_.budget.frame_rate_hz && filter == SkyFilter::ewa) {
+      time_kind(order_.lens, SkyFilter::point, drawn_by);
     }
   }
 
-  //! Draws pictures with settings, by a lens of which they are a case, and tells all settings alike what they take.
-  void time_kind(const FrameQuality& quality, LensChoice drawn_by) {
+  //! Draws pictures through a lens that is a case of `lens`.
+  void time_kind(LensChoice lens, SkyFilter filter, LensChoice drawn_by) {
     const int whole_px = result_.width_px;
-    result_.drawn_px = whole_px > larger_px ? std::vector<int>{small_px, larger_px} : std::vector<int>{whole_px};
+    const std::vector<int> widths =
+        whole_px > larger_px ? std::vector<int>{small_px, larger_px} : std::vector<int>{whole_px};
     std::vector<double> times_ms;
-    for (const int width_px : result_.drawn_px) {
-      const std::optional<double> time_ms = time_at_width(quality, drawn_by, width_px);
+    for (const int width_px : widths) {
+      const std::optional<double> time_ms = time_at_width({usual_px(), drawn_by, filter}, width_px);
       if (!time_ms) {
         return;
       }
       times_ms.push_back(*time_ms);
     }
+    result_.drawn_px = widths;
     // A line through the times of two sizes, which begins above nothing; it rises, whatever else the machine did meanwhile.
-    const auto share = [&](std::size_t i) { return std::pow(static_cast<double>(result_.drawn_px[i]) / whole_px, 2); };
-    double pixels_ms = times_ms.back() / share(times_ms.size() - 1);
-    double fixed_ms = 0.0;
+    const auto share = [&](std::size_t i) { return std::pow(static_cast<double>(widths[i]) / whole_px, 2); };
+    KindTimes times{lens, filter, 0.0, times_ms.back() / share(times_ms.size() - 1)};
     if (times_ms.size() > 1) {
-      pixels_ms =
-          std::clamp((times_ms[1] - times_ms[0]) / (share(1) - share(0)), least_by_pixels * pixels_ms, pixels_ms);
-      fixed_ms = times_ms[1] - pixels_ms * share(1);
+      times.pixels_ms = std::clamp((times_ms[1] - times_ms[0]) / (share(1) - share(0)),
+                                   least_by_pixels * times.pixels_ms, times.pixels_ms);
+      times.fixed_ms = times_ms[1] - times.pixels_ms * share(1);
     }
-    for (MeasuredSetting& setting : result_.settings) {
-      if (setting.quality.lens == quality.lens && setting.quality.filter == quality.filter) {
-        setting.fixed_ms = fixed_ms;
-        setting.pixels_ms = pixels_ms;
+    times_.push_back(times);
+  }
+
+  //! Tells settings the times of pictures that are drawn as theirs are, and adds the one with a plain look at the map, which has its lens's error.
+  void add_times() {
+    for (const KindTimes& times : times_) {
+      if (times.filter != first_quality_.filter) {
+        MeasuredSetting plain = result_.settings.front();
+        plain.quality.filter = times.filter;
+        result_.settings.push_back(plain);
+      }
+      for (MeasuredSetting& setting : result_.settings) {
+        if (setting.quality.lens == times.lens && setting.quality.filter == times.filter) {
+          setting.fixed_ms = times.fixed_ms;
+          setting.pixels_ms = times.pixels_ms;
+        }
       }
     }
   }
 
   //! Median time of pictures of a width at two moments, whose lenses are there [ms]; nothing where the time is over.
-  std::optional<double> time_at_width(const FrameQuality& quality, LensChoice drawn_by, int width_px) {
+  std::optional<double> time_at_width(const FrameQuality& quality, int width_px) {
     std::vector<double> times_ms;
-    for (std::size_t i = 0; i < std::min(timed_moments, moments_.size()); ++i) {
-      const BudgetMoment& moment = moments_[i];
-      const auto draw = [&] {
-        renderer_.apply(moment.time_s);
-        // The angle is what the whole picture's lens was made for, and serves here.
-        const double share = static_cast<double>(width_px) / result_.width_px;
-        renderer_.set_quality({share * quality.budget_px, drawn_by, quality.filter});
-        const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);
-        for (std::size_t round = 0; round <= timed_draws; ++round) {
-          const double begun_s = deadline_.elapsed_s();
-          renderer_.render_window(moment.pose, projection, ViewMode::sky, {moment.time_s});
-          if (round > 0) {
-            times_ms.push_back(1000.0 * (deadline_.elapsed_s() - begun_s));
-          }
+    const auto moments = static_cast<std::ptrdiff_t>(std::min(timed_moments, moments_.size()));
+    for (const BudgetMoment& moment : std::span(moments_.begin(), moments_.begin() + moments)) {
+      for (std::size_t round = 0; round <= timed_draws; ++round) {
+        const std::optional<double> time_ms = draw(moment, quality, width_px);
+        // The first makes the lens, and room for the rest.
+        if (time_ms && round > 0) {
+          times_ms.push_back(*time_ms);
         }
-      };
-      const double growth = width_px == small_px ? 1.5 : 4.0;
-      deadline_.run(width_px == small_px ? StartWork::small_picture : StartWork::picture, draw, 1.0, growth);
+      }
     }
     return times_ms.empty() ? std::nullopt : std::optional(spread_of(times_ms).median);
+  }
+
+  //! Draws a picture; its time [ms], or nothing where there is none left.
+  std::optional<double> draw(const BudgetMoment& moment, const FrameQuality& quality, int width_px) {
+    double time_ms = 0.0;
+    const auto work = [&] {
+      renderer_.apply(moment.time_s);
+      // The angle is what the whole picture's lens was made for, and serves here.
+      const double share = static_cast<double>(width_px) / result_.width_px;
+      renderer_.set_quality({share * quality.budget_px, quality.lens, quality.filter});
+      const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);
+      const double begun_s = deadline_.elapsed_s();
+      renderer_.render_window(moment.pose, projection, ViewMode::sky, {moment.time_s});
+      time_ms = 1000.0 * (deadline_.elapsed_s() - begun_s);
+    };
+    const bool small = width_px == small_px;
+    constexpr double times_the_pixels = static_cast<double>(larger_px) * larger_px / (small_px * small_px);
+    const double expected_s = small ? 0.0 : times_the_pixels * deadline_.longest_s(StartWork::small_picture);
+    const bool drawn =
+        deadline_.run(small ? StartWork::small_picture : StartWork::picture, work, pictures_share, 1.0, expected_s);
+    return drawn ? std::optional(time_ms) : std::nullopt;
   }
 
   ShowRenderer& renderer_;
@@ -269,6 +318,7 @@ class SettingsMeter {
   FrameQuality first_quality_;
   PixelNeed need_;
   std::vector<BudgetMoment> moments_;
+  std::vector<KindTimes> times_;
   bool moves_ = false;
   bool automatic_is_direct_ = false;  //!< where the whole picture is not worth a grid
   SettingsMeasurement result_;

@@ -106,7 +106,9 @@ void Player::begin(const Show& show, bool free_flight) {
 void Player::run() {
   while (!screen_.closed() && !interrupted()) {
     advance();
-    screen_.draw(by_eye());
+    if (draws_now()) {
+      screen_.draw(by_eye());
+    }
     end_in_time();
     tell_supervisor_alive(session_->now_s());
   }
@@ -117,6 +119,19 @@ void Player::run() {
   if (!options_.screenshot.empty()) {
     screen_.save_screenshot(options_.screenshot, by_eye());
   }
+}
+
+bool Player::draws_now() {
+  constexpr double longest_s = 0.04;
+  const double now_s = session_->now_s();
+  // What draws the window takes its time from the next picture's.
+  const bool rate = budget_ && budget_->plan().budget.frame_rate_hz;
+  if (rate && drawn_pictures_ == pictures_.report().pictures && now_s < drawn_s_ + longest_s) {
+    return false;
+  }
+  drawn_pictures_ = pictures_.report().pictures;
+  drawn_s_ = now_s;
+  return true;
 }
 
 void Player::advance() {

@@ -65,6 +65,8 @@ class Player {
   void note(PictureNews news);
   void advance_exhibit(PlayerInput& input);
   void change_scene();
+  //! Whether the window is to be drawn: at once, but for a rate only with each new picture, and now and then for its texts.
+  bool draws_now();
   //! Puts what the budget asks of the next picture into a wish.
   void add_budget(PictureRequest& wish);
   void note_budget();
@@ -95,6 +97,8 @@ class Player {
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   RecordingFile recording_;
   std::optional<PlayBudget> budget_;
+  long drawn_pictures_ = -1;  //!< of which the last is in the window
+  double drawn_s_ = 0.0;      //!< when the window was drawn
 };
 
 }  // namespace ergodome

@@ -64,6 +64,38 @@ TEST(PictureFlow, DoesNotRefineWhatMoves) {
   EXPECT_EQ(shown, 1);
 }
 
+TEST(PictureFlow, HoldsTheSizeAndThePaceOfWhatMoves) {
+  FakeRenderer renderer;
+  std::atomic<double> now_s = 10.0;
+  int shown = 0;
+  PictureFlow flow([&](const PictureAnswer&) { ++shown; }, 1000, std::ref(renderer), [&] { return now_s.load(); });
+  flow.hold({400, 0.5});
+  flow.advance({}, true, true);
+  ASSERT_EQ(wait_for_news(flow, true), PictureNews::picture);
+  EXPECT_FALSE(flow.report().interval_ms.has_value());
+  // Nothing is asked for before it is due.
+  now_s = 10.2;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(flow.advance({}, true, true), PictureNews::none);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  now_s = 10.6;
+  ASSERT_EQ(wait_for_news(flow, true), PictureNews::picture);
+  EXPECT_NEAR(*flow.report().interval_ms, 600.0, 1e-6);
+  EXPECT_EQ(renderer.sizes, (std::vector<int>{400, 400}));
+}
+
+TEST(PictureFlow, RefinesWhatStandsStillWhateverPaceIsHeld) {
+  FakeRenderer renderer;
+  PictureFlow flow([](const PictureAnswer&) {}, 1000, std::ref(renderer), [] { return 10.0; });
+  flow.hold({400, 0.5});
+  while (renderer.sizes.empty() || flow.report().size_px < 1000) {
+    ASSERT_EQ(wait_for_news(flow, false), PictureNews::picture);
+    EXPECT_FALSE(flow.report().interval_ms.has_value());
+  }
+  EXPECT_EQ(renderer.sizes, (std::vector<int>{400, 800, 1000}));
+}
+
 TEST(PictureFlow, KeepsTheLastPictureWhereOneFails) {
   FakeRenderer renderer;
   int shown = 0;
