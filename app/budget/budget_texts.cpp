@@ -6,12 +6,18 @@ namespace ergodome {
 
 namespace {
 
-std::string error_text(double error_px, std::size_t moments) {
+//! A time to three digits, as people write it.
+std::string milliseconds(double time_ms) {
+  return time_ms < 10.0 ? fmt::format("{:.2f} ms", time_ms)
+                        : fmt::format("{:.{}f} ms", time_ms, time_ms < 100.0 ? 1 : 0);
+}
+
+std::string error_text(double error_px, int moments, std::size_t all) {
   if (std::isnan(error_px)) {
     return "error not measured, for want of time";
   }
   return fmt::format("measured error {:.3g} px (99 of 100 pixels, {})", error_px,
-                     moments > 1 ? fmt::format("worst of {} moments", moments) : "at one moment");
+                     all < 2 ? "at one moment" : fmt::format("worst of {} moments", moments));
 }
 
 std::string time_text(double frame_ms, const SettingsMeasurement& measured) {
@@ -20,7 +26,7 @@ std::string time_text(double frame_ms, const SettingsMeasurement& measured) {
   }
   const bool told = measured.drawn_px.size() > 1;
   return fmt::format(
-      "{:.3g} ms a frame{}", frame_ms,
+      "{} a frame{}", milliseconds(frame_ms),
       told ? fmt::format(" (told from pictures of {} and {} px)", measured.drawn_px[0], measured.drawn_px[1]) : "");
 }
 
@@ -34,15 +40,12 @@ std::string missed_text(const Budget& budget, bool holds_error, double error_px,
   std::string text;
   if (!holds_error && !std::isnan(error_px)) {
     const double over_px = error_px - *budget.error_px;
-    text +=
-        over_px > 0.0
-            ? fmt::format("; the error is missed by {:.3g} px", over_px)
-            : fmt::format(
-                  "; the error is within the budget, but not within the half of it that leaves room for other moments");
+    text += over_px > 0.0 ? fmt::format("; the error is missed by {:.3g} px", over_px)
+                          : "; that is more than the half of it that leaves room for other moments";
   }
   if (!holds_rate && !std::isnan(frame_ms)) {
-    text += fmt::format("; the rate is missed: a frame takes {:.3g} ms more than {:.3g} ms",
-                        frame_ms - budget.frame_ms(), budget.frame_ms());
+    text += fmt::format("; the rate is missed: a frame takes {} more than {}",
+                        milliseconds(frame_ms - budget.frame_ms()), milliseconds(budget.frame_ms()));
   }
   return text;
 }
@@ -61,7 +64,8 @@ std::string text_of(const FrameQuality& quality) {
 std::string choice_text(const Budget& budget, const SettingsMeasurement& measured, const BudgetChoice& choice) {
   const MeasuredSetting& setting = measured.settings[choice.setting];
   return fmt::format("budget {}: {}; {}, {}{}; {}", text_of(budget), text_of(setting.quality),
-                     error_text(setting.error_px, measured.times_s.size()), time_text(setting.frame_ms(), measured),
+                     error_text(setting.error_px, setting.moments, measured.times_s.size()),
+                     time_text(setting.frame_ms(), measured),
                      missed_text(budget, choice.holds_error, setting.error_px, choice.holds_rate, setting.frame_ms()),
                      took_text(measured));
 }
@@ -75,7 +79,8 @@ std::string ladder_text(const Budget& budget, const SettingsMeasurement& measure
                                                               rung.size_px, measured.width_px, first + 1, ladder.size())
                                                 : "";
   return fmt::format("budget {}: {}{}; {}, {}{}; {}", text_of(budget), text_of(rung.quality), step,
-                     error_text(rung.error_px, measured.times_s.size()), time_text(rung.frame_ms, measured),
+                     error_text(rung.error_px, rung.moments, measured.times_s.size()),
+                     time_text(rung.frame_ms, measured),
                      missed_text(budget, holds_error, rung.error_px, holds_rate, rung.frame_ms), took_text(measured));
 }
 

@@ -17,6 +17,8 @@ struct MeasuredSetting {
   //! What a picture takes when its lens is there: whatever its size, and by its pixels, for the whole picture.
   double fixed_ms = std::numeric_limits<double>::quiet_NaN();
   double pixels_ms = std::numeric_limits<double>::quiet_NaN();
+  //! At which the error was looked at: fewer than all where it was too much at one, or the time was over.
+  int moments = 0;
 
   //! A picture with a share of the whole one's pixels, whose lens is there [ms].
   [[nodiscard]] double picture_ms(double pixel_share = 1.0) const { return fixed_ms + pixel_share * pixels_ms; }

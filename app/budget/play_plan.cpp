@@ -17,7 +17,7 @@ std::vector<Rung> single_rung(const SettingsMeasurement& measured, const Budget&
   std::erase_if(
       lenses, [&](const MeasuredSetting& each) { return each.quality.lens != measured.settings.front().quality.lens; });
   const MeasuredSetting& chosen = lenses[choose_setting(lenses, budget, BudgetFirst::error).setting];
-  return {{chosen.quality, measured.width_px, chosen.error_px, chosen.frame_ms()}};
+  return {{chosen.quality, measured.width_px, chosen.error_px, chosen.moments, chosen.frame_ms()}};
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class LadderMaker {
       : settings_(settings), limits_(limits) {}
 
   void add(const MeasuredSetting& lens, int size_px, bool plain_look) {
-    Rung rung{lens.quality, size_px, lens.error_px, frame_ms(lens, size_px, plain_look)};
+    Rung rung{lens.quality, size_px, lens.error_px, lens.moments, frame_ms(lens, size_px, plain_look)};
     const MeasuredSetting* const direct = direct_twin(lens);
     if (direct != nullptr && lens.quality.lens == LensChoice::automatic) {
       // Either may come.

@@ -13,6 +13,7 @@ struct Rung {
   FrameQuality quality;   //!< its budget counts in pixels of the whole picture, which a smaller one keeps to
   int size_px = 0;        //!< width of one eye's picture
   double error_px = 0.0;  //!< as measured of its lens [px of the whole picture]
+  int moments = 0;        //!< at which that was looked at
   double frame_ms = 0.0;  //!< as foretold from the measurement; NaN: not known
 };
 

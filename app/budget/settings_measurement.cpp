@@ -38,7 +38,6 @@ constexpr double lenses_share = 0.9;
 //! A lens's budget against the picture's: grids are better than they promise, mostly.
 constexpr double loosest_lens = 2.0;
 constexpr double finest_lens = 0.03;
-constexpr double lens_step = 0.70710678118654752;
 //! Without an error in the budget [px].
 constexpr double loosest_px = 4.0;
 constexpr double finest_px = 0.015;
@@ -79,10 +78,10 @@ class SettingsMeter {
     if (!draws_slowly(show) || renderer_.backend() != Backend::cpu) {
       time_pictures();
     }
-    const std::vector<double> budgets = lens_budgets();
-    const std::size_t chosen = search(order_.lens, budgets, lenses_share);
+    search(order_.lens);
+    const double lens_px = result_.settings.back().quality.budget_px;
     if (order_.lens == LensChoice::automatic && !automatic_is_direct_) {
-      search_direct(budgets, result_.settings[chosen].quality.budget_px);
+      search_direct(lens_px);
     }
     add_times();
     renderer_.set_quality(first_quality_);
@@ -126,49 +125,59 @@ class SettingsMeter {
     return moment;
   }
 
-  [[nodiscard]] std::vector<double> lens_budgets() const {
-    const double loosest = order_.budget.error_px ? loosest_lens * *order_.budget.error_px : loosest_px;
-    const double finest = order_.budget.error_px ? finest_lens * *order_.budget.error_px : finest_px;
-    std::vector<double> budgets;
-    for (double budget_px = loosest; budget_px >= finest; budget_px *= order_.budget.error_px ? lens_step : 0.5) {
-      budgets.push_back(budget_px);
-    }
-    return budgets;
+  //! The budget of the first lens that is looked at, and of the last.
+  [[nodiscard]] double loosest_budget() const {
+    return order_.budget.error_px ? loosest_lens * *order_.budget.error_px : loosest_px;
+  }
+  [[nodiscard]] double finest_budget() const {
+    return order_.budget.error_px ? finest_lens * *order_.budget.error_px : finest_px;
   }
 
-  //! From the loosest lens to the first that is within the budget, or all; the number of the last one.
-  std::size_t search(LensChoice lens, const std::vector<double>& budgets, double share) {
-    std::size_t last = result_.settings.size();
-    for (const double budget_px : budgets) {
+  //! The budget of the lens after one: finer by as much as that missed, in steps that are neither too long nor too many.
+  [[nodiscard]] double next_budget(const MeasuredSetting& setting) const {
+    constexpr double shortest = 0.70710678118654752;
+    constexpr double longest = 0.25;
+    const double wished = order_.budget.error_px ? kept_share * *order_.budget.error_px / setting.error_px : 0.5;
+    return setting.quality.budget_px * std::clamp(wished, longest, shortest);
+  }
+
+  //! From the loosest lens to the first that is within the budget, or as fine as there is time for.
+  void search(LensChoice lens) {
+    double budget_px = loosest_budget();
+    while (budget_px >= finest_budget()) {
       MeasuredSetting setting;
       setting.quality = {budget_px, lens, first_quality_.filter};
-      const bool whole = measure_lens(setting, share);
-      if (std::isnan(setting.error_px)) {
+      const bool within = measure_lens(setting, lens == order_.lens ? lenses_share : 1.0);
+      if (setting.moments == 0) {
         break;  // There is no time for finer ones.
       }
-      last = result_.settings.size();
       result_.settings.push_back(setting);
-      if (whole && order_.budget.error_px) {
+      if (within && order_.budget.error_px) {
         break;
       }
+      budget_px = next_budget(setting);
     }
-    if (last == result_.settings.size()) {
-      // Nothing was measured at all: what the show itself asks for.
+    if (result_.settings.empty()) {
+      // Nothing was measured: what the show asks for.
       MeasuredSetting setting;
-      setting.quality = {std::min(first_quality_.budget_px, budgets.front()), lens, first_quality_.filter};
+      setting.quality = {std::min(first_quality_.budget_px, loosest_budget()), lens, first_quality_.filter};
       result_.settings.push_back(setting);
     }
-    return last;
   }
 
   //! Direct rays with the loosest budget that serves, and with the lens's own: one stands in for the lens, the other is what `automatic` draws
   //! small pictures by.
-  void search_direct(const std::vector<double>& budgets, double lens_px) {
+  void search_direct(double lens_px) {
     if (order_.budget.error_px) {
-      search(LensChoice::direct, budgets, 1.0);
+      search(LensChoice::direct);
     }
-    if (result_.settings.back().quality != FrameQuality{lens_px, LensChoice::direct, first_quality_.filter}) {
-      search(LensChoice::direct, {lens_px}, 1.0);
+    MeasuredSetting twin;
+    twin.quality = {lens_px, LensChoice::direct, first_quality_.filter};
+    if (result_.settings.back().quality != twin.quality) {
+      measure_lens(twin, 1.0);
+      if (twin.moments > 0) {
+        result_.settings.push_back(twin);
+      }
     }
   }
 
@@ -186,6 +195,7 @@ class SettingsMeter {
         times_ms.push_back(1000.0 * (deadline_.elapsed_s() - begun_s));
         const double error_px = summary_of(moment.errors->errors(renderer_.backend(), *lens, need_)).p99;
         setting.error_px = std::isnan(setting.error_px) ? error_px : std::max(setting.error_px, error_px);
+        ++setting.moments;
       };
       if (!deadline_.run(StartWork::lens, measure, share)) {
         within = false;
