@@ -86,6 +86,9 @@ std::string ladder_text(const Budget& budget, const SettingsMeasurement& measure
 
 std::string record_text(const Budget& budget, const RateRecord& record, long changes, std::size_t rung,
                         std::size_t rungs) {
+  if (record.frames() == 0) {
+    return fmt::format("budget {}: nothing moved, so there was no rate to hold", text_of(budget));
+  }
   const double rate_hz = record.rate_hz();
   const double off = rate_hz / *budget.frame_rate_hz - 1.0;
   return fmt::format(

@@ -13,10 +13,10 @@ namespace {
 constexpr std::size_t median_frames = 9;
 constexpr std::size_t few_frames = 3;
 //! Share of a frame's time that drawing may take: the window, and frames slower than the median, need the rest.
-constexpr double most_work = 0.9;
+constexpr double most_work = 0.85;
 constexpr double far_too_much_work = 1.5;
 //! The same for a finer rung that is about to be tried. Between the two nothing is changed.
-constexpr double work_to_try = 0.75;
+constexpr double work_to_try = 0.65;
 //! Late by this much counts even where drawing alone fits; but what the window takes by itself no rung helps.
 constexpr double late_interval = 1.04;
 constexpr double work_of_the_window = 0.5;

@@ -40,6 +40,6 @@ std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, con
 std::size_t first_rung(std::span<const Rung> ladder, double frame_ms);
 
 //! Share of a frame's time that a picture may be foretold to take: the window needs the rest.
-inline constexpr double foretold_share = 0.75;
+inline constexpr double foretold_share = 0.65;
 
 }  // namespace ergodome

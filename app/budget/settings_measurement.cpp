@@ -39,7 +39,7 @@ constexpr double lenses_share = 0.9;
 constexpr double loosest_lens = 2.0;
 constexpr double finest_lens = 0.03;
 //! Without an error in the budget [px].
-constexpr double loosest_px = 4.0;
+constexpr double loosest_px = 0.5;
 constexpr double finest_px = 0.015;
 
 //! One moment of a show.
@@ -215,7 +215,7 @@ class SettingsMeter {
   }
 
   //! What is drawn for times: a lens that may come to be chosen.
-  [[nodiscard]] double usual_px() const { return kept_share * order_.budget.error_px.value_or(1.0); }
+  [[nodiscard]] double usual_px() const { return kept_share * order_.budget.error_px.value_or(loosest_px); }
 
   //! Looks which lens `automatic` is.
   void look_at_lens() {

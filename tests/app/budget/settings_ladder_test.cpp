@@ -91,8 +91,8 @@ TEST(SettingsLadder, BeginsWhereAFrameLeavesRoom) {
   const std::vector<Rung> ladder = settings_ladder(measured_settings(), {0.3, 30.0}, limits_of(192));
   const std::size_t first = first_rung(ladder, 60.0);
   ASSERT_GT(first, 0U);
-  EXPECT_LE(ladder[first].frame_ms, 45.0);
-  EXPECT_GT(ladder[first - 1].frame_ms, 45.0);
+  EXPECT_LE(ladder[first].frame_ms, 39.0);
+  EXPECT_GT(ladder[first - 1].frame_ms, 39.0);
 }
 
 TEST(SettingsLadder, BeginsWithTheSmallestPicturesWhereNothingIsQuickEnough) {
