@@ -1,0 +1,90 @@
+#include "app/budget/play_budget.h"
+
+#include <gmock/gmock.h>
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+
+PlayPlan plan_with(const Budget& budget) {
+  PlayPlan plan;
+  plan.budget = budget;
+  plan.whole_px = 1024;
+  for (const int size_px : {1024, 840, 689}) {
+    plan.ladder.push_back({{0.1, LensChoice::automatic, SkyFilter::ewa}, size_px, 0.09, 6, 30e-6 * size_px * size_px});
+  }
+  plan.first = 1;
+  return plan;
+}
+
+TEST(PlayBudget, BeginsOnTheRungOfThePlan) {
+  EXPECT_EQ(PlayBudget(plan_with({0.25, 30.0})).rung().size_px, 840);
+  EXPECT_EQ(PlayBudget(plan_with({0.25, std::nullopt})).rung().size_px, 840);
+}
+
+TEST(PlayBudget, GoesDownWhereMovingPicturesAreTooSlow) {
+  PlayBudget budget(plan_with({0.25, 30.0}));
+  for (int i = 0; i < 40; ++i) {
+    budget.note_picture(60.0, 60.0);
+  }
+  EXPECT_EQ(budget.rung().size_px, 689);
+}
+
+TEST(PlayBudget, GivesWhatStandsStillAllTheTimeThatItTakes) {
+  PlayBudget budget(plan_with({0.25, 30.0}));
+  for (int i = 0; i < 40; ++i) {
+    budget.note_picture(500.0, std::nullopt);
+  }
+  EXPECT_EQ(budget.rung().size_px, 840);
+  EXPECT_THAT(budget.summary_text(), HasSubstr("nothing moved"));
+}
+
+TEST(PlayBudget, TellsTheErrorOfTheStartUntilEnoughWasMeasured) {
+  PlayBudget budget(plan_with({0.25, std::nullopt}));
+  budget.note_errors(std::vector<double>(99, 0.5));
+  EXPECT_EQ(budget.error_px(), 0.09);
+  budget.note_errors(std::vector<double>(99, 0.5));
+  EXPECT_EQ(budget.error_px(), 0.5);
+}
+
+TEST(PlayBudget, ForgetsErrorsOfLongAgo) {
+  PlayBudget budget(plan_with({0.25, std::nullopt}));
+  budget.note_errors(std::vector<double>(500, 9.0));
+  budget.note_errors(std::vector<double>(1000, 0.1));
+  EXPECT_EQ(budget.error_px(), 0.1);
+}
+
+TEST(PlayBudget, MeasuresNowAndThen) {
+  PlayBudget budget(plan_with({0.25, std::nullopt}));
+  EXPECT_TRUE(budget.wants_errors(100.0));
+  budget.ask_errors(100.0);
+  EXPECT_FALSE(budget.wants_errors(101.0));
+  EXPECT_TRUE(budget.wants_errors(102.5));
+}
+
+TEST(PlayBudget, WaitsForALensNoLongerThanARateLeavesTimeFor) {
+  EXPECT_EQ(lens_patience_ms({0.25, std::nullopt}), 20.0);
+  EXPECT_EQ(lens_patience_ms({0.25, 100.0}), 4.0);
+  EXPECT_EQ(lens_patience_ms({0.25, 5.0}), 20.0);
+}
+
+TEST(PlayBudget, DisplaysErrorTimeRateAndStep) {
+  PlayBudget budget(plan_with({0.25, 30.0}));
+  budget.note_picture(25.0, 33.0);
+  EXPECT_EQ(budget.display_text(), "budget 0.25px,30fps: error 0.090 px, 25.0 of 33.3 ms, 30.3 fps, step 2 of 3");
+}
+
+TEST(PlayBudget, SumsUpHowTheRateWasHeld) {
+  PlayBudget budget(plan_with({std::nullopt, 50.0}));
+  for (int i = 0; i < 3; ++i) {
+    budget.note_picture(10.0, 20.0);
+  }
+  budget.note_picture(10.0, 40.0);
+  EXPECT_THAT(budget.summary_text(),
+              HasSubstr("budget 50fps: 40.00 fps over 4 frames (-20.0 % of the rate), 25.0 % of "
+                        "them late, the longest 40 ms; settings changed 0 times, last at step 2 of 3"));
+}
+
+}  // namespace
+}  // namespace ergodome
