@@ -13,11 +13,17 @@ namespace {
 
 //! Of each new interval in the mean that is displayed.
 constexpr double smoothing = 0.1;
-constexpr double errors_every_s = 2.0;
+constexpr double errors_every_s = 1.0;
 //! Pixels whose errors are remembered: those of the last few measurements.
 constexpr std::size_t remembered_errors = 1000;
 //! Fewer tell nothing of one in a hundred.
 constexpr std::size_t telling_errors = 100;
+//! So many are asked for before the lens is changed: of fewer, the largest are chance.
+constexpr std::size_t sure_errors = 500;
+//! Steps of the lens's budget, how far they go, and the share of the error below which one is taken back.
+constexpr double finer_step = 0.7;
+constexpr double finest_share = 0.1;
+constexpr double far_within = 0.25;
 
 std::vector<double> rung_times(const std::vector<Rung>& ladder) {
   std::vector<double> times_ms;
@@ -53,6 +59,30 @@ void PlayBudget::note_picture(double work_ms, std::optional<double> interval_ms)
   }
 }
 
+Rung PlayBudget::rung() const {
+  Rung rung = ladder_rung();
+  rung.quality.budget_px *= lens_share_;
+  return rung;
+}
+
+void PlayBudget::keep_to_error() {
+  // Rungs beyond the error are there for the rate's sake.
+  const bool kept = plan_.budget.error_px && ladder_rung().error_px <= *plan_.budget.error_px;
+  if (!kept || errors_px_.size() < sure_errors) {
+    return;
+  }
+  const double share = error_px() / *plan_.budget.error_px;
+  if (share > 1.0 && lens_share_ > finest_share) {
+    lens_share_ *= finer_step;
+  } else if (share < far_within && lens_share_ < 1.0) {
+    lens_share_ = std::min(lens_share_ / finer_step, 1.0);
+  } else {
+    return;
+  }
+  // What was measured was another lens.
+  errors_px_.clear();
+}
+
 void PlayBudget::ask_errors(double now_s) { errors_due_s_ = now_s + errors_every_s; }
 
 void PlayBudget::note_errors(const std::vector<double>& errors_px) {
@@ -60,6 +90,7 @@ void PlayBudget::note_errors(const std::vector<double>& errors_px) {
   while (errors_px_.size() > remembered_errors) {
     errors_px_.pop_front();
   }
+  keep_to_error();
 }
 
 double PlayBudget::error_px() const {

@@ -29,8 +29,9 @@ class PlayBudget {
  public:
   explicit PlayBudget(const PlayPlan& plan);
 
-  //! The settings and size of the next picture.
-  [[nodiscard]] const Rung& rung() const { return plan_.ladder[keeper_ ? keeper_->rung() : plan_.first]; }
+  //! The settings and size of the next picture. Where pictures were measured to be beyond the error, the lens is finer than the ladder's: a flight
+  //! goes where nothing was measured before.
+  [[nodiscard]] Rung rung() const;
   [[nodiscard]] const PlayPlan& plan() const { return plan_; }
 
   //! A picture took `work_ms` to draw, and came `interval_ms` after the one before, where something moved in both.
@@ -50,6 +51,9 @@ class PlayBudget {
   [[nodiscard]] std::string summary_text() const;
 
  private:
+  [[nodiscard]] const Rung& ladder_rung() const { return plan_.ladder[keeper_ ? keeper_->rung() : plan_.first]; }
+  void keep_to_error();
+
   PlayPlan plan_;
   std::optional<RateKeeper> keeper_;  //!< where there is a rate
   std::optional<RateRecord> record_;  //!< the same
@@ -57,6 +61,7 @@ class PlayBudget {
   double work_ms_ = 0.0;      //!< of the last picture
   double interval_ms_ = 0.0;  //!< of the last few, smoothed; 0: none yet
   double errors_due_s_ = 0.0;
+  double lens_share_ = 1.0;  //!< of the rung's budget, for the lens
 };
 
 }  // namespace ergodome

@@ -239,7 +239,7 @@ void Player::add_budget(PictureRequest& wish) {
     return;
   }
   const PlayPlan& plan = budget_->plan();
-  const Rung& rung = budget_->rung();
+  const Rung rung = budget_->rung();
   wish.quality = rung.quality;
   wish.whole_px = plan.whole_px;
   wish.patience_s = 1e-3 * plan.patience_ms;

@@ -55,12 +55,43 @@ TEST(PlayBudget, ForgetsErrorsOfLongAgo) {
   EXPECT_EQ(budget.error_px(), 0.1);
 }
 
+TEST(PlayBudget, MakesTheLensFinerWherePicturesAreBeyondTheError) {
+  PlayBudget budget(plan_with({0.25, std::nullopt}));
+  budget.note_errors(std::vector<double>(499, 0.3));
+  EXPECT_EQ(budget.rung().quality.budget_px, 0.1);
+  budget.note_errors({0.3});
+  EXPECT_NEAR(budget.rung().quality.budget_px, 0.07, 1e-12);
+  // Within the error it stays, and far within it comes back.
+  budget.note_errors(std::vector<double>(500, 0.2));
+  EXPECT_NEAR(budget.rung().quality.budget_px, 0.07, 1e-12);
+  budget.note_errors(std::vector<double>(1000, 0.05));
+  EXPECT_NEAR(budget.rung().quality.budget_px, 0.1, 1e-12);
+}
+
+TEST(PlayBudget, MakesNoLensFinerThanATenthOfTheLaddersOrCoarserThanIt) {
+  PlayBudget budget(plan_with({0.25, std::nullopt}));
+  for (int i = 0; i < 30; ++i) {
+    budget.note_errors(std::vector<double>(500, 9.0));
+  }
+  EXPECT_GT(budget.rung().quality.budget_px, 0.005);
+  for (int i = 0; i < 60; ++i) {
+    budget.note_errors(std::vector<double>(500, 0.0));
+  }
+  EXPECT_EQ(budget.rung().quality.budget_px, 0.1);
+}
+
+TEST(PlayBudget, LeavesTheLensOfARateAlone) {
+  PlayBudget budget(plan_with({std::nullopt, 30.0}));
+  budget.note_errors(std::vector<double>(1000, 9.0));
+  EXPECT_EQ(budget.rung().quality.budget_px, 0.1);
+}
+
 TEST(PlayBudget, MeasuresNowAndThen) {
   PlayBudget budget(plan_with({0.25, std::nullopt}));
   EXPECT_TRUE(budget.wants_errors(100.0));
   budget.ask_errors(100.0);
-  EXPECT_FALSE(budget.wants_errors(101.0));
-  EXPECT_TRUE(budget.wants_errors(102.5));
+  EXPECT_FALSE(budget.wants_errors(100.5));
+  EXPECT_TRUE(budget.wants_errors(101.5));
 }
 
 TEST(PlayBudget, WaitsForALensNoLongerThanARateLeavesTimeFor) {
