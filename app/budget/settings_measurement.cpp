@@ -5,10 +5,11 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
+#include <utility>
 
 #include "app/budget/lens_error.h"
+#include "app/budget/picture_timer.h"
 #include "content/animated_show.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/accuracy/picture_race.h"
@@ -24,13 +25,7 @@ constexpr int budget_moments = 6;
 //! Rows of a moment, and pixels of each row; of a moment that stands for all, twice as many of both.
 constexpr int sampled_rows = 32;
 constexpr int sampled_columns = 32;
-//! Widths of the pictures that times are told from, where the whole one is wider.
-constexpr int small_px = 160;
-constexpr int larger_px = 384;
-constexpr std::size_t timed_draws = 2;
 constexpr std::size_t timed_moments = 2;
-//! Of a picture's time, this share goes with its pixels at the least.
-constexpr double least_by_pixels = 0.3;
 //! Shares of the time after which moments, pictures and lenses leave the rest to what comes after.
 constexpr double moments_share = 0.25;
 constexpr double pictures_share = 0.6;
@@ -50,12 +45,11 @@ struct BudgetMoment {
   std::unique_ptr<LensErrors> errors;
 };
 
-//! What pictures take that are drawn in one way, as in MeasuredSetting.
+//! What pictures take that are drawn in one way.
 struct KindTimes {
   LensChoice lens = LensChoice::automatic;
   SkyFilter filter = SkyFilter::ewa;
-  double fixed_ms = 0.0;
-  double pixels_ms = 0.0;
+  PictureTime time;
 };
 
 class SettingsMeter {
@@ -214,15 +208,15 @@ class SettingsMeter {
     return within;
   }
 
-  //! What is drawn for times: a lens that may come to be chosen.
-  [[nodiscard]] double usual_px() const { return kept_share * order_.budget.error_px.value_or(loosest_px); }
+  //! What is drawn for times. It is coarser than all that is looked at after: a finer grid at hand would stand in for those.
+  [[nodiscard]] double coarse_px() const { return 1.1 * loosest_budget(); }
 
   //! Looks which lens `automatic` is.
   void look_at_lens() {
     const auto look = [&] {
       const BudgetMoment& moment = moments_.front();
       renderer_.apply(moment.time_s);
-      renderer_.set_quality({usual_px(), order_.lens, first_quality_.filter});
+      renderer_.set_quality({coarse_px(), order_.lens, first_quality_.filter});
       const auto lens = renderer_.lens_of(moment.pose, moment.projection, {moment.time_s});
       automatic_is_direct_ = order_.lens == LensChoice::automatic && std::string_view(lens->name()) == "direct";
     };
@@ -231,6 +225,17 @@ class SettingsMeter {
 
   //! Times of pictures, for each way to draw them; a lens's budget changes them little.
   void time_pictures() {
+    std::vector<TimedMoment> moments;
+    for (std::size_t i = 0; i < std::min(timed_moments, moments_.size()); ++i) {
+      moments.push_back({moments_[i].time_s, moments_[i].pose});
+    }
+    PictureTimer timer(renderer_, deadline_, std::move(moments), result_.width_px, pictures_share);
+    const auto time_kind = [&](LensChoice lens, SkyFilter filter, LensChoice drawn_by) {
+      if (const std::optional<PictureTime> time = timer.time({coarse_px(), drawn_by, filter})) {
+        times_.push_back({lens, filter, *time});
+        result_.drawn_px = timer.widths_px();
+      }
+    };
     const bool automatic = order_.lens == LensChoice::automatic;
     const LensChoice drawn_by = !automatic ? order_.lens : automatic_is_direct_ ? LensChoice::direct : LensChoice::live;
     const SkyFilter filter = first_quality_.filter;
@@ -243,31 +248,6 @@ class SettingsMeter {
     }
   }
 
-  //! Draws pictures through a lens that is a case of `lens`.
-  void time_kind(LensChoice lens, SkyFilter filter, LensChoice drawn_by) {
-    const int whole_px = result_.width_px;
-    const std::vector<int> widths =
-        whole_px > larger_px ? std::vector<int>{small_px, larger_px} : std::vector<int>{whole_px};
-    std::vector<double> times_ms;
-    for (const int width_px : widths) {
-      const std::optional<double> time_ms = time_at_width({usual_px(), drawn_by, filter}, width_px);
-      if (!time_ms) {
-        return;
-      }
-      times_ms.push_back(*time_ms);
-    }
-    result_.drawn_px = widths;
-    // A line through the times of two sizes, which begins above nothing; it rises, whatever else the machine did meanwhile.
-    const auto share = [&](std::size_t i) { return std::pow(static_cast<double>(widths[i]) / whole_px, 2); };
-    KindTimes times{lens, filter, 0.0, times_ms.back() / share(times_ms.size() - 1)};
-    if (times_ms.size() > 1) {
-      times.pixels_ms = std::clamp((times_ms[1] - times_ms[0]) / (share(1) - share(0)),
-                                   least_by_pixels * times.pixels_ms, times.pixels_ms);
-      times.fixed_ms = times_ms[1] - times.pixels_ms * share(1);
-    }
-    times_.push_back(times);
-  }
-
   //! Tells settings the times of pictures that are drawn as theirs are, and adds the one with a plain look at the map, which has its lens's error.
   void add_times() {
     for (const KindTimes& times : times_) {
@@ -278,48 +258,11 @@ class SettingsMeter {
       }
       for (MeasuredSetting& setting : result_.settings) {
         if (setting.quality.lens == times.lens && setting.quality.filter == times.filter) {
-          setting.fixed_ms = times.fixed_ms;
-          setting.pixels_ms = times.pixels_ms;
+          setting.fixed_ms = times.time.fixed_ms;
+          setting.pixels_ms = times.time.pixels_ms;
         }
       }
     }
-  }
-
-  //! Median time of pictures of a width at two moments, whose lenses are there [ms]; nothing where the time is over.
-  std::optional<double> time_at_width(const FrameQuality& quality, int width_px) {
-    std::vector<double> times_ms;
-    const auto moments = static_cast<std::ptrdiff_t>(std::min(timed_moments, moments_.size()));
-    for (const BudgetMoment& moment : std::span(moments_.begin(), moments_.begin() + moments)) {
-      for (std::size_t round = 0; round <= timed_draws; ++round) {
-        const std::optional<double> time_ms = draw(moment, quality, width_px);
-        // The first makes the lens, and room for the rest.
-        if (time_ms && round > 0) {
-          times_ms.push_back(*time_ms);
-        }
-      }
-    }
-    return times_ms.empty() ? std::nullopt : std::optional(spread_of(times_ms).median);
-  }
-
-  //! Draws a picture; its time [ms], or nothing where there is none left.
-  std::optional<double> draw(const BudgetMoment& moment, const FrameQuality& quality, int width_px) {
-    double time_ms = 0.0;
-    const auto work = [&] {
-      renderer_.apply(moment.time_s);
-      // The angle is what the whole picture's lens was made for, and serves here.
-      const double share = static_cast<double>(width_px) / result_.width_px;
-      renderer_.set_quality({share * quality.budget_px, quality.lens, quality.filter});
-      const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);
-      const double begun_s = deadline_.elapsed_s();
-      renderer_.render_window(moment.pose, projection, ViewMode::sky, {moment.time_s});
-      time_ms = 1000.0 * (deadline_.elapsed_s() - begun_s);
-    };
-    const bool small = width_px == small_px;
-    constexpr double times_the_pixels = static_cast<double>(larger_px) * larger_px / (small_px * small_px);
-    const double expected_s = small ? 0.0 : times_the_pixels * deadline_.longest_s(StartWork::small_picture);
-    const bool drawn =
-        deadline_.run(small ? StartWork::small_picture : StartWork::picture, work, pictures_share, 1.0, expected_s);
-    return drawn ? std::optional(time_ms) : std::nullopt;
   }
 
   ShowRenderer& renderer_;

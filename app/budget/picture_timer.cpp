@@ -1,0 +1,86 @@
+#include "app/budget/picture_timer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/accuracy/statistics.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Widths of the pictures that times are told from, where the whole one is wider.
+constexpr int small_px = 160;
+constexpr int larger_px = 384;
+constexpr int timed_draws = 2;
+//! Of a picture's time, this share goes with its pixels at the least.
+constexpr double least_by_pixels = 0.3;
+
+}  // namespace
+
+PictureTimer::PictureTimer(ShowRenderer& renderer, Deadline& deadline, std::vector<TimedMoment> moments, int whole_px,
+                           double share)
+    : renderer_(renderer), deadline_(deadline), moments_(std::move(moments)), whole_px_(whole_px), share_(share) {
+  if (whole_px > larger_px) {
+    widths_px_ = {small_px, larger_px};
+  } else {
+    widths_px_ = {whole_px};
+  }
+}
+
+std::optional<PictureTime> PictureTimer::time(const FrameQuality& quality) {
+  std::vector<double> times_ms;
+  std::vector<double> shares;
+  for (const int width_px : widths_px_) {
+    const std::optional<double> time_ms = median_ms(quality, width_px);
+    if (!time_ms) {
+      return std::nullopt;
+    }
+    times_ms.push_back(*time_ms);
+    shares.push_back(std::pow(static_cast<double>(width_px) / whole_px_, 2));
+  }
+  const double by_pixels_ms = times_ms.back() / shares.back();
+  if (times_ms.size() < 2) {
+    return PictureTime{0.0, by_pixels_ms};
+  }
+  // A line through both, which begins above nothing; it rises, whatever else the machine did meanwhile.
+  const double slope_ms = (times_ms[1] - times_ms[0]) / (shares[1] - shares[0]);
+  const double pixels_ms = std::clamp(slope_ms, least_by_pixels * by_pixels_ms, by_pixels_ms);
+  return PictureTime{times_ms[1] - pixels_ms * shares[1], pixels_ms};
+}
+
+std::optional<double> PictureTimer::median_ms(const FrameQuality& quality, int width_px) {
+  std::vector<double> times_ms;
+  for (const TimedMoment& moment : moments_) {
+    for (int round = 0; round <= timed_draws; ++round) {
+      const std::optional<double> time_ms = draw(moment, quality, width_px);
+      // The first makes the lens, and room for the rest.
+      if (time_ms && round > 0) {
+        times_ms.push_back(*time_ms);
+      }
+    }
+  }
+  return times_ms.empty() ? std::nullopt : std::optional(spread_of(times_ms).median);
+}
+
+std::optional<double> PictureTimer::draw(const TimedMoment& moment, const FrameQuality& quality, int width_px) {
+  double time_ms = 0.0;
+  const auto work = [&] {
+    renderer_.apply(moment.time_s);
+    // The angle is what the whole picture's lens is made for, and serves here.
+    const double width_share = static_cast<double>(width_px) / whole_px_;
+    renderer_.set_quality({width_share * quality.budget_px, quality.lens, quality.filter});
+    const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);
+    const double begun_s = deadline_.elapsed_s();
+    renderer_.render_window(moment.pose, projection, ViewMode::sky, {moment.time_s});
+    time_ms = 1000.0 * (deadline_.elapsed_s() - begun_s);
+  };
+  const bool small = width_px == small_px;
+  constexpr double times_the_pixels = static_cast<double>(larger_px) * larger_px / (small_px * small_px);
+  const double expected_s = small ? 0.0 : times_the_pixels * deadline_.longest_s(StartWork::small_picture);
+  const StartWork kind = small ? StartWork::small_picture : StartWork::picture;
+  return deadline_.run(kind, work, share_, 1.0, expected_s) ? std::optional(time_ms) : std::nullopt;
+}
+
+}  // namespace ergodome
