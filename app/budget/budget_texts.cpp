@@ -12,12 +12,20 @@ std::string milliseconds(double time_ms) {
                         : fmt::format("{:.{}f} ms", time_ms, time_ms < 100.0 ? 1 : 0);
 }
 
+std::string moments_text(int moments, int all) {
+  if (all < 2) {
+    return "at one moment";
+  }
+  return moments < all ? fmt::format("at the worst of {} moments of {}", moments, all)
+                       : fmt::format("at the worst of {} moments", all);
+}
+
 std::string error_text(double error_px, int moments, std::size_t all) {
   if (std::isnan(error_px)) {
     return "error not measured, for want of time";
   }
   return fmt::format("measured error {:.3g} px (99 of 100 pixels, {})", error_px,
-                     all < 2 ? "at one moment" : fmt::format("worst of {} moments", moments));
+                     moments_text(moments, static_cast<int>(all)));
 }
 
 std::string time_text(double frame_ms, const SettingsMeasurement& measured) {

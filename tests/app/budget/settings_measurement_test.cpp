@@ -28,7 +28,7 @@ Show falling_show() {
 MeasurementOrder order_for(const Budget& budget, LensChoice lens) {
   MeasurementOrder order;
   order.budget = budget;
-  order.size_px = test::sanitized ? 64 : 400;
+  order.size_px = test::sanitized ? 256 : 400;
   order.lens = lens;
   // As much as it needs: what a test measures must not depend on the machine.
   order.limit_s = 1e6;
@@ -116,7 +116,7 @@ TEST_P(BudgetOfShow, HoldsAtRandomMoments) {
   const SettingsMeasurement measured = measure_settings(renderer, show, order);
   const BudgetChoice choice = choose_setting(measured.settings, budget, BudgetFirst::error);
   const BudgetCheck check = check_error(renderer, show, measured.settings[choice.setting].quality, order.size_px,
-                                        test::sanitized ? 2 : 20, 7, test::sanitized ? 16 : 48);
+                                        test::sanitized ? 4 : 20, 7, 48);
   EXPECT_TRUE(choice.holds_error);
   EXPECT_LE(check.worst_px, 0.25) << "at " << check.worst_time_s << " s";
 }
