@@ -1,0 +1,48 @@
+#include "render/diagram/light_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/schwarzschild/apparent_place.h"
+#include "kernels/schwarzschild/ray_curve.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Azimuth between two neighbours on a curve [rad].
+constexpr double finest_turn = 0.03;
+constexpr int fewest_pieces = 32;
+
+}  // namespace
+
+std::vector<Vector3<double>> light_curve(const Vector3<double>& observer, const Vector3<double>& point, int order) {
+  const ConnectionPlane plane = connection_plane(observer, point);
+  const double angle = image_angle(plane.phi, order);
+  if (why_not_connected(plane.r_observer, plane.r, angle) != nullptr) {
+    return {};
+  }
+  const ConnectingRay ray = connecting_ray(plane.r_observer, plane.r, angle);
+  const int half = std::max(fewest_pieces, static_cast<int>(std::ceil(angle / finest_turn))) / 2 + 1;
+  const double step = 0.5 / half;
+  const double side = order % 2 == 1 ? 1.0 : -1.0;
+  const auto place = [&](const RayPlace& at) {
+    const double phi = at.share * angle;
+    return (1.0 / at.u) * (std::cos(phi) * plane.outward + side * std::sin(phi) * plane.across);
+  };
+  RayPlace from_point = place_at_point(ray, plane.r_observer, plane.r, angle);
+  RayPlace from_observer = place_at_observer(ray, plane.r_observer, plane.r, angle);
+  std::vector<Vector3<double>> first = {place(from_point)};
+  std::vector<Vector3<double>> last = {place(from_observer)};
+  for (int i = 0; i < half; ++i) {
+    from_point = moved_on(from_point, angle, -step);
+    first.push_back(place(from_point));
+    from_observer = moved_on(from_observer, angle, step);
+    last.push_back(place(from_observer));
+  }
+  // Both halves end in the middle: it counts once.
+  first.insert(first.end(), last.rbegin() + 1, last.rend());
+  return first;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,34 @@
+#include "render/diagram/spread_choice.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ergodome {
+
+std::vector<std::size_t> spread_choice(const std::vector<Vector3<double>>& places, std::size_t count) {
+  Vector3<double> middle{0.0, 0.0, 0.0};
+  for (const Vector3<double>& place : places) {
+    middle = middle + (1.0 / static_cast<double>(places.size())) * place;
+  }
+  const auto square = [](const Vector3<double>& v) { return dot(v, v); };
+  std::vector<double> nearest;
+  nearest.reserve(places.size());
+  for (const Vector3<double>& place : places) {
+    nearest.push_back(square(place - middle));
+  }
+  std::vector<std::size_t> chosen;
+  while (chosen.size() < std::min(count, places.size())) {
+    const auto next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+    if (chosen.empty()) {
+      std::ranges::fill(nearest, std::numeric_limits<double>::max());
+    }
+    chosen.push_back(next);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      nearest[i] = std::min(nearest[i], square(places[i] - places[next]));
+    }
+    nearest[next] = -1.0;
+  }
+  return chosen;
+}
+
+}  // namespace ergodome

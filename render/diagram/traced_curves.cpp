@@ -1,0 +1,165 @@
+#include "render/diagram/traced_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "kernels/core/angles.h"
+#include "kernels/launch/parallel_for.h"
+#include "render/diagram/spread_choice.h"
+#include "render/lens/direct_lens.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int diagram_series = 16;
+constexpr double diagram_tolerance = 1e-10;
+constexpr int diagram_step_limit = 10'000;
+//! Straight lines that a step of the series is drawn by.
+constexpr int lines_a_step = 12;
+//! Paths into the hole are drawn to so many of its radii: their azimuth grows without end towards the horizon.
+constexpr double beside_the_hole = 1.01;
+
+using DiagramStep = PathStep<diagram_series, NearParts::azimuth_and_delay, double>;
+
+double distance_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+//! Angle between two places, seen from the hole.
+double angle_between(const Vector3<double>& a, const Vector3<double>& b) {
+  return std::atan2(distance_of(cross(a, b)), dot(a, b));
+}
+
+//! A ray of the picture, and what it meets.
+struct LookedAt {
+  Vector3<double> view;  //!< direction in the view's axes
+  Vector3<double> n;     //!< in (e_r, e_θ, e_φ)
+  MeshHit hit;
+};
+
+Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
+  const auto& m = eye.frame_from_view;
+  return {m[0][0] * view.x + m[0][1] * view.y + m[0][2] * view.z,
+          m[1][0] * view.x + m[1][1] * view.y + m[1][2] * view.z,
+          m[2][0] * view.x + m[2][1] * view.y + m[2][2] * view.z};
+}
+
+//! Looks through the middles of all pixels that the image covers.
+std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects) {
+  const CameraStation camera = station_of(eye);
+  std::vector<std::vector<LookedAt>> rows(static_cast<std::size_t>(coarse.height_px));
+  parallel_for(coarse.height_px, 1, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < coarse.width_px; ++x) {
+        if (!(image_coverage(coarse, x + 0.5, y + 0.5) >= 0.5)) {
+          continue;
+        }
+        LookedAt looked;
+        looked.view = direction_from_pixel(coarse, x + 0.5, y + 0.5);
+        looked.n = in_frame(eye, looked.view);
+        const std::optional<MeshHit> hit = objects.look(camera, looked.n, diagram_tolerance);
+        if (hit) {
+          looked.hit = *hit;
+          rows[static_cast<std::size_t>(y)].push_back(looked);
+        }
+      }
+    }
+  });
+  std::vector<LookedAt> all;
+  for (const std::vector<LookedAt>& row : rows) {
+    all.insert(all.end(), row.begin(), row.end());
+  }
+  return all;
+}
+
+//! Some of the rays, spread over the view.
+std::vector<TracedCurve> spread_over_view(std::vector<TracedCurve>& from, const std::vector<Vector3<double>>& views,
+                                          std::size_t count) {
+  std::vector<TracedCurve> taken;
+  for (const std::size_t i : spread_choice(views, count)) {
+    taken.push_back(std::move(from[i]));
+  }
+  return taken;
+}
+
+}  // namespace
+
+TracedCurve traced_curve(const CameraStation& camera, const Vector3<double>& n, const MeshHit& hit, double reach) {
+  TracedCurve curve;
+  double swept = 0.0;
+  const double least_r = beside_the_hole * camera.horizon_r;
+  bool inside = false;
+  const auto add = [&](const Vector3<double>& place) {
+    if (!curve.places.empty()) {
+      swept += angle_between(curve.places.back(), place);
+    }
+    curve.places.push_back(place);
+  };
+  const auto visit = [&](int, const DiagramStep& step) {
+    const double hit_h = (hit.time - step.start) * step.scale;
+    const bool ends = hit.mesh >= 0 && hit_h <= step.length;
+    const double length = ends ? hit_h : step.length;
+    for (int i = curve.places.empty() ? 0 : 1; i <= lines_a_step; ++i) {
+      const Vector3<double> place = step.point(length * i / lines_a_step);
+      const double r = distance_of(place);
+      inside = r < 2.0 * least_r;
+      if (hit.mesh < 0 && (r < least_r || r > reach)) {
+        return true;
+      }
+      add(place);
+    }
+    return ends;
+  };
+  follow_path<diagram_series, NearParts::azimuth_and_delay>(
+      camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n), {least_r, 1.5 * reach},
+      MeshLimits{diagram_tolerance, diagram_step_limit}, true, visit);
+  std::ranges::reverse(curve.places);
+  curve.end = hit.mesh >= 0 ? RayEnd::object : inside ? RayEnd::hole : RayEnd::sky;
+  curve.object = hit.mesh;
+  curve.order = 1 + static_cast<int>(swept / pi);
+  curve.delay = hit.delay;
+  return curve;
+}
+
+std::vector<TracedCurve> traced_curves(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
+                                       const TracedChoice& choice) {
+  const CameraStation camera = station_of(eye);
+  struct Group {
+    std::vector<TracedCurve> curves;
+    std::vector<Vector3<double>> views;
+  };
+  std::map<int, Group> orders;  // 0: no object
+  std::vector<LookedAt> others;
+  for (const LookedAt& looked : look_through(eye, coarse, objects)) {
+    if (looked.hit.mesh < 0) {
+      others.push_back(looked);
+      continue;
+    }
+    TracedCurve curve = traced_curve(camera, looked.n, looked.hit, choice.reach);
+    if (curve.order <= choice.most_order) {
+      Group& group = orders[curve.order];
+      group.views.push_back(looked.view);
+      group.curves.push_back(std::move(curve));
+    }
+  }
+  const auto wanted = static_cast<std::size_t>(choice.count);
+  std::vector<TracedCurve> curves;
+  std::size_t groups_left = orders.size();
+  for (auto& [order, group] : orders) {
+    const std::size_t share = (2 * wanted / 3 - std::min(2 * wanted / 3, curves.size())) / groups_left--;
+    for (TracedCurve& curve : spread_over_view(group.curves, group.views, std::max<std::size_t>(share, 1))) {
+      curves.push_back(std::move(curve));
+    }
+  }
+  std::vector<Vector3<double>> views;
+  views.reserve(others.size());
+  for (const LookedAt& looked : others) {
+    views.push_back(looked.view);
+  }
+  for (const std::size_t i : spread_choice(views, wanted - std::min(wanted, curves.size()))) {
+    curves.push_back(traced_curve(camera, others[i].n, others[i].hit, choice.reach));
+  }
+  return curves;
+}
+
+}  // namespace ergodome
