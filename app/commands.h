@@ -15,6 +15,7 @@ void add_connect_command(CLI::App& app);
 void add_bake_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_catalogue_command(CLI::App& app);
+void add_diagram_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_accuracy_command(CLI::App& app);
 void add_calibrate_command(CLI::App& app);

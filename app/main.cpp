@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   ergodome::add_bake_command(app);
   ergodome::add_inspect_command(app);
   ergodome::add_plan_command(app);
+  ergodome::add_diagram_command(app);
   ergodome::add_accuracy_command(app);
   ergodome::add_catalogue_command(app);
   ergodome::add_calibrate_command(app);

@@ -7,6 +7,7 @@
 #include "app/budget/budget_option.h"
 #include "app/budget/render_budget.h"
 #include "app/commands.h"
+#include "app/frame_range.h"
 #include "app/frame_writer.h"
 #include "app/interrupt.h"
 #include "app/movie.h"
@@ -22,37 +23,6 @@
 namespace ergodome {
 
 namespace {
-
-//! First and last frame, counted from 0, of "A:B", "A:" , ":B" or "A", which count from 1.
-std::pair<int, int> frame_range(const std::string& text, int count) {
-  if (text.empty()) {
-    return {0, count - 1};
-  }
-  const auto number = [&](const std::string& part, int otherwise) {
-    if (part.empty()) {
-      return otherwise;
-    }
-    std::size_t used = 0;
-    int value = 0;
-    try {
-      value = std::stoi(part, &used);
-    } catch (const std::exception&) {
-      used = 0;
-    }
-    if (used != part.size() || value < 1 || value > count) {
-      throw Error("--frames " + text, fmt::format("\"{}\" is not a frame of this show", part),
-                  fmt::format("choose from 1:{}", count));
-    }
-    return value;
-  };
-  const std::size_t colon = text.find(':');
-  const int first = number(text.substr(0, colon), 1);
-  const int last = colon == std::string::npos ? first : number(text.substr(colon + 1), count);
-  if (last < first) {
-    throw Error("--frames " + text, "ends before it begins", "write FIRST:LAST");
-  }
-  return {first - 1, last - 1};
-}
 
 //! Whether files can hold what the layout makes.
 void require_file_layout(const RenderOptions& options, const Show& show) {

@@ -127,7 +127,7 @@ class EdgeDivider {
 };
 
 //! Whether the hole tears a triangle: as the polygons' geometry shader has it (render/objects/object_shaders.cpp).
-bool is_torn(const Vector3<double>& observer, const std::array<const ApparentVertex*, 3>& corners, double torn) {
+bool torn_by_hole(const Vector3<double>& observer, const std::array<const ApparentVertex*, 3>& corners, double torn) {
   const Vector3<double> outward = (1.0 / length_of(observer)) * observer;
   double around = 0.0;
   double around_flat = 0.0;
@@ -148,9 +148,10 @@ bool is_torn(const Vector3<double>& observer, const std::array<const ApparentVer
 
 void leave_out_torn(const Vector3<double>& observer, double torn, ApparentMesh& mesh) {
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
-    const std::array corners = {&mesh.vertices[t[0]], &mesh.vertices[t[1]], &mesh.vertices[t[2]]};
+    const std::array<const ApparentVertex*, 3> corners = {&mesh.vertices[t[0]], &mesh.vertices[t[1]],
+                                                          &mesh.vertices[t[2]]};
     return !std::ranges::all_of(corners, [](const ApparentVertex* v) { return v->connected; }) ||
-           is_torn(observer, corners, torn);
+           torn_by_hole(observer, corners, torn);
   });
 }
 

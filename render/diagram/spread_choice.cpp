@@ -19,6 +19,9 @@ std::vector<std::size_t> spread_choice(const std::vector<Vector3<double>>& place
   std::vector<std::size_t> chosen;
   while (chosen.size() < std::min(count, places.size())) {
     const auto next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+    if (!chosen.empty() && !(nearest[next] > 0.0)) {
+      break;
+    }
     if (chosen.empty()) {
       std::ranges::fill(nearest, std::numeric_limits<double>::max());
     }

@@ -114,7 +114,7 @@ TracedCurve traced_curve(const CameraStation& camera, const Vector3<double>& n, 
       camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n), {least_r, 1.5 * reach},
       MeshLimits{diagram_tolerance, diagram_step_limit}, true, visit);
   std::ranges::reverse(curve.places);
-  curve.end = hit.mesh >= 0 ? RayEnd::object : inside ? RayEnd::hole : RayEnd::sky;
+  curve.end = hit.mesh >= 0 ? CurveEnd::object : inside ? CurveEnd::hole : CurveEnd::sky;
   curve.object = hit.mesh;
   curve.order = 1 + static_cast<int>(swept / pi);
   curve.delay = hit.delay;

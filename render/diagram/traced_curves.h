@@ -9,13 +9,13 @@
 namespace ergodome {
 
 //! Where the path of a ray that is followed back from an eye ends.
-enum class RayEnd { object, hole, sky };
+enum class CurveEnd { object, hole, sky };
 
 //! Path of a ray that an eye sees, about a hole of any spin.
 struct TracedCurve {
   std::vector<Vector3<double>> places;  //!< pseudo-Cartesian, from where the light comes to the eye [M]
-  RayEnd end = RayEnd::sky;
-  int object = -1;     //!< which one, for RayEnd::object
+  CurveEnd end = CurveEnd::sky;
+  int object = -1;     //!< which one, for CurveEnd::object
   int order = 1;       //!< 1 and as many more as it has gone half turns round the hole
   double delay = 0.0;  //!< how long light takes from the object to the eye [M]
 };

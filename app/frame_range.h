@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace ergodome {
+
+//! First and last frame of a show with `count` of them, counted from 0, of "A:B", "A:", ":B" or "A", which count from 1; all of "". Throws Error for
+//! what is none.
+std::pair<int, int> frame_range(const std::string& text, int count);
+
+}  // namespace ergodome

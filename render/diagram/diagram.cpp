@@ -1,0 +1,251 @@
+#include "render/diagram/diagram.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "content/animated_show.h"
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+#include "kernels/schwarzschild/apparent_place.h"
+#include "render/diagram/diagram_meshes.h"
+#include "render/diagram/diagram_surroundings.h"
+#include "render/diagram/light_curve.h"
+#include "render/diagram/spread_choice.h"
+#include "render/diagram/traced_curves.h"
+#include "render/diagram/view_outline.h"
+#include "render/frame/view_projection.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double ray_width_px = 1.6;
+constexpr double other_ray_width_px = 1.0;
+constexpr double sight_width_px = 1.0;
+//! Of an image of an object, rays that are prolonged to what they show.
+constexpr int most_sights = 6;
+//! Of what is shown, the length of a dash.
+constexpr double dash_share = 0.012;
+//! Of what is shown, a bend that is not to be seen.
+constexpr double finest_bend = 1.0 / 2000.0;
+//! Of it, how far the borders of the observer's view are drawn.
+constexpr double view_share = 0.14;
+//! Corners of a mesh among which rays are chosen.
+constexpr std::size_t most_candidates = 4096;
+constexpr int coarse_width_px = 192;
+
+double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
+
+std::string turns_of(int order) {
+  return order == 1   ? "less than half a turn"
+         : order == 2 ? "half a turn to a whole one"
+                      : fmt::format("{:.2g} to {:.2g} turns", 0.5 * (order - 1), 0.5 * order);
+}
+
+//! Adds a dashed line, dashes and gaps of the same length [M]; `look` has its ink and width.
+struct DashLook {
+  Ink ink;
+  double width_px;
+};
+void add_dashes(const Vector3<double>& from, const Vector3<double>& to, double dash, const DashLook& look,
+                DiagramScene& scene) {
+  const Vector3<double> way = to - from;
+  const double length = far_from_hole(way);
+  for (double at = 0.0; at < length; at += 2.0 * dash) {
+    scene.lines.push_back(
+        {{from + (at / length) * way, from + (std::min(at + dash, length) / length) * way}, look.ink, look.width_px});
+  }
+}
+
+//! Where an object was as light left it that has taken `delay` to the camera [M].
+ObjectPlacement placement_before(ObjectPlacement placement, double delay) {
+  const double angle = placement.rate * delay;
+  placement.position = std::cos(angle) * placement.position - std::sin(angle) * placement.ahead;
+  return placement;
+}
+
+}  // namespace
+
+//! A show at one instant.
+struct Diagram::Moment {
+  Show show;
+  double time_s;
+  EyeCamera eye;
+  Vector3<double> observer;
+  std::vector<ObjectPlacement> placements;
+  double extent;  //!< distance from the hole of what is farthest from it [M]
+};
+
+Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show), settings_(settings) {
+  if (show.objects.empty()) {
+    throw Error("diagram", show.name + " has no objects", "name a show with [[objects]]");
+  }
+  const bool spins = show.spin != 0.0 || find_animation(show, "hole.spin") != nullptr;
+  const bool retarded = std::ranges::any_of(show.objects, &ObjectSettings::retarded);
+  connects_ = !spins && !retarded;
+  if (!connects_ && !settings.images.empty()) {
+    throw Error("diagram --images",
+                fmt::format("{} has {}: its rays are followed from the view, whatever their order", show.name,
+                            spins ? "a hole that spins" : "retarded objects"),
+                "leave it out");
+  }
+  meshes_ = load_meshes(show);
+  if (settings_.images.empty()) {
+    settings_.images = {1, 2};
+  }
+}
+
+DiagramScene Diagram::at(double time_s) const {
+  const Show now = show_at(show_, time_s);
+  const EyeCamera eye = eye_camera(now, camera_pose(now, time_s), 0.0);
+  Moment moment{now, time_s, eye, place_of(eye), {}, eye.r};
+  for (std::size_t i = 0; i < now.objects.size(); ++i) {
+    const ObjectSettings& object = now.objects[i];
+    moment.placements.push_back(placement_at(object, time_s));
+    moment.extent = std::max(moment.extent, far_from_hole(moment.placements.back().position) +
+                                                object.size * radius_of(meshes_.meshes[meshes_.mesh_of[i]]));
+  }
+  DiagramScene scene;
+  scene.legend.push_back({LegendLine::Sign::none, {}, fmt::format("{}, {:.6g} s", show_.title, time_s)});
+  add_hole(now.spin, scene);
+  add_observer(now.view, eye, view_share * moment.extent, scene);
+  add_objects(moment, scene);
+  if (connects_) {
+    add_connections(moment, scene);
+  } else {
+    add_traced_rays(moment, scene);
+  }
+  for (const std::vector<DiagramCorner>* corners : {&scene.solids, &scene.veils}) {
+    for (const DiagramCorner& corner : *corners) {
+      scene.framed.push_back(corner.place);
+    }
+  }
+  add_grid(moment.extent, eye.phi - 0.3 * pi, scene);
+  return scene;
+}
+
+void Diagram::add_objects(const Moment& moment, DiagramScene& scene) const {
+  for (std::size_t i = 0; i < moment.placements.size(); ++i) {
+    add_solid(moment.show.objects[i], meshes_.meshes[meshes_.mesh_of[i]], moment.placements[i], scene.solids);
+  }
+}
+
+void Diagram::add_connections(const Moment& moment, DiagramScene& scene) const {
+  const auto shares = static_cast<int>(settings_.images.size() * moment.placements.size());
+  const int rays = (settings_.rays + shares - 1) / shares;
+  for (const int order : settings_.images) {
+    const Ink ink = diagram_inks::of_image(order);
+    for (std::size_t i = 0; i < moment.placements.size(); ++i) {
+      const ObjectSettings& object = moment.show.objects[i];
+      ApparentSettings settings;
+      settings.tolerance = finest_bend * moment.extent;
+      settings.torn = object.torn;
+      add_veil(object,
+               apparent_mesh(moment.observer, meshes_.meshes[meshes_.mesh_of[i]], moment.placements[i], object.size,
+                             order, settings),
+               ink, scene.veils);
+      add_connecting_rays(moment, i, order, rays, scene);
+    }
+    scene.legend.push_back({LegendLine::Sign::line, ink,
+                            fmt::format("image {}: light that goes {} round the hole, and where it shows the objects",
+                                        order, turns_of(order))});
+  }
+  scene.legend.push_back(
+      {LegendLine::Sign::none,
+       {},
+       "What is seen lies where light comes from (dashed), as far away as its time of travel says."});
+}
+
+std::vector<Vector3<double>> Diagram::ray_starts(const Moment& moment, std::size_t object, int order,
+                                                 std::size_t count) const {
+  const TriangleMesh& mesh = meshes_.meshes[meshes_.mesh_of[object]];
+  const ObjectPlacement& placement = moment.placements[object];
+  ObjectPlacement turn = placement;
+  turn.position = {0.0, 0.0, 0.0};
+  const double size = moment.show.objects[object].size;
+  const std::size_t stride = 1 + mesh.vertices.size() / most_candidates;
+  std::vector<Vector3<double>> facing;
+  std::vector<Vector3<double>> averted;
+  for (std::size_t i = 0; i < mesh.vertices.size(); i += stride) {
+    const Vector3<double> point = placed_point(placement, size, mesh.vertices[i].position);
+    if (!apparent_vertex(moment.observer, point, order).connected) {
+      continue;
+    }
+    const Vector3<double> normal = placed_point(turn, 1.0, mesh.vertices[i].normal);
+    const bool faces = illuminance(moment.observer, point, normal, order, 1.0) > 0.0;
+    (faces ? facing : averted).push_back(point);
+  }
+  std::vector<Vector3<double>> starts;
+  for (const std::vector<Vector3<double>>* from : {&facing, &averted}) {
+    for (const std::size_t i : spread_choice(*from, count - starts.size())) {
+      starts.push_back((*from)[i]);
+    }
+  }
+  return starts;
+}
+
+void Diagram::add_connecting_rays(const Moment& moment, std::size_t object, int order, int count,
+                                  DiagramScene& scene) const {
+  const Ink ink = diagram_inks::of_image(order);
+  int sights = most_sights;
+  for (const Vector3<double>& start : ray_starts(moment, object, order, static_cast<std::size_t>(count))) {
+    scene.lines.push_back({light_curve(moment.observer, start, order), ink, ray_width_px});
+    ++scene.ray_count;
+    if (sights-- > 0) {
+      // Next to the observer it cannot be told from the ray.
+      const Vector3<double> seen = apparent_vertex(moment.observer, start, order).seen;
+      const Vector3<double> way = seen - moment.observer;
+      const double apart = std::min(0.4 * moment.eye.r / far_from_hole(way), 1.0);
+      add_dashes(moment.observer + apart * way, seen, dash_share * moment.extent,
+                 {diagram_inks::pale(ink), sight_width_px}, scene);
+    }
+  }
+}
+
+void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
+  const ObjectRays objects(moment.show, moment.time_s);
+  const Projection coarse = make_projection(moment.show.view, coarse_width_px, 0.0);
+  std::map<int, std::map<int, std::vector<double>>> delays;  // by order and object
+  const std::vector<TracedCurve> curves =
+      traced_curves(moment.eye, coarse, objects, {settings_.rays, most_polygon_images, 1.15 * moment.extent});
+  bool others = false;
+  for (const TracedCurve& curve : curves) {
+    const bool meets = curve.end == CurveEnd::object;
+    others = others || !meets;
+    scene.lines.push_back({curve.places, meets ? diagram_inks::of_image(curve.order) : diagram_inks::other_rays(),
+                           meets ? ray_width_px : other_ray_width_px});
+    ++scene.ray_count;
+    if (meets) {
+      delays[curve.order][curve.object].push_back(curve.delay);
+    }
+  }
+  for (auto& [order, of_order] : delays) {
+    bool was = false;
+    for (auto& [object, values] : of_order) {
+      const auto i = static_cast<std::size_t>(object);
+      if (moment.show.objects[i].retarded && moment.placements[i].rate != 0.0) {
+        std::ranges::nth_element(values, values.begin() + static_cast<long>(values.size() / 2));
+        add_retarded(moment, i, order, values[values.size() / 2], scene);
+        was = true;
+      }
+    }
+    scene.legend.push_back({LegendLine::Sign::line, diagram_inks::of_image(order),
+                            fmt::format("image {}: light that goes {} round the hole{}", order, turns_of(order),
+                                        was ? ", and where the objects were as it left" : "")});
+  }
+  if (others) {
+    scene.legend.push_back({LegendLine::Sign::line, diagram_inks::other_rays(),
+                            "other rays of the view: followed back to the sky, or into the hole"});
+  }
+}
+
+void Diagram::add_retarded(const Moment& moment, std::size_t object, int order, double delay,
+                           DiagramScene& scene) const {
+  add_veil(moment.show.objects[object], meshes_.meshes[meshes_.mesh_of[object]],
+           placement_before(moment.placements[object], delay), diagram_inks::of_image(order), scene.veils);
+}
+
+}  // namespace ergodome

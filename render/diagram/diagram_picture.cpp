@@ -1,0 +1,138 @@
+#include "render/diagram/diagram_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/output/text_image.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Height of letters, lines and margins, in heights of the picture.
+constexpr double letter_share = 0.019;
+constexpr double label_share = 0.016;
+constexpr double line_share = 0.031;
+constexpr double margin_share = 0.022;
+constexpr double sign_share = 0.045;
+
+//! Linear light that words are written on.
+struct Sheet {
+  int width;
+  int height;
+  std::vector<float>& rgb;
+
+  void ink(int x, int y, const Ink& color, float cover) const {
+    if (x < 0 || y < 0 || x >= width || y >= height) {
+      return;
+    }
+    float* const to = rgb.data() + 3 * (static_cast<long>(y) * width + x);
+    for (std::size_t k = 0; k < 3; ++k) {
+      to[k] += cover * (color[k] - to[k]);
+    }
+  }
+
+  void fill(int left, int top, int across, int down, const Ink& color, float cover = 1.0F) const {
+    for (int y = top; y < top + down; ++y) {
+      for (int x = left; x < left + across; ++x) {
+        ink(x, y, color, cover);
+      }
+    }
+  }
+
+  //! Words with the middle of their height at y.
+  void write(const TextImage& letters, int left, int y, const Ink& color) const {
+    for (int row = 0; row < letters.height; ++row) {
+      for (int column = 0; column < letters.width; ++column) {
+        ink(left + column, y - letters.height / 2 + row, color,
+            letters.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(letters.width) +
+                             static_cast<std::size_t>(column)]);
+      }
+    }
+  }
+};
+
+int in_pixels(double share, int height_px) { return std::max(1, static_cast<int>(std::lround(share * height_px))); }
+
+//! Where the legend begins, from the top [px].
+int legend_top(std::size_t lines, int height_px) {
+  return height_px - in_pixels(margin_share + line_share * static_cast<double>(lines), height_px);
+}
+
+void write_legend(const Sheet& sheet, const std::vector<LegendLine>& legend) {
+  const int line_px = in_pixels(line_share, sheet.height);
+  const int sign_px = in_pixels(sign_share, sheet.height);
+  const int margin_px = in_pixels(margin_share, sheet.height);
+  const int thick_px = in_pixels(0.004, sheet.height);
+  int y = legend_top(legend.size(), sheet.height) + line_px / 2;
+  for (const LegendLine& line : legend) {
+    if (line.sign == LegendLine::Sign::line) {
+      sheet.fill(margin_px, y - thick_px / 2, sign_px, thick_px, line.ink);
+    } else if (line.sign == LegendLine::Sign::field) {
+      const int side = line_px / 2;
+      sheet.fill(margin_px + (sign_px - side) / 2, y - side / 2, side, side, line.ink);
+    }
+    const int indent = line.sign == LegendLine::Sign::none ? 0 : sign_px + margin_px / 2;
+    const TextImage letters = text_image(line.text, in_pixels(letter_share, sheet.height));
+    // What is drawn stays faint behind words.
+    sheet.fill(margin_px + indent - margin_px / 4, y - line_px / 2, letters.width + margin_px / 2, line_px,
+               diagram_inks::paper(), 0.85F);
+    sheet.write(letters, margin_px + indent, y, diagram_inks::words());
+    y += line_px;
+  }
+}
+
+void write_labels(const Sheet& sheet, const DiagramScene& scene, const OutsideCamera& camera) {
+  const int top_of_legend = legend_top(scene.legend.size(), sheet.height);
+  const int font_px = in_pixels(label_share, sheet.height);
+  for (const DiagramLabel& label : scene.labels) {
+    const Vector3<double> at = camera.in_view(label.place);
+    if (!(-at.z > camera.nearest)) {
+      continue;
+    }
+    const double x = 0.5 * (1.0 - at.x / (at.z * camera.half_width)) * sheet.width;
+    const double y = 0.5 * (1.0 + at.y / (at.z * camera.half_height)) * sheet.height;
+    if (x > 0.0 && x < sheet.width && y > font_px && y < top_of_legend - font_px) {
+      sheet.write(text_image(label.text, font_px), static_cast<int>(x) + font_px / 4, static_cast<int>(y),
+                  diagram_inks::photon_sphere());
+    }
+  }
+}
+
+std::uint8_t display_byte(float light) {
+  const double v = std::clamp(static_cast<double>(light), 0.0, 1.0);
+  const double shown = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255.0 * shown));
+}
+
+}  // namespace
+
+DiagramPicture::DiagramPicture(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {
+  gl_.run([this] { drawing_ = std::make_unique<DiagramDrawing>(); });
+}
+
+DiagramPicture::~DiagramPicture() {
+  gl_.run([this] { drawing_.reset(); });
+}
+
+OutsideCamera DiagramPicture::camera_for(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
+                                         std::size_t legend_lines) const {
+  const double low = 1.0 - static_cast<double>(legend_top(legend_lines, height_px_)) / height_px_;
+  return outside_camera(direction, places, static_cast<double>(width_px_) / height_px_, {std::min(low, 0.6), 1.0});
+}
+
+DiagramImage DiagramPicture::draw(const DiagramScene& scene, const OutsideCamera& camera) {
+  std::vector<float> picture;
+  gl_.run([&] { picture = drawing_->draw(scene, camera, width_px_, height_px_); });
+  const Sheet sheet{width_px_, height_px_, picture};
+  write_labels(sheet, scene, camera);
+  write_legend(sheet, scene.legend);
+  DiagramImage image{width_px_, height_px_, {}};
+  image.rgb.reserve(picture.size());
+  for (const float light : picture) {
+    image.rgb.push_back(display_byte(light));
+  }
+  return image;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,120 @@
+#include "render/diagram/apparent_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "content/mesh/built_in_meshes.h"
+#include "kernels/core/angles.h"
+#include "kernels/schwarzschild/apparent_place.h"
+
+// Meshes where they seem to be.
+namespace ergodome {
+namespace {
+
+using Place = Vector3<double>;
+
+double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+
+constexpr Place far_observer = {40.0, 0.0, 0.0};
+const ApparentSettings fine_settings{0.02, 6, 10.0};
+
+ObjectPlacement standing_at(const Place& position) {
+  return {position, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+}
+
+TriangleMesh leaning_triangle() { return make_triangle({{{{0.0, 0.0, 0.0}, {0.0, 2.5, 0.0}, {0.0, 0.0, 2.5}}}}); }
+
+TEST(ApparentMesh, CornersLieWhereLightComesFromAsFarAsItHasTakenTime) {
+  for (const int order : {1, 2, 3}) {
+    const ApparentMesh mesh =
+        apparent_mesh(far_observer, leaning_triangle(), standing_at({-5.0, 2.0, -0.5}), 1.0, order, fine_settings);
+    ASSERT_FALSE(mesh.triangles.empty());
+    for (const ApparentVertex& vertex : mesh.vertices) {
+      const ApparentPlace place = apparent_place(far_observer, vertex.place, order);
+      EXPECT_LT(length_of(vertex.seen - far_observer - place.travel_time * place.direction), 1e-12);
+    }
+  }
+}
+
+TEST(ApparentMesh, FarFromTheHoleItIsTheMeshItself) {
+  // Light is late by 2 ln((r + r_observer + distance) / (r + r_observer - distance)) and bent by less than 4 over its distance from the hole.
+  for (const double far : {1e3, 1e4, 1e5}) {
+    const Place observer = {far, 0.0, 0.0};
+    const ApparentMesh mesh =
+        apparent_mesh(observer, make_sphere({12, 6}), standing_at({far, 20.0, 0.0}), 1.0, 1, fine_settings);
+    for (const ApparentVertex& vertex : mesh.vertices) {
+      EXPECT_LT(length_of(vertex.seen - vertex.place), 2.0 / far * length_of(vertex.place - observer));
+    }
+  }
+}
+
+TEST(ApparentMesh, WhereItIsBentEdgesAreDividedUntilTheyAreStraight) {
+  const ApparentSettings settings{0.02, 12, 10.0};
+  const ApparentMesh mesh =
+      apparent_mesh(far_observer, leaning_triangle(), standing_at({-5.0, 2.0, -0.5}), 1.0, 1, settings);
+  EXPECT_GT(mesh.triangles.size(), 20U);
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ApparentVertex& a = mesh.vertices[t[i]];
+      const ApparentVertex& b = mesh.vertices[t[(i + 1) % 3]];
+      const Place middle = apparent_vertex(far_observer, 0.5 * (a.place + b.place), 1).seen;
+      EXPECT_LE(length_of(middle - 0.5 * (a.seen + b.seen)), settings.tolerance);
+    }
+  }
+}
+
+TEST(ApparentMesh, DividedTrianglesLeaveNoGap) {
+  // Edges of a closed surface belong to two triangles each; the sphere's own seams and poles have corners of their own, which are told by place.
+  const ApparentMesh mesh =
+      apparent_mesh(far_observer, make_sphere({12, 6}), standing_at({-6.0, 5.0, 0.0}), 1.0, 1, fine_settings);
+  const auto key = [&](std::uint32_t i) {
+    const Place& p = mesh.vertices[i].place;
+    return std::array<long, 3>{std::lround(p.x * 1e5), std::lround(p.y * 1e5), std::lround(p.z * 1e5)};
+  };
+  std::map<std::array<std::array<long, 3>, 2>, int> edges;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::array<std::array<long, 3>, 2> edge = {key(t[i]), key(t[(i + 1) % 3])};
+      std::ranges::sort(edge);
+      ++edges[edge];
+    }
+  }
+  EXPECT_GT(mesh.triangles.size(), 120U);
+  EXPECT_TRUE(std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 2; }));
+}
+
+TEST(ApparentMesh, TheTriangleBehindTheHoleIsLeftOut) {
+  // It holds the line from the observer through the hole, whose image is a ring.
+  const TriangleMesh mesh = make_triangle({{{{0.0, -1.0, -1.0}, {0.0, 1.5, -1.0}, {0.0, 0.0, 1.5}}}});
+  const ApparentMesh seen = apparent_mesh(far_observer, mesh, standing_at({-8.0, 0.0, 0.0}), 1.0, 1, fine_settings);
+  ASSERT_FALSE(seen.triangles.empty());
+  for (const auto& t : seen.triangles) {
+    // None spans the ring: its corners lie on one side.
+    double widest = 1.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Place& one = seen.vertices[t[i]].direction;
+      const Place& other = seen.vertices[t[(i + 1) % 3]].direction;
+      widest = std::min(widest, (one.y * other.y + one.z * other.z) /
+                                    (std::hypot(one.y, one.z) * std::hypot(other.y, other.z)));
+    }
+    EXPECT_GT(widest, 0.0);
+  }
+}
+
+TEST(ApparentMesh, WhatReachesIntoTheHoleIsLeftOut) {
+  const ApparentMesh mesh =
+      apparent_mesh(far_observer, make_sphere({24, 12}), standing_at({2.0, 0.0, 0.0}), 1.0, 1, fine_settings);
+  ASSERT_FALSE(mesh.triangles.empty());
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t i : t) {
+      EXPECT_TRUE(mesh.vertices[i].connected);
+      EXPECT_GT(length_of(mesh.vertices[i].place), 2.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ergodome

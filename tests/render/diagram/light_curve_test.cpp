@@ -1,0 +1,122 @@
+#include "render/diagram/light_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kernels/schwarzschild/apparent_place.h"
+#include "kernels/schwarzschild/ray_curve.h"
+
+// Light rays as diagrams draw them.
+namespace ergodome {
+namespace {
+
+using Place = Vector3<double>;
+
+double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+
+struct RayCase {
+  Place observer, point;
+  int order;
+};
+
+const RayCase ray_cases[] = {{{40.0, 0.0, 0.0}, {-5.0, 3.0, -0.5}, 1}, {{40.0, 0.0, 0.0}, {-5.0, 3.0, -0.5}, 2},
+                             {{40.0, 0.0, 0.0}, {6.0, 0.0, 1.0}, 2},   {{3.0, -12.0, 9.0}, {0.5, 0.3, -2.4}, 1},
+                             {{0.0, 0.0, 40.0}, {16.5, 0.0, 0.5}, 3},  {{7.0, 1.0, 0.0}, {-7.0, 2.0, 3.0}, 5}};
+
+//! Inverse radius and azimuth of each place of a curve, from the observer on, in the plane that the observer and the point span.
+struct OrbitPlace {
+  double u, phi;
+};
+std::vector<OrbitPlace> orbit_of(const RayCase& ray, const std::vector<Place>& curve) {
+  const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
+  const double side = ray.order % 2 == 1 ? 1.0 : -1.0;
+  std::vector<OrbitPlace> orbit;
+  double before = 0.0;
+  for (auto place = curve.rbegin(); place != curve.rend(); ++place) {
+    const double phi = std::atan2(side * dot(plane.across, *place), dot(plane.outward, *place));
+    before += std::remainder(phi - before, 2.0 * 3.14159265358979323846);
+    orbit.push_back({1.0 / length_of(*place), before});
+  }
+  return orbit;
+}
+
+TEST(LightCurve, BeginsAtThePointAndEndsAtTheObserver) {
+  for (const RayCase& ray : ray_cases) {
+    const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);
+    ASSERT_GT(curve.size(), 30U);
+    EXPECT_LT(length_of(curve.front() - ray.point), 1e-12 * length_of(ray.point));
+    EXPECT_LT(length_of(curve.back() - ray.observer), 1e-12 * length_of(ray.observer));
+  }
+}
+
+TEST(LightCurve, StaysInThePlaneOfTheHoleTheObserverAndThePoint) {
+  for (const RayCase& ray : ray_cases) {
+    const Place normal = cross(ray.observer, ray.point);
+    for (const Place& place : light_curve(ray.observer, ray.point, ray.order)) {
+      EXPECT_LT(std::abs(dot(normal, place)), 1e-12 * length_of(normal) * length_of(place));
+    }
+  }
+}
+
+TEST(LightCurve, FulfilsTheEquationOfItsOrbit) {
+  for (const RayCase& ray : ray_cases) {
+    const std::vector<OrbitPlace> orbit = orbit_of(ray, light_curve(ray.observer, ray.point, ray.order));
+    const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
+    const double angle = image_angle(plane.phi, ray.order);
+    const double b = connecting_ray(plane.r_observer, plane.r, angle).impact_parameter;
+    // du/dφ of the places themselves, by differences of eighth order: halves of the curve have one step each.
+    for (std::size_t i = 4; i + 4 < orbit.size(); ++i) {
+      const double step = orbit[i + 1].phi - orbit[i].phi;
+      const double rate = (4.0 / 5.0 * (orbit[i + 1].u - orbit[i - 1].u) - 1.0 / 5.0 * (orbit[i + 2].u - orbit[i - 2].u) +
+                           4.0 / 105.0 * (orbit[i + 3].u - orbit[i - 3].u) -
+                           1.0 / 280.0 * (orbit[i + 4].u - orbit[i - 4].u)) /
+                          step;
+      const double u = orbit[i].u;
+      EXPECT_NEAR(rate * rate, 1.0 / (b * b) - u * u + 2.0 * u * u * u, 1e-9) << ray.order << " " << i;
+    }
+  }
+}
+
+TEST(LightCurve, SweepsTheAzimuthOfItsImage) {
+  for (const RayCase& ray : ray_cases) {
+    const std::vector<OrbitPlace> orbit = orbit_of(ray, light_curve(ray.observer, ray.point, ray.order));
+    const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
+    EXPECT_NEAR(orbit.back().phi, image_angle(plane.phi, ray.order), 1e-10);
+  }
+}
+
+TEST(LightCurve, LeavesTheObserverWhereThePointIsSeen) {
+  for (const RayCase& ray : ray_cases) {
+    // A fine piece of the same orbit, next to the observer: its end's direction, with lengths along the radius as an observer at rest measures them.
+    const ConnectionPlane plane = connection_plane(ray.observer, ray.point);
+    const double angle = image_angle(plane.phi, ray.order);
+    const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);
+    const double step = angle / static_cast<double>(curve.size() - 1);
+    const auto u = [&](std::size_t i) { return 1.0 / length_of(curve[curve.size() - 1 - i]); };
+    const double rate = (-147.0 * u(0) + 360.0 * u(1) - 450.0 * u(2) + 400.0 * u(3) - 225.0 * u(4) + 72.0 * u(5) -
+                         10.0 * u(6)) /
+                        (60.0 * step);
+    const double r = plane.r_observer;
+    const double side = ray.order % 2 == 1 ? 1.0 : -1.0;
+    const Place tangent =
+        (-rate * r * r / std::sqrt(1.0 - 2.0 / r)) * plane.outward + (side * r) * plane.across;
+    const Place seen = apparent_place(ray.observer, ray.point, ray.order).direction;
+    EXPECT_LT(length_of((1.0 / length_of(tangent)) * tangent - seen), 1e-6) << ray.order;
+  }
+}
+
+TEST(LightCurve, WithoutARayThereIsNone) {
+  EXPECT_TRUE(light_curve({40.0, 0.0, 0.0}, {1.5, 0.0, 0.0}, 1).empty());
+  EXPECT_TRUE(light_curve({40.0, 0.0, 0.0}, {40.0, 0.0, 0.0}, 1).empty());
+}
+
+TEST(LightCurve, ARadialRayIsAStraightLine) {
+  for (const Place& place : light_curve({40.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, 1)) {
+    EXPECT_EQ(place.y, 0.0);
+    EXPECT_EQ(place.z, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace ergodome
