@@ -12,7 +12,7 @@ layout(location = 3) in vec3 checker;
 layout(location = 0) uniform vec4 screen;
 layout(location = 1) uniform vec4 tile;
 out vec3 surface_normal;
-out vec4 surface_color;
+flat out vec4 surface_color;
 out vec3 surface_checker;
 void main() {
   surface_normal = normal;
@@ -27,7 +27,7 @@ void main() {
 
 const char* const diagram_surface_fragment_source = R"(#version 450 core
 in vec3 surface_normal;
-in vec4 surface_color;
+flat in vec4 surface_color;
 in vec3 surface_checker;
 out vec4 light;
 void main() {

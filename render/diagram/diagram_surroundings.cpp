@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/core/angles.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr double grid_width_px = 1.0;
 constexpr double axis_width_px = 1.3;
 constexpr double outline_width_px = 1.3;
+//! The spin axis is drawn so far at the least, out of the hole [M].
+constexpr double least_axis = 4.5;
 
 }  // namespace
 
@@ -56,7 +59,7 @@ void add_grid(double extent, double label_azimuth, DiagramScene& scene) {
     scene.labels.push_back(
         {{r * std::cos(label_azimuth), r * std::sin(label_azimuth), 0.0}, fmt::format("{:.6g} M", r)});
   }
-  const Vector3<double> ends[3] = {{end, 0.0, 0.0}, {0.0, end, 0.0}, {0.0, 0.0, 0.5 * step}};
+  const Vector3<double> ends[3] = {{end, 0.0, 0.0}, {0.0, end, 0.0}, {0.0, 0.0, std::max(0.5 * step, least_axis)}};
   constexpr const char* names[3] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     scene.lines.push_back({{-ends[i], ends[i]}, diagram_inks::axis(), axis_width_px});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -40,7 +41,7 @@ TEST(ApparentMesh, CornersLieWhereLightComesFromAsFarAsItHasTakenTime) {
 }
 
 TEST(ApparentMesh, FarFromTheHoleItIsTheMeshItself) {
-  // Light is late by 2 ln((r + r_observer + distance) / (r + r_observer - distance)) and bent by less than 4 over its distance from the hole.
+  // Lengths across the radius and along it, as light takes time for them, are longer by 1/r and 2/r of themselves.
   for (const double far : {1e3, 1e4, 1e5}) {
     const Place observer = {far, 0.0, 0.0};
     const ApparentMesh mesh =
@@ -97,8 +98,8 @@ TEST(ApparentMesh, TheTriangleBehindTheHoleIsLeftOut) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Place& one = seen.vertices[t[i]].direction;
       const Place& other = seen.vertices[t[(i + 1) % 3]].direction;
-      widest = std::min(widest, (one.y * other.y + one.z * other.z) /
-                                    (std::hypot(one.y, one.z) * std::hypot(other.y, other.z)));
+      widest = std::min(
+          widest, (one.y * other.y + one.z * other.z) / (std::hypot(one.y, one.z) * std::hypot(other.y, other.z)));
     }
     EXPECT_GT(widest, 0.0);
   }

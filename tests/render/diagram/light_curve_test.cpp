@@ -68,10 +68,10 @@ TEST(LightCurve, FulfilsTheEquationOfItsOrbit) {
     // du/dφ of the places themselves, by differences of eighth order: halves of the curve have one step each.
     for (std::size_t i = 4; i + 4 < orbit.size(); ++i) {
       const double step = orbit[i + 1].phi - orbit[i].phi;
-      const double rate = (4.0 / 5.0 * (orbit[i + 1].u - orbit[i - 1].u) - 1.0 / 5.0 * (orbit[i + 2].u - orbit[i - 2].u) +
-                           4.0 / 105.0 * (orbit[i + 3].u - orbit[i - 3].u) -
-                           1.0 / 280.0 * (orbit[i + 4].u - orbit[i - 4].u)) /
-                          step;
+      const double rate =
+          (4.0 / 5.0 * (orbit[i + 1].u - orbit[i - 1].u) - 1.0 / 5.0 * (orbit[i + 2].u - orbit[i - 2].u) +
+           4.0 / 105.0 * (orbit[i + 3].u - orbit[i - 3].u) - 1.0 / 280.0 * (orbit[i + 4].u - orbit[i - 4].u)) /
+          step;
       const double u = orbit[i].u;
       EXPECT_NEAR(rate * rate, 1.0 / (b * b) - u * u + 2.0 * u * u * u, 1e-9) << ray.order << " " << i;
     }
@@ -94,13 +94,12 @@ TEST(LightCurve, LeavesTheObserverWhereThePointIsSeen) {
     const std::vector<Place> curve = light_curve(ray.observer, ray.point, ray.order);
     const double step = angle / static_cast<double>(curve.size() - 1);
     const auto u = [&](std::size_t i) { return 1.0 / length_of(curve[curve.size() - 1 - i]); };
-    const double rate = (-147.0 * u(0) + 360.0 * u(1) - 450.0 * u(2) + 400.0 * u(3) - 225.0 * u(4) + 72.0 * u(5) -
-                         10.0 * u(6)) /
-                        (60.0 * step);
+    const double rate =
+        (-147.0 * u(0) + 360.0 * u(1) - 450.0 * u(2) + 400.0 * u(3) - 225.0 * u(4) + 72.0 * u(5) - 10.0 * u(6)) /
+        (60.0 * step);
     const double r = plane.r_observer;
     const double side = ray.order % 2 == 1 ? 1.0 : -1.0;
-    const Place tangent =
-        (-rate * r * r / std::sqrt(1.0 - 2.0 / r)) * plane.outward + (side * r) * plane.across;
+    const Place tangent = (-rate * r * r / std::sqrt(1.0 - 2.0 / r)) * plane.outward + (side * r) * plane.across;
     const Place seen = apparent_place(ray.observer, ray.point, ray.order).direction;
     EXPECT_LT(length_of((1.0 / length_of(tangent)) * tangent - seen), 1e-6) << ray.order;
   }

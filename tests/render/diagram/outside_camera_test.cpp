@@ -1,0 +1,71 @@
+#include "render/diagram/outside_camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kernels/core/angles.h"
+#include "render/diagram/spread_choice.h"
+
+namespace ergodome {
+namespace {
+
+using Place = Vector3<double>;
+
+double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+
+const std::vector<Place> some_places = {{40.0, 0.0, 0.0}, {-30.0, 5.0, 2.0}, {0.0, -3.0, 12.0}, {0.0, 9.0, -8.0}};
+
+TEST(OutsideCameras, HaveAllPlacesInTheirBandOfThePicture) {
+  for (const double elevation : {-80.0, 0.0, 24.0, 90.0}) {
+    const OutsideCamera camera =
+        outside_camera({70.0 * one_degree, elevation * one_degree, std::nullopt}, some_places, 1.6, {0.2, 1.0});
+    double widest = 0.0;
+    for (const Place& place : some_places) {
+      const Place at = camera.in_view(place);
+      const double x = at.x / (-at.z * camera.half_width);
+      const double y = at.y / (-at.z * camera.half_height);
+      EXPECT_LT(std::abs(x), 1.0) << elevation;
+      EXPECT_LT(y, 1.0) << elevation;
+      EXPECT_GT(y, -0.6) << elevation;
+      EXPECT_GT(-at.z, camera.nearest);
+      EXPECT_LT(-at.z, camera.farthest);
+      widest = std::max({widest, std::abs(x), (std::abs(y - 0.2)) / 0.8});
+    }
+    // And they fill it one way or the other, up to the margin.
+    EXPECT_GT(widest, 0.9) << elevation;
+  }
+}
+
+TEST(OutsideCameras, StandWhereTheyAreTold) {
+  // Places about the origin: it is their middle.
+  const std::vector<Place> cross = {{5.0, 0.0, 0.0}, {-5.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, {0.0, -5.0, 0.0}};
+  const OutsideCamera camera = outside_camera({0.0, 0.5 * pi, 100.0}, cross, 1.0, {0.0, 1.0});
+  EXPECT_LT(length_of(camera.place - Place{0.0, 0.0, 100.0}), 1e-9);
+  EXPECT_LT(length_of(camera.up - Place{-1.0, 0.0, 0.0}), 1e-12);
+}
+
+TEST(OutsideCameras, SeeASphereInItsOutline) {
+  const OutsideCamera camera = outside_camera({0.3, 0.4, std::nullopt}, some_places, 1.6, {0.0, 1.0});
+  for (const Place& place : sphere_outline(3.0, camera)) {
+    EXPECT_NEAR(length_of(place), 3.0, 1e-12);
+    // Sight touches the sphere there.
+    EXPECT_NEAR(dot(place, camera.place - place), 0.0, 1e-9);
+  }
+}
+
+TEST(SpreadChoice, TakesPlacesThatAreFarFromEachOther) {
+  std::vector<Place> row;
+  for (int i = 0; i <= 8; ++i) {
+    row.push_back({static_cast<double>(i), 0.0, 0.0});
+  }
+  EXPECT_EQ(spread_choice(row, 3), (std::vector<std::size_t>{0, 8, 4}));
+}
+
+TEST(SpreadChoice, TakesNoPlaceTwice) {
+  const std::vector<Place> places = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  EXPECT_EQ(spread_choice(places, 4).size(), 2U);
+}
+
+}  // namespace
+}  // namespace ergodome
