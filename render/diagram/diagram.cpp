@@ -36,6 +36,8 @@ constexpr double view_share = 0.14;
 //! Corners of a mesh among which rays are chosen.
 constexpr std::size_t most_candidates = 4096;
 constexpr int coarse_width_px = 192;
+//! Of all objects together: each image has as many once more, or what they are divided into.
+constexpr long most_diagram_triangles = 2'000'000;
 
 double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
@@ -93,6 +95,14 @@ Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show
                 "leave it out");
   }
   meshes_ = load_meshes(show);
+  long triangles = 0;
+  for (const std::size_t mesh : meshes_.mesh_of) {
+    triangles += meshes_.meshes[mesh].triangle_count();
+  }
+  if (triangles > most_diagram_triangles) {
+    throw Error("diagram", fmt::format("{} has {} triangles", show.name, triangles),
+                fmt::format("simplify its meshes to {}", most_diagram_triangles));
+  }
   if (settings_.images.empty()) {
     settings_.images = {1, 2};
   }

@@ -179,7 +179,7 @@ void DiagramDrawing::draw_tile(const Uploaded& uploaded, const OutsideCamera& ca
   const double scale_y = static_cast<double>(tile.whole_height) / tile.height;
   const double shift_x = (tile.whole_width - 2.0 * tile.left - tile.width) / tile.width;
   const double shift_y = -(tile.whole_height - 2.0 * tile.top - tile.height) / tile.height;
-  const double width_px = tile.whole_height / told_height_px;
+  const double width_px = unit_height_px(tile.whole_width, tile.whole_height) / told_height_px;
   for (const unsigned program : {surface_program_, line_program_}) {
     glProgramUniform4f(program, uniform_diagram_screen, static_cast<float>(camera.half_width),
                        static_cast<float>(camera.half_height), static_cast<float>(camera.nearest),

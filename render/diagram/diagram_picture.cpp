@@ -9,18 +9,25 @@ namespace ergodome {
 
 namespace {
 
-//! Height of letters, lines and margins, in heights of the picture.
+//! Height of letters, lines and margins, in shares of unit_height_px.
 constexpr double letter_share = 0.019;
 constexpr double label_share = 0.016;
 constexpr double line_share = 0.031;
 constexpr double margin_share = 0.022;
 constexpr double sign_share = 0.045;
 
+int share_px(double share, int width_px, int height_px) {
+  return std::max(1, static_cast<int>(std::lround(share * unit_height_px(width_px, height_px))));
+}
+
 //! Linear light that words are written on.
 struct Sheet {
   int width;
   int height;
   std::vector<float>& rgb;
+
+  //! A share of the height that sizes go by [px].
+  [[nodiscard]] int pixels(double share) const { return share_px(share, width, height); }
 
   void ink(int x, int y, const Ink& color, float cover) const {
     if (x < 0 || y < 0 || x >= width || y >= height) {
@@ -52,19 +59,17 @@ struct Sheet {
   }
 };
 
-int in_pixels(double share, int height_px) { return std::max(1, static_cast<int>(std::lround(share * height_px))); }
-
 //! Where the legend begins, from the top [px].
-int legend_top(std::size_t lines, int height_px) {
-  return height_px - in_pixels(margin_share + line_share * static_cast<double>(lines), height_px);
+int legend_top(std::size_t lines, int width_px, int height_px) {
+  return height_px - share_px(margin_share + line_share * static_cast<double>(lines), width_px, height_px);
 }
 
 void write_legend(const Sheet& sheet, const std::vector<LegendLine>& legend) {
-  const int line_px = in_pixels(line_share, sheet.height);
-  const int sign_px = in_pixels(sign_share, sheet.height);
-  const int margin_px = in_pixels(margin_share, sheet.height);
-  const int thick_px = in_pixels(0.004, sheet.height);
-  int y = legend_top(legend.size(), sheet.height) + line_px / 2;
+  const int line_px = sheet.pixels(line_share);
+  const int sign_px = sheet.pixels(sign_share);
+  const int margin_px = sheet.pixels(margin_share);
+  const int thick_px = sheet.pixels(0.004);
+  int y = legend_top(legend.size(), sheet.width, sheet.height) + line_px / 2;
   for (const LegendLine& line : legend) {
     if (line.sign == LegendLine::Sign::line) {
       sheet.fill(margin_px, y - thick_px / 2, sign_px, thick_px, line.ink);
@@ -73,7 +78,7 @@ void write_legend(const Sheet& sheet, const std::vector<LegendLine>& legend) {
       sheet.fill(margin_px + (sign_px - side) / 2, y - side / 2, side, side, line.ink);
     }
     const int indent = line.sign == LegendLine::Sign::none ? 0 : sign_px + margin_px / 2;
-    const TextImage letters = text_image(line.text, in_pixels(letter_share, sheet.height));
+    const TextImage letters = text_image(line.text, sheet.pixels(letter_share));
     // What is drawn stays faint behind words.
     sheet.fill(margin_px + indent - margin_px / 4, y - line_px / 2, letters.width + margin_px / 2, line_px,
                diagram_inks::paper(), 0.85F);
@@ -83,8 +88,8 @@ void write_legend(const Sheet& sheet, const std::vector<LegendLine>& legend) {
 }
 
 void write_labels(const Sheet& sheet, const DiagramScene& scene, const OutsideCamera& camera) {
-  const int top_of_legend = legend_top(scene.legend.size(), sheet.height);
-  const int font_px = in_pixels(label_share, sheet.height);
+  const int top_of_legend = legend_top(scene.legend.size(), sheet.width, sheet.height);
+  const int font_px = sheet.pixels(label_share);
   for (const DiagramLabel& label : scene.labels) {
     const Vector3<double> at = camera.in_view(label.place);
     if (!(-at.z > camera.nearest)) {
@@ -117,7 +122,7 @@ DiagramPicture::~DiagramPicture() {
 
 OutsideCamera DiagramPicture::camera_for(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
                                          std::size_t legend_lines) const {
-  const double low = 1.0 - static_cast<double>(legend_top(legend_lines, height_px_)) / height_px_;
+  const double low = 1.0 - static_cast<double>(legend_top(legend_lines, width_px_, height_px_)) / height_px_;
   return outside_camera(direction, places, static_cast<double>(width_px_) / height_px_, {std::min(low, 0.6), 1.0});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct PictureBand {
 //! A camera that has all places in a band of its picture, as large as may be, unless its distance is told. `aspect`: width over height.
 OutsideCamera outside_camera(const OutsideDirection& direction, const std::vector<Vector3<double>>& places,
                              double aspect, const PictureBand& band);
+
+//! Height that the sizes of letters and lines go by [px]: the picture's, or less where it is so narrow that words would not fit.
+inline double unit_height_px(int width_px, int height_px) { return std::min<double>(height_px, 0.9 * width_px); }
 
 //! Circle that a sphere about the origin seems to have for its outline; nothing from inside it.
 std::vector<Vector3<double>> sphere_outline(double radius, const OutsideCamera& camera);

@@ -35,6 +35,7 @@ struct LookedAt {
   Vector3<double> view;  //!< direction in the view's axes
   Vector3<double> n;     //!< in (e_r, e_θ, e_φ)
   MeshHit hit;
+  int order = 0;  //!< of the image; 0: of no object
 };
 
 Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
@@ -45,7 +46,8 @@ Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
 }
 
 //! Looks through the middles of all pixels that the image covers.
-std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects) {
+std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
+                                   double reach) {
   const CameraStation camera = station_of(eye);
   std::vector<std::vector<LookedAt>> rows(static_cast<std::size_t>(coarse.height_px));
   parallel_for(coarse.height_px, 1, [&](int begin, int end) {
@@ -60,6 +62,7 @@ std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coars
         const std::optional<MeshHit> hit = objects.look(camera, looked.n, diagram_tolerance);
         if (hit) {
           looked.hit = *hit;
+          looked.order = hit->mesh >= 0 ? traced_curve(camera, looked.n, looked.hit, reach).order : 0;
           rows[static_cast<std::size_t>(y)].push_back(looked);
         }
       }
@@ -73,11 +76,15 @@ std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coars
 }
 
 //! Some of the rays, spread over the view.
-std::vector<TracedCurve> spread_over_view(std::vector<TracedCurve>& from, const std::vector<Vector3<double>>& views,
-                                          std::size_t count) {
-  std::vector<TracedCurve> taken;
+std::vector<LookedAt> spread_over_view(const std::vector<LookedAt>& from, std::size_t count) {
+  std::vector<Vector3<double>> views;
+  views.reserve(from.size());
+  for (const LookedAt& looked : from) {
+    views.push_back(looked.view);
+  }
+  std::vector<LookedAt> taken;
   for (const std::size_t i : spread_choice(views, count)) {
-    taken.push_back(std::move(from[i]));
+    taken.push_back(from[i]);
   }
   return taken;
 }
@@ -123,41 +130,30 @@ TracedCurve traced_curve(const CameraStation& camera, const Vector3<double>& n, 
 
 std::vector<TracedCurve> traced_curves(const EyeCamera& eye, const Projection& coarse, const ObjectRays& objects,
                                        const TracedChoice& choice) {
-  const CameraStation camera = station_of(eye);
-  struct Group {
-    std::vector<TracedCurve> curves;
-    std::vector<Vector3<double>> views;
-  };
-  std::map<int, Group> orders;  // 0: no object
+  std::map<int, std::vector<LookedAt>> orders;
   std::vector<LookedAt> others;
-  for (const LookedAt& looked : look_through(eye, coarse, objects)) {
-    if (looked.hit.mesh < 0) {
+  for (const LookedAt& looked : look_through(eye, coarse, objects, choice.reach)) {
+    if (looked.order == 0) {
       others.push_back(looked);
-      continue;
-    }
-    TracedCurve curve = traced_curve(camera, looked.n, looked.hit, choice.reach);
-    if (curve.order <= choice.most_order) {
-      Group& group = orders[curve.order];
-      group.views.push_back(looked.view);
-      group.curves.push_back(std::move(curve));
+    } else if (looked.order <= choice.most_order) {
+      orders[looked.order].push_back(looked);
     }
   }
   const auto wanted = static_cast<std::size_t>(choice.count);
+  std::size_t left = 2 * wanted / 3;
+  std::size_t orders_left = orders.size();
+  std::vector<LookedAt> taken;
+  for (const auto& [order, of_order] : orders) {
+    const std::vector<LookedAt> some = spread_over_view(of_order, left / orders_left--);
+    left -= some.size();
+    taken.insert(taken.end(), some.begin(), some.end());
+  }
+  const std::vector<LookedAt> rest = spread_over_view(others, wanted - taken.size());
+  taken.insert(taken.end(), rest.begin(), rest.end());
   std::vector<TracedCurve> curves;
-  std::size_t groups_left = orders.size();
-  for (auto& [order, group] : orders) {
-    const std::size_t share = (2 * wanted / 3 - std::min(2 * wanted / 3, curves.size())) / groups_left--;
-    for (TracedCurve& curve : spread_over_view(group.curves, group.views, std::max<std::size_t>(share, 1))) {
-      curves.push_back(std::move(curve));
-    }
-  }
-  std::vector<Vector3<double>> views;
-  views.reserve(others.size());
-  for (const LookedAt& looked : others) {
-    views.push_back(looked.view);
-  }
-  for (const std::size_t i : spread_choice(views, wanted - std::min(wanted, curves.size()))) {
-    curves.push_back(traced_curve(camera, others[i].n, others[i].hit, choice.reach));
+  curves.reserve(taken.size());
+  for (const LookedAt& looked : taken) {
+    curves.push_back(traced_curve(station_of(eye), looked.n, looked.hit, choice.reach));
   }
   return curves;
 }
