@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "content/animated_show.h"
 #include "kernels/core/angles.h"
@@ -160,13 +159,12 @@ void Diagram::add_connections(const Moment& moment, DiagramScene& scene) const {
       add_connecting_rays(moment, i, order, rays, scene);
     }
     scene.legend.push_back({LegendLine::Sign::line, ink,
-                            fmt::format("image {}: light that goes {} round the hole, and where it shows the objects",
-                                        order, turns_of(order))});
+                            fmt::format("image {}: light that goes {} round the hole", order, turns_of(order))});
   }
   scene.legend.push_back(
       {LegendLine::Sign::none,
        {},
-       "What is seen lies where light comes from (dashed), as far away as its time of travel says."});
+       "solid: the objects; veils: where they are seen, in the direction of the light (dashed), at its travel time"});
 }
 
 std::vector<Vector3<double>> Diagram::ray_starts(const Moment& moment, std::size_t object, int order,
@@ -218,7 +216,7 @@ void Diagram::add_connecting_rays(const Moment& moment, std::size_t object, int 
 void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
   const ObjectRays objects(moment.show, moment.time_s);
   const Projection coarse = make_projection(moment.show.view, coarse_width_px, 0.0);
-  std::map<int, std::map<int, std::vector<double>>> delays;  // by order and object
+  DelaysByOrder delays;
   const std::vector<TracedCurve> curves =
       traced_curves(moment.eye, coarse, objects, {settings_.rays, most_polygon_images, 1.15 * moment.extent});
   bool others = false;
@@ -232,30 +230,34 @@ void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
       delays[curve.order][curve.object].push_back(curve.delay);
     }
   }
-  for (auto& [order, of_order] : delays) {
-    bool was = false;
-    for (auto& [object, values] : of_order) {
-      const auto i = static_cast<std::size_t>(object);
-      if (moment.show.objects[i].retarded && moment.placements[i].rate != 0.0) {
-        std::ranges::nth_element(values, values.begin() + static_cast<long>(values.size() / 2));
-        add_retarded(moment, i, order, values[values.size() / 2], scene);
-        was = true;
-      }
-    }
-    scene.legend.push_back({LegendLine::Sign::line, diagram_inks::of_image(order),
-                            fmt::format("image {}: light that goes {} round the hole{}", order, turns_of(order),
-                                        was ? ", and where the objects were as it left" : "")});
-  }
+  const bool retarded = add_traced_images(moment, delays, scene);
   if (others) {
     scene.legend.push_back({LegendLine::Sign::line, diagram_inks::other_rays(),
                             "other rays of the view: followed back to the sky, or into the hole"});
   }
+  scene.legend.push_back(
+      {LegendLine::Sign::none,
+       {},
+       retarded ? "solid: the objects; veils: where they were when that light left them" : "solid: the objects"});
 }
 
-void Diagram::add_retarded(const Moment& moment, std::size_t object, int order, double delay,
-                           DiagramScene& scene) const {
-  add_veil(moment.show.objects[object], meshes_.meshes[meshes_.mesh_of[object]],
-           placement_before(moment.placements[object], delay), diagram_inks::of_image(order), scene.veils);
+bool Diagram::add_traced_images(const Moment& moment, DelaysByOrder& delays, DiagramScene& scene) const {
+  bool retarded = false;
+  for (auto& [order, of_order] : delays) {
+    for (auto& [object, values] : of_order) {
+      const auto i = static_cast<std::size_t>(object);
+      if (moment.show.objects[i].retarded && moment.placements[i].rate != 0.0) {
+        std::ranges::nth_element(values, values.begin() + static_cast<long>(values.size() / 2));
+        add_veil(moment.show.objects[i], meshes_.meshes[meshes_.mesh_of[i]],
+                 placement_before(moment.placements[i], values[values.size() / 2]), diagram_inks::of_image(order),
+                 scene.veils);
+        retarded = true;
+      }
+    }
+    scene.legend.push_back({LegendLine::Sign::line, diagram_inks::of_image(order),
+                            fmt::format("image {}: light that goes {} round the hole", order, turns_of(order))});
+  }
+  return retarded;
 }
 
 }  // namespace ergodome

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "content/show.h"
@@ -31,6 +32,7 @@ class Diagram {
 
  private:
   struct Moment;
+  using DelaysByOrder = std::map<int, std::map<int, std::vector<double>>>;  //!< of rays, by order and object [M]
 
   void add_objects(const Moment& moment, DiagramScene& scene) const;
   void add_connections(const Moment& moment, DiagramScene& scene) const;
@@ -39,7 +41,8 @@ class Diagram {
                                                         std::size_t count) const;
   void add_connecting_rays(const Moment& moment, std::size_t object, int order, int count, DiagramScene& scene) const;
   void add_traced_rays(const Moment& moment, DiagramScene& scene) const;
-  void add_retarded(const Moment& moment, std::size_t object, int order, double delay, DiagramScene& scene) const;
+  //! Tells of the images that followed rays show, with retarded objects where they were; whether there are such.
+  bool add_traced_images(const Moment& moment, DelaysByOrder& delays, DiagramScene& scene) const;
 
   Show show_;
   DiagramSettings settings_;

@@ -73,6 +73,7 @@ void add_observer(const ViewSettings& view, const EyeCamera& eye, double length,
   add_ball(scene.solids, place, 0.06 * length, ink);
   const ViewOutline outline = view_outline(view, eye);
   std::vector<Vector3<double>> border;
+  border.reserve(outline.border.size());
   for (const Vector3<double>& direction : outline.border) {
     border.push_back(place + length * direction);
   }
