@@ -96,7 +96,7 @@ std::vector<int> images_of(const std::string& text) {
 }
 
 //! Beside the observer, a little above the plane: what lies between observer and hole is seen at its length.
-OutsideDirection direction_of(const DiagramOptions& options, const Show& show, double time_s) {
+OutsideDirection outside_direction_of(const DiagramOptions& options, const Show& show, double time_s) {
   constexpr double beside = 65.0 * one_degree;
   constexpr double above = 24.0 * one_degree;
   if (options.from.empty()) {
@@ -123,7 +123,7 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
   }
   const DiagramScene scene = diagram.at(options.time_s);
   const OutsideCamera camera =
-      picture.camera_for(direction_of(options, show, options.time_s), scene.framed, scene.legend.size());
+      picture.camera_for(outside_direction_of(options, show, options.time_s), scene.framed, scene.legend.size());
   const DiagramImage image = picture.draw(scene, camera);
   write_png(out, image.rgb, image.width_px, image.height_px);
   fmt::print("{}: {} x {} pixels, {} light rays\n", options.out, image.width_px, image.height_px, scene.ray_count);
@@ -143,7 +143,8 @@ OutsideCamera film_camera(const DiagramOptions& options, const Show& show, const
     framed.insert(framed.end(), scene.framed.begin(), scene.framed.end());
     legend_lines = std::max(legend_lines, scene.legend.size());
   }
-  return picture.camera_for(direction_of(options, show, frame_time_s(show, frames.first)), framed, legend_lines);
+  return picture.camera_for(outside_direction_of(options, show, frame_time_s(show, frames.first)), framed,
+                            legend_lines);
 }
 
 void draw_film(const DiagramOptions& options, const Show& show, const Diagram& diagram, DiagramPicture& picture) {
@@ -170,7 +171,7 @@ void run_diagram(const DiagramOptions& options) {
   const Show show = load_show(options.show);
   const auto [width_px, height_px] = size_of(options.size);
   const DiagramSettings settings{images_of(options.images), options.rays};
-  static_cast<void>(direction_of(options, show, 0.0));
+  static_cast<void>(outside_direction_of(options, show, 0.0));
   const Diagram diagram(show, settings);
   DiagramPicture picture(width_px, height_px);
   if (options.frames.empty()) {

@@ -16,7 +16,7 @@ namespace ergodome {
 namespace {
 
 //! Pixels are drawn so many times as fine each way; each of those has the target's samples.
-constexpr int finer = 2;
+constexpr int finer_each_way = 2;
 //! Lines' widths are told for pictures of this height [px].
 constexpr double told_height_px = 720.0;
 
@@ -50,18 +50,18 @@ void fill_buffer(unsigned buffer, const std::vector<Item>& items) {
   }
 }
 
-void put(const Vector3<double>& v, float (&to)[3]) {
+void put_vector(const Vector3<double>& v, float (&to)[3]) {
   to[0] = static_cast<float>(v.x);
   to[1] = static_cast<float>(v.y);
   to[2] = static_cast<float>(v.z);
 }
 
-DrawnCorner drawn(const DiagramCorner& corner, const OutsideCamera& camera) {
+DrawnCorner drawn_corner(const DiagramCorner& corner, const OutsideCamera& camera) {
   DrawnCorner out{};
-  put(camera.in_view(corner.place), out.place);
+  put_vector(camera.in_view(corner.place), out.place);
   const Vector3<double> n = {static_cast<double>(corner.normal.x), static_cast<double>(corner.normal.y),
                              static_cast<double>(corner.normal.z)};
-  put({dot(camera.right, n), dot(camera.up, n), dot(camera.back, n)}, out.normal);
+  put_vector({dot(camera.right, n), dot(camera.up, n), dot(camera.back, n)}, out.normal);
   std::ranges::copy(corner.color, out.color);
   std::ranges::copy(corner.checker, out.checker);
   return out;
@@ -74,7 +74,7 @@ std::vector<DrawnCorner> painted_veils(const std::vector<DiagramCorner>& veils, 
   std::vector<DrawnCorner> corners;
   corners.reserve(veils.size());
   for (const DiagramCorner& corner : veils) {
-    corners.push_back(drawn(corner, camera));
+    corners.push_back(drawn_corner(corner, camera));
   }
   for (std::size_t i = 0; i < count; ++i) {
     depth[i] = corners[3 * i].place[2] + corners[3 * i + 1].place[2] + corners[3 * i + 2].place[2];
@@ -95,8 +95,8 @@ void add_pieces(const std::vector<Vector3<double>>& places, const Ink& ink, doub
                 std::vector<DrawnLine>& pieces) {
   for (std::size_t i = 1; i < places.size(); ++i) {
     DrawnLine piece{};
-    put(camera.in_view(places[i - 1]), piece.from);
-    put(camera.in_view(places[i]), piece.to);
+    put_vector(camera.in_view(places[i - 1]), piece.from);
+    put_vector(camera.in_view(places[i]), piece.to);
     std::ranges::copy(ink, piece.color);
     piece.width = static_cast<float>(width);
     pieces.push_back(piece);
@@ -151,7 +151,7 @@ DiagramDrawing::Uploaded DiagramDrawing::upload(const DiagramScene& scene, const
   std::vector<DrawnCorner> corners;
   corners.reserve(scene.solids.size() + scene.veils.size());
   for (const DiagramCorner& corner : scene.solids) {
-    corners.push_back(drawn(corner, camera));
+    corners.push_back(drawn_corner(corner, camera));
   }
   const std::vector<DrawnCorner> veils = painted_veils(scene.veils, camera);
   corners.insert(corners.end(), veils.begin(), veils.end());
@@ -169,7 +169,7 @@ DiagramDrawing::Uploaded DiagramDrawing::upload(const DiagramScene& scene, const
 
 void DiagramDrawing::draw_tile(const Uploaded& uploaded, const OutsideCamera& camera, const Tile& tile) const {
   target_->begin();
-  glViewport(0, 0, finer * tile.width, finer * tile.height);
+  glViewport(0, 0, finer_each_way * tile.width, finer_each_way * tile.height);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_CULL_FACE);
@@ -210,11 +210,12 @@ void DiagramDrawing::lay_on_paper(const std::vector<float>& rgba, const Tile& ti
   for (int y = 0; y < tile.height; ++y) {
     for (int x = 0; x < tile.width; ++x) {
       std::array<float, 4> sum = {};
-      for (int i = 0; i < finer * finer; ++i) {
-        const long row = static_cast<long>(finer) * (tile.height - 1 - y) + i / finer;
-        const float* const from = rgba.data() + 4 * (row * finer * tile.width + finer * x + i % finer);
+      for (int i = 0; i < finer_each_way * finer_each_way; ++i) {
+        const long row = static_cast<long>(finer_each_way) * (tile.height - 1 - y) + i / finer_each_way;
+        const float* const from =
+            rgba.data() + 4 * (row * finer_each_way * tile.width + finer_each_way * x + i % finer_each_way);
         for (std::size_t k = 0; k < 4; ++k) {
-          sum[k] += from[k] / static_cast<float>(finer * finer);
+          sum[k] += from[k] / static_cast<float>(finer_each_way * finer_each_way);
         }
       }
       float* const to = picture.data() + 3 * (static_cast<long>(tile.top + y) * tile.whole_width + tile.left + x);
@@ -227,7 +228,7 @@ void DiagramDrawing::lay_on_paper(const std::vector<float>& rgba, const Tile& ti
 
 std::vector<float> DiagramDrawing::draw(const DiagramScene& scene, const OutsideCamera& camera, int width_px,
                                         int height_px) {
-  constexpr int longest = ObjectTarget::longest_side_px / finer;
+  constexpr int longest = ObjectTarget::longest_side_px / finer_each_way;
   const Uploaded uploaded = upload(scene, camera);
   std::vector<float> picture(3UL * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px));
   std::vector<float> rgba;
@@ -235,9 +236,10 @@ std::vector<float> DiagramDrawing::draw(const DiagramScene& scene, const Outside
     for (int left = 0; left < width_px; left += longest) {
       const Tile tile{left,     top,      std::min(longest, width_px - left), std::min(longest, height_px - top),
                       width_px, height_px};
-      if (!target_ || target_->width() != finer * tile.width || target_->height() != finer * tile.height) {
+      if (!target_ || target_->width() != finer_each_way * tile.width ||
+          target_->height() != finer_each_way * tile.height) {
         target_.reset();
-        target_ = std::make_unique<ObjectTarget>(finer * tile.width, finer * tile.height);
+        target_ = std::make_unique<ObjectTarget>(finer_each_way * tile.width, finer_each_way * tile.height);
       }
       draw_tile(uploaded, camera, tile);
       target_->read(rgba);

@@ -32,8 +32,8 @@ Vector3<double> turned_normal(const ObjectPlacement& placement, const SurfaceVer
                       1.0, vertex.normal);
 }
 
-DiagramCorner corner_of(const ObjectSettings& object, const ObjectPlacement& placement, const SurfaceVertex& vertex,
-                        double least_dark) {
+DiagramCorner diagram_corner_of(const ObjectSettings& object, const ObjectPlacement& placement,
+                                const SurfaceVertex& vertex, double least_dark) {
   return {
       placed_point(placement, object.size, vertex.position),
       in_floats(turned_normal(placement, vertex)),
@@ -69,7 +69,7 @@ void add_solid(const ObjectSettings& object, const TriangleMesh& mesh, const Obj
       color[k] = std::clamp(static_cast<float>(object.exposure * own[k]) * part.color[k], 0.0F, 1.0F);
     }
     for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
-      DiagramCorner corner = corner_of(object, placement, mesh.vertices[mesh.indices[i]], 0.0);
+      DiagramCorner corner = diagram_corner_of(object, placement, mesh.vertices[mesh.indices[i]], 0.0);
       corner.color = color;
       corners.push_back(corner);
     }
@@ -93,7 +93,7 @@ void add_veil(const ObjectSettings& object, const ApparentMesh& mesh, const Ink&
 void add_veil(const ObjectSettings& object, const TriangleMesh& mesh, const ObjectPlacement& placement, const Ink& ink,
               std::vector<DiagramCorner>& corners) {
   for (const std::uint32_t index : mesh.indices) {
-    DiagramCorner corner = corner_of(object, placement, mesh.vertices[index], least_veil_dark);
+    DiagramCorner corner = diagram_corner_of(object, placement, mesh.vertices[index], least_veil_dark);
     corner.color = {ink[0], ink[1], ink[2], veil_cover};
     corners.push_back(corner);
   }

@@ -38,7 +38,7 @@ struct LookedAt {
   int order = 0;  //!< of the image; 0: of no object
 };
 
-Vector3<double> in_frame(const EyeCamera& eye, const Vector3<double>& view) {
+Vector3<double> in_eye_frame(const EyeCamera& eye, const Vector3<double>& view) {
   const auto& m = eye.frame_from_view;
   return {m[0][0] * view.x + m[0][1] * view.y + m[0][2] * view.z,
           m[1][0] * view.x + m[1][1] * view.y + m[1][2] * view.z,
@@ -58,7 +58,7 @@ std::vector<LookedAt> look_through(const EyeCamera& eye, const Projection& coars
         }
         LookedAt looked;
         looked.view = direction_from_pixel(coarse, x + 0.5, y + 0.5);
-        looked.n = in_frame(eye, looked.view);
+        looked.n = in_eye_frame(eye, looked.view);
         const std::optional<MeshHit> hit = objects.look(camera, looked.n, diagram_tolerance);
         if (hit) {
           looked.hit = *hit;

@@ -10,14 +10,14 @@
 #include "content/mesh/built_in_meshes.h"
 #include "kernels/core/angles.h"
 #include "kernels/schwarzschild/apparent_place.h"
+#include "tests/render/diagram/place.h"
 
 // Meshes where they seem to be.
 namespace ergodome {
 namespace {
 
-using Place = Vector3<double>;
-
-double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+using test::length_of;
+using test::Place;
 
 constexpr Place far_observer = {40.0, 0.0, 0.0};
 const ApparentSettings fine_settings{0.02, 6, 10.0};

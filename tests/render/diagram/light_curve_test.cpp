@@ -6,14 +6,14 @@
 
 #include "kernels/schwarzschild/apparent_place.h"
 #include "kernels/schwarzschild/ray_curve.h"
+#include "tests/render/diagram/place.h"
 
 // Light rays as diagrams draw them.
 namespace ergodome {
 namespace {
 
-using Place = Vector3<double>;
-
-double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+using test::length_of;
+using test::Place;
 
 struct RayCase {
   Place observer, point;

@@ -6,13 +6,13 @@
 
 #include "kernels/core/angles.h"
 #include "render/diagram/spread_choice.h"
+#include "tests/render/diagram/place.h"
 
 namespace ergodome {
 namespace {
 
-using Place = Vector3<double>;
-
-double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+using test::length_of;
+using test::Place;
 
 const std::vector<Place> some_places = {{40.0, 0.0, 0.0}, {-30.0, 5.0, 2.0}, {0.0, -3.0, 12.0}, {0.0, 9.0, -8.0}};
 

@@ -10,14 +10,14 @@
 #include "render/diagram/light_curve.h"
 #include "render/diagram/view_outline.h"
 #include "render/lens/direct_lens.h"
+#include "tests/render/diagram/place.h"
 
 // Rays of a view that are followed back, about holes that spin.
 namespace ergodome {
 namespace {
 
-using Place = Vector3<double>;
-
-double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+using test::length_of;
+using test::Place;
 
 //! A camera on the x axis that looks at the hole, with a ball.
 Show ball_show(double spin, const Place& position, double size) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernels/core/vector3.h"
+
+namespace ergodome::test {
+
+//! Pseudo-Cartesian [M].
+using Place = Vector3<double>;
+
+inline double length_of(const Place& v) { return std::sqrt(dot(v, v)); }
+
+}  // namespace ergodome::test
