@@ -119,6 +119,8 @@ DiagramScene Diagram::at(double time_s) const {
   }
   DiagramScene scene;
   scene.legend.push_back({LegendLine::Sign::none, {}, fmt::format("{}, {:.6g} s", show_.title, time_s)});
+  // What comes later is drawn over lines in the same place.
+  add_grid(moment.extent, eye.phi - 0.3 * pi, scene);
   add_hole(now.spin, scene);
   add_observer(now.view, eye, view_share * moment.extent, scene);
   add_objects(moment, scene);
@@ -132,7 +134,6 @@ DiagramScene Diagram::at(double time_s) const {
       scene.framed.push_back(corner.place);
     }
   }
-  add_grid(moment.extent, eye.phi - 0.3 * pi, scene);
   return scene;
 }
 
