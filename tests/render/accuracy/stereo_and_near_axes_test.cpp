@@ -50,7 +50,8 @@ AccuracyAxis near_of(const Show& show) {
 }
 
 constexpr const char* small_sphere =
-    "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 2\nsegments = 12\nrings = 6\nposition = [-7, -3.2, 0]\n"
+    "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 2\nsegments = 12\nrings = 6\nposition = [-7, -3.2, "
+    "0]\n"
     "checker = { columns = 8, rows = 4, dark = 0.2 }\n";
 
 TEST(StereoAxis, OfAnEyeThatIsACameraStaysWithinItsBudget) {
