@@ -23,7 +23,9 @@ constexpr NamedError pixel_errors[] = {
     {1.0, "one pixel"}, {0.25, "a quarter pixel"}, {0.1, "a tenth of a pixel"}, {0.01, "a hundredth of a pixel"}};
 
 //! Axes of so few choices are told choice by choice.
-constexpr std::size_t few_choices = 9;
+constexpr std::size_t few_choices = 5;
+//! And those of so many, where there is no method that others are compared with.
+constexpr std::size_t few_without_base = 9;
 
 //! "A quarter pixel costs 3 ms a frame (...); a tenth of a pixel costs 7 ms (...)." One clause a choice: the finest error that it holds.
 std::string cost_sentence(const AccuracyAxis& axis) {
@@ -74,7 +76,7 @@ std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& ro
 
 std::vector<std::string> axis_sentences(const AccuracyAxis& axis) {
   std::vector<std::string> sentences;
-  if (axis.choices.size() <= few_choices) {
+  if (axis.choices.size() <= (axis.base.empty() ? few_without_base : few_choices)) {
     for (const Measurement& choice : axis.choices) {
       sentences.push_back(choice_sentence(axis, choice));
     }
