@@ -149,7 +149,7 @@ std::unique_ptr<OIIO::ImageInput> opened_overlay(const std::filesystem::path& pa
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   if (memory != nullptr) {
     // Readers that are given wishes look for it there alone.
-    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
+    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<const void*>(&memory));
   }
   auto input = OIIO::ImageInput::open(path.string(), &wishes, memory);
   if (!input) {
