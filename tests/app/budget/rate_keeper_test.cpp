@@ -17,6 +17,7 @@ namespace {
 //! A ladder each of whose rungs takes 0.7 of the one before.
 std::vector<double> even_ladder(double first_ms, int rungs) {
   std::vector<double> times_ms;
+  times_ms.reserve(static_cast<std::size_t>(rungs));
   for (int i = 0; i < rungs; ++i) {
     times_ms.push_back(first_ms * std::pow(0.7, i));
   }

@@ -74,7 +74,9 @@ TEST(StereoAxis, OfTurningEyesIsRightInFrontAndMissesElsewhere) {
   const int middle = omni.map.width / 2;
   for (int row = 2 * omni.map.height / 3; row < 4 * omni.map.height / 5; ++row) {
     const auto error_at = [&](int column) {
-      const double error = static_cast<double>(omni.map.error[static_cast<std::size_t>(row * omni.map.width + column)]);
+      const double error =
+          static_cast<double>(omni.map.error[static_cast<std::size_t>(row) * static_cast<std::size_t>(omni.map.width) +
+                                             static_cast<std::size_t>(column)]);
       return std::isnan(error) ? 0.0 : error;
     };
     in_front = std::max(in_front, error_at(middle));

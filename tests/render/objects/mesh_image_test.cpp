@@ -15,9 +15,9 @@ class MeshImages : public test::FolderTest {
  protected:
   void SetUp() override {
     FolderTest::SetUp();
-    std::vector<std::uint8_t> rgb;
-    for (int i = 0; i < 3 * 8 * 4; ++i) {
-      rgb.push_back(static_cast<std::uint8_t>(37 * i));
+    std::vector<std::uint8_t> rgb(3UL * 8 * 4);
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+      rgb[i] = static_cast<std::uint8_t>(37 * i);
     }
     write_png(folder_ / "skin.png", rgb, 8, 4);
   }
