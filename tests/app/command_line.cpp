@@ -22,6 +22,11 @@ int CommandLine::run(const std::string& arguments) {
   return run_command("cd '" + folder_.string() + "' && '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
 }
 
+int CommandLine::run_with_driver(const std::string& arguments) {
+  return run_command("cd '" + folder_.string() +
+                     "' && ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=0 '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
+}
+
 bool CommandLine::has_display() { return std::system("command -v xvfb-run >/dev/null") == 0; }
 
 int CommandLine::run_on_display(const std::string& arguments, const std::string& environment) {

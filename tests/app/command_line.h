@@ -18,6 +18,9 @@ class CommandLine : public FolderTest {
   //! Runs the program in the test's folder; all that it prints goes to output_.
   int run(const std::string& arguments);
 
+  //! The same for what loads an OpenGL driver: such keep memory, and the leak checker is off.
+  int run_with_driver(const std::string& arguments);
+
   //! The same on a virtual display of its own; `environment` stands before the program.
   int run_on_display(const std::string& arguments, const std::string& environment);
   //! Whether there is anything to make one with.

@@ -31,7 +31,8 @@ class DiagramCommand : public CommandLine {
 };
 
 TEST_F(DiagramCommand, WritesAPictureOfTheSizeThatIsAskedForAndSaysWhatIsInIt) {
-  const int status = run("diagram ball.toml --out ball.png --size 320x200 --rays 6 --at 1 --from -60,20,90");
+  const int status =
+      run_with_driver("diagram ball.toml --out ball.png --size 320x200 --rays 6 --at 1 --from -60,20,90");
   if (!draws(status)) {
     GTEST_SKIP() << output_;
   }
@@ -42,7 +43,7 @@ TEST_F(DiagramCommand, WritesAPictureOfTheSizeThatIsAskedForAndSaysWhatIsInIt) {
 }
 
 TEST_F(DiagramCommand, WritesAPictureForEachFrame) {
-  const int status = run("diagram ball.toml --out frames --frames 1:2 --size 160");
+  const int status = run_with_driver("diagram ball.toml --out frames --frames 1:2 --size 160");
   if (!draws(status)) {
     GTEST_SKIP() << output_;
   }
