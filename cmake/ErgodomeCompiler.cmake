@@ -25,6 +25,8 @@ target_compile_options(
             $<IF:$<BOOL:${CMAKE_UNITY_BUILD}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>,-Wshadow>
             -Wconversion
             -Wno-sign-conversion
+            # Masks of lanes are joined by & and |, and are bool where there is one lane.
+            $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
             -Wno-psabi
             # Exact results must not depend on the compiler's mood: contraction into FMA is fine, value-changing
             # reassociation is not; square roots and the like need no errno.

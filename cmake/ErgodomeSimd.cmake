@@ -13,8 +13,7 @@ set(ERGODOME_SIMD_FLAGS_avx512
     -mavx512f -mavx512dq -mavx512bw -mavx512vl -mfma -mf16c -mbmi2 -mprefer-vector-width=512)
 
 set(ERGODOME_SIMD_TARGETS portable)
-# Fuzzers feed the readers; of the kernels they only need something to link with.
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT ERGODOME_FUZZERS)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   list(APPEND ERGODOME_SIMD_TARGETS avx2)
   # Sanitizers multiply the compile time; two instruction sets already exercise the choice between them.
   if(NOT ERGODOME_SANITIZE)

@@ -28,7 +28,9 @@ ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& sl
   const float whole = ::floorf(place);
   const float t = place - whole;
   const int count = edge.count;
-  const int i = ((static_cast<int>(whole) % count) + count) % count;
+  // An angle that is no number has no place, and gives an α that is none.
+  const int turned = ::fabsf(whole) < 1e9F ? static_cast<int>(whole) % count : 0;
+  const int i = (turned + count) % count;
   const float p0 = edge.polar_angle[(i + count - 1) % count];
   const float p1 = edge.polar_angle[i];
   const float p2 = edge.polar_angle[(i + 1) % count];

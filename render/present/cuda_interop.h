@@ -15,9 +15,9 @@ class CudaTextureLink {
   void copy_from_device(const float* rgba);
 
  private:
-  void* resource_ = nullptr;
-  int width_ = 0;
-  int height_ = 0;
+  [[maybe_unused]] void* resource_ = nullptr;
+  [[maybe_unused]] int width_ = 0;
+  [[maybe_unused]] int height_ = 0;
 };
 
 }  // namespace ergodome
