@@ -11,6 +11,7 @@
 
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
@@ -72,18 +73,19 @@ TEST_F(EnvironmentImageFile, EightPixelsWideIsEnoughAndFewerAreNot) {
 }
 
 TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRightLight) {
-  // Columns alternate between 0 and 1, so the mean is one half wherever blocks of columns meet.
-  OIIO::ImageSpec spec(32768, 16384, 1, OIIO::TypeDesc::HALF);
+  // Columns alternate between 0 and 1, so the mean is one half wherever blocks of columns meet. The sanitizers see the same code with less.
+  constexpr int width = test::sanitized ? 8192 : 32768;
+  OIIO::ImageSpec spec(width, width / 2, 1, OIIO::TypeDesc::HALF);
   spec.attribute("compression", "rle");
   const fs::path path = folder_ / "32k.exr";
   auto output = OIIO::ImageOutput::create("exr");
   ASSERT_TRUE(output->open(path.string(), spec));
   constexpr int rows = 256;
-  std::vector<std::uint16_t> stripes(static_cast<std::size_t>(32768) * rows);
+  std::vector<std::uint16_t> stripes(static_cast<std::size_t>(width) * rows);
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     stripes[i] = i % 2 == 0 ? 0 : 0x3c00;  // 1 as a half float
   }
-  for (int y = 0; y < 16384; y += rows) {
+  for (int y = 0; y < width / 2; y += rows) {
     ASSERT_TRUE(output->write_scanlines(y, y + rows, 0, OIIO::TypeDesc::HALF, stripes.data()));
   }
   ASSERT_TRUE(output->close());

@@ -82,7 +82,7 @@ long play(StationStream& stream, double from_s, double to_s, double step_s) {
     const auto pair = stream.at(time_s, patience_s);
     EXPECT_TRUE(pair && std::abs(pair->first->station().r - (9.0 - 1e-3 * time_s)) <= 1.01e-4) << time_s;
     // A fifth of the time that a frame of 60 Hz has; sanitizers read slowly.
-    std::this_thread::sleep_for(std::chrono::milliseconds(test::sanitized ? 20 : 3));
+    std::this_thread::sleep_for(std::chrono::milliseconds(test::sanitized ? 8 : 3));
   }
   return stream.statistics().waits - before;
 }
