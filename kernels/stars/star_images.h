@@ -13,6 +13,7 @@ struct StarImageBatch {
   Camera camera;  //!< stars are as from φ = 0
   IntegrationSettings settings;
   S tolerance;  //!< how far images may be from where they should be [rad]
+  int rounds;   //!< of Newton's method, at the most
   int count;
   const S* star[3];  //!< unit vectors to the stars on the sky
   const S*

@@ -20,9 +20,6 @@ struct FindStarImages {
   StarImageBatch<S, Camera> batch;
 
   ERGO_HD void operator()(int index) const {
-    // In double for images next to caustics, which lie far from where they are sought.
-    constexpr int most_rounds = sizeof(S) == 4 ? 6 : 24;
-    constexpr int patient_rounds = 6;
     // Of the map over the last step, as a part of it: what the magnification may be off by.
     constexpr double most_change = 0.002;
     const int first = index * RealTraits<T>::lane_count;
@@ -32,7 +29,7 @@ struct FindStarImages {
     const T scale = load_lanes<T>(batch.edge_distance, first, batch.count);
     State at = {load(batch.direction, first), T(S(0)), T(S(0)), T(S(1)), T(S(1e30)), T(S(1))};
     MaskOf<T> open = T(S(0)) < T(S(1));
-    for (int round = 0; round < most_rounds && any(open); ++round) {
+    for (int round = 0; round < batch.rounds && any(open); ++round) {
       const State next = step(at, star, scale, hit_square);
       at = {{select(open, next.n.x, at.n.x), select(open, next.n.y, at.n.y), select(open, next.n.z, at.n.z)},
             select(open, next.solid_angle, at.solid_angle),
@@ -42,10 +39,6 @@ struct FindStarImages {
             select(open, next.change, at.change)};
       // A ray that did not come from the sky will not the next time either.
       open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(most_change)))) & (at.miss < T(S(1e29)));
-      if (round >= patient_rounds) {
-        // What still goes far will not come to an end.
-        open = open & (at.miss < scale * S(0.02));
-      }
     }
     const auto store = [&](S* to, const T& value) { store_lanes(to, first, batch.count, value); };
     store(batch.direction[0], at.n.x);

@@ -13,17 +13,12 @@ struct RoughImage {
   int star;           //!< in the field
   float gamma_turns;  //!< in [0, 1)
   float s;
-  float sky;         //!< solid angle of the stars' sky per area of the chart there, about; without sign [sr/turn]
-  PatchShape shape;  //!< of the patch that holds it
-  bool guessed;      //!< the star is so near to a caustic that the grid cannot tell whether there is one
+  float
+      sky;  //!< solid angle of the stars' sky per area of the chart there, about; negative where turned over [sr/turn]
+  float brighter;  //!< what it may be brighter by than that makes it out to be, as a factor
+  bool exact;      //!< it needs no rays
+  bool guessed;    //!< the star is so near to a caustic that the grid cannot tell whether there is one
 };
-
-//! What an image may be brighter than the grid makes it out to be. Where patches are regular that is mostly 1 %, seldom 30 %; next to the
-//! shadow's edge, where patches are bent and images faint, many times.
-inline float most_grid_error(PatchShape shape) {
-  constexpr float most[] = {1.35F, 8.0F, 8.0F};
-  return most[static_cast<int>(shape)];
-}
 
 //! Finds the images that patches hold and that may be bright enough. Stars of many patches are sought at once, as kernels work on many
 //! lanes and a patch has but a few stars; where a patch may be folded it is searched alone.

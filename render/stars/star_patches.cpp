@@ -88,12 +88,12 @@ int longer_axis(const BezierPatch& patch) {
 }  // namespace
 
 StarPatches::StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
-                         float error)
+                         const GridExactness& exactness)
     : edge_(station.edge),
       chart_(grid_view(station).chart),
       mirrored_(station.mirrored),
       faintest_(faintest),
-      error_(error) {
+      exactness_(exactness) {
   chart_.edge.polar_angle = edge_.data();
   const LensGrid grid = grid_view(station);
   const std::vector<LeafBox> boxes = leaf_boxes(station);
@@ -108,12 +108,30 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
       patch.width_turns = static_cast<float>(box.width_turns);
       patch.height = static_cast<float>(box.height);
       patch.sky = bezier_patch(grid, leaf, patch.width_turns, patch.height);
+      const auto number = static_cast<std::size_t>(leaf);
+      tell_error(box, station.leaf_error_px[number], patch);
       add_patch({field, light}, patch, 0, parts[static_cast<std::size_t>(leaf / leaves_a_chunk)]);
     }
   });
   for (const std::vector<StarPatch>& part : parts) {
     patches_.insert(patches_.end(), part.begin(), part.end());
   }
+}
+
+//! What a leaf's error at its check points says of the images in it.
+void StarPatches::tell_error(const LeafBox& box, float error_px, StarPatch& patch) const {
+  // A cubic that is off by e over a side h has a slope that is off by e √3 384 / (216 h), which is an image's magnification.
+  constexpr double slope_error = 3.1;
+  constexpr double exact_magnification = 3e-3;
+  constexpr double between_checks = 3.0;
+  const ChartStretch<double> middle =
+      chart_stretch(chart_, box.gamma_turns + 0.5 * box.width_turns, box.s + 0.5 * box.height);
+  const double width = 2.0 * 3.14159265358979323846 * box.width_turns * std::sin(middle.alpha.value);
+  const double height = std::abs(middle.alpha.along_y) * box.height;
+  const auto error = static_cast<double>(error_px);
+  const double magnification_error = slope_error * error * exactness_.pixel / std::min(width, height);
+  patch.brighter = static_cast<float>(1.0 + between_checks * magnification_error);
+  patch.exact = error <= exact_grid_px && magnification_error <= exact_magnification;
 }
 
 bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch) const {
@@ -138,7 +156,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
                    wanted.light.observer(), &measures});
     const Stretching stretching = stretching_of(measures, own);
     own.shape = stretching.folded ? PatchShape::folded : measures.regular ? PatchShape::regular : PatchShape::bent;
-    own.error = stretching.folded ? error_ : 0.0F;
+    own.error = stretching.folded ? static_cast<float>(exactness_.fold_error) : 0.0F;
     own.frustum = frustum_of(own.sky, own.frame, static_cast<double>(own.error));
     own.brightening = measures.brightening;
     own.frequency_ratio = measures.frequency_ratio;

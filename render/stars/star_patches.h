@@ -19,6 +19,8 @@ struct StarPatch {
   float width_turns;
   float height;
   PatchShape shape;
+  float brighter;         //!< what an image in it may be brighter by than the grid makes it out to be, as a factor
+  bool exact;             //!< images in it need no rays, where it is not folded
   float error;            //!< how far it may be from the sky where that matters, next to critical curves [rad]
   int halvings;           //!< that its search for images takes, where it is not regular
   float brightening;      //!< the observer's solid angles over the rain frame's, in the middle of the patch
@@ -48,11 +50,21 @@ class ImageLight {
   [[nodiscard]] virtual float gain(const StarPatch& patch, float magnification, const FieldStar& star) const = 0;
 };
 
+//! How exact a grid is that is turned round.
+struct GridExactness {
+  double pixel;       //!< of the screen that its errors are told for [rad]
+  double fold_error;  //!< next to critical curves, on the camera's sky [rad]
+};
+
+//! Where the grid is nearer than this to the sky, at its check points, images are where it has them [px].
+inline constexpr double exact_grid_px = 0.008;
+
 //! A lens grid turned round: from places on the sky to places in the chart.
 class StarPatches {
  public:
-  //! For images of at least `faintest` lx: the more stars may have some, the finer. `error`: of the grid on the camera's sky [rad].
-  StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest, float error);
+  //! For images of at least `faintest` lx: the more stars may have some, the finer.
+  StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
+              const GridExactness& exactness);
   StarPatches(StarPatches&&) = default;
   StarPatches& operator=(StarPatches&&) = default;
 
@@ -73,12 +85,13 @@ class StarPatches {
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
   [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch) const;
+  void tell_error(const LeafBox& box, float error_px, StarPatch& patch) const;
 
   std::vector<float> edge_;  //!< of the chart
   LensChart chart_;
   bool mirrored_;
   float faintest_;
-  float error_;
+  GridExactness exactness_;
   std::vector<StarPatch> patches_;
 };
 

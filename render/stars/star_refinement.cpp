@@ -26,6 +26,11 @@ constexpr double most_change = 0.01;
 //! What double has not brought so near to an image has none [px].
 constexpr double near_px = 2.0;
 constexpr int star_step_limit = 400;
+//! Rounds in which most images are found, and those that lie next to caustics, far from where they are sought.
+constexpr int few_rounds = 6;
+constexpr int many_rounds = 18;
+//! What goes farther than this after the few rounds will not come to an end, as a part of the distance to the shadow's edge.
+constexpr double hopeless_miss = 0.02;
 
 //! How exact rays are, and how near an image has to be for the last step [rad].
 struct RayPrecision {
@@ -35,7 +40,8 @@ struct RayPrecision {
 
 //! Finds images exactly, as far as rays in S are exact.
 template <class S, class Camera>
-void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, const RayPrecision& precision) {
+void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, const RayPrecision& precision,
+               int rounds) {
   constexpr std::size_t channels = 12;
   const std::size_t count = candidates.size();
   std::vector<S> values(channels * count);
@@ -58,6 +64,7 @@ void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, con
   const StarImageBatch<S, Camera> batch = {camera,
                                            {precision.tolerance, star_step_limit, true},
                                            static_cast<S>(precision.miss),
+                                           rounds,
                                            static_cast<int>(count),
                                            {channel(0), channel(1), channel(2)},
                                            channel(6),
@@ -83,13 +90,40 @@ OmniCameraOf<float> omni_cameras(const OmniEye& eye, float /*precision*/) { retu
 OmniCameraOf<double> omni_cameras(const OmniEye& eye, double /*precision*/) { return eye.cameras->exact(eye.side); }
 
 template <class S>
-void refine(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision) {
+void refine(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision,
+            int rounds = few_rounds) {
   if (eye.omni) {
-    return refine_by<S>(omni_cameras(*eye.omni, S{}), candidates, precision);
+    return refine_by<S>(omni_cameras(*eye.omni, S{}), candidates, precision, rounds);
   }
   const EyeCamera& c = eye.camera;
   refine_by<S>(converted_station<S>(make_camera_station(c.spin, c.r, c.theta, 0.0, c.motion, c.velocity)), candidates,
-               precision);
+               precision, rounds);
+}
+
+//! Does `work` with those candidates that are `chosen`, put together: lanes wait for one another.
+template <class Chosen, class Work>
+void with_some(std::vector<StarCandidate>& candidates, const Chosen& chosen, const Work& work) {
+  std::vector<std::size_t> places;
+  std::vector<StarCandidate> some;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (chosen(candidates[i])) {
+      places.push_back(i);
+      some.push_back(candidates[i]);
+    }
+  }
+  work(some);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    candidates[places[i]] = some[i];
+  }
+}
+
+//! Seeks images in double, and patiently those that the few rounds have brought near.
+void refine_patiently(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision) {
+  refine<double>(candidates, eye, precision);
+  with_some(
+      candidates,
+      [&](const StarCandidate& c) { return c.miss > precision.miss && c.miss < hopeless_miss * c.edge_distance; },
+      [&](std::vector<StarCandidate>& near) { refine<double>(near, eye, precision, many_rounds); });
 }
 
 //! Where double has to seek an image.
@@ -111,18 +145,11 @@ Start double_start(const StarCandidate& c, double pixel) {
 
 //! Follows images next to caustics to the end. Most of what is sought there is none: only what came near is worth rays that cost more.
 void refine_finest(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel) {
-  std::vector<std::size_t> places;
-  std::vector<StarCandidate> near;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].miss <= near_px * pixel) {
-      places.push_back(i);
-      near.push_back(candidates[i]);
-    }
-  }
-  refine<double>(near, eye, {finest_tolerance, std::min(image_tolerance_px * pixel, ring_tolerance)});
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    candidates[places[i]] = near[i];
-  }
+  with_some(
+      candidates, [&](const StarCandidate& c) { return c.miss <= near_px * pixel; },
+      [&](std::vector<StarCandidate>& near) {
+        refine_patiently(near, eye, {finest_tolerance, std::min(image_tolerance_px * pixel, ring_tolerance)});
+      });
 }
 
 //! Seeks in double what float's rounding leaves wrong.
@@ -140,7 +167,7 @@ void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<Star
   }
   const double miss = image_tolerance_px * pixel;
   for (std::vector<StarCandidate>& each : steep) {
-    refine<double>(each, eye, {fine_tolerance, std::min(miss, fine_miss)});
+    refine_patiently(each, eye, {fine_tolerance, std::min(miss, fine_miss)});
   }
   refine_finest(steep[1], eye, pixel);
   for (const int from : {0, 1}) {

@@ -19,6 +19,7 @@ struct StarCandidate {
   double stretch = 0.0;
   double frequency_ratio = 1.0;
   double miss = 0.0;
+  bool exact = false;  //!< it needs no rays
 };
 
 //! Squares of the singular values of the map from the camera's sky to the stars'.

@@ -38,10 +38,15 @@ struct Spread {
     const auto integral = [&](double x) {
       return std::erf(std::clamp(x - middle_px, -reach, reach) / (sigma_px * std::sqrt(2.0)));
     };
-    const double whole = integral(middle_px + reach) - integral(middle_px - reach);
+    const double begin = integral(first);
+    double from = begin;
     for (int i = 0; i < count; ++i) {
-      part[static_cast<std::size_t>(i)] = static_cast<float>((integral(first + i + 1) - integral(first + i)) / whole);
+      const double to = integral(first + i + 1);
+      part[static_cast<std::size_t>(i)] = static_cast<float>(to - from);
+      from = to;
     }
+    const auto scale = static_cast<float>(1.0 / (from - begin));
+    std::for_each_n(part.begin(), count, [&](float& each) { each *= scale; });
   }
 };
 

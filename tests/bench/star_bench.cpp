@@ -82,7 +82,7 @@ void star_gathered_picture(benchmark::State& state) {
   state.counters["images"] = static_cast<double>(images);
 }
 
-BENCHMARK(star_place)->Arg(5000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(star_place)->Arg(5000)->Arg(118216)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(star_picture)
     ->Args({5000, 1024})
     ->Args({20'000, 1024})

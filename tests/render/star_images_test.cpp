@@ -81,7 +81,7 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
   const auto coarse = images_of(field, eye, settings);
   GridSettings grid;
   grid.pixel = settings.pixel;
-  grid.budget_px = 0.06;
+  grid.budget_px = 0.003;
   grid.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
   const LensStation station = build_lens_station(eye.spin, eye.r, eye.theta, grid);
   const auto fine = find_star_images(field, colours().view(), eye, station,

@@ -1,0 +1,112 @@
+#include "render/stars/image_observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/shadow/shadow_chart.h"
+
+namespace ergodome {
+
+namespace {
+
+//! The coldest and the hottest star that colours tell of: they gain most by a shift to the blue and to the red.
+constexpr float log_coldest = 7.38F;
+constexpr float log_hottest = 10.4F;
+
+//! Luminance of a blackbody seen with a frequency ratio, over its own.
+float shift_gain(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
+  return std::exp(read_blackbody(colours, log_temperature + std::log(frequency_ratio)).x -
+                  read_blackbody(colours, log_temperature).x);
+}
+
+//! The energy that the camera in the middle of an eye's sees.
+DirectionForm<double> middle_energy(const OmniEye& eye) {
+  const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
+  const double* c = cameras.coefficients + omni_energy * omni_terms(cameras.degree);
+  const int next = omni_terms(cameras.degree);
+  return {c[0], {c[next], c[2 * next], c[3 * next]}};
+}
+
+//! The most that the energies which an eye's other cameras see may differ from that: the powers of their places are 1 at the most.
+float energy_spread(const OmniEye& eye) {
+  const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
+  const int terms = omni_terms(cameras.degree);
+  const double* c = cameras.coefficients + omni_energy * terms;
+  double spread = 0.0;
+  for (int i = 0; i < 4 * terms; ++i) {
+    spread += i % terms > 0 ? std::abs(c[i]) : 0.0;
+  }
+  // And what converging turns directions by.
+  const Vector3<double> along = middle_energy(eye).along;
+  return static_cast<float>(spread +
+                            std::abs(cameras.offset) * cameras.inverse_convergence * std::sqrt(dot(along, along)));
+}
+
+}  // namespace
+
+Aberration aberration_of(const StarEye& eye) {
+  const EyeCamera& c = eye.camera;
+  return eye.omni ? no_aberration() : aberration_to_rain(c.spin, c.r, c.theta, c.motion, c.velocity);
+}
+
+ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours,
+                             bool redshift)
+    : colours_(colours),
+      redshift_(redshift),
+      chart_(grid_view(station).chart),
+      cameras_(eye.omni),
+      energy_(
+          eye.omni
+              ? middle_energy(*eye.omni)
+              : make_camera_station(eye.camera.spin, eye.camera.r, eye.camera.theta, 0.0, ObserverMotion::rain).energy),
+      energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
+      aberration_(aberration_of(eye)),
+      inverse_zamo_{aberration_.zamo_from_observer.axis, 1.0 / aberration_.zamo_from_observer.stretch},
+      inverse_rain_{aberration_.rain_from_zamo.axis, 1.0 / aberration_.rain_from_zamo.stretch} {}
+
+Vector3<double> ImageObserver::rain_direction(double gamma_turns, double s, double& per_area) const {
+  const ChartStretch<double> stretch = chart_stretch(chart_, gamma_turns, s);
+  const Vector3<MixedDual<double>> n = chart_direction_at(chart_, gamma_turns, stretch.alpha);
+  per_area = 6.28318530717958647692 * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y);
+  return {n.x.value, n.y.value, n.z.value};
+}
+
+double ImageObserver::edge_distance(float s) const {
+  return 3.0 * std::exp((static_cast<double>(s) - 1.0) * static_cast<double>(chart_.range));
+}
+
+Vector3<double> ImageObserver::observed(const Vector3<double>& rain) const {
+  double energy = 0.0;
+  return aberrated(inverse_zamo_, aberrated(inverse_rain_, rain, energy), energy);
+}
+
+ImageObserver::Shift ImageObserver::shift_towards(const Vector3<double>& rain) const {
+  const double scale = observed_scale(aberration_, rain);
+  const double energy =
+      cameras_ ? energy_of(cameras_->cameras->exact(cameras_->side), rain) : detail::evaluate(energy_, rain) * scale;
+  return {scale * scale, 1.0 / std::max(energy, 1e-6)};
+}
+
+float ImageObserver::gain_of(const Shift& shift, const FieldStar& star) const {
+  return static_cast<float>(shift.brightening) *
+         (redshift_ ? shift_gain(colours_, star.log_temperature, static_cast<float>(shift.frequency_ratio)) : 1.0F);
+}
+
+float ImageObserver::greatest_gain(const StarPatch& patch, float magnification) const {
+  const float from = patch.frequency_ratio >= 1.0F ? log_coldest : log_hottest;
+  return gain_at(patch, magnification, from);
+}
+
+float ImageObserver::gain(const StarPatch& patch, float magnification, const FieldStar& star) const {
+  return gain_at(patch, magnification, star.log_temperature);
+}
+
+//! With a margin for what lies between the places that were asked.
+float ImageObserver::gain_at(const StarPatch& patch, float magnification, float log_temperature) const {
+  // Cameras beside the middle one may see less energy by so much.
+  const float least = std::max(1.0F - energy_spread_ * patch.frequency_ratio, 0.1F);
+  return 1.2F * magnification * patch.brightening *
+         (redshift_ ? shift_gain(colours_, log_temperature, 1.05F * patch.frequency_ratio / least) : 1.0F);
+}
+
+}  // namespace ergodome
