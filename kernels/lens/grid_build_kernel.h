@@ -68,6 +68,8 @@ struct TraceNodes {
     MaskOf<T> reached;
     const Vector3<M> sky =
         detail::grid_sky(batch.camera, chart_direction_at(batch.camera.chart, gamma_turns, stretch.alpha), reached);
+    // Light that hardly left the horizon of an extremal hole may have no derivatives that are numbers.
+    reached = reached & (size(sky.x) + size(sky.y) + size(sky.z) < T(S(1e30)));
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       float* node = batch.nodes + floats_a_node * (first + i);
       const bool good = mask_lane(reached, i);
@@ -80,6 +82,10 @@ struct TraceNodes {
   }
 
  private:
+  ERGO_HD static T size(const M& v) {
+    return absolute(v.value) + absolute(v.along_x) + absolute(v.along_y) + absolute(v.mixed);
+  }
+
   ERGO_HD static void store(float* to, const Vector3<M>& v, T M::*part, int i, bool good) {
     to[0] = good ? static_cast<float>(lane(v.x.*part, i)) : 0.0F;
     to[1] = good ? static_cast<float>(lane(v.y.*part, i)) : 0.0F;
