@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/lens_options.h"
+#include "app/player/player.h"
+#include "app/player/player_texts.h"
+
+// What a player says: on the screen, to whoever asks for its status, and at its end.
+namespace ergodome {
+
+bool Player::add_words(PictureRequest& wish) {
+  if (!exhibit_) {
+    return false;
+  }
+  if (options_.setup && session_->help_shown()) {
+    wish.captions = {help_caption(help_text(false))};
+    wish.captions_opacity = 1.0;
+  } else {
+    wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
+    wish.captions_opacity = exhibit_->opacity();
+  }
+  std::vector<LocalText> words;
+  words.reserve(wish.captions.size());
+  for (const Caption& caption : wish.captions) {
+    words.push_back(caption.text);
+  }
+  const bool faded = std::exchange(words_opacity_, wish.captions_opacity) != wish.captions_opacity;
+  return std::exchange(words_, words) != words || faded;
+}
+
+std::string Player::help_text(bool columns) const {
+  HelpChoice choice;
+  choice.pads = !pad_snapshot_.pads.empty();
+  choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
+  choice.language = session_->playback().language();
+  choice.columns = columns;
+  return inputs_.controls().help_text(choice);
+}
+
+void Player::update_texts() {
+  std::string times;
+  if (session_->times_shown()) {
+    times = times_text(pictures_.report(), session_->frame().stereo, renderers_.backend());
+    times += budget_ ? fmt::format("\n{}", budget_->display_text()) : "";
+  }
+  screen_.set_text(PanelPlace::top_left, times);
+  screen_.set_text(PanelPlace::bottom_middle, session_->caption());
+  screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(true) : "");
+}
+
+void Player::post_status() {
+  PlayerStatus status;
+  session_->fill(status);
+  const PictureReport& report = pictures_.report();
+  status.lens = report.lens;
+  status.backend = renderers_.backend();
+  status.frame_ms = report.frame_time_ms;
+  status.frames = report.pictures;
+  status.problem = report.problem;
+  frame_times_.note(session_->now_s(), report.frame_time_ms);
+  status.worst_frame_ms = frame_times_.worst_ms();
+  for (const PadView& pad : pad_snapshot_.pads) {
+    status.pads.push_back(
+        {pad.identity->name, pad.identity->connection, pad_snapshot_.time_s - pad.last_input_s < 1.0});
+  }
+  if (exhibit_) {
+    exhibit_->keep(status, session_->playback().baseline().has_value());
+  }
+  services_.post(std::move(status));
+}
+
+void Player::print_statistics() const {
+  if (pictures_.report().pictures > 0) {
+    fmt::print("{} pictures after the first in {:.1f} s\n", pictures_.report().pictures - 1, options_.for_seconds);
+    if (budget_) {
+      fmt::print("{}\n", budget_->summary_text());
+    }
+  }
+  if (const auto streamed = renderers_.current() ? renderers_.current()->stream_statistics() : std::nullopt) {
+    ergodome::print_statistics(*streamed);
+  }
+}
+
+}  // namespace ergodome

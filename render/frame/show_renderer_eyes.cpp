@@ -1,0 +1,114 @@
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "kernels/core/angles.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/frame/shadow_mask.h"
+#include "render/frame/show_renderer.h"
+#include "render/lens/flat_shadow.h"
+
+// How a show's renderer draws two eyes, by the models of stereo.
+namespace ergodome {
+
+std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                               const ShowMoment& moment) {
+  const StereoSettings& stereo = show_.stereo;
+  std::vector<Picture> eyes;
+  if (eye_count(stereo) < 2) {
+    eyes.push_back(render_eye(pose, 0.0, projection, mode, moment));
+    return eyes;
+  }
+  switch (stereo.model) {
+    case StereoModel::flat:
+      return render_flat_eyes(pose, projection, mode, moment);
+    case StereoModel::omni:
+      return render_omni_eyes(pose, projection, mode, moment);
+    case StereoModel::physical:
+      break;
+  }
+  for (const double side : {-0.5, 0.5}) {
+    const double offset = side * stereo.baseline;
+    eyes.push_back(
+        render_eye(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment));
+  }
+  return eyes;
+}
+
+std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                                    const ShowMoment& moment) {
+  const StereoSettings& stereo = show_.stereo;
+  const EyeCamera head = eye_camera(show_, pose, 0.0);
+  const PictureSettings settings = picture_settings(mode, moment, 0.0);
+  // Light is spread when the shadow is before it.
+  PictureSettings sharp = settings;
+  sharp.bloom.reset();
+  sharp.clear_outside = false;
+  std::vector<Picture> eyes;
+  for (const double side : {-0.5, 0.5}) {
+    if (eyes.empty() || flat_pictures(stereo) > 1) {
+      const Projection own = converged_projection(projection, side * stereo.baseline, stereo.convergence);
+      eyes.push_back(renderer_.render(head, own, sky_.cube(), sharp));
+    } else {
+      eyes.push_back(eyes.front());
+      eyes.back().unresolved_pixels = 0;
+    }
+  }
+  std::optional<FlatShadow> shadow;
+  if (stereo.baseline > 0.0) {
+    shadow.emplace(head);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double offset = (i == 0 ? -0.5 : 0.5) * stereo.baseline;
+    const Projection own = converged_projection(projection, offset, stereo.convergence);
+    if (shadow) {
+      const std::vector<float> edge = shadow->eye_edge(offset);
+      mask_shadow(eyes[i], own, edge_view(shadow->chart(), shadow->head_edge()), edge_view(shadow->chart(), edge));
+    }
+    EyeRenderer::finish(eyes[i], own, settings);
+  }
+  return eyes;
+}
+
+std::shared_ptr<const OmniCamera> ShowRenderer::omni_cameras(const CameraPose& pose, double tolerance) const {
+  const StereoSettings& stereo = show_.stereo;
+  return std::make_shared<const OmniCamera>(
+      backend(), [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); },
+      OmniSettings{0.5 * stereo.baseline, stereo.convergence, one_degree * stereo.fade_from_deg,
+                   one_degree * stereo.fade_to_deg, tolerance});
+}
+
+std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                                    const ShowMoment& moment) {
+  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); };
+  PictureSettings settings = picture_settings(mode, moment, 0.0);
+  const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
+  const std::shared_ptr<const OmniCamera> cameras = omni_cameras(pose, tolerance);
+  // Without a baseline stars are the head's, to the last bit.
+  const bool own_stars = settings.stars != nullptr && show_.stereo.baseline > 0.0;
+  std::vector<CameraPose> shutter;
+  std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
+  if (own_stars && settings.shutter) {
+    shutter = shutter_poses(*moment.time_s);
+    for (const CameraPose& each : shutter) {
+      shutter_cameras.push_back(omni_cameras(each, tolerance));
+    }
+  }
+  std::vector<Picture> eyes;
+  for (const double side : {-1.0, 1.0}) {
+    const std::shared_ptr<const OmniEye> eye = make_omni_eye(cameras, side, eye_at);
+    const auto lens = omni_lenses_.choose(eye, projection, mode, settings.lens, settings.accuracy);
+    settings.given = lens.get();
+    if (own_stars) {
+      settings.star_eye.emplace(eye);
+    }
+    for (std::size_t i = 0; i < shutter.size(); ++i) {
+      const auto there = [&](const Vector3<double>& offset) { return eye_camera(show_, shutter[i], offset); };
+      settings.shutter->eyes[i] = StarEye(make_omni_eye_for_trails(shutter_cameras[i], side, there));
+    }
+    eyes.push_back(renderer_.render(eye_at({0.0, 0.0, 0.0}), projection, sky_.cube(), settings));
+  }
+  return eyes;
+}
+
+}  // namespace ergodome
