@@ -164,7 +164,7 @@ void draw_film(const DiagramOptions& options, const Show& show, const Diagram& d
     write_png(path, image.rgb, image.width_px, image.height_px);
     progress.advance_to(frame - first + 1);
   }
-  fmt::print("{} frames in {}\n", last - first + 1, options.out);
+  fmt::print("{} frame{} in {}\n", last - first + 1, last - first + 1 == 1 ? "" : "s", options.out);
 }
 
 void run_diagram(const DiagramOptions& options) {

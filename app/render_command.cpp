@@ -123,7 +123,7 @@ void run(RenderOptions options) {
   make_folder(options.out);
   FrameWriter writer(options, show, setup);
   write_frames(options, writer, first, last);
-  fmt::print("{} frames in {}\n", writer.written(), options.out);
+  fmt::print("{} frame{} in {}\n", writer.written(), writer.written() == 1 ? "" : "s", options.out);
   if (!options.movie.empty()) {
     writer.write_movies(first, last);
   }

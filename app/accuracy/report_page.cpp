@@ -116,7 +116,7 @@ std::string table_of(const AccuracyReport& report, const AccuracyAxis& axis) {
   const bool light = axis.unit == ErrorUnit::light;
   std::string text = fmt::format(
       "<details><summary>All {} choices</summary><div class=\"wide\"><table><tr><th class=\"word\">method</th><th "
-      "class=\"word\">setting</th><th class=\"word\"></th><th class=\"word\">published by</th><th>median {}</th><th>99 "
+      "class=\"word\">setting</th><th class=\"word\"></th><th class=\"word\">method of</th><th>median {}</th><th>99 "
       "of "
       "100</th><th>999 of 1000</th><th>largest</th>{}<th>flicker</th><th>lost</th><th>ms {} (runs)</th><th>ms to "
       "prepare</th><th>memory</th><th>on disk</th></tr>\n",
@@ -152,7 +152,7 @@ std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
   std::string text = fmt::format(
       "<p>All held to {} (99 of 100 pixels), each in its cheapest setting; times as many times that of {}, by runs in "
       "the "
-      "same round:</p>\n<table><tr><th class=\"word\">method</th><th class=\"word\">published by</th><th "
+      "same round:</p>\n<table><tr><th class=\"word\">method</th><th class=\"word\">method of</th><th "
       "class=\"word\">setting</th><th>ms a frame</th><th>times as long (from to)</th></tr>\n",
       error_text(axis, most_px), escaped(axis.base));
   for (const EqualErrorRow& row : compare_at(axis, most_px, FrameCost::ready)) {

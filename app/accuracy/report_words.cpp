@@ -53,7 +53,7 @@ std::string cost_sentence(const AccuracyAxis& axis) {
 std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice) {
   std::string text = fmt::format(
       "{} ({}{}): half of what was compared is right within {}, 99 of 100 within {}; {} ms {}", choice.method,
-      choice.setting, choice.published.empty() ? std::string() : ", published: " + choice.published,
+      choice.setting, choice.published.empty() ? std::string() : ", the method of " + choice.published,
       error_text(axis, choice.error.median), error_text(axis, choice.error.p99),
       short_number(cost_ms(choice, FrameCost::ready)), axis.time);
   if (choice.lost > 0.0) {
@@ -62,13 +62,13 @@ std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice)
   return text + '.';
 }
 
-//! "quadtree, spline (published: VE) takes 4.2 times as long as taylor to be right within a tenth of a pixel ..."
+//! "quadtree, spline (the method of VE) takes 4.2 times as long as taylor to be right within a tenth of a pixel ..."
 std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& row, const NamedError& error) {
   const Measurement* const any = row.choice;
   if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {
     return {};
   }
-  return fmt::format("{} (published: {}) takes {} times as long as {} to be right within {} in 99 of 100 pixels.",
+  return fmt::format("{} (the method of {}) takes {} times as long as {} to be right within {} in 99 of 100 pixels.",
                      row.method, any->published, short_number(row.ratio.median), axis.base, error.name);
 }
 

@@ -68,7 +68,7 @@ TEST(AccuracyReport, SaysWhatAQuarterPixelAndATenthCost) {
       axis_sentences(small_report().axes[0]),
       ElementsAre(
           "A quarter pixel costs 3.0 ms a frame (taylor, fine); a tenth of a pixel costs 7.0 ms (taylor, finest).",
-          "rk34 (published: RK34) takes 2.0 times as long as taylor to be right within a tenth of a pixel in 99 of "
+          "rk34 (the method of RK34) takes 2.0 times as long as taylor to be right within a tenth of a pixel in 99 of "
           "100 pixels."));
 }
 

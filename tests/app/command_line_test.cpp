@@ -203,7 +203,7 @@ TEST_F(CommandLine, RenderWritesAFileForEachFaceOfACube) {
   }
   fs::remove(folder_ / "f/faces_000001_ny.png");
   ASSERT_EQ(run("render faces.toml --out f --frames 1 --size 32 --stereo side_by_side --backend cpu --resume"), 0);
-  EXPECT_THAT(output_, HasSubstr("1 frames"));
+  EXPECT_THAT(output_, HasSubstr("1 frame in"));
 }
 
 TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {

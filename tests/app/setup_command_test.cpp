@@ -84,7 +84,7 @@ TEST_F(SetupCommands, RenderGoesOnWhereProjectorsAreMissing) {
   }
   std::filesystem::remove(folder_ / "f/show_000002_left___one_2.png");
   ASSERT_TRUE(run_headless("render show.toml --setup dome.toml --out f --frames 1:2 --size 128 --resume"));
-  EXPECT_THAT(output_, HasSubstr("1 frames in f"));
+  EXPECT_THAT(output_, HasSubstr("1 frame in f"));
 }
 
 TEST_F(SetupCommands, RenderWritesPatternsForEachProjector) {
