@@ -72,7 +72,7 @@ std::vector<PictureChoice> near_choices(const Show& show, bool quick) {
 }  // namespace
 
 AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const AccuracyProgress& progress) {
-  AccuracySettings settings = asked;
+  AccuracySettings settings = draws_slowly(show) ? no_wider(asked, show, most_slow_px) : asked;
   settings.rounds = std::min(settings.rounds, draws_slowly(show) ? 2 : 3);
   const Show alone = near_things_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
@@ -86,7 +86,9 @@ AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const
   axis.name = "near";
   axis.title = "Disk, shells and objects, before a black sky";
   axis.unit = ErrorUnit::light;
-  axis.reference = "rays to a thousandth of a pixel; as a part of the mean luminance of what shines";
+  axis.reference = fmt::format(
+      "rays to a thousandth of a pixel; as a part of the mean luminance of what shines, in pictures of {} pixels",
+      moments.front().projection.width_px);
   axis.choices = measure_pictures(near_choices(alone, settings.quick), reference, moments, settings, progress);
   return axis;
 }

@@ -12,13 +12,6 @@ namespace {
 //! References take many samples a pixel: pictures are no wider than this.
 constexpr int most_map_px = 512;
 
-AccuracySettings smaller(const AccuracySettings& settings, const Show& show) {
-  AccuracySettings small = settings;
-  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.most_px);
-  small.size_px = std::min(size_px, most_map_px);
-  return small;
-}
-
 //! The show's map alone.
 Show map_alone(Show show) {
   show.sky.stars.clear();
@@ -43,7 +36,7 @@ Show with_filter(Show show, SkyFilter filter) {
 }  // namespace
 
 AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const AccuracyProgress& progress) {
-  const AccuracySettings settings = smaller(asked, show);
+  const AccuracySettings settings = no_wider(asked, show, most_map_px);
   const int blocks = settings.quick ? 3 : 4;
   const Show alone = map_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
@@ -73,7 +66,7 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const 
 }
 
 AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress) {
-  AccuracySettings asked = settings;
+  AccuracySettings asked = draws_slowly(show) ? no_wider(settings, show, most_slow_px) : settings;
   asked.rounds = draws_slowly(show) ? std::min(asked.rounds, 2) : asked.rounds;
   Show mono = show;
   mono.stereo = {};
@@ -104,8 +97,11 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
   axis.name = "frame";
   axis.title = "A whole frame as the show has it, for one eye";
   axis.unit = ErrorUnit::light;
-  axis.reference =
-      "the same frame by direct rays to a thousandth of a pixel; as a part of the picture's mean luminance";
+  axis.reference = fmt::format(
+      "the same frame by direct rays to a thousandth of a pixel; as a part of the picture's mean luminance, in "
+      "pictures "
+      "of {} pixels",
+      moments.front().projection.width_px);
   axis.choices = measure_pictures(choices, reference, moments, asked, progress);
   return axis;
 }

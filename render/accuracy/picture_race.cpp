@@ -191,4 +191,10 @@ Picture averaged(const Picture& picture, int blocks) {
   return mean;
 }
 
+AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_px) {
+  const int size_px = settings.size_px > 0 ? settings.size_px : std::min(show.view.size_px, settings.most_px);
+  settings.size_px = std::min(size_px, most_px);
+  return settings;
+}
+
 }  // namespace ergodome
