@@ -72,8 +72,8 @@ std::vector<PictureChoice> near_choices(const Show& show, bool quick) {
 }  // namespace
 
 AccuracyAxis measure_near(const Show& show, const AccuracySettings& asked, const AccuracyProgress& progress) {
-  AccuracySettings settings = draws_slowly(show) ? no_wider(asked, show, most_slow_px) : asked;
-  settings.rounds = std::min(settings.rounds, draws_slowly(show) ? 2 : 3);
+  AccuracySettings settings = paced(asked, show);
+  settings.rounds = std::min(settings.rounds, 3);
   const Show alone = near_things_alone(show);
   const std::vector<AccuracyMoment> moments = accuracy_moments(alone, settings);
   go_on(progress, "the reference of what is near the hole");

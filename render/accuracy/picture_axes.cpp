@@ -66,8 +66,7 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& asked, const 
 }
 
 AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress) {
-  AccuracySettings asked = draws_slowly(show) ? no_wider(settings, show, most_slow_px) : settings;
-  asked.rounds = draws_slowly(show) ? std::min(asked.rounds, 2) : asked.rounds;
+  const AccuracySettings asked = paced(settings, show);
   Show mono = show;
   mono.stereo = {};
   std::erase_if(mono.timeline.animations,

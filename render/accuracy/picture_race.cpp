@@ -197,4 +197,15 @@ AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_
   return settings;
 }
 
+AccuracySettings paced(const AccuracySettings& settings, const Show& show) {
+  constexpr int most_slow_px = 384;
+  if (!draws_slowly(show)) {
+    return settings;
+  }
+  AccuracySettings slow = no_wider(settings, show, most_slow_px);
+  slow.moments = 1;
+  slow.rounds = std::min(slow.rounds, 2);
+  return slow;
+}
+
 }  // namespace ergodome

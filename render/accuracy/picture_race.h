@@ -36,11 +36,12 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& settings, con
 //! Whether frames take seconds without a GPU: they have objects, drawn by OpenGL. Fewer of them are then looked at.
 inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
 
-//! Pictures of such shows are no wider than this: a lit object of 1024² pixels takes half a minute.
-inline constexpr int most_slow_px = 384;
-
 //! The same settings for pictures that are no wider.
 AccuracySettings no_wider(AccuracySettings settings, const Show& show, int most_px);
+
+//! What is asked of frames of a show that draws slowly: one moment, two rounds, small pictures. A lit object of 1024² pixels takes half a
+//! minute by rays.
+AccuracySettings paced(const AccuracySettings& settings, const Show& show);
 
 //! Disk, shells and objects alone: by rays, and objects by the published polygons where those can draw them. The show has some.
 AccuracyAxis measure_near(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
