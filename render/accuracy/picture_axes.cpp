@@ -98,8 +98,7 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
   axis.unit = ErrorUnit::light;
   axis.reference = fmt::format(
       "the same frame by direct rays to a thousandth of a pixel; as a part of the picture's mean luminance, in "
-      "pictures "
-      "of {} pixels",
+      "pictures of {} pixels",
       moments.front().projection.width_px);
   axis.choices = measure_pictures(choices, reference, moments, asked, progress);
   return axis;

@@ -18,8 +18,9 @@ constexpr float any_step = 1e6F;
 //! A root so far outside of a patch that is one to one, in parts of it, says that none is inside.
 constexpr float near_outside = 0.1F;
 
-//! What an image may be brighter than the grid makes it out to be. Where a grid was not checked, that is mostly 1 %, seldom 30 %, in
-//! regular patches; next to the shadow's edge, where patches are bent and images faint, many times.
+//! What an image may be brighter than the grid makes it out to be: what the grid's error says, and no more than grids were found to be off
+//! by, which in regular patches is mostly 1 %, seldom 30 %, and next to the shadow's edge, where patches are bent and images faint, many
+//! times.
 float most_brighter(const StarPatch& patch) {
   constexpr float most[] = {1.35F, 8.0F, 8.0F};
   // Folds are sought within the grid's error of where it has them.

@@ -62,7 +62,8 @@ inline constexpr double exact_grid_px = 0.008;
 //! A lens grid turned round: from places on the sky to places in the chart.
 class StarPatches {
  public:
-  //! For images of at least `faintest` lx: the more stars may have some, the finer.
+  //! For images of at least `faintest` lx: the more stars may have some, the finer. `station` was built, not blended: it knows its leaves'
+  //! errors.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness);
   StarPatches(StarPatches&&) = default;

@@ -117,7 +117,7 @@ void with_some(std::vector<StarCandidate>& candidates, const Chosen& chosen, con
   }
 }
 
-//! Seeks images in double, and patiently those that the few rounds have brought near.
+//! Seeks images in double, and patiently those that the few rounds have brought near but not to the end.
 void refine_patiently(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision) {
   refine<double>(candidates, eye, precision);
   with_some(
