@@ -36,14 +36,17 @@ std::vector<std::string> missing_features(const Show& show) {
   if (stereo.model == StereoModel::omni && !show.sky.stars.empty() && show.sky.star_method == StarMethod::gather) {
     missing.emplace_back("pixels do not gather stars in the stereo model omni (stereo.model, stars.method)");
   }
-  if (stereo.model != StereoModel::physical && show.disk) {
-    missing.emplace_back("a disk is drawn in the stereo model physical alone (stereo.model, disk)");
+  if (stereo.model == StereoModel::flat && show.disk) {
+    missing.emplace_back("a disk is not drawn in the stereo model flat (stereo.model, disk)");
   }
-  if (stereo.model != StereoModel::physical && !show.objects.empty()) {
-    missing.emplace_back("objects are drawn in the stereo model physical alone (stereo.model, objects)");
+  if (stereo.model == StereoModel::flat && !show.objects.empty()) {
+    missing.emplace_back("objects are not drawn in the stereo model flat (stereo.model, objects)");
   }
-  if (stereo.model != StereoModel::physical && !show.shells.empty()) {
-    missing.emplace_back("shells are drawn in the stereo model physical alone (stereo.model, shells)");
+  if (stereo.model == StereoModel::flat && !show.shells.empty()) {
+    missing.emplace_back("shells are not drawn in the stereo model flat (stereo.model, shells)");
+  }
+  if (stereo.model == StereoModel::omni && has_objects(show, ObjectMethod::polygon)) {
+    missing.emplace_back("objects are not drawn as polygons in the stereo model omni (stereo.model, objects.method)");
   }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;

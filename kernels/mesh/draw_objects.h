@@ -5,6 +5,7 @@
 #include "kernels/mesh/light_ray.h"
 #include "kernels/mesh/surface.h"
 #include "kernels/projection/projection.h"
+#include "kernels/trace/omni_camera.h"
 
 namespace ergodome {
 
@@ -21,6 +22,8 @@ struct ObjectScene {
   MeshLimits limits;
   bool shifted;   //!< light goes with g⁴
   bool retarded;  //!< some mesh is
+  OmniCameraOf<double>
+      turning;  //!< what sees them in place of the camera, where it has coefficients; its frame is the view then
 };
 
 //! What pixels of a square tile may see of the objects.

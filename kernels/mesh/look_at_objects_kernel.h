@@ -70,7 +70,7 @@ struct LookAtObjects {
         set_lane(n.y, i, one.y);
         set_lane(n.z, i, one.z);
       }
-      const NearRay<T> ray = start_near_ray(camera, n);
+      const NearRay<T> ray = start_near_ray(camera, objects.turning, n);
       energy[k] = ray.energy;
       momentum[k] = ray.axial_angular_momentum;
       const T square = dot(n, n);

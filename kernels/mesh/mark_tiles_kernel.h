@@ -33,7 +33,7 @@ struct MarkTiles {
     }
     const CameraStation& camera = objects.camera;
     const auto decided = follow_path<mark_order, Parts>(
-        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
+        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, objects.turning, n),
         {objects.scene.least_r, objects.scene.greatest_r}, {mark_tolerance, objects.limits.step_limit}, inside > T(0.0),
         [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           marks[i] = look_through(step, marks[i]);

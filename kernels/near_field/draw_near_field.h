@@ -3,6 +3,7 @@
 #include "kernels/disk/disk_look.h"
 #include "kernels/mesh/lay_objects.h"
 #include "kernels/shells/shell_look.h"
+#include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 
 namespace ergodome {
@@ -19,6 +20,8 @@ struct NearFieldBatch {
   ShellTable shells;  //!< without any, none are looked for
   float* rgba;
   ObjectLayer objects;  //!< put between them, where there are any
+  OmniCameraOf<float>
+      turning;  //!< what sees them in place of the pixels' camera, where it has coefficients; the directions are the view's then
 };
 
 //! The same with objects between them. A disk is drawn as one with a pattern, whether it has one or not: few scenes have all this.

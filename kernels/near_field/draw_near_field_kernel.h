@@ -71,8 +71,7 @@ struct DrawNearField {
   //! be finer than that.
   ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, LayerSight<T, Objects> objects, Mask& lanes) const {
     const PixelBatch& pixels = batch.pixels;
-    const CameraStationOf<S>& camera = pixels.camera;
-    const NearRay<D> ray = start_near_ray(camera, observed_direction(pixels, x_px, y_px));
+    const NearRay<D> ray = start_near_ray(pixels.camera, batch.turning, observed_direction(pixels, x_px, y_px));
     SeenLanes<T> seen = nothing_seen<T>();
     const Mask wanted = lanes & may_see(ray);
     Mask fine = lanes & !lanes;

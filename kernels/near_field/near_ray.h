@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/metric/camera_station.h"
+#include "kernels/trace/omni_camera.h"
 
 namespace ergodome {
 
@@ -49,6 +50,38 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   const T skew = l - camera.spin * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
   return ray;
+}
+
+//! The ray that an eye which turns with the direction sees in a direction of the view; its camera is at the azimuth of the head.
+template <class T>
+ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  using S = ScalarOf<T>;
+  const OmniSight<T> sight = omni_sight(camera, view);
+  NearRay<T> ray;
+  ray.energy = sight.energy;
+  ray.axial_angular_momentum = sight.axial_momentum;
+  ray.u = sight.u;
+  ray.u_rate = -sight.outward_rate;
+  ray.m = sight.m;
+  ray.m_rate = sight.m_rate;
+  const auto on_equator = absolute(value_of(ray.m.z)) < RealOf<T>(S(4) * std::numeric_limits<S>::epsilon());
+  ray.m.z = select(on_equator, T(S(0)), ray.m.z);
+  const Vector3<T> moment = cross(ray.m, ray.m_rate);
+  const S a = camera.spin;
+  const T drag = (a * a) * (ray.energy * ray.energy) * (ray.m.z * ray.m.z);
+  ray.polar_constant = dot(ray.m_rate, ray.m_rate) - drag;
+  // |m'|² is the square of m x m', whose part along the axis is L: without that nothing cancels.
+  ray.carter = moment.x * moment.x + moment.y * moment.y - drag;
+  const T skew = ray.axial_angular_momentum - a * ray.energy;
+  ray.shear_constant = ray.carter + skew * skew;
+  return ray;
+}
+
+//! The ray of a picture whose directions are seen by one camera, or where `turning` has coefficients, each by its own.
+template <class T>
+ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const OmniCameraOf<ScalarOf<T>>& turning,
+                                  const Vector3<T>& n) {
+  return turning.coefficients != nullptr ? start_near_ray(turning, n) : start_near_ray(camera, n);
 }
 
 //! A ray without its derivatives.

@@ -58,9 +58,19 @@ ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<
   back = view.x * share;
 }
 
-//! The ray that an eye sees in a direction of the view; its camera is at the azimuth of the head, for turned_to_camera.
+//! What an eye has for a direction of the view: its camera there, and the six forms in that direction (see omni_numbers).
 template <class T>
-ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+struct OmniSight {
+  T u;
+  Vector3<T> m;
+  T energy;
+  T axial_momentum;
+  T outward_rate;
+  Vector3<T> m_rate;
+};
+
+template <class T>
+ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   using S = ScalarOf<T>;
   T right;
   T back;
@@ -97,14 +107,22 @@ ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, cons
            (number(omni_energy + 4 * i + 1) * n.x + number(omni_energy + 4 * i + 2) * n.y +
             number(omni_energy + 4 * i + 3) * n.z);
   };
+  return {number(0), {number(1), number(2), number(3)}, form(0), form(1), form(2), {form(3), form(4), form(5)}};
+}
+
+//! The ray that an eye sees in a direction of the view; its camera is at the azimuth of the head, for turned_to_camera.
+template <class T>
+ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  using S = ScalarOf<T>;
+  const OmniSight<T> sight = omni_sight(camera, view);
   RayStart<T> ray;
-  ray.energy = form(0);
+  ray.energy = sight.energy;
   const T inverse_energy = S(1) / ray.energy;
-  ray.axial_angular_momentum = form(1) * inverse_energy;
-  ray.u = number(0);
-  ray.u_rate = -(form(2) * inverse_energy);
-  ray.m = {number(1), number(2), number(3)};
-  ray.m_rate = {form(3) * inverse_energy, form(4) * inverse_energy, form(5) * inverse_energy};
+  ray.axial_angular_momentum = sight.axial_momentum * inverse_energy;
+  ray.u = sight.u;
+  ray.u_rate = -(sight.outward_rate * inverse_energy);
+  ray.m = sight.m;
+  ray.m_rate = {sight.m_rate.x * inverse_energy, sight.m_rate.y * inverse_energy, sight.m_rate.z * inverse_energy};
   const S a = camera.spin;
   ray.polar_constant = dot(ray.m_rate, ray.m_rate) - (a * a) * (ray.m.z * ray.m.z);
   ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;

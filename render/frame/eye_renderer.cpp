@@ -93,6 +93,13 @@ LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& sett
   return lens;
 }
 
+float* EyeRenderer::room_for(std::size_t pixels) {
+  if (rgba_.size() < 4 * pixels) {
+    rgba_ = Buffer<float>(backend_, 4 * pixels, "picture");
+  }
+  return rgba_.data();
+}
+
 void EyeRenderer::filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons) {
   if (backend_ == Backend::cpu) {
     return polygons.filter(shade.lens, shade.count, shade.rgba);
@@ -130,9 +137,6 @@ void EyeRenderer::render_rows(const LensSource& source, ShadeBatch& shade, const
 ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
                                 std::size_t pixels) {
   const LensPixels lens = channels(pixels, settings);
-  if (rgba_.size() < 4 * pixels) {
-    rgba_ = Buffer<float>(backend_, 4 * pixels, "picture");
-  }
   ShadeBatch shade{lens,
                    sky.view(),
                    settings.mode,
@@ -145,7 +149,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
                    settings.exposure,
                    0.0F,
                    1.0F,
-                   rgba_.data(),
+                   nullptr,
                    0};
   if (settings.mode != ViewMode::sky) {
     set_kernel_range(shade, heat_range(settings.mode));
@@ -155,8 +159,11 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 
 std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
                                                const PictureSettings& settings) {
-  return settings.stars != nullptr ? settings.stars->find(settings.star_eye.value_or(eye), projection, settings.shutter)
-                                   : std::vector<StarPoint>();
+  if (settings.stars == nullptr) {
+    return {};
+  }
+  const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
+  return settings.stars->find(seen_by, projection, settings.shutter);
 }
 
 std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Projection& projection,
@@ -170,13 +177,14 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
+  shade.rgba = room_for(pixels);
   const auto source = lens_for(eye, projection, settings);
   render_rows(*source, shade, settings.polygons, 0, projection.height_px);
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
   if (!stars.empty()) {
     draw_stars_in_place(stars, projection, *settings.stars);
   }
-  draw_near_rows(eye, projection, settings, 0, projection.height_px);
+  draw_near_rows(eye, projection, settings, {0, projection.height_px}, shade.rgba);
   draw_objects_in_place(eye, projection, settings);
   if (lens != nullptr) {
     *lens = source->name();
@@ -185,10 +193,10 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
 }
 
 void EyeRenderer::draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
-                                 int row, int rows) {
+                                 const RowBlock& rows, float* rgba) const {
   if (!settings.near_field.empty()) {
-    draw_near_field(backend_, settings.near_field, eye, projection, settings.accuracy.tolerance_px, settings.time_s,
-                    row, rows, rgba_.data());
+    const PictureView view = {eye, settings.turning.get(), projection, settings.accuracy.tolerance_px, settings.time_s};
+    draw_near_field(backend_, settings.near_field, view, rows, rgba);
   }
 }
 
@@ -228,6 +236,45 @@ void EyeRenderer::finish(Picture& picture, const Projection& projection, const P
   }
 }
 
+void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
+                                 const std::vector<StarPoint>& stars, const RowBlock& rows, float* light) {
+  const std::size_t floats = 4 * static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(rows.count);
+  // On the processor the rows are made in the picture itself.
+  const bool apart = backend_ != Backend::cpu;
+  float* const made = apart ? rgba_.data() : light;
+  if (stars.empty()) {
+    draw_near_rows(eye, projection, settings, rows, made);
+  }
+  if (apart) {
+    rgba_.read(light, floats);
+  }
+  if (stars.empty()) {
+    return;
+  }
+  settings.stars->draw(stars, projection, rows.first, rows.count, light);
+  if (settings.near_field.empty()) {
+    return;
+  }
+  // What stands near the hole hides stars too.
+  if (apart) {
+    rgba_.write(light, floats);
+  }
+  draw_near_rows(eye, projection, settings, rows, made);
+  if (apart) {
+    rgba_.read(light, floats);
+  }
+}
+
+long EyeRenderer::count_unresolved(const float* estimates, std::size_t pixels) const {
+  std::vector<float> copy;
+  if (backend_ != Backend::cpu) {
+    copy.resize(pixels);
+    copy_to_host(backend_, copy.data(), estimates, pixels);
+    estimates = copy.data();
+  }
+  return std::count_if(estimates, estimates + pixels, [](float e) { return e < 0.0F; });
+}
+
 Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                             const PictureSettings& settings) {
   Picture picture;
@@ -247,28 +294,14 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   picture.lens = source->name();
   picture.behind = source->behind();
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
-  std::vector<float> estimates(most);
+  float* const apart = backend_ != Backend::cpu ? room_for(most) : nullptr;
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
-    const std::size_t pixels = width * static_cast<std::size_t>(rows);
-    render_rows(*source, shade, settings.polygons, row, rows);
     float* const light = picture.rgba.data() + 4 * width * static_cast<std::size_t>(row);
-    if (stars.empty()) {
-      draw_near_rows(eye, projection, settings, row, rows);
-    }
-    rgba_.read(light, 4 * pixels);
-    if (!stars.empty()) {
-      settings.stars->draw(stars, projection, row, rows, light);
-      if (!settings.near_field.empty()) {
-        // It hides stars too.
-        rgba_.write(light, 4 * pixels);
-        draw_near_rows(eye, projection, settings, row, rows);
-        rgba_.read(light, 4 * pixels);
-      }
-    }
-    copy_to_host(backend_, estimates.data(), shade.lens.error_estimate, pixels);
-    picture.unresolved_pixels += std::count_if(estimates.begin(), estimates.begin() + static_cast<long>(pixels),
-                                               [](float e) { return e < 0.0F; });
+    shade.rgba = apart != nullptr ? apart : light;
+    render_rows(*source, shade, settings.polygons, row, rows);
+    draw_over_rows(eye, projection, settings, stars, {row, rows}, light);
+    picture.unresolved_pixels += count_unresolved(shade.lens.error_estimate, width * static_cast<std::size_t>(rows));
   }
   if (settings.objects != nullptr) {
     settings.objects->draw(eye, projection, settings.time_s, picture.rgba.data());

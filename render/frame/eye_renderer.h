@@ -29,14 +29,14 @@ struct PictureSettings {
   LensAccuracy accuracy{};
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
-  StarPass* stars = nullptr;           //!< drawn where they are given, on the sky's own view
-  std::optional<StarEye> star_eye;     //!< what sees them, in place of the picture's eye
-  std::optional<Shutter> shutter;      //!< stars leave trails
-  NearField near_field;                //!< drawn over sky and stars
-  ObjectPass* objects = nullptr;       //!< drawn where they are given, over all that
-  double time_s = 0.0;                 //!< of the show, for what moves in it
-  bool clear_outside = false;          //!< stars or bloom may spread light beyond the image
-  std::optional<BloomSettings> bloom;  //!< of whole pictures alone: render_in_place leaves it out
+  StarPass* stars = nullptr;               //!< drawn where they are given, on the sky's own view
+  std::shared_ptr<const OmniEye> turning;  //!< what sees them and the near field, in place of the picture's eye
+  std::optional<Shutter> shutter;          //!< stars leave trails
+  NearField near_field;                    //!< drawn over sky and stars
+  ObjectPass* objects = nullptr;           //!< drawn where they are given, over all that
+  double time_s = 0.0;                     //!< of the show, for what moves in it
+  bool clear_outside = false;              //!< stars or bloom may spread light beyond the image
+  std::optional<BloomSettings> bloom;      //!< of whole pictures alone: render_in_place leaves it out
 };
 
 //! Rows of a picture that are worked on at a time: memory stays bounded at any size.
@@ -93,11 +93,14 @@ class EyeRenderer {
                          const PictureSettings& settings, const char** lens = nullptr);
 
  private:
-  //! Makes room for `pixels` and sets up the shading.
+  //! Makes room for the lens of `pixels` and sets up the shading, but for where the light goes.
   ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
                      std::size_t pixels);
 
-  //! Renders rows [row, row + rows) of the image into rgba_. `polygons`: where the sky is filtered by them.
+  //! Room for `pixels` in the backend's memory.
+  float* room_for(std::size_t pixels);
+
+  //! Renders rows [row, row + rows) of the image. `polygons`: where the sky is filtered by them.
   void render_rows(const LensSource& source, ShadeBatch& shade, const PolygonFilter* polygons, int row, int rows);
 
   //! The images of stars that a picture shows.
@@ -107,9 +110,16 @@ class EyeRenderer {
   //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
   void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
 
-  //! Draws disk and shells over rows of rgba_, where the picture has any.
-  void draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings, int row,
-                      int rows);
+  //! Draws what stands near the hole over rows of a picture in the backend's memory, where it has any.
+  void draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
+                      const RowBlock& rows, float* rgba) const;
+
+  //! Draws stars and what stands near the hole over rows whose sky is in rgba_, or on the processor in `light`: there they end up.
+  void draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
+                      const std::vector<StarPoint>& stars, const RowBlock& rows, float* light);
+
+  //! Rays that did not converge, by what the backend's memory says of errors.
+  long count_unresolved(const float* estimates, std::size_t pixels) const;
 
   //! Draws objects over the whole of rgba_; they come from another driver than the picture, and lie over it in host memory.
   void draw_objects_in_place(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);

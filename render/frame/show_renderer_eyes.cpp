@@ -84,11 +84,11 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
   PictureSettings settings = picture_settings(mode, moment, 0.0);
   const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
   const std::shared_ptr<const OmniCamera> cameras = omni_cameras(pose, tolerance);
-  // Without a baseline stars are the head's, to the last bit.
-  const bool own_stars = settings.stars != nullptr && show_.stereo.baseline > 0.0;
+  // Without a baseline stars, and what stands near the hole, are the head's, to the last bit.
+  const bool turns = show_.stereo.baseline > 0.0;
   std::vector<CameraPose> shutter;
   std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
-  if (own_stars && settings.shutter) {
+  if (turns && settings.shutter) {
     shutter = shutter_poses(*moment.time_s);
     for (const CameraPose& each : shutter) {
       shutter_cameras.push_back(omni_cameras(each, tolerance));
@@ -99,8 +99,8 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
     const std::shared_ptr<const OmniEye> eye = make_omni_eye(cameras, side, eye_at);
     const auto lens = omni_lenses_.choose(eye, projection, mode, settings.lens, settings.accuracy);
     settings.given = lens.get();
-    if (own_stars) {
-      settings.star_eye.emplace(eye);
+    if (turns) {
+      settings.turning = eye;
     }
     for (std::size_t i = 0; i < shutter.size(); ++i) {
       const auto there = [&](const Vector3<double>& offset) { return eye_camera(show_, shutter[i], offset); };

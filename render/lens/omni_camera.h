@@ -36,6 +36,9 @@ class OmniCamera {
   //! The same on the host, in double.
   [[nodiscard]] OmniCameraOf<double> exact(double side) const;
 
+  //! What exact() reads: omni_numbers polynomials.
+  [[nodiscard]] const std::vector<double>& coefficients() const { return coefficients_; }
+
   [[nodiscard]] int degree() const { return camera_.degree; }
 
  private:

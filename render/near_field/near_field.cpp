@@ -4,22 +4,26 @@
 
 namespace ergodome {
 
-void draw_near_field(Backend backend, const NearField& near_field, const EyeCamera& eye, const Projection& projection,
-                     double tolerance_px, double time_s, int first_row, int row_count, float* rgba) {
-  NearFieldBatch batch{pixel_batch(eye, projection, tolerance_px), DiskDrawing::none, {}, {}, rgba, {}};
-  batch.pixels.first_row = first_row;
-  batch.pixels.row_count = row_count;
+void draw_near_field(Backend backend, const NearField& near_field, const PictureView& view, const RowBlock& rows,
+                     float* rgba) {
+  NearFieldBatch batch{
+      pixel_batch(view.camera(), view.projection, view.tolerance_px), DiskDrawing::none, {}, {}, rgba, {}, {}};
+  batch.pixels.first_row = rows.first;
+  batch.pixels.row_count = rows.count;
+  if (view.turning != nullptr) {
+    batch.turning = view.turning->cameras->view(view.turning->side);
+  }
   if (near_field.disk != nullptr && near_field.disk->is_visible()) {
-    batch.disk = near_field.disk->look_at(time_s);
+    batch.disk = near_field.disk->look_at(view.time_s);
     batch.drawing = has_pattern(batch.disk) ? DiskDrawing::pattern : DiskDrawing::plain;
   }
   if (near_field.shells != nullptr) {
     batch.shells = near_field.shells->table();
   }
   if (near_field.objects != nullptr) {
-    batch.objects = near_field.objects->look(eye, projection, tolerance_px, time_s, {first_row, row_count});
+    batch.objects = near_field.objects->look(view, rows);
     if (batch.drawing == DiskDrawing::none && batch.shells.count == 0) {
-      return lay_objects(backend, {batch.objects, batch.pixels.projection, first_row, row_count, rgba});
+      return lay_objects(backend, {batch.objects, batch.pixels.projection, rows.first, rows.count, rgba});
     }
   }
   draw_near_field(backend, batch);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/disk/disk_pass.h"
-#include "render/lens/eye_camera.h"
+#include "render/lens/picture_view.h"
 #include "render/objects/traced_objects.h"
 #include "render/shells/shell_pass.h"
 
@@ -16,9 +16,8 @@ struct NearField {
   [[nodiscard]] bool empty() const { return disk == nullptr && shells == nullptr && objects == nullptr; }
 };
 
-//! Draws it, by exact rays, over rows of a picture in the backend's memory: four floats a pixel. `time_s` is the show's, for what the disk carries
-//! round.
-void draw_near_field(Backend backend, const NearField& near_field, const EyeCamera& eye, const Projection& projection,
-                     double tolerance_px, double time_s, int first_row, int row_count, float* rgba);
+//! Draws it, by exact rays, over rows of a picture in the backend's memory: four floats a pixel.
+void draw_near_field(Backend backend, const NearField& near_field, const PictureView& view, const RowBlock& rows,
+                     float* rgba);
 
 }  // namespace ergodome

@@ -52,20 +52,28 @@ std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backe
 
 long TracedObjects::triangle_count() const { return surfaces_.triangle_count(); }
 
-ObjectLayer TracedObjects::look(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s,
-                                const RowBlock& rows) {
-  const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), time_s);
+ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows) {
+  const EyeCamera& eye = view.camera();
+  const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), view.time_s);
   placed_.write(placed.meshes.data(), placed.meshes.size());
-  const double tolerance = std::clamp(part_of_tolerance * tolerance_px * pixel_angle(projection), 1e-10, 1e-6);
+  const double tolerance =
+      std::clamp(part_of_tolerance * view.tolerance_px * pixel_angle(view.projection), 1e-10, 1e-6);
   ObjectScene scene{station_of(eye),
-                    projection,
+                    view.projection,
                     {},
                     placed.around(eye.spin, placed_.data()),
                     looks_.data(),
                     lamp_,
                     {tolerance, picture_step_limit, 0.0},
                     shifted_,
-                    std::ranges::any_of(placed.meshes, &PlacedMesh::retarded)};
+                    std::ranges::any_of(placed.meshes, &PlacedMesh::retarded),
+                    {}};
+  if (view.turning != nullptr) {
+    scene.turning = view.turning->cameras->exact(view.turning->side);
+    const std::vector<double>& coefficients = view.turning->cameras->coefficients();
+    cameras_ = Buffer<double>(backend_, coefficients, "omni cameras");
+    scene.turning.coefficients = cameras_.data();
+  }
   std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);
   ObjectPixels pixels(backend_, scene, rows.first, rows.count);
   pixels.look();

@@ -7,7 +7,7 @@
 #include "content/show.h"
 #include "kernels/mesh/lay_objects.h"
 #include "render/backend/buffer.h"
-#include "render/lens/eye_camera.h"
+#include "render/lens/picture_view.h"
 #include "render/objects/placed_meshes.h"
 #include "render/objects/surface_store.h"
 
@@ -28,9 +28,8 @@ class TracedObjects {
   //! Loads the meshes; the show must have objects. Throws Error where a mesh or an image cannot be read.
   TracedObjects(const Show& show, Backend backend);
 
-  //! Looks at the objects in rows of a picture, where they are at a show time. The layer stays until the next call.
-  ObjectLayer look(const EyeCamera& eye, const Projection& projection, double tolerance_px, double time_s,
-                   const RowBlock& rows);
+  //! Looks at the objects in rows of a picture, where they are at its time. The layer stays until the next call.
+  ObjectLayer look(const PictureView& view, const RowBlock& rows);
 
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;
@@ -43,6 +42,7 @@ class TracedObjects {
   SurfaceStore surfaces_;
   Buffer<SurfaceLook> looks_;
   Buffer<PlacedMesh> placed_;
+  Buffer<double> cameras_;  //!< of an eye that turns
   Buffer<float> rgba_;
   Buffer<float> time_;
 };

@@ -109,7 +109,10 @@ void Planner::plan_channels() {
   const long block = static_cast<long>(block_rows_) * plan_.width_px;
   constexpr long float_bytes = sizeof(float);
   buffer("lens channels", WorkMoment::start, channels_.floats() * block * float_bytes, "the channels above");
-  buffer("picture", WorkMoment::start, 4 * block * float_bytes, why("view.size_px"));
+  if (request_.backend != Backend::cpu) {
+    // The processor makes the light where it stays.
+    buffer("picture", WorkMoment::start, 4 * block * float_bytes, why("view.size_px"));
+  }
   buffer("finished picture", WorkMoment::picture, plan_.eyes * 4 * pixels_ * float_bytes, why("view.size_px"));
 }
 

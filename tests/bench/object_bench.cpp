@@ -26,8 +26,9 @@ void traced_frame(benchmark::State& state, const std::string& name, int frames) 
   int next = 0;
   for (auto _ : state) {
     const double time_s = show.duration_s * (next % shown) / shown;
-    benchmark::DoNotOptimize(objects.look(eye_camera(show, camera_pose(show, time_s), 0.0), projection,
-                                          0.2 * show.quality.budget_px, time_s, {0, projection.height_px}));
+    const EyeCamera eye = eye_camera(show, camera_pose(show, time_s), 0.0);
+    benchmark::DoNotOptimize(
+        objects.look({eye, nullptr, projection, 0.2 * show.quality.budget_px, time_s}, {0, projection.height_px}));
     ++next;
   }
   state.counters["frames"] = frames;

@@ -54,8 +54,8 @@ DrawnDisk draw_disk(const Show& show, const EyeCamera& eye, double field_of_view
   DrawnDisk drawn{make_pinhole_projection(disk_size_px, disk_size_px, field_of_view),
                   std::vector<float>(4UL * disk_size_px * disk_size_px)};
   const DiskPass pass(show, Backend::cpu);
-  draw_near_field(Backend::cpu, {&pass, nullptr}, eye, drawn.projection, disk_tolerance_px, time_s, 0, disk_size_px,
-                  drawn.rgba.data());
+  draw_near_field(Backend::cpu, {&pass, nullptr}, {eye, nullptr, drawn.projection, disk_tolerance_px, time_s},
+                  {0, disk_size_px}, drawn.rgba.data());
   return drawn;
 }
 

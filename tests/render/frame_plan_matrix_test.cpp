@@ -88,6 +88,22 @@ TEST_F(FramePlans, HoldForStarsInEyesThatTurn) {
   }
 }
 
+TEST_F(FramePlans, HoldForWhatStandsNearTheHoleInEyesThatTurn) {
+  for (const double baseline : {0.0, 0.1}) {
+    SCOPED_TRACE(baseline);
+    Show show = plain_show();
+    for (const Effect& effect : effects()) {
+      if (std::string_view(effect.name) == "disk" || std::string_view(effect.name) == "shells") {
+        effect.add(show);
+      }
+    }
+    show.stereo.layout = StereoLayout::separate;
+    show.stereo.model = StereoModel::omni;
+    show.stereo.baseline = baseline;
+    expect_as_planned(show, request());
+  }
+}
+
 TEST_F(FramePlans, HoldForEveryLens) {
   for (const LensChoice lens : {LensChoice::automatic, LensChoice::live, LensChoice::direct}) {
     for (const GridScheme scheme : {GridScheme::conforming, GridScheme::quadtree}) {

@@ -56,8 +56,8 @@ Drawn draw(const Show& show, const EyeCamera& eye, double field_of_view) {
               std::vector<float>(4UL * shell_size_px * shell_size_px)};
   const ShellPass shells(show, Backend::cpu);
   const std::unique_ptr<DiskPass> disk = show.disk ? std::make_unique<DiskPass>(show, Backend::cpu) : nullptr;
-  draw_near_field(Backend::cpu, {disk.get(), &shells}, eye, drawn.projection, tolerance_px, 0.0, 0, shell_size_px,
-                  drawn.rgba.data());
+  draw_near_field(Backend::cpu, {disk.get(), &shells}, {eye, nullptr, drawn.projection, tolerance_px, 0.0},
+                  {0, shell_size_px}, drawn.rgba.data());
   return drawn;
 }
 

@@ -174,6 +174,13 @@ TEST(ObjectReader, SaysWhichPartsOfAShowDoNotGoWithObjects) {
   EXPECT_TRUE(missing_features(show_of(sphere + "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\n")).empty());
 }
 
+TEST(ObjectReader, LetsEyesThatTurnWithTheDirectionSeeTracedObjects) {
+  const std::string stereo = "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\nmodel = ";
+  const std::string sphere = "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nposition = [9, 0, 0]\n";
+  EXPECT_TRUE(missing_features(show_of(sphere + stereo + "\"omni\"\n")).empty());
+  EXPECT_EQ(missing_features(show_of(sphere + stereo + "\"flat\"\n")).size(), 1U);
+}
+
 TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
   ObjectSettings object;
   object.orbit = ObjectOrbit{9.0, 0.25 * pi, 0.0, 0.0, 2.0};

@@ -60,8 +60,8 @@ Drawn draw(const Show& show, const EyeCamera& eye, const Projection& projection,
   const ShellPass shells(show, Backend::cpu);
   const std::unique_ptr<DiskPass> disk = show.disk ? std::make_unique<DiskPass>(show, Backend::cpu) : nullptr;
   for (int row = 0; row < projection.height_px; row += rows) {
-    draw_near_field(Backend::cpu, {disk.get(), show.shells.empty() ? nullptr : &shells, &objects}, eye, projection,
-                    tolerance_px, time_s, row, std::min(rows, projection.height_px - row),
+    draw_near_field(Backend::cpu, {disk.get(), show.shells.empty() ? nullptr : &shells, &objects},
+                    {eye, nullptr, projection, tolerance_px, time_s}, {row, std::min(rows, projection.height_px - row)},
                     drawn.rgba.data() + 4L * row * projection.width_px);
   }
   return drawn;
