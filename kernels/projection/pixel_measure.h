@@ -11,11 +11,24 @@ namespace ergodome::inline ERGO_TARGET {
 template <class T>
 ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T& x_px, T& y_px) {
   using S = ScalarOf<T>;
-  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    const int pixel = first + i < count ? first + i : count - 1;
-    const int row = pixel / width_px;
-    set_lane(x_px, i, static_cast<S>(pixel - row * width_px) + S(0.5));
+  constexpr int lanes = RealTraits<T>::lane_count;
+  const int begin = first < count ? first : count - 1;
+  int row = begin / width_px;
+  int column = begin - row * width_px;
+  // Divisions, and registers put together number by number, take longer than most of what is done with a pixel's place.
+  if (first + lanes <= count && column + lanes <= width_px) {
+    x_px = lane_numbers<T>() + T(static_cast<S>(column) + S(0.5));
+    y_px = T(static_cast<S>(row + first_row) + S(0.5));
+    return;
+  }
+  for (int i = 0; i < lanes; ++i) {
+    set_lane(x_px, i, static_cast<S>(column) + S(0.5));
     set_lane(y_px, i, static_cast<S>(row + first_row) + S(0.5));
+    if (first + i + 1 < count) {
+      ++column;
+      row += column == width_px ? 1 : 0;
+      column = column == width_px ? 0 : column;
+    }
   }
 }
 

@@ -21,7 +21,7 @@ Picture empty_picture(int width, int height) {
   Picture picture;
   picture.width = width;
   picture.height = height;
-  picture.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  picture.rgba.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0F);
   return picture;
 }
 

@@ -8,6 +8,7 @@
 #include "render/lens/lens_chooser.h"
 #include "render/near_field/near_field.h"
 #include "render/objects/object_pass.h"
+#include "render/output/pixel_values.h"
 #include "render/output/tone.h"
 #include "render/sky/polygon_filter.h"
 #include "render/sky/sky_cube.h"
@@ -53,7 +54,7 @@ struct HeatRange {
 struct Picture {
   int width = 0;
   int height = 0;
-  std::vector<float> rgba;
+  PixelValues rgba;
   const char* lens = "";       //!< where the lens came from: LensSource::name()
   bool behind = false;         //!< LensSource::behind()
   long unresolved_pixels = 0;  //!< rays that did not converge: shown as the mean of the sky

@@ -58,7 +58,7 @@ Picture draw_pattern(const Projection& projection, int samples, const PatternLig
   picture.width = projection.width_px;
   picture.height = projection.height_px;
   picture.tone = {ToneCurve::gamma, 1.0F, 1.0F, 1.0F};
-  picture.rgba.resize(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+  picture.rgba.assign(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0.0F);
   parallel_for(picture.height, 8, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < picture.width; ++x) {

@@ -128,7 +128,7 @@ TEST_F(TracedObjectPlans, AFrameOfAShowHasItsObjectInFrontOfTheSky) {
   sphere.color = {0.0, 0.5, 0.0};
   ShowRenderer renderer(show_with({sphere}), Backend::cpu);
   const std::vector<FrameImage> images = renderer.render(0.0, {});
-  const std::vector<float>& rgba = images.front().picture.rgba;
+  const PixelValues& rgba = images.front().picture.rgba;
   const std::size_t middle = 4 * (32 * 64 + 32);
   EXPECT_FLOAT_EQ(rgba[middle], 0.0F);
   EXPECT_NEAR(rgba[middle + 1], 0.5F, 1e-3F);
@@ -180,7 +180,7 @@ TEST_F(ObjectPlans, AFrameOfAShowHasItsObjectInFrontOfTheSky) {
   sphere.color = {0.0, 0.5, 0.0};
   ShowRenderer renderer(show_with({sphere}), Backend::cpu);
   const std::vector<FrameImage> images = renderer.render(0.0, {});
-  const std::vector<float>& rgba = images.front().picture.rgba;
+  const PixelValues& rgba = images.front().picture.rgba;
   const std::size_t middle = 4 * (32 * 64 + 32);
   EXPECT_FLOAT_EQ(rgba[middle], 0.0F);
   EXPECT_NEAR(rgba[middle + 1], 0.5F, 1e-3F);
