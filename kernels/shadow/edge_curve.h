@@ -28,13 +28,16 @@ ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& sl
   const float whole = ::floorf(place);
   const float t = place - whole;
   const int count = edge.count;
+  const auto wrapped = [count](int i) { return i < 0 ? i + count : (i >= count ? i - count : i); };
+  // Without divisions of whole numbers, which would take longer than all the rest.
+  const float turns = ::floorf(whole / static_cast<float>(count));
+  const float inside = whole - turns * static_cast<float>(count);
   // An angle that is no number has no place, and gives an α that is none.
-  const int turned = ::fabsf(whole) < 1e9F ? static_cast<int>(whole) % count : 0;
-  const int i = (turned + count) % count;
-  const float p0 = edge.polar_angle[(i + count - 1) % count];
+  const int i = wrapped(::fabsf(whole) < 1e7F ? static_cast<int>(inside) : 0);
+  const float p0 = edge.polar_angle[wrapped(i - 1)];
   const float p1 = edge.polar_angle[i];
-  const float p2 = edge.polar_angle[(i + 1) % count];
-  const float p3 = edge.polar_angle[(i + 2) % count];
+  const float p2 = edge.polar_angle[wrapped(i + 1)];
+  const float p3 = edge.polar_angle[wrapped(i + 2)];
   // Catmull and Rom: value p1, slope (p2 - p0) / 2 at t = 0, and their like at t = 1.
   const float b = 0.5F * (p2 - p0);
   const float c = p0 - 2.5F * p1 + 2.0F * p2 - 0.5F * p3;
