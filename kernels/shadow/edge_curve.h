@@ -29,11 +29,11 @@ ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& sl
   const float t = place - whole;
   const int count = edge.count;
   const auto wrapped = [count](int i) { return i < 0 ? i + count : (i >= count ? i - count : i); };
-  // Without divisions of whole numbers, which would take longer than all the rest.
-  const float turns = ::floorf(whole / static_cast<float>(count));
-  const float inside = whole - turns * static_cast<float>(count);
   // An angle that is no number has no place, and gives an α that is none.
-  const int i = wrapped(::fabsf(whole) < 1e7F ? static_cast<int>(inside) : 0);
+  const float known = ::fabsf(whole) < 1e7F ? whole : 0.0F;
+  // Without divisions of whole numbers, which would take longer than all the rest.
+  const int turns = static_cast<int>(known / static_cast<float>(count));
+  const int i = wrapped(static_cast<int>(known) - turns * count);
   const float p0 = edge.polar_angle[wrapped(i - 1)];
   const float p1 = edge.polar_angle[i];
   const float p2 = edge.polar_angle[wrapped(i + 1)];
