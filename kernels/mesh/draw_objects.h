@@ -22,8 +22,8 @@ struct ObjectScene {
   MeshLimits limits;
   bool shifted;   //!< light goes with g⁴
   bool retarded;  //!< some mesh is
-  OmniCameraOf<double>
-      turning;  //!< what sees them in place of the camera, where it has coefficients; its frame is the view then
+  //! What sees them in place of the camera, where it has coefficients: that is the head's then, for spin and azimuth, and the frame the view's.
+  OmniCameraOf<double> turning;
 };
 
 //! What pixels of a square tile may see of the objects.

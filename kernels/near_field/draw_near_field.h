@@ -20,8 +20,9 @@ struct NearFieldBatch {
   ShellTable shells;  //!< without any, none are looked for
   float* rgba;
   ObjectLayer objects;  //!< put between them, where there are any
-  OmniCameraOf<float>
-      turning;  //!< what sees them in place of the pixels' camera, where it has coefficients; the directions are the view's then
+  //! What sees them in place of the pixels' camera, where it has coefficients: that is the head's then, for spin and azimuth, and the frame the
+  //! view's.
+  OmniCameraOf<float> turning;
 };
 
 //! The same with objects between them. A disk is drawn as one with a pattern, whether it has one or not: few scenes have all this.

@@ -18,8 +18,8 @@ struct NearRay {
   T shear_constant;          //!< K = Q + (L - a E)² >= 0 [M²]
   T u;                       //!< 1 / r [1/M]
   T u_rate;                  //!< du/dλ; u_rate² = E² + (a² E² - C) u² + 2 K u³ - a² Q u⁴
-  Vector3<T> m;              //!< polar position without frame dragging, φ = 0 at the camera
-  Vector3<T> m_rate;         //!< dm/dλ [M]
+  Vector3<T> m;       //!< polar position without frame dragging, φ = 0 at the camera (or the head of eyes that turn)
+  Vector3<T> m_rate;  //!< dm/dλ [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -52,7 +52,7 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   return ray;
 }
 
-//! The ray that an eye which turns with the direction sees in a direction of the view; its camera is at the azimuth of the head.
+//! The ray that an eye which turns with the direction sees in a direction of the view; with m in axes that are turned to the head's azimuth.
 template <class T>
 ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   using S = ScalarOf<T>;

@@ -16,11 +16,11 @@ struct ShellRadii {
 //! A place on a ray.
 template <class T>
 struct NearPlace {
-  T u;             //!< 1 / r [1/M]
-  T u_rate;        //!< du/dλ, backwards: positive for light that was emitted outwards
-  Vector3<T> m;    //!< polar position without frame dragging
-  T drag;          //!< turn m about the spin axis by this [rad]: that is the place, with φ = 0 at the camera
-  T delay;         //!< coordinate time from there to the camera [M]; with azimuth_and_delay alone
+  T u;           //!< 1 / r [1/M]
+  T u_rate;      //!< du/dλ, backwards: positive for light that was emitted outwards
+  Vector3<T> m;  //!< polar position without frame dragging
+  T drag;        //!< turn m about the spin axis by this [rad]: that is the place, with φ = 0 at the camera or the head
+  T delay;       //!< coordinate time from there to the camera [M]; with azimuth_and_delay alone
   RealOf<T> time;  //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
 };
 

@@ -110,7 +110,7 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
   return {number(0), {number(1), number(2), number(3)}, form(0), form(1), form(2), {form(3), form(4), form(5)}};
 }
 
-//! The ray that an eye sees in a direction of the view; its camera is at the azimuth of the head, for turned_to_camera.
+//! The ray that an eye sees in a direction of the view; in axes that are turned to the head's azimuth, for turned_to_camera.
 template <class T>
 ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   using S = ScalarOf<T>;

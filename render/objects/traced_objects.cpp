@@ -71,7 +71,10 @@ ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows) {
   if (view.turning != nullptr) {
     scene.turning = view.turning->cameras->exact(view.turning->side);
     const std::vector<double>& coefficients = view.turning->cameras->coefficients();
-    cameras_ = Buffer<double>(backend_, coefficients, "omni cameras");
+    if (cameras_.size() < coefficients.size()) {
+      cameras_ = Buffer<double>(backend_, coefficients.size(), "objects' cameras");
+    }
+    cameras_.write(coefficients.data(), coefficients.size());
     scene.turning.coefficients = cameras_.data();
   }
   std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);

@@ -62,6 +62,9 @@ void Planner::plan_traced_objects(const std::string& objects) {
   for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
     buffer(name, WorkMoment::picture, 0, objects);
   }
+  if (plan_.eyes > 1 && show_.stereo.model == StereoModel::omni) {
+    buffer("objects' cameras", WorkMoment::picture, 0, why("stereo.model"));
+  }
 }
 
 void Planner::plan_objects() {

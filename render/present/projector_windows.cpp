@@ -35,7 +35,7 @@ Picture brought_back(const PresentedPicture& shown) {
   if (shown.heat_map) {
     picture.heat_range.emplace();
   }
-  picture.rgba.resize(4 * static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height));
+  picture.rgba.assign(4 * static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height), 0.0F);
   glGetTextureImage(shown.texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(picture.rgba.size() * sizeof(float)),
                     picture.rgba.data());
   return picture;

@@ -21,6 +21,29 @@ double solid_angle_of(const Projection& p) {
   return sum;
 }
 
+//! Compares the places of a register's pixels with those that divisions of whole numbers give.
+void expect_middles(int width, int rows, int first) {
+  using Lanes = WidePack<float>;
+  const int count = width * rows;
+  Lanes x_px;
+  Lanes y_px;
+  pixel_middles(width, 7, count, first, x_px, y_px);
+  for (int i = 0; i < RealTraits<Lanes>::lane_count; ++i) {
+    const int pixel = std::min(first + i, count - 1);
+    ASSERT_EQ(lane(x_px, i), static_cast<float>(pixel % width) + 0.5F) << width << " " << first << " " << i;
+    const int row = pixel / width;
+    ASSERT_EQ(lane(y_px, i), static_cast<float>(row + 7) + 0.5F) << width << " " << first << " " << i;
+  }
+}
+
+TEST(PixelMiddles, AreThoseOfTheNextPixelsAcrossTheEndsOfRows) {
+  for (const int width : {1, 3, 15, 16, 17, 31, 64}) {
+    for (int first = 0; first < 5 * width + 3; ++first) {
+      expect_middles(width, 5, first);
+    }
+  }
+}
+
 double cap(double half_angle_deg) { return 2.0 * pi * (1.0 - std::cos(half_angle_deg * pi / 180.0)); }
 
 void expect_solid_angle(const Projection& p, double expected) { EXPECT_NEAR(solid_angle_of(p) / expected, 1.0, 2e-3); }

@@ -106,6 +106,21 @@ TEST_F(TracedObjectPlans, NameWhatTracingTakesAndNothingThatPolygonsDo) {
   }
 }
 
+TEST_F(TracedObjectPlans, NameTheCamerasOfEyesThatTurn) {
+  Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::omni;
+  show.stereo.baseline = 0.1;
+  const FramePlan plan = plan_frame(show, {});
+  const Work first = work_of(show, ViewMode::sky).first;
+  EXPECT_TRUE(first.contains("buffer: objects' cameras"));
+  for (const auto& [name, work] : first) {
+    if (name.starts_with("buffer: objects'")) {
+      EXPECT_NE(std::ranges::find(plan.buffers, name, &PlannedBuffer::name), plan.buffers.end()) << name;
+    }
+  }
+}
+
 TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
   Show show = show_with({traced(test::small_sphere({60.0, 0.0, 0.0}, 1.0))});
   show.view.field_of_view_deg = 10.0;
