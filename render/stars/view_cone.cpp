@@ -70,13 +70,19 @@ ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double ma
                          (projection.kind == ProjectionKind::cube && projection.cube.layout != CubeLayout::face);
   if (!whole_sky) {
     cone.half_angle = widest_angle(projection, n) + margin;
+    cone.cosine = std::cos(std::min(cone.half_angle, pi));
   }
   return cone;
 }
 
 bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius) {
+  const double along = dot(view.axis, axis);
+  if (along >= view.cosine) {
+    return true;
+  }
+  // A cosine falls by no more than the angle grows: most answers need none.
   const double reach = view.half_angle + radius;
-  return reach >= pi || dot(view.axis, axis) >= std::cos(reach);
+  return reach >= pi || (along >= view.cosine - radius && along >= std::cos(reach));
 }
 
 }  // namespace ergodome

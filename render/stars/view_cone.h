@@ -9,6 +9,7 @@ namespace ergodome {
 struct ViewCone {
   Vector3<double> axis = {1.0, 0.0, 0.0};
   double half_angle = 3.14159265358979323846;  //!< [rad]
+  double cosine = -1.0;                        //!< of that
 };
 
 //! The cone that holds a picture, and `margin` [rad] more.
