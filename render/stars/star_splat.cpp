@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -19,6 +21,8 @@ constexpr int widest_splat_px = 60;
 constexpr int splat_band_rows = 32;
 //! A line across a whole dome of 4k.
 constexpr int most_line_points = 8192;
+
+double row_of(const StarPoint& point) { return std::floor(point.y_px); }
 
 //! Parts of a Gaussian that fall on neighbouring pixels, from pixel `first` on; they add up to 1.
 struct Spread {
@@ -160,23 +164,60 @@ class PointList {
   std::vector<StarPoint>& points_;
 };
 
-//! Calls body(sheet's projection, list) for each sheet of a picture; returns the points from the top down.
-template <class Body>
-std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, const Body& body) {
-  std::vector<StarPoint> points;
-  const std::vector<PictureSheet> sheets = picture_sheets(projection);
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    PointList list(sheets[i], static_cast<int>(i), settings, points);
-    body(sheets[i].projection, list);
+//! All points, row by row from the top; in a row in their order.
+std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) {
+  double top = std::numeric_limits<double>::infinity();
+  double bottom = -top;
+  for (const std::vector<StarPoint>& part : parts) {
+    for (const StarPoint& point : part) {
+      top = std::min(top, row_of(point));
+      bottom = std::max(bottom, row_of(point));
+    }
   }
-  std::ranges::stable_sort(points, {}, &StarPoint::y_px);
+  if (!(top <= bottom)) {
+    return {};
+  }
+  // Sorting by counting: where each row begins.
+  std::vector<std::size_t> place(static_cast<std::size_t>(bottom - top) + 2U, 0);
+  const auto row = [&](const StarPoint& point) { return static_cast<std::size_t>(row_of(point) - top); };
+  for (const std::vector<StarPoint>& part : parts) {
+    for (const StarPoint& point : part) {
+      place[row(point) + 1] += 1;
+    }
+  }
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<StarPoint> points(place.back());
+  for (const std::vector<StarPoint>& part : parts) {
+    for (const StarPoint& point : part) {
+      points[place[row(point)]++] = point;
+    }
+  }
   return points;
 }
 
-void add_trails(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
-                const SplatSettings& settings, PointList& list) {
+//! Calls body(sheet's projection, begin, end, list) for each sheet of a picture and each part of `count` things; returns the points row by
+//! row from the top.
+template <class Body>
+std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, std::size_t count,
+                                        const Body& body) {
+  constexpr std::size_t chunk = 1024;
+  const std::vector<PictureSheet> sheets = picture_sheets(projection);
+  std::vector<std::vector<StarPoint>> parts((count + chunk - 1) / chunk);
+  parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
+      for (std::size_t i = 0; i < sheets.size(); ++i) {
+        PointList list(sheets[i], static_cast<int>(i), settings, parts[part]);
+        body(sheets[i].projection, part * chunk, std::min((part + 1) * chunk, count), list);
+      }
+    }
+  });
+  return by_row(parts);
+}
+
+void add_trails(const StarTrails& trails, std::size_t begin, std::size_t end, const Shutter& shutter,
+                const Projection& projection, const SplatSettings& settings, PointList& list) {
   const float part = 1.0F / static_cast<float>(std::max(trails.places - 1, 1));
-  for (std::size_t i = 0; i < trails.ways.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const StarTrails::Way& way = trails.ways[i];
     double before[2] = {};
     bool was_seen = false;
@@ -214,22 +255,25 @@ SplatSettings scaled_to(const SplatSettings& settings, const Projection& project
 
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
                                    const Projection& projection, const SplatSettings& settings) {
-  return points_on_sheets(projection, settings, [&](const Projection& sheet, PointList& list) {
-    for (const StarImage& image : images) {
+  const auto add_images = [&](const Projection& sheet, std::size_t begin, std::size_t end, PointList& list) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const StarImage& image = images[i];
       double x = 0.0;
       double y = 0.0;
       if (place_on_screen(image.direction, eye, sheet, x, y)) {
         list.add(x, y, image.illuminance, has_spikes(image.illuminance, settings));
       }
     }
-  });
+  };
+  return points_on_sheets(projection, settings, images.size(), add_images);
 }
 
 std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
                                     const SplatSettings& settings) {
-  return points_on_sheets(projection, settings, [&](const Projection& sheet, PointList& list) {
-    add_trails(trails, shutter, sheet, settings, list);
-  });
+  const auto add_ways = [&](const Projection& sheet, std::size_t begin, std::size_t end, PointList& list) {
+    add_trails(trails, begin, end, shutter, sheet, settings, list);
+  };
+  return points_on_sheets(projection, settings, trails.ways.size(), add_ways);
 }
 
 void splat_points(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& settings,
@@ -242,8 +286,8 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
   parallel_for(bands, 1, [&](int begin, int end) {
     const int top = first_row + begin * splat_band_rows;
     const int bottom = std::min(first_row + end * splat_band_rows, first_row + row_count);
-    auto point = std::ranges::lower_bound(points, top - reach, {}, &StarPoint::y_px);
-    for (; point != points.end() && point->y_px < bottom + reach; ++point) {
+    auto point = std::ranges::lower_bound(points, std::floor(top - reach), {}, row_of);
+    for (; point != points.end() && row_of(*point) < bottom + reach; ++point) {
       add(*point, projection, sheets[static_cast<std::size_t>(point->sheet)].cell, settings, top, bottom, first_row,
           rgba);
     }

@@ -35,7 +35,7 @@ struct StarPoint {
   int sheet = 0;          //!< which of picture_sheets it is drawn on
 };
 
-//! The images that lie in a picture or beside it, from the top down.
+//! The images that lie in a picture or beside it, row by row from the top.
 //!
 //! An image near the edge of a cube's face is there once for each face that its light may reach.
 //! A pixel receives the illuminance that falls on it over its solid angle, which is a luminance like that of the map.
@@ -46,7 +46,7 @@ std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const E
 std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
                                     const SplatSettings& settings);
 
-//! Adds points to rows [first_row, first_row + row_count) of a picture in host memory: four floats a pixel, linear light. The weights of
+//! Adds points, given row by row from the top, to rows [first_row, first_row + row_count) of a picture in host memory: four floats a pixel, linear light. The weights of
 //! a point's pixels add up to 1, wherever between pixels it lies: its light does not depend on the spread, nor on the resolution.
 void splat_points(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& settings,
                   int first_row, int row_count, float* rgba);

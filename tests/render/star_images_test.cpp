@@ -116,6 +116,7 @@ TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
       // A dome's picture has corners.
       std::erase_if(
           inside, [&](const StarPoint& point) { return !(image_coverage(projection, point.x_px, point.y_px) > 0.0); });
+      std::ranges::sort(inside, {}, &StarPoint::y_px);
       return inside;
     };
     const auto shown = points(seen);
