@@ -52,6 +52,7 @@ void check_outputs(const std::string& kernel, Backend backend, const StarImageBa
   require_finite(kernel, backend, "stretch", batch.stretch, batch.count);
   require_finite(kernel, backend, "frequency_ratio", batch.frequency_ratio, batch.count);
   require_finite(kernel, backend, "miss", batch.miss, batch.count);
+  require_finite(kernel, backend, "change", batch.change, batch.count);
 }
 
 }  // namespace ergodome

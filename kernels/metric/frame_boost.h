@@ -92,6 +92,16 @@ ERGO_HD Vector3<T> rain_direction(const AberrationOf<ScalarOf<T>>& aberration, c
   return aberrated(aberration.rain_from_zamo, aberrated(aberration.zamo_from_observer, n, energy), energy);
 }
 
+//! And back: a direction in the rain frame, seen in the observer's.
+template <class T>
+ERGO_HD Vector3<T> observed_direction(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n) {
+  using S = ScalarOf<T>;
+  const auto inverse = [](const FrameBoostOf<S>& b) { return FrameBoostOf<S>{b.axis, S(1) / b.stretch}; };
+  T energy;
+  return aberrated(inverse(aberration.zamo_from_observer), aberrated(inverse(aberration.rain_from_zamo), n, energy),
+                   energy);
+}
+
 //! How much larger a small angle about the rain-frame direction n looks to the observer.
 template <class T>
 ERGO_HD T observed_scale(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n) {

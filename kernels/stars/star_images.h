@@ -1,9 +1,21 @@
 #pragma once
 
 #include "kernels/geodesic/integration_settings.h"
+#include "kernels/lens/lens_chart.h"
 #include "kernels/metric/camera_station.h"
+#include "kernels/metric/frame_boost.h"
 
 namespace ergodome {
+
+//! The chart of a camera's sky, in which the lens is smooth up to the shadow's edge.
+template <class S>
+struct StarChartOf {
+  LensChart chart;             //!< an edge of no points: none is known
+  AberrationOf<S> aberration;  //!< from the camera's frame to the chart's
+};
+
+//! What the magnification of an image may be off by, as a part of it, before it is followed no more.
+inline constexpr double most_magnification_change = 0.005;
 
 //! Images of stars that are known roughly, to be found exactly. Arrays hold `count` elements.
 //!
@@ -11,6 +23,7 @@ namespace ergodome {
 template <class S, class Camera = CameraStationOf<S>>
 struct StarImageBatch {
   Camera camera;  //!< stars are as from φ = 0
+  StarChartOf<S> chart;
   IntegrationSettings settings;
   S tolerance;  //!< how far images may be from where they should be [rad]
   int rounds;   //!< of Newton's method, at the most
@@ -24,6 +37,7 @@ struct StarImageBatch {
   S* stretch;      //!< sum of the squares of both singular values of the map from the camera's sky to the stars'
   S* frequency_ratio;  //!< g = ν_observed / ν_emitted
   S* miss;             //!< how far the image may still be from where it should be [rad]; huge where no light came
+  S* change;           //!< and what its magnification may be off by, as a part of it; 0 below the tolerance
 };
 
 }  // namespace ergodome

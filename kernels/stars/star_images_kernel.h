@@ -10,8 +10,8 @@ namespace ergodome::inline ERGO_TARGET {
 //!
 //! A ray with its derivatives along two directions across it tells where the image is to first order; a few of them tell it to the
 //! precision of the rays, and the last one's Jacobian is that of the image. Mostly one is enough: what a step leaves is told from how
-//! the map changes on the way, which is on the scale of the distance to the shadow's edge, times the ratio of the map's singular
-//! values.
+//! the map changes on the way, which is on the scale of the distance to the shadow's edge. Steps that are not short on that scale are
+//! made in the chart, where the lens is nearly linear.
 template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct FindStarImages {
   using D = Dual<T>;
@@ -20,8 +20,6 @@ struct FindStarImages {
   StarImageBatch<S, Camera> batch;
 
   ERGO_HD void operator()(int index) const {
-    // Of the map over the last step, as a part of it: what the magnification may be off by.
-    constexpr double most_change = 0.002;
     const int first = index * RealTraits<T>::lane_count;
     const Vector3<T> star = load(batch.star, first);
     const T radius = load_lanes<T>(batch.radius, first, batch.count);
@@ -38,7 +36,8 @@ struct FindStarImages {
             select(open, next.miss, at.miss),
             select(open, next.change, at.change)};
       // A ray that did not come from the sky will not the next time either.
-      open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(most_change)))) & (at.miss < T(S(1e29)));
+      open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(most_magnification_change)))) &
+             (at.miss < T(S(1e29)));
     }
     const auto store = [&](S* to, const T& value) { store_lanes(to, first, batch.count, value); };
     store(batch.direction[0], at.n.x);
@@ -48,22 +47,63 @@ struct FindStarImages {
     store(batch.stretch, at.stretch);
     store(batch.frequency_ratio, at.frequency_ratio);
     store(batch.miss, at.miss);
+    store(batch.change, at.change);
   }
 
  private:
+  //! What a step leaves of itself, over its length in distances to the edge and the ratio of the map's singular values: next to the
+  //! edge, 0.04 at the most of 6,000 images about a hole of spin 0.999, and elsewhere, next to caustics, one over the larger value.
+  //! And what it changes the magnification by, over that length and the smaller value, where it is below 1: for 99 % of them less, and
+  //! at the most 3.
+  static constexpr double most_bent = 0.04;
+  static constexpr double most_changed = 1.5;
+
   struct State {
     Vector3<T> n;
     T solid_angle;
     T stretch;
     T frequency_ratio;
     T miss;
-    T change;  //!< of the map over the last step, as a part of it
+    T change;  //!< of the magnification over the last step, as a part of it
   };
 
   template <class Part>
   ERGO_HD Vector3<T> load(Part* const (&from)[3], int first) const {
     return {load_lanes<T>(from[0], first, batch.count), load_lanes<T>(from[1], first, batch.count),
             load_lanes<T>(from[2], first, batch.count)};
+  }
+
+  //! The direction n, a step along e1 and e2 on.
+  ERGO_HD Vector3<T> moved(const Vector3<T>& n, const Vector3<T>& e1, const Vector3<T>& e2, const T& x, const T& y,
+                           const T& scale) const {
+    // Shorter ones would but gain the rounding of the edge's table; and far from the edge there is nothing to gain.
+    constexpr double short_step = 0.05;
+    constexpr double far_from_edge = 0.3;
+    const Vector3<T> straight = n + x * e1 + y * e2;
+    const Vector3<T> there = (T(S(1)) / sqrt(dot(straight, straight))) * straight;
+    const T least = scale * T(S(short_step));
+    const MaskOf<T> bent = (x * x + y * y > least * least) & (scale < T(S(far_from_edge)));
+    if (batch.chart.chart.edge.count == 0 || !any(bent)) {
+      return there;
+    }
+    const Vector3<T> in_chart = moved_in_chart({{n.x, e1.x, e2.x}, {n.y, e1.y, e2.y}, {n.z, e1.z, e2.z}}, x, y);
+    // Beside the chart's poles γ may be no number.
+    const MaskOf<T> known = bent & (dot(in_chart, in_chart) < T(S(2)));
+    return {select(known, in_chart.x, there.x), select(known, in_chart.y, there.y), select(known, in_chart.z, there.z)};
+  }
+
+  //! The same by the chart's coordinates, of which one is the logarithm of the distance to the edge: no step leads over it.
+  ERGO_HD Vector3<T> moved_in_chart(const Vector3<D>& n, const T& x, const T& y) const {
+    constexpr double most_e_folds = 1.0;
+    const LensChart& chart = batch.chart.chart;
+    const AberrationOf<S>& aberration = batch.chart.aberration;
+    const ChartPlace<D> place = chart_place(chart, rain_direction(aberration, n));
+    const T most(S(most_e_folds) / S(chart.range));
+    const T gamma = place.gamma_turns.value + place.gamma_turns.along_x * x + place.gamma_turns.along_y * y;
+    const T step = place.s.along_x * x + place.s.along_y * y;
+    const T s = minimum(place.s.value + minimum(maximum(step, -most), most), T(S(1)));
+    const Vector3<MixedDual<T>> rain = chart_direction_at(chart, gamma, chart_stretch(chart, gamma, s).alpha);
+    return observed_direction(aberration, Vector3<T>{rain.x.value, rain.y.value, rain.z.value});
   }
 
   ERGO_HD State step(const State& at, const Vector3<T>& star, const T& scale, const T& hit_square) const {
@@ -110,18 +150,21 @@ struct FindStarImages {
     const MaskOf<T> usable = reached & (length < T(S(1e20)));
     x = select(usable, x * part, zero);
     y = select(usable, y * part, zero);
-    const Vector3<T> moved = n + x * e1 + y * e2;
     const T side = dot(normal, seen);
     const T area = select(usable, sqrt(square), zero);
     const T stretch = select(usable, dot(j1, j1) + dot(j2, j2), zero);
-    const T change = minimum(length * stretch / maximum(area * scale, T(S(1e-30))), one);
+    const T part_of_way = length / scale;
+    const T larger = sqrt(maximum(stretch, T(S(1e-30))));
+    const T smaller = maximum(area, T(S(1e-30))) / larger;
+    const T left = minimum(part_of_way * (T(S(most_bent)) * larger + one) / smaller, one);
+    const T change = minimum(T(S(most_changed)) * part_of_way / minimum(smaller, one), one);
     // Below the tolerance itself there is nothing to gain.
     const auto close = length <= T(S(batch.tolerance));
-    return {(one / sqrt(dot(moved, moved))) * moved,
+    return {moved(n, e1, e2, x, y, scale),
             select(side < zero, -area, area),
             stretch,
             one / start.energy.value,
-            select(usable, length * change, T(S(1e30))),
+            select(usable, length * left, T(S(1e30))),
             select(close | !usable, zero, change)};
   }
 };

@@ -60,9 +60,7 @@ ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, con
               ? middle_energy(*eye.omni)
               : make_camera_station(eye.camera.spin, eye.camera.r, eye.camera.theta, 0.0, ObserverMotion::rain).energy),
       energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
-      aberration_(aberration_of(eye)),
-      inverse_zamo_{aberration_.zamo_from_observer.axis, 1.0 / aberration_.zamo_from_observer.stretch},
-      inverse_rain_{aberration_.rain_from_zamo.axis, 1.0 / aberration_.rain_from_zamo.stretch} {}
+      aberration_(aberration_of(eye)) {}
 
 Vector3<double> ImageObserver::rain_direction(double gamma_turns, double s, double& per_area) const {
   const ChartStretch<double> stretch = chart_stretch(chart_, gamma_turns, s);
@@ -76,8 +74,7 @@ double ImageObserver::edge_distance(float s) const {
 }
 
 Vector3<double> ImageObserver::observed(const Vector3<double>& rain) const {
-  double energy = 0.0;
-  return aberrated(inverse_zamo_, aberrated(inverse_rain_, rain, energy), energy);
+  return observed_direction(aberration_, rain);
 }
 
 ImageObserver::Shift ImageObserver::shift_towards(const Vector3<double>& rain) const {

@@ -5,6 +5,7 @@
 #include "content/lens_station.h"
 #include "kernels/metric/frame_boost.h"
 #include "kernels/sky/blackbody.h"
+#include "kernels/stars/star_images.h"
 #include "render/stars/star_eye.h"
 #include "render/stars/star_patches.h"
 
@@ -24,6 +25,9 @@ class ImageObserver final : public ImageLight {
 
   //! Angle between the shadow's edge and a place in the chart, about [rad].
   [[nodiscard]] double edge_distance(float s) const;
+
+  //! The chart that the eye's images are sought in.
+  [[nodiscard]] StarChartOf<double> chart() const { return {chart_, aberration_}; }
 
   //! Seen by the observer.
   [[nodiscard]] Vector3<double> observed(const Vector3<double>& rain) const;
@@ -57,8 +61,6 @@ class ImageObserver final : public ImageLight {
   DirectionForm<double> energy_;  //!< at infinity, of directions of the chart
   float energy_spread_;           //!< what that may be off by for an eye's other cameras
   Aberration aberration_;
-  FrameBoost inverse_zamo_;
-  FrameBoost inverse_rain_;
 };
 
 }  // namespace ergodome

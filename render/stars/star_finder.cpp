@@ -162,7 +162,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   candidates.erase(first_exact, candidates.end());
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;
-  refine_images(candidates, eye, settings.pixel, [&](const StarCandidate& c) {
+  refine_images(candidates, {eye, observer.chart(), settings.pixel}, [&](const StarCandidate& c) {
     return may_touch(settings.view, c.direction, 0.0) &&
            image_of(c, field.stars()[static_cast<std::size_t>(c.star)], colours, fainter).star >= 0;
   });

@@ -25,12 +25,16 @@ constexpr double steepest = 0.1;
 constexpr double most_change = 0.01;
 //! What float's rounding is amplified by in the magnification: in none of 4,200 images about six holes, spins 0 to 0.999, by more.
 constexpr double most_amplified = 32.0;
-//! What double has not brought so near to an image has none [px].
+//! What rays have not brought so near to an image has none [px]; next to a caustic, where images run along it, so near to the star.
 constexpr double near_px = 2.0;
+//! Nearer to the shadow's edge, rays in float cannot tell that [rad].
+constexpr double least_float_distance = 3e-4;
 constexpr int star_step_limit = 400;
 //! Rounds in which most images are found, and those that lie next to caustics, far from where they are sought.
 constexpr int few_rounds = 6;
 constexpr int many_rounds = 18;
+//! Larger misses say that no light came [rad].
+constexpr double no_light = 1e29;
 //! What goes farther than this after the few rounds will not come to an end, as a part of the distance to the shadow's edge.
 constexpr double hopeless_miss = 0.02;
 
@@ -42,9 +46,9 @@ struct RayPrecision {
 
 //! Finds images exactly, as far as rays in S are exact.
 template <class S, class Camera>
-void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, const RayPrecision& precision,
-               int rounds) {
-  constexpr std::size_t channels = 12;
+void refine_by(const Camera& camera, const StarChartOf<double>& chart, std::vector<StarCandidate>& candidates,
+               const RayPrecision& precision, int rounds) {
+  constexpr std::size_t channels = 13;
   const std::size_t count = candidates.size();
   std::vector<S> values(channels * count);
   const auto channel = [&](std::size_t i) { return values.data() + i * count; };
@@ -64,6 +68,7 @@ void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, con
     }
   });
   const StarImageBatch<S, Camera> batch = {camera,
+                                           {chart.chart, converted_aberration<S>(chart.aberration)},
                                            {precision.tolerance, star_step_limit, true},
                                            static_cast<S>(precision.miss),
                                            rounds,
@@ -75,7 +80,8 @@ void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, con
                                            channel(8),
                                            channel(9),
                                            channel(10),
-                                           channel(11)};
+                                           channel(11),
+                                           channel(12)};
   find_star_images(batch);
   each([&](std::size_t i) {
     StarCandidate& c = candidates[i];
@@ -85,6 +91,7 @@ void refine_by(const Camera& camera, std::vector<StarCandidate>& candidates, con
     c.stretch = at(9);
     c.frequency_ratio = at(10);
     c.miss = at(11);
+    c.change = at(12);
   });
 }
 
@@ -92,14 +99,15 @@ OmniCameraOf<float> omni_cameras(const OmniEye& eye, float /*precision*/) { retu
 OmniCameraOf<double> omni_cameras(const OmniEye& eye, double /*precision*/) { return eye.cameras->exact(eye.side); }
 
 template <class S>
-void refine(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision,
-            int rounds = few_rounds) {
+void refine(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision,
+            int rounds) {
+  const StarEye& eye = search.eye;
   if (eye.omni) {
-    return refine_by<S>(omni_cameras(*eye.omni, S{}), candidates, precision, rounds);
+    return refine_by<S>(omni_cameras(*eye.omni, S{}), search.chart, candidates, precision, rounds);
   }
   const EyeCamera& c = eye.camera;
-  refine_by<S>(converted_station<S>(make_camera_station(c.spin, c.r, c.theta, 0.0, c.motion, c.velocity)), candidates,
-               precision, rounds);
+  refine_by<S>(converted_station<S>(make_camera_station(c.spin, c.r, c.theta, 0.0, c.motion, c.velocity)), search.chart,
+               candidates, precision, rounds);
 }
 
 //! Does `work` with those candidates that are `chosen`, put together: lanes wait for one another.
@@ -119,24 +127,46 @@ void with_some(std::vector<StarCandidate>& candidates, const Chosen& chosen, con
   }
 }
 
+//! Whether another round would tell more of an image.
+bool is_open(const StarCandidate& c, const RayPrecision& precision) {
+  return (c.miss > precision.miss || c.change > most_magnification_change) && c.miss < no_light;
+}
+
+//! Seeks images, most of which one ray finds: the others shall not keep them waiting.
+template <class S>
+void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
+  refine<S>(candidates, search, precision, 1);
+  with_some(
+      candidates, [&](const StarCandidate& c) { return is_open(c, precision); },
+      [&](std::vector<StarCandidate>& open) { refine<S>(open, search, precision, few_rounds - 1); });
+}
+
 //! Seeks images in double, and patiently those that the few rounds have brought near but not to the end.
-void refine_patiently(std::vector<StarCandidate>& candidates, const StarEye& eye, const RayPrecision& precision) {
-  refine<double>(candidates, eye, precision);
+void refine_patiently(std::vector<StarCandidate>& candidates, const ImageSearch& search,
+                      const RayPrecision& precision) {
+  refine_together<double>(candidates, search, precision);
   with_some(
       candidates,
       [&](const StarCandidate& c) { return c.miss > precision.miss && c.miss < hopeless_miss * c.edge_distance; },
-      [&](std::vector<StarCandidate>& near) { refine<double>(near, eye, precision, many_rounds); });
+      [&](std::vector<StarCandidate>& near) { refine<double>(near, search, precision, many_rounds); });
 }
 
 //! Where double has to seek an image.
 enum class Start {
-  none,   //!< it needs not to
+  none,   //!< it needs not to, or there is none
   found,  //!< from where float has it: its rounding shows in the magnification alone
   rough   //!< from where the grid has it: float may have led away, where the sky hardly moves when the camera turns
 };
 
-Start double_start(const StarCandidate& c, double pixel) {
+Start double_start(const StarCandidate& c, const ImageSearch& search) {
+  const double pixel = search.pixel;
   const SingularValues values = singular_values(c);
+  const double smaller = std::min(std::sqrt(values.smaller_square), 1.0);
+  // Without a chart, how near the edge is is not known.
+  const bool float_tells = search.chart.chart.edge.count > 0 && c.edge_distance > least_float_distance;
+  if (float_tells && c.miss * smaller > near_px * pixel) {
+    return Start::none;
+  }
   if (!(c.miss <= image_tolerance_px * pixel) || values.smaller_square < steepest * steepest) {
     return Start::rough;
   }
@@ -147,32 +177,35 @@ Start double_start(const StarCandidate& c, double pixel) {
 }
 
 //! Follows images next to caustics to the end. Most of what is sought there is none: only what came near is worth rays that cost more.
-void refine_finest(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel) {
+void refine_finest(std::vector<StarCandidate>& candidates, const ImageSearch& search) {
+  const auto is_beside_caustic = [&](const StarCandidate& c) {
+    return c.miss > fine_miss || singular_values(c).smaller_square < steepest * steepest;
+  };
   with_some(
-      candidates, [&](const StarCandidate& c) { return c.miss <= near_px * pixel; },
+      candidates, [&](const StarCandidate& c) { return c.miss <= near_px * search.pixel && is_beside_caustic(c); },
       [&](std::vector<StarCandidate>& near) {
-        refine_patiently(near, eye, {finest_tolerance, std::min(image_tolerance_px * pixel, ring_tolerance)});
+        refine_patiently(near, search, {finest_tolerance, std::min(image_tolerance_px * search.pixel, ring_tolerance)});
       });
 }
 
 //! Seeks in double what float's rounding leaves wrong.
-void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough, const StarEye& eye,
-                  double pixel, const std::function<bool(const StarCandidate&)>& wanted) {
+void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough,
+                  const ImageSearch& search, const std::function<bool(const StarCandidate&)>& wanted) {
   std::vector<std::size_t> places[2];
   std::vector<StarCandidate> steep[2];
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Start start = double_start(candidates[i], pixel);
+    const Start start = double_start(candidates[i], search);
     if (start == Start::rough || (start == Start::found && wanted(candidates[i]))) {
       const int from = start == Start::found ? 0 : 1;
       places[from].push_back(i);
       steep[from].push_back(start == Start::found ? candidates[i] : rough[i]);
     }
   }
-  const double miss = image_tolerance_px * pixel;
+  const double miss = image_tolerance_px * search.pixel;
   for (std::vector<StarCandidate>& each : steep) {
-    refine_patiently(each, eye, {fine_tolerance, std::min(miss, fine_miss)});
+    refine_patiently(each, search, {fine_tolerance, std::min(miss, fine_miss)});
   }
-  refine_finest(steep[1], eye, pixel);
+  refine_finest(steep[1], search);
   for (const int from : {0, 1}) {
     for (std::size_t i = 0; i < places[from].size(); ++i) {
       candidates[places[from][i]] = steep[from][i];
@@ -188,11 +221,11 @@ SingularValues singular_values(const StarCandidate& c) {
   return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
 }
 
-void refine_images(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel,
+void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& search,
                    const std::function<bool(const StarCandidate&)>& wanted) {
   const std::vector<StarCandidate> rough = candidates;
-  refine<float>(candidates, eye, {float_tolerance, image_tolerance_px * pixel});
-  refine_steep(candidates, rough, eye, pixel, wanted);
+  refine_together<float>(candidates, search, {float_tolerance, image_tolerance_px * search.pixel});
+  refine_steep(candidates, rough, search, wanted);
 }
 
 }  // namespace ergodome

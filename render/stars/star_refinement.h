@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/core/vector3.h"
+#include "kernels/stars/star_images.h"
 #include "render/stars/star_eye.h"
 
 namespace ergodome {
@@ -19,6 +20,7 @@ struct StarCandidate {
   double stretch = 0.0;
   double frequency_ratio = 1.0;
   double miss = 0.0;
+  double change = 0.0;
   bool exact = false;  //!< it needs no rays
 };
 
@@ -33,10 +35,16 @@ SingularValues singular_values(const StarCandidate& c);
 //! How far images may be from where they should be [px].
 inline constexpr double image_tolerance_px = 0.005;
 
-//! Follows images to where rays have them: in float, and in double next to caustics. `pixel`: angle of a pixel [rad]. An image is found
-//! when its `miss` is at most image_tolerance_px pixels. Images of which `wanted` says no, where float is right to some per cent, are not
-//! made better.
-void refine_images(std::vector<StarCandidate>& candidates, const StarEye& eye, double pixel,
+//! What images are sought with.
+struct ImageSearch {
+  const StarEye& eye;
+  StarChartOf<double> chart;  //!< of the eye's place, if one is known
+  double pixel;               //!< its angle [rad]
+};
+
+//! Follows images to where rays have them: in float, and in double next to caustics. An image is found when its `miss` is at most
+//! image_tolerance_px pixels. Images of which `wanted` says no, where float is right to some per cent, are not made better.
+void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& search,
                    const std::function<bool(const StarCandidate&)>& wanted);
 
 }  // namespace ergodome

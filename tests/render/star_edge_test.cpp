@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "kernels/launch/launch.h"
+#include "render/stars/image_observer.h"
+#include "tests/render/exact_sky.h"
+
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
+
+//! Images at position angles all round a shadow, a hair from its edge, sought from a quarter of an e-fold of that distance away.
+class StarImagesAtTheEdge : public testing::TestWithParam<Place> {
+ protected:
+  static constexpr std::size_t count = 24;
+  //! A thirtieth of a pixel of a 4096² dome.
+  static constexpr double distance = 0.03 * fine_pixel;
+  using Column = std::array<double, count>;
+
+  StarImagesAtTheEdge() {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double gamma_turns = (static_cast<double>(i) + 0.5) / count;
+      const double s = 1.0 + std::log(distance / 3.0) / static_cast<double>(station_.range);
+      there_[i] = at(gamma_turns, s);
+      const Vector3<double> sky = exact_sky(camera_, there_[i]);
+      const Vector3<double> begin = at(gamma_turns + 2e-4, s + (i % 2 == 0 ? 0.25 : -0.25) / station_.range);
+      const double stars[3] = {sky.x, sky.y, sky.z};
+      const double ways[3] = {begin.x, begin.y, begin.z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        star_[axis][i] = stars[axis];
+        direction_[axis][i] = ways[axis];
+      }
+      edge_distance_[i] = distance;
+    }
+  }
+
+  [[nodiscard]] Vector3<double> at(double gamma_turns, double s) const {
+    double per_area = 0.0;
+    return unit_of(observer_.observed(observer_.rain_direction(gamma_turns, s, per_area)));
+  }
+
+  //! How many images are found in a few rounds, in a chart.
+  std::size_t found_in(const StarChartOf<double>& chart) {
+    constexpr int rounds = 8;
+    find_star_images({camera_,
+                      chart,
+                      {1e-11, 400, true},
+                      1e-10,
+                      rounds,
+                      static_cast<int>(count),
+                      {star_[0].data(), star_[1].data(), star_[2].data()},
+                      edge_distance_.data(),
+                      radius_.data(),
+                      {direction_[0].data(), direction_[1].data(), direction_[2].data()},
+                      solid_angle_.data(),
+                      stretch_.data(),
+                      frequency_ratio_.data(),
+                      miss_.data(),
+                      change_.data()});
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3<double> off = Vector3<double>{direction_[0][i], direction_[1][i], direction_[2][i]} - there_[i];
+      found += std::sqrt(dot(off, off)) < 1e-2 * distance ? 1U : 0U;
+    }
+    return found;
+  }
+
+  [[nodiscard]] StarChartOf<double> chart() const { return observer_.chart(); }
+
+ private:
+  //! Kernels take stars as from φ = 0.
+  EyeCamera eye_ = eye_at_place({GetParam().spin, GetParam().r, GetParam().theta, 0.0, GetParam().motion});
+  CameraStation camera_ = camera_of(eye_);
+  LensStation station_ = build_star_station(eye_, fine_pixel);
+  ImageObserver observer_{eye_, station_, colours().view(), false};
+  std::array<Vector3<double>, count> there_;
+  std::array<Column, 3> star_{};
+  std::array<Column, 3> direction_{};
+  Column edge_distance_{};
+  Column radius_{};
+  Column solid_angle_{};
+  Column stretch_{};
+  Column frequency_ratio_{};
+  Column miss_{};
+  Column change_{};
+};
+
+TEST_P(StarImagesAtTheEdge, AreFoundInTheChart) {
+  // Three quarters: the rest lie next to critical curves, where no first order leads to them.
+  EXPECT_GE(found_in(chart()), 18U);
+}
+
+TEST_P(StarImagesAtTheEdge, AreLostWithoutTheChart) { EXPECT_LE(found_in({}), 12U); }
+
+INSTANTIATE_TEST_SUITE_P(Cameras, StarImagesAtTheEdge, testing::ValuesIn(places));
+
+}  // namespace
+}  // namespace ergodome
