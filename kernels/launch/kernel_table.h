@@ -13,7 +13,7 @@
 #include "kernels/overlay/draw_overlay.h"
 #include "kernels/stars/patch_measure.h"
 #include "kernels/stars/patch_pairs.h"
-#include "kernels/stars/patch_search.h"
+#include "kernels/stars/seen_parts.h"
 #include "kernels/stars/star_images.h"
 #include "kernels/stars/star_index.h"
 #include "kernels/trace/omni_camera.h"
@@ -50,7 +50,9 @@ struct KernelTable {
   void (*search_stars)(const StarSearchBatch& batch, int begin, int end);     //!< the one index 0
   void (*find_patch_sides)(const PatchSideBatch& batch, int begin, int end);
   void (*invert_patches)(const PatchNewtonBatch& batch, int begin, int end);
-  void (*search_patch)(const PatchSearchBatch& batch, int begin, int end);
+  void (*see_patches)(const SeePatchesBatch& batch, int begin, int end);
+  void (*halve_parts)(const HalvePartsBatch& batch, int begin, int end);
+  void (*solve_parts)(const SolvePartsBatch& batch, int begin, int end);
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
   void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);

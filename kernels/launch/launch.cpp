@@ -211,8 +211,14 @@ void invert_patches(const PatchNewtonBatch& batch) {
   active_table().invert_patches(batch, 0, index_count(batch.pairs.count, active_table().lanes_float));
 }
 
-void search_patch(const PatchSearchBatch& batch) {
-  active_table().search_patch(batch, 0, index_count(batch.count, active_table().lanes_float));
+void see_patches(const SeePatchesBatch& batch) {
+  active_table().see_patches(batch, 0, index_count(batch.pairs.count, active_table().lanes_float));
+}
+
+void halve_parts(const HalvePartsBatch& batch) { active_table().halve_parts(batch, 0, 1); }
+
+void solve_parts(const SolvePartsBatch& batch) {
+  active_table().solve_parts(batch, 0, index_count(batch.parts.count, active_table().lanes_float));
 }
 
 std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening) {

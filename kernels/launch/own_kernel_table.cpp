@@ -11,9 +11,10 @@
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
 #include "kernels/overlay/draw_overlay_kernel.h"
+#include "kernels/stars/part_halving_kernel.h"
+#include "kernels/stars/part_solving_kernel.h"
 #include "kernels/stars/patch_measure_kernel.h"
 #include "kernels/stars/patch_pairs_kernel.h"
-#include "kernels/stars/patch_search_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
 #include "kernels/stars/star_index_kernel.h"
 #include "kernels/trace/trace_omni_pixels_kernel.h"
@@ -94,7 +95,9 @@ const KernelTable& own_kernel_table() {
       &run<SearchStars<WidePack<float>>, StarSearchBatch>,
       &run<FindPatchSides<WidePack<float>>, PatchSideBatch>,
       &run<InvertPatches<WidePack<float>>, PatchNewtonBatch>,
-      &run<SearchPatch<WidePack<float>>, PatchSearchBatch>,
+      &run<SeePatches<WidePack<float>>, SeePatchesBatch>,
+      &run<HalveParts<WidePack<float>>, HalvePartsBatch>,
+      &run<SolveParts<WidePack<float>>, SolvePartsBatch>,
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
       &draw_near_field,

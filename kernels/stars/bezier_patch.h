@@ -24,35 +24,28 @@ inline constexpr float most_regular_change = 0.6F;
 
 inline namespace ERGO_TARGET {
 
-//! A patch in each lane.
-template <class T>
-struct PatchLanes {
-  T x[16];
-  T y[16];
-  T z[16];
-};
-
 ERGO_HD Vector3<double> control_point(const BezierPatch& patch, int i) {
   return {static_cast<double>(patch.x[i]), static_cast<double>(patch.y[i]), static_cast<double>(patch.z[i])};
 }
 
 namespace detail {
 //! Halves each of the four rows (axis 0) or columns (axis 1) of control points by de Casteljau's construction.
-ERGO_HD void split_points(const float (&from)[16], int axis, float (&first)[16], float (&second)[16]) {
+template <class T>
+ERGO_HD void split_points(const T (&from)[16], int axis, T (&first)[16], T (&second)[16]) {
   const int along = axis == 0 ? 1 : 4;
   const int across = axis == 0 ? 4 : 1;
   for (int line = 0; line < 4; ++line) {
     const int at = line * across;
-    const float a = from[at];
-    const float b = from[at + along];
-    const float c = from[at + 2 * along];
-    const float d = from[at + 3 * along];
-    const float ab = 0.5F * (a + b);
-    const float bc = 0.5F * (b + c);
-    const float cd = 0.5F * (c + d);
-    const float abc = 0.5F * (ab + bc);
-    const float bcd = 0.5F * (bc + cd);
-    const float middle = 0.5F * (abc + bcd);
+    const T a = from[at];
+    const T b = from[at + along];
+    const T c = from[at + 2 * along];
+    const T d = from[at + 3 * along];
+    const T ab = 0.5F * (a + b);
+    const T bc = 0.5F * (b + c);
+    const T cd = 0.5F * (c + d);
+    const T abc = 0.5F * (ab + bc);
+    const T bcd = 0.5F * (bc + cd);
+    const T middle = 0.5F * (abc + bcd);
     first[at] = a;
     first[at + along] = ab;
     first[at + 2 * along] = abc;
@@ -133,9 +126,8 @@ ERGO_HD T determinant(const PlaneValue<T>& f) {
 }
 
 //! A patch at (u, v), which may lie outside [0, 1]², as seen from a star at (a, b) in the plane z = 1: p = x - a z, q = y - b z.
-//! `Patch`: one for all lanes, or PatchLanes.
-template <class T, class Patch>
-ERGO_HD PlaneValue<T> seen_from(const Patch& patch, const T& a, const T& b, const T& u, const T& v) {
+template <class T>
+ERGO_HD PlaneValue<T> seen_from(const BezierPatch& patch, const T& a, const T& b, const T& u, const T& v) {
   T along_u[4];
   T slope_u[4];
   T along_v[4];

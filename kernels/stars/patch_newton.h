@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/stars/bezier_patch.h"
+#include "kernels/stars/seen_patch.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -31,17 +31,17 @@ ERGO_HD MaskOf<T> within_patch(const PatchPlace<T>& at, float margin) {
   return (at.u > T(-margin)) & (at.u < T(1.0F + margin)) & (at.v > T(-margin)) & (at.v < T(1.0F + margin));
 }
 
-//! Seeks stars at (a, b) by Newton's method from a place in a patch. A first step longer than `farthest` ends it, and so does leaving the
-//! patch by more than its size. `Patch`: one for all lanes, or PatchLanes.
-template <class T, class Patch>
-ERGO_HD PatchRoot<T> newton_on_patch(const Patch& patch, const T& a, const T& b, const MaskOf<T>& wanted,
-                                     const PatchPlace<T>& from, float farthest, int rounds) {
+//! Seeks stars by Newton's method from a place in their patches. A first step longer than `farthest` ends it, and so does leaving the
+//! patch by more than its size.
+template <class T>
+ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>& wanted, const PatchPlace<T>& from,
+                                     float farthest, int rounds) {
   PatchPlace<T> at = from;
   T area(1.0F);
   MaskOf<T> active = wanted;
   MaskOf<T> found = T(1.0F) < T(0.0F);
   for (int round = 0; round < rounds && any(active); ++round) {
-    const PlaneValue<T> f = seen_from(patch, a, b, at.u, at.v);
+    const PlaneValue<T> f = seen_at(patch, at.u, at.v);
     const T det = determinant(f);
     const T inverse = T(1.0F) / det;
     const T du = (f.p * f.q_v - f.p_v * f.q) * inverse;

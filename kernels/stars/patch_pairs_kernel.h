@@ -20,6 +20,25 @@ ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (
     }
   }
 }
+
+//! The patches of the pairs first, first + 1, ... as their stars see them.
+template <class T>
+ERGO_HD SeenPatch<T> see_patches(const PatchPairBatch& pairs, int first) {
+  constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  T z[16];
+  SeenPatch<T> patch;
+  gather_points(pairs, first, &BezierPatch::x, all, patch.p);
+  gather_points(pairs, first, &BezierPatch::y, all, patch.q);
+  gather_points(pairs, first, &BezierPatch::z, all, z);
+  const T a = load_lanes<T>(pairs.a, first, pairs.count);
+  const T b = load_lanes<T>(pairs.b, first, pairs.count);
+  ERGO_UNROLL
+  for (int i = 0; i < 16; ++i) {
+    patch.p[i] = patch.p[i] - a * z[i];
+    patch.q[i] = patch.q[i] - b * z[i];
+  }
+  return patch;
+}
 }  // namespace detail
 
 //! Seeks stars in patches by Newton's method; index i stands for the pairs i * lanes, i * lanes + 1, ...
@@ -28,16 +47,10 @@ struct InvertPatches {
   const PatchNewtonBatch& batch;
 
   ERGO_HD void operator()(int index) const {
-    constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     const PatchPairBatch& pairs = batch.pairs;
     const int first = index * RealTraits<T>::lane_count;
-    PatchLanes<T> patch;
-    detail::gather_points(pairs, first, &BezierPatch::x, all, patch.x);
-    detail::gather_points(pairs, first, &BezierPatch::y, all, patch.y);
-    detail::gather_points(pairs, first, &BezierPatch::z, all, patch.z);
-    const PatchRoot<T> root =
-        newton_on_patch(patch, load_lanes<T>(pairs.a, first, pairs.count), load_lanes<T>(pairs.b, first, pairs.count),
-                        T(0.0F) < T(1.0F), {T(0.5F), T(0.5F)}, batch.farthest, batch.rounds);
+    const PatchRoot<T> root = newton_on_patch(detail::see_patches<T>(pairs, first), T(0.0F) < T(1.0F),
+                                              {T(0.5F), T(0.5F)}, batch.farthest, batch.rounds);
     store_lanes(batch.found, first, pairs.count, select(root.found, T(1.0F), T(0.0F)));
     store_lanes(batch.u, first, pairs.count, root.at.u);
     store_lanes(batch.v, first, pairs.count, root.at.v);

@@ -64,7 +64,7 @@ void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
     return;
   }
   const PatchFrame frame = {there(patch.frame.first), there(patch.frame.second), there(patch.frame.axis)};
-  PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : alone_;
+  PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : folded_;
   for (int i = 0; i < count; ++i) {
     const int star = stars_[static_cast<std::size_t>(i)];
     const Vector3<double>& d = field_.stars()[static_cast<std::size_t>(star)].direction;
@@ -77,10 +77,10 @@ void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
 void RoughImageFinder::finish(std::vector<RoughImage>& found) {
   finish_regular(found);
   finish_bent(found);
-  search_alone(alone_, found);
+  search_folded(folded_, found);
   regular_.clear();
   bent_.clear();
-  alone_.clear();
+  folded_.clear();
 }
 
 void RoughImageFinder::invert(const PairList& list, float farthest, int rounds) {
@@ -126,45 +126,19 @@ void RoughImageFinder::finish_bent(std::vector<RoughImage>& found) {
       missed.add(held.pairs[i], held.a[i], held.b[i]);
     }
   }
-  search_alone(missed, found);
+  search_folded(missed, found);
 }
 
-void RoughImageFinder::search_alone(const PairList& list, std::vector<RoughImage>& found) {
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return list.pairs[i].patch == list.pairs[j].patch && list.pairs[i].mirrored == list.pairs[j].mirrored;
-  };
-  for (std::size_t begin = 0; begin < list.pairs.size();) {
-    std::size_t end = begin + 1;
-    while (end < list.pairs.size() && same(begin, end)) {
-      ++end;
-    }
-    search_one(list, begin, end, found);
-    begin = end;
+void RoughImageFinder::search_folded(const PairList& list, std::vector<RoughImage>& found) {
+  asked_.clear();
+  for (const Pair& pair : list.pairs) {
+    const StarPatch& patch = *pair.patch;
+    asked_.push_back({patch.halvings, patch.error, patch.shape == PatchShape::bent ? 1 : most_roots});
   }
-}
-
-void RoughImageFinder::search_one(const PairList& list, std::size_t begin, std::size_t end,
-                                  std::vector<RoughImage>& found) {
-  const StarPatch& patch = *list.pairs[begin].patch;
-  const std::size_t count = end - begin;
-  roots_.resize(count * (1 + 3 * most_roots));
-  float* const roots = roots_.data();
-  const PatchSearchBatch batch = {patch.sky,
-                                  patch.shape,
-                                  patch.halvings,
-                                  patch.error,
-                                  static_cast<int>(count),
-                                  list.a.data() + begin,
-                                  list.b.data() + begin,
-                                  roots,
-                                  roots + count,
-                                  roots + (1 + most_roots) * count,
-                                  roots + (1 + 2 * most_roots) * count};
-  search_patch(batch);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(batch.roots[i]); ++k) {
-      const std::size_t at = k * count + i;
-      keep(list.pairs[begin + i], {batch.u[at], batch.v[at], batch.area[at]}, found);
+  folded_search_.search(list.batch(), asked_);
+  for (std::size_t i = 0; i < list.pairs.size(); ++i) {
+    for (const FoldedRoot& root : folded_search_.roots(i)) {
+      keep(list.pairs[i], {root.u, root.v, root.area}, found);
     }
   }
 }

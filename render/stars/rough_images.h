@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "kernels/stars/patch_pairs.h"
-#include "kernels/stars/patch_search.h"
+#include "render/stars/folded_search.h"
 #include "render/stars/star_patches.h"
 
 namespace ergodome {
@@ -21,7 +21,7 @@ struct RoughImage {
 };
 
 //! Finds the images that patches hold and that may be bright enough. Stars of many patches are sought at once, as kernels work on many
-//! lanes and a patch has but a few stars; where a patch may be folded it is searched alone.
+//! lanes and a patch has but a few stars.
 class RoughImageFinder {
  public:
   //! The camera is at `phi` [rad]. All that is given has to outlive the finder.
@@ -64,8 +64,7 @@ class RoughImageFinder {
   [[nodiscard]] bool within(std::size_t pair) const;
   void finish_regular(std::vector<RoughImage>& found);
   void finish_bent(std::vector<RoughImage>& found);
-  void search_alone(const PairList& list, std::vector<RoughImage>& found);
-  void search_one(const PairList& list, std::size_t begin, std::size_t end, std::vector<RoughImage>& found);
+  void search_folded(const PairList& list, std::vector<RoughImage>& found);
   void keep(const Pair& pair, const Root& root, std::vector<RoughImage>& found) const;
 
   const StarPatches& patches_;
@@ -75,11 +74,12 @@ class RoughImageFinder {
   double cosine_phi_;
   PairList regular_;
   PairList bent_;
-  PairList alone_;            //!< in patches that may be folded
+  PairList folded_;           //!< in patches that may be
   std::vector<int> stars_;    //!< room for a search of the field
   std::vector<float> sides_;  //!< of the patches' borders that stars are on
-  std::vector<float>
-      roots_;  //!< found, u, v and area of all pairs; for patches alone, counts, then u, v and area of all roots
+  std::vector<float> roots_;  //!< found, u, v and area of all pairs
+  FoldedSearch folded_search_;
+  std::vector<FoldedPair> asked_;
 };
 
 }  // namespace ergodome

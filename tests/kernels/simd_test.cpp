@@ -7,6 +7,7 @@
 #include <random>
 
 #include "kernels/core/arithmetic.h"
+#include "kernels/core/chosen_lanes.h"
 #include "kernels/core/lanes.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/launch.h"
@@ -64,6 +65,26 @@ TYPED_TEST(Arithmetic, LoadingPastTheEndRepeatsTheLastElementAndStoringKeepsOff)
     store_lanes(to.data(), lanes, count, TypeParam(S(7)));
     EXPECT_EQ(to[lanes], S(7));
     EXPECT_EQ(to[lanes + 1], S(0));
+  }
+}
+
+TYPED_TEST(Arithmetic, ChosenLanesAreWrittenOneAfterAnother) {
+  using S = ScalarOf<TypeParam>;
+  constexpr int lanes = RealTraits<TypeParam>::lane_count;
+  if constexpr (std::is_same_v<S, float>) {
+    for (unsigned bits = 1; bits < 1U << static_cast<unsigned>(lanes); ++bits) {
+      std::array<float, lanes> to{};
+      const ChosenLanes<TypeParam> chosen(bits);
+      chosen.store(to.data(), lane_numbers<TypeParam>());
+      ASSERT_EQ(chosen.count(), std::popcount(bits));
+      int next = 0;
+      for (int i = 0; i < lanes; ++i) {
+        if ((bits >> static_cast<unsigned>(i) & 1U) != 0) {
+          ASSERT_EQ(to[static_cast<std::size_t>(next)], static_cast<float>(i));
+          ++next;
+        }
+      }
+    }
   }
 }
 
