@@ -30,8 +30,9 @@ constexpr double near_px = 2.0;
 //! Nearer to the shadow's edge, rays in float cannot tell that [rad].
 constexpr double least_float_distance = 3e-4;
 constexpr int star_step_limit = 400;
-//! Rounds in which most images are found, and those that lie next to caustics, far from where they are sought.
-constexpr int few_rounds = 6;
+//! Rounds of rays after the first in which most images are found, those left put together anew before each of these.
+constexpr int later_rounds[] = {1, 1, 1, 2};
+//! And in which those are that lie next to caustics, far from where they are sought.
 constexpr int many_rounds = 18;
 //! Larger misses say that no light came [rad].
 constexpr double no_light = 1e29;
@@ -132,13 +133,15 @@ bool is_open(const StarCandidate& c, const RayPrecision& precision) {
   return (c.miss > precision.miss || c.change > most_magnification_change) && c.miss < no_light;
 }
 
-//! Seeks images, most of which one ray finds: the others shall not keep them waiting.
+//! Seeks images, most of which one ray finds: the others shall not keep them waiting, nor those that never end each other.
 template <class S>
 void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
   refine<S>(candidates, search, precision, 1);
-  with_some(
-      candidates, [&](const StarCandidate& c) { return is_open(c, precision); },
-      [&](std::vector<StarCandidate>& open) { refine<S>(open, search, precision, few_rounds - 1); });
+  for (const int rounds : later_rounds) {
+    with_some(
+        candidates, [&](const StarCandidate& c) { return is_open(c, precision); },
+        [&](std::vector<StarCandidate>& open) { refine<S>(open, search, precision, rounds); });
+  }
 }
 
 //! Seeks images in double, and patiently those that the few rounds have brought near but not to the end.
