@@ -4,7 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 #include <thread>
-#include <vector>
+
+#include "kernels/launch/worker_pool.h"
 
 namespace ergodome {
 
@@ -36,11 +37,8 @@ void parallel_for(int count, int grain, const std::function<void(int, int)>& bod
       body(i * chunk, std::min(count - i * chunk, chunk) + i * chunk);
     }
   };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < std::min(thread_count(), chunks); ++i) {
-    helpers.emplace_back(work);
-  }
-  work();
+  static WorkerPool& pool = *new WorkerPool(thread_count() - 1);
+  pool.run(std::min(thread_count(), chunks) - 1, std::ref(work));
 }
 
 }  // namespace ergodome

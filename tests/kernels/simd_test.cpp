@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -11,7 +10,6 @@
 #include "kernels/core/lanes.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/launch.h"
-#include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
 namespace {
@@ -86,28 +84,6 @@ TYPED_TEST(Arithmetic, ChosenLanesAreWrittenOneAfterAnother) {
       }
     }
   }
-}
-
-TEST(ParallelFor, TouchesEveryIndexOnceWhateverTheGrain) {
-  for (const int count : {0, 1, 7, 1000}) {
-    for (const int grain : {0, 1, 3, 5000}) {
-      std::vector<std::atomic<int>> touched(static_cast<std::size_t>(count));
-      parallel_for(count, grain, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-          ++touched[static_cast<std::size_t>(i)];
-        }
-      });
-      for (const auto& times : touched) {
-        EXPECT_EQ(times, 1);
-      }
-    }
-  }
-}
-
-TEST(ParallelFor, CountsUpToTheLargestNumberOfIndices) {
-  std::atomic<long> sum{0};
-  parallel_for(2147483647, 1 << 28, [&](int begin, int end) { sum += end - begin; });
-  EXPECT_EQ(sum, 2147483647L);
 }
 
 //! The rays of a coarse all-sky grid, traced by the kernels of one instruction set.

@@ -1,0 +1,97 @@
+#include "kernels/launch/worker_pool.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace ergodome {
+
+namespace {
+
+//! Falling asleep and being woken takes some tens of microseconds. What comes next mostly comes within this.
+constexpr std::chrono::microseconds patience{60};
+
+//! A process that was forked has none of its parent's helpers.
+std::atomic<bool> forked{false};
+
+//! Looks for something again and again, for a while, and lets others run. False where it did not happen.
+template <class Happened>
+bool happens_soon(const Happened& happened) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  do {
+    for (int i = 0; i < 16; ++i) {
+      if (happened()) {
+        return true;
+      }
+    }
+    std::this_thread::yield();
+  } while (std::chrono::steady_clock::now() < end);
+  return false;
+}
+
+}  // namespace
+
+WorkerPool::WorkerPool(int helpers) {
+  pthread_atfork(nullptr, nullptr, [] { forked = true; });
+  for (int i = 0; i < helpers; ++i) {
+    std::thread([this] { help(); }).detach();
+  }
+}
+
+void WorkerPool::run(int most_helpers, const std::function<void()>& work) {
+  if (most_helpers <= 0 || forked) {
+    work();
+    return;
+  }
+  Job job{&work, most_helpers};
+  {
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back(&job);
+    ++waiting_;
+  }
+  for (int i = 0; i < most_helpers; ++i) {
+    asked_.notify_one();
+  }
+  work();
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_ -= static_cast<int>(std::erase(jobs_, &job));
+  }
+  wait_for_helpers(job);
+}
+
+void WorkerPool::help() {
+  while (true) {
+    Job* const job = wait_for_job();
+    (*job->work)();
+    // From then on the job may be gone.
+    --job->helpers;
+    const std::lock_guard lock(mutex_);
+    done_.notify_all();
+  }
+}
+
+WorkerPool::Job* WorkerPool::wait_for_job() {
+  happens_soon([this] { return waiting_ > 0; });
+  std::unique_lock lock(mutex_);
+  asked_.wait(lock, [this] { return !jobs_.empty(); });
+  Job* const job = jobs_.front();
+  ++job->helpers;
+  if (--job->wanted == 0) {
+    jobs_.pop_front();
+    --waiting_;
+  }
+  return job;
+}
+
+void WorkerPool::wait_for_helpers(const Job& job) {
+  const auto all_left = [&job] { return job.helpers == 0; };
+  if (!happens_soon(all_left)) {
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, all_left);
+  }
+}
+
+}  // namespace ergodome
