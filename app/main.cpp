@@ -5,8 +5,10 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "kernels/core/error.h"
+#include "render/backend/kept_memory.h"
 
 int main(int argc, char** argv) {
+  ergodome::keep_freed_memory();
   CLI::App app("Ergodome shows what a spinning black hole does to the sky around it.", "ergodome");
   app.set_version_flag("--version", "ergodome " ERGODOME_VERSION);
   app.require_subcommand(1);

@@ -1,0 +1,105 @@
+#include "render/backend/kept_memory.h"
+
+#include <malloc.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <vector>
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t kept_page = std::size_t{1} << 21U;
+//! Pictures of two eyes, and what joins them.
+constexpr std::size_t most_kept_blocks = 4;
+constexpr std::size_t most_kept_bytes = std::size_t{3} << 29U;
+//! The largest that glibc allows: what is larger it takes from the system and gives back each time.
+constexpr int most_heap_bytes = 32 << 20;
+constexpr int most_free_bytes = 1 << 30;
+
+struct KeptBlock {
+  void* memory;
+  std::size_t bytes;
+};
+
+std::size_t whole_pages(std::size_t bytes) { return (bytes / kept_page + 1) * kept_page; }
+
+//! Blocks that nobody uses, the latest last.
+class KeptBlocks {
+ public:
+  //! Nothing where there is none of that size.
+  void* take(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(blocks_, bytes, &KeptBlock::bytes);
+    if (found == blocks_.end()) {
+      return nullptr;
+    }
+    void* const memory = found->memory;
+    blocks_.erase(found);
+    kept_bytes_ -= bytes;
+    return memory;
+  }
+
+  void put(const KeptBlock& block) {
+    const std::lock_guard lock(mutex_);
+    blocks_.push_back(block);
+    kept_bytes_ += block.bytes;
+    while (blocks_.size() > most_kept_blocks || kept_bytes_ > most_kept_bytes) {
+      std::free(blocks_.front().memory);
+      kept_bytes_ -= blocks_.front().bytes;
+      blocks_.erase(blocks_.begin());
+    }
+  }
+
+  [[nodiscard]] std::size_t count() {
+    const std::lock_guard lock(mutex_);
+    return blocks_.size();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<KeptBlock> blocks_;
+  std::size_t kept_bytes_ = 0;
+};
+
+KeptBlocks& kept_blocks() {
+  // It outlives all that may return memory to it.
+  static KeptBlocks& kept = *new KeptBlocks;
+  return kept;
+}
+
+}  // namespace
+
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, most_heap_bytes);
+  mallopt(M_TRIM_THRESHOLD, most_free_bytes);
+}
+
+void* take_large_block(std::size_t bytes) {
+  const std::size_t whole = whole_pages(bytes);
+  if (void* const kept = kept_blocks().take(whole)) {
+    return kept;
+  }
+  void* const memory = std::aligned_alloc(kept_page, whole);
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  static_cast<void>(madvise(memory, whole, MADV_HUGEPAGE));
+  return memory;
+}
+
+void return_large_block(void* memory, std::size_t bytes) noexcept {
+  try {
+    kept_blocks().put({memory, whole_pages(bytes)});
+  } catch (...) {
+    std::free(memory);
+  }
+}
+
+std::size_t kept_large_blocks() { return kept_blocks().count(); }
+
+}  // namespace ergodome

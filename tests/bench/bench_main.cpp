@@ -1,0 +1,15 @@
+#include <benchmark/benchmark.h>
+
+#include "render/backend/kept_memory.h"
+
+//! Benchmarks run with memory as the program does.
+int main(int argc, char** argv) {
+  ergodome::keep_freed_memory();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    return 1;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
