@@ -15,7 +15,7 @@
 #include "kernels/stars/patch_pairs.h"
 #include "kernels/stars/seen_parts.h"
 #include "kernels/stars/star_images.h"
-#include "kernels/stars/star_index.h"
+#include "kernels/stars/star_bands.h"
 #include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"

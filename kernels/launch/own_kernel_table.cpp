@@ -16,7 +16,7 @@
 #include "kernels/stars/patch_measure_kernel.h"
 #include "kernels/stars/patch_pairs_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
-#include "kernels/stars/star_index_kernel.h"
+#include "kernels/stars/star_bands_kernel.h"
 #include "kernels/trace/trace_omni_pixels_kernel.h"
 #include "kernels/trace/trace_pixels_kernel.h"
 #include "kernels/trace/trace_rays_kernel.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "kernels/stars/patch_newton.h"
 
@@ -49,25 +50,25 @@ PatchPairBatch RoughImageFinder::PairList::batch() const {
 
 RoughImageFinder::RoughImageFinder(const StarPatches& patches, const StarField& field, const ImageLight& light,
                                    double phi)
-    : patches_(patches), field_(field), light_(light), sine_phi_(std::sin(phi)), cosine_phi_(std::cos(phi)) {}
+    : patches_(patches),
+      field_(field),
+      light_(light),
+      phi_turns_(static_cast<float>(phi / (2.0 * pi) - std::floor(phi / (2.0 * pi)))),
+      sine_phi_(std::sin(phi)),
+      cosine_phi_(std::cos(phi)) {}
 
 void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
-  const double side = mirrored ? -1.0 : 1.0;
   // Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
-  const auto there = [&](const Vector3<double>& own) {
-    return Vector3<double>{cosine_phi_ * own.x - sine_phi_ * own.y, sine_phi_ * own.x + cosine_phi_ * own.y,
-                           side * own.z};
-  };
-  const int count =
-      field_.search(turned(patch.frustum, sine_phi_, cosine_phi_, side), patches_.faintest() / patch.gain, stars_);
-  if (count == 0) {
-    return;
-  }
-  const PatchFrame frame = {there(patch.frame.first), there(patch.frame.second), there(patch.frame.axis)};
+  const double side = mirrored ? -1.0 : 1.0;
+  const int count = field_.search(turned(patch.frustum, sine_phi_, cosine_phi_, side),
+                                  turned(patch.bounds, phi_turns_, mirrored), patches_.faintest() / patch.gain, stars_);
+  const PatchFrame& frame = patch.frame;
   PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : folded_;
   for (int i = 0; i < count; ++i) {
     const int star = stars_[static_cast<std::size_t>(i)];
-    const Vector3<double>& d = field_.stars()[static_cast<std::size_t>(star)].direction;
+    const Vector3<double>& there = field_.stars()[static_cast<std::size_t>(star)].direction;
+    const Vector3<double> d = {cosine_phi_ * there.x + sine_phi_ * there.y, cosine_phi_ * there.y - sine_phi_ * there.x,
+                               side * there.z};
     const double depth = dot(d, frame.axis);
     list.add({&patch, mirrored, star, static_cast<float>(depth)}, static_cast<float>(dot(d, frame.first) / depth),
              static_cast<float>(dot(d, frame.second) / depth));

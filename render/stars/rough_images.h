@@ -70,6 +70,7 @@ class RoughImageFinder {
   const StarPatches& patches_;
   const StarField& field_;
   const ImageLight& light_;
+  float phi_turns_;
   double sine_phi_;
   double cosine_phi_;
   PairList regular_;

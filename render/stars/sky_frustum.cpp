@@ -28,6 +28,34 @@ Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) 
   return dot(along_u, along_u) > dot(along_v, along_v) ? along_u : along_v;
 }
 
+//! Bounds are so much wider than what they hold, for the rounding of floats.
+constexpr double bound_slack = 1e-6;
+
+//! A frustum's corners on the sky, one after the other around it.
+void find_corners(const SkyFrustum& frustum, Vector3<double> (&corner)[4]) {
+  // Sides 0 and 1 lie across from each other, and 2 and 3.
+  constexpr int around[4] = {0, 2, 1, 3};
+  for (int i = 0; i < 4; ++i) {
+    const Vector3<double> way = normalized(cross(frustum.inward[around[i]], frustum.inward[around[(i + 1) % 4]]));
+    corner[i] = (dot(way, frustum.inward[4]) < 0.0 ? -1.0 : 1.0) * way;
+  }
+}
+
+//! The greatest height on an arc between two corners, whose great circle has the unit normal `normal`: a corner's, or the circle's.
+double greatest_height(const Vector3<double>& from, const Vector3<double>& to, const Vector3<double>& normal) {
+  const double corner = std::max(from.z, to.z);
+  // What leads along the circle to its highest place is z without its part along the normal.
+  const Vector3<double> highest = Vector3<double>{0.0, 0.0, 1.0} - normal.z * normal;
+  const bool between =
+      dot(cross(from, highest), normal) * dot(cross(highest, to), normal) > 0.0 && dot(highest, from + to) > 0.0;
+  return between ? std::max(corner, std::sqrt(std::max(dot(highest, highest), 0.0))) : corner;
+}
+
+//! Whether a pole is in a frustum, or next to it.
+bool holds_pole(const SkyFrustum& frustum, double pole) {
+  return std::ranges::all_of(frustum.inward, [&](const Vector3<double>& n) { return pole * n.z > -bound_slack; });
+}
+
 }  // namespace
 
 PatchFrame frame_of(const BezierPatch& patch, const Vector3<double>& axis) {
@@ -71,6 +99,37 @@ SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double 
            inward(frame.second, 1.0, low[1] - wider[1]), inward(frame.second, -1.0, high[1] + wider[1]), frame.axis}};
 }
 
+SkyBounds bounds_of(const SkyFrustum& frustum) {
+  Vector3<double> corner[4];
+  find_corners(frustum, corner);
+  constexpr int side[4] = {2, 1, 3, 0};
+  double low = 1.0;
+  double high = -1.0;
+  double least_turns = 1.0;
+  double most_turns = -1.0;
+  const double middle = std::atan2(frustum.inward[4].y, frustum.inward[4].x);
+  for (int i = 0; i < 4; ++i) {
+    const Vector3<double>& from = corner[i];
+    const Vector3<double>& to = corner[(i + 1) % 4];
+    high = std::max(high, greatest_height(from, to, frustum.inward[side[i]]));
+    low = std::min(low, -greatest_height(-from, -to, frustum.inward[side[i]]));
+    const double turns = std::remainder(std::atan2(from.y, from.x) - middle, 2.0 * pi) / (2.0 * pi);
+    least_turns = std::min(least_turns, turns);
+    most_turns = std::max(most_turns, turns);
+  }
+  const bool north = holds_pole(frustum, 1.0);
+  const bool south = holds_pole(frustum, -1.0);
+  SkyBounds bounds{static_cast<float>(south ? -1.0 : low - bound_slack),
+                   static_cast<float>(north ? 1.0 : high + bound_slack), 0.0F, 1.0F};
+  // Beside a pole a small part of the sky may go most of the way round; more than half of it need not be told.
+  if (!north && !south && most_turns - least_turns < 0.5) {
+    const double begin = middle / (2.0 * pi) + least_turns - bound_slack;
+    bounds.turns = static_cast<float>(begin - std::floor(begin));
+    bounds.width_turns = static_cast<float>(most_turns - least_turns + 2.0 * bound_slack);
+  }
+  return bounds;
+}
+
 double solid_angle(const SkyFrustum& frustum) {
   // Opposite sides of a wedge that opens by an angle have normals that are a half turn less it apart.
   const auto opening = [&](int side) {
@@ -87,6 +146,12 @@ SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi,
     other.inward[i] = {cosine_phi * n.x - sine_phi * n.y, sine_phi * n.x + cosine_phi * n.y, side * n.z};
   }
   return other;
+}
+
+SkyBounds turned(const SkyBounds& bounds, float phi_turns, bool mirrored) {
+  const float turns = bounds.turns + phi_turns;
+  return {mirrored ? -bounds.high : bounds.low, mirrored ? -bounds.low : bounds.high, turns - std::floor(turns),
+          bounds.width_turns};
 }
 
 }  // namespace ergodome

@@ -25,10 +25,22 @@ BezierPatch in_frame(const BezierPatch& patch, const PatchFrame& frame);
 //! The frustum that holds a patch, and `error` [rad] more. The patch is given in its own frame, and within a quarter turn of its axis.
 SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double error = 0.0);
 
+//! What a part of the sky has of heights and azimuths.
+struct SkyBounds {
+  float low;          //!< least height z
+  float high;         //!< greatest
+  float turns;        //!< where its azimuths begin, in [0, 1)
+  float width_turns;  //!< and how far they go on; 1 about a pole
+};
+
+//! The bounds of a frustum, and a little more.
+SkyBounds bounds_of(const SkyFrustum& frustum);
+
 //! What of the sky a frustum holds, at the most, about [sr].
 double solid_angle(const SkyFrustum& frustum);
 
 //! The same after the sky's mirror image across the equator, if `side` is -1, and a turn by φ about z.
 SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi, double side);
+SkyBounds turned(const SkyBounds& bounds, float phi_turns, bool mirrored);
 
 }  // namespace ergodome

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
-#include <utility>
 #include <vector>
 
 #include "content/stars/star_catalogue.h"
 #include "kernels/sky/blackbody.h"
-#include "kernels/stars/star_index.h"
 #include "render/stars/sky_frustum.h"
 
 namespace ergodome {
@@ -33,28 +31,27 @@ class StarField {
   [[nodiscard]] std::size_t count_from(float illuminance) const;
 
   //! Puts the numbers of the stars of at least `faintest` lx in a part of the sky into the first places of `found`, which is made large
-  //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them.
-  int search(const SkyFrustum& part, float faintest, std::vector<int>& found) const;
+  //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them. `bounds`: of the
+  //! part, see bounds_of.
+  int search(const SkyFrustum& part, const SkyBounds& bounds, float faintest, std::vector<int>& found) const;
 
  private:
-  //! A level of the index: quadrangles of a cube's faces, and the cones that hold them.
+  //! The brightest stars, by their place on the sky.
   struct Level {
-    std::vector<float> axis[3];
-    std::vector<float> sine;
-    std::vector<float> brightest;
+    int bands = 1;  //!< as in StarBands
+    int cells = 2;
+    std::vector<int> first;
+    std::vector<float> direction[3];  //!< as kernels read them
+    std::vector<float> illuminance;
+    std::vector<int> number;  //!< in `stars_`
   };
 
-  void make_cells(int levels);
-  void add_stars(const std::vector<std::pair<int, FieldStar>>& placed);
-  void tell_coarser_cells();
-  [[nodiscard]] StarIndex index() const;
+  [[nodiscard]] Level level_of(const std::vector<int>& numbers) const;
+  [[nodiscard]] const Level& level_for(float faintest) const;
 
   std::vector<float> illuminances_;  //!< the greatest first
-  std::vector<FieldStar> stars_;     //!< by finest cell, in each the brightest first
-  std::vector<Level> levels_;
-  std::vector<int> first_;           //!< of the finest cells' stars
-  std::vector<float> direction_[3];  //!< of stars, as kernels read them
-  std::vector<float> illuminance_;
+  std::vector<FieldStar> stars_;     //!< the brightest first
+  std::vector<Level> levels_;        //!< all stars, and then fewer and fewer
 };
 
 }  // namespace ergodome

@@ -169,6 +169,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
       return;
     }
     if (last || is_done(wanted, own)) {
+      own.bounds = bounds_of(own.frustum);
       patches.push_back(own);
       return;
     }

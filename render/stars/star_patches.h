@@ -14,6 +14,7 @@ struct StarPatch {
   BezierPatch sky;  //!< in its frame
   PatchFrame frame;
   SkyFrustum frustum;  //!< holds all of it on the sky
+  SkyBounds bounds;    //!< of that
   float gamma_turns;   //!< its place in the chart
   float s;
   float width_turns;

@@ -39,20 +39,29 @@ struct Spread {
     }
     first = static_cast<int>(std::floor(middle_px - reach));
     count = static_cast<int>(std::floor(middle_px + reach)) - first + 1;
+    const double narrower = 1.0 / (sigma_px * std::sqrt(2.0));
     const auto integral = [&](double x) {
-      return std::erf(std::clamp(x - middle_px, -reach, reach) / (sigma_px * std::sqrt(2.0)));
+      return std::erf(static_cast<float>(std::clamp(x - middle_px, -reach, reach) * narrower));
     };
-    const double begin = integral(first);
-    double from = begin;
+    const float begin = integral(first);
+    float from = begin;
     for (int i = 0; i < count; ++i) {
-      const double to = integral(first + i + 1);
-      part[static_cast<std::size_t>(i)] = static_cast<float>(to - from);
+      const float to = integral(first + i + 1);
+      part[static_cast<std::size_t>(i)] = to - from;
       from = to;
     }
-    const auto scale = static_cast<float>(1.0 / (from - begin));
+    const float scale = 1.0F / (from - begin);
     std::for_each_n(part.begin(), count, [&](float& each) { each *= scale; });
   }
 };
+
+//! Whether all pixels between some first and some last are wholly in the image: no image but a cube's, whose faces are drawn one by one, goes
+//! in again between pixels that are.
+bool is_all_inside(const Projection& projection, int left, int right, int top, int bottom) {
+  const auto inside = [&](int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) >= 1.0; };
+  return projection.kind != ProjectionKind::cube && inside(left, top) && inside(right, top) && inside(left, bottom) &&
+         inside(right, bottom);
+}
 
 //! Adds the pixels of one image that lie in rows [top, bottom) and in a cell of the picture; `rgba` begins at row `origin`.
 void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
@@ -64,6 +73,8 @@ void add(const StarPoint& splat, const Projection& projection, const PixelCell& 
   const int width = projection.width_px;
   const int first_row = std::max(top, cell.top_px);
   const int end_row = std::min(bottom, cell.top_px + cell.height_px);
+  const bool all_inside =
+      is_all_inside(projection, across.first, across.first + across.count - 1, down.first, down.first + down.count - 1);
   for (int j = 0; j < down.count; ++j) {
     const int y = down.first + j;
     if (y < first_row || y >= end_row) {
@@ -75,7 +86,7 @@ void add(const StarPoint& splat, const Projection& projection, const PixelCell& 
       if (x < cell.left_px || x >= cell.left_px + cell.width_px) {
         continue;
       }
-      const double inside = image_coverage(projection, x + 0.5, y + 0.5);
+      const double inside = all_inside ? 1.0 : image_coverage(projection, x + 0.5, y + 0.5);
       const float part = across.part[static_cast<std::size_t>(i)] * down.part[static_cast<std::size_t>(j)] *
                          static_cast<float>(inside);
       float* to = rgba + 4 * (static_cast<std::size_t>(y - origin) * static_cast<std::size_t>(width) +

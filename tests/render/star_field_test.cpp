@@ -61,6 +61,43 @@ TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
   }
 }
 
+TEST(SkyBounds, HoldTheirFrustumAboutThePolesAndAcrossTheSeam) {
+  std::mt19937 random(23);
+  std::normal_distribution<double> normal;
+  int about_poles = 0;
+  int across_seam = 0;
+  for (int round = 0; round < 400; ++round) {
+    const BezierPatch patch = random_patch(random, round % 2 == 0 ? 0.2 : 0.02);
+    const PatchFrame frame = frame_of(patch, unit_of(control_point(patch, 5)));
+    const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
+    const SkyBounds bounds = bounds_of(frustum);
+    about_poles += bounds.width_turns == 1.0F ? 1 : 0;
+    across_seam += bounds.turns + bounds.width_turns > 1.0F ? 1 : 0;
+    for (int i = 0; i < 300; ++i) {
+      const Vector3<double> d =
+          unit_of(frame.axis + (0.3 * normal(random)) * frame.first + (0.1 * normal(random)) * frame.second);
+      if (depth_in(frustum, d) < 0.0) {
+        continue;
+      }
+      ASSERT_GE(d.z, static_cast<double>(bounds.low));
+      ASSERT_LE(d.z, static_cast<double>(bounds.high));
+      const double turns = std::atan2(d.y, d.x) / (2.0 * pi) - static_cast<double>(bounds.turns);
+      ASSERT_LE(turns - std::floor(turns), static_cast<double>(bounds.width_turns));
+    }
+  }
+  EXPECT_GT(about_poles, 0);
+  EXPECT_GT(across_seam, 0);
+}
+
+TEST(SkyBounds, TurnWithTheSky) {
+  const SkyBounds bounds = {-0.25F, 0.5F, 0.75F, 0.125F};
+  const SkyBounds other = turned(bounds, 0.5F, true);
+  EXPECT_EQ(other.low, -0.5F);
+  EXPECT_EQ(other.high, 0.25F);
+  EXPECT_EQ(other.turns, 0.25F);
+  EXPECT_EQ(other.width_turns, 0.125F);
+}
+
 TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
   const StarField field(brightest(20'000), glm::dmat3(1.0), colours().view());
   std::mt19937 random(11);
@@ -72,7 +109,7 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
     const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
     const float faintest =
         static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * 9.0 * uniform(random)));
-    const int count = field.search(frustum, faintest, found);
+    const int count = field.search(frustum, bounds_of(frustum), faintest, found);
     std::vector<int> times(field.stars().size());
     for (int i = 0; i < count; ++i) {
       ++times[static_cast<std::size_t>(found[static_cast<std::size_t>(i)])];
