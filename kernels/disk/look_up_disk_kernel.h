@@ -50,14 +50,19 @@ struct LookUpDisk {
   ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, float pixel, Mask& lanes) const {
     const PixelBatch& pixels = batch.near_field.pixels;
     const Vector3<D> n = observed_direction(pixels, x_px, y_px);
-    const DiskPlace<T> place = disk_place(batch.grid.cells.chart.edge, rain_direction(batch.aberration, n));
     SeenLanes<T> seen = nothing_seen<T>();
+    const NearRay<T> ray = start_near_ray(pixels.camera, Vector3<T>{n.x.value, n.y.value, n.z.value});
+    const Mask wanted = lanes & may_reach(pixels.camera.spin, ray, batch.near_field.disk.outer_r);
+    lanes = lanes & !lanes;
+    if (!any(wanted)) {
+      return seen;
+    }
+    const DiskPlace<T> place = disk_place(batch.grid.cells.chart.edge, rain_direction(batch.aberration, n));
     T fine(0.0F);
     T traced(0.0F);
-    const NearRay<T> ray = start_near_ray(pixels.camera, Vector3<T>{n.x.value, n.y.value, n.z.value});
     Leaf leaf{};
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-      if (!mask_lane(lanes, i)) {
+      if (!mask_lane(wanted, i)) {
         continue;
       }
       const LanePlace at = place_of(place, i);

@@ -35,13 +35,13 @@ StartPhase PlanePhase::at(float gamma_turns, float s) const {
     return std::cos(alpha) * static_cast<double>(c) + across[0] * static_cast<double>(f) +
            across[1] * static_cast<double>(h);
   };
-  const Vector3<Dual<double>> n = {Dual<double>(component(edge_.centre.x, edge_.first.x, edge_.second.x)),
-                                   Dual<double>(component(edge_.centre.y, edge_.first.y, edge_.second.y)),
-                                   Dual<double>(component(edge_.centre.z, edge_.first.z, edge_.second.z))};
-  const NearRay<Dual<double>> ray = start_near_ray(rain_, n);
-  const double swing = std::sqrt(std::max(ray.polar_constant.value, 1e-300));
-  const double towards = ray.m_rate.z.value * (ray.m.z.value > 0.0 ? -1.0 : 1.0) / swing;
-  return {static_cast<float>(pi - std::atan2(std::abs(ray.m.z.value), towards)), may_reach(rain_.spin, ray, outer_r_)};
+  const Vector3<double> n = {component(edge_.centre.x, edge_.first.x, edge_.second.x),
+                             component(edge_.centre.y, edge_.first.y, edge_.second.y),
+                             component(edge_.centre.z, edge_.first.z, edge_.second.z)};
+  const NearRay<double> ray = start_near_ray(rain_, n);
+  const double swing = std::sqrt(std::max(ray.polar_constant, 1e-300));
+  const double towards = ray.m_rate.z * (ray.m.z > 0.0 ? -1.0 : 1.0) / swing;
+  return {static_cast<float>(pi - std::atan2(std::abs(ray.m.z), towards)), may_reach(rain_.spin, ray, outer_r_)};
 }
 
 }  // namespace ergodome
