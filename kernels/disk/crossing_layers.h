@@ -2,6 +2,7 @@
 
 #include "kernels/core/mixed_dual.h"
 #include "kernels/disk/equatorial_crossings.h"
+#include "kernels/disk/horizon_winding.h"
 #include "kernels/disk/layer_limits.h"
 
 // Where light crosses the equatorial plane, as functions of its direction that are smooth wherever the disk may be seen.
@@ -16,9 +17,9 @@ namespace ergodome::inline ERGO_TARGET {
 template <class T>
 struct CrossingLayer {
   T u;       //!< 1 / r [1/M]
-  T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, dragging included; with the pattern alone
+  T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, less the horizon's winding at u; with the pattern alone
   T sine;
-  T delay;  //!< coordinate time from emission to the camera [M]; with the pattern alone
+  T delay;  //!< coordinate time from emission to the camera, less the winding's [M]; with the pattern alone
 };
 
 namespace detail {
@@ -80,9 +81,10 @@ ERGO_HD void move_series_exactly(NearSeries<Order, T, Parts>& s, const T& h) {
   }
 }
 
-//! Reads a layer from the series where the light is in the plane.
+//! Reads a layer from the series where the light is in the plane. What goes on straight has lost its winding where it began to.
 template <int Order, class T, NearParts Parts>
-ERGO_HD CrossingLayer<T> layer_at(const NearSeries<Order, T, Parts>& s, const T& h) {
+ERGO_HD CrossingLayer<T> layer_at(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& straight,
+                                  const NearSeries<Order, T, Parts>& s, const T& h) {
   const T none(RealOf<T>(ScalarOf<T>(0)));
   CrossingLayer<T> layer = {series_value(s.u, h), none, none, none};
   if constexpr (has_delay(Parts)) {
@@ -90,10 +92,11 @@ ERGO_HD CrossingLayer<T> layer_at(const NearSeries<Order, T, Parts>& s, const T&
     const T y = series_value(s.y, h);
     T sine;
     T cosine;
-    sine_cosine(series_value(s.drag, h), sine, cosine);
+    const T wound = select(straight, none, winding(horizon, layer.u));
+    sine_cosine(series_value(s.drag, h) - winding_turn(horizon) * wound, sine, cosine);
     layer.cosine = x * cosine - y * sine;
     layer.sine = x * sine + y * cosine;
-    layer.delay = series_value(s.delay, h);
+    layer.delay = series_value(s.delay, h) - winding_delay(horizon) * wound;
   }
   return layer;
 }
@@ -161,17 +164,31 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
   return select(passes, exit, T(length));
 }
 
+//! Takes the winding out of azimuth and time of lanes that go on straight from the state at h = 0 of a series that has been moved there by `h`.
+template <int Order, class T, NearParts Parts>
+ERGO_HD void unwind(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& leaves,
+                    const StraightRates<T>& rates, NearSeries<Order, T, Parts>& s, StraightRates<T>& kept) {
+  const T wound = winding(horizon, s.u[0]);
+  const T rate = winding_rate(horizon, s.u[0]) * s.u[1];
+  const auto turn = winding_turn(horizon);
+  const auto delay = winding_delay(horizon);
+  s.drag[0] = select(leaves, s.drag[0] - turn * wound, s.drag[0]);
+  s.delay[0] = select(leaves, s.delay[0] - delay * wound, s.delay[0]);
+  kept.drag = select(leaves, rates.drag - turn * rate, kept.drag);
+  kept.delay = select(leaves, rates.delay - delay * rate, kept.delay);
+}
+
 //! Looks for a crossing in a step, and counts it.
 template <int Order, class T, NearParts Parts>
-ERGO_HD void meet_plane(const NearSeries<Order, T, Parts>& s, const RealOf<T>& length, LayerState<T>& state,
-                        CrossingLayer<T> (&layers)[crossing_orders]) {
+ERGO_HD void meet_plane(const HorizonWinding<ScalarOf<T>>& horizon, const NearSeries<Order, T, Parts>& s,
+                        const RealOf<T>& length, LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const Real zero(S(0));
   const Real side = side_of(value_of(series_value(s.z, length)), state.side);
   const auto crossed = state.active & (side * state.side < zero);
   if (any(crossed)) {
-    const CrossingLayer<T> layer = layer_at(s, exact_time_to_zero(s.z, state.side, length));
+    const CrossingLayer<T> layer = layer_at(horizon, state.straight, s, exact_time_to_zero(s.z, state.side, length));
     for (int order = 0; order < crossing_orders; ++order) {
       keep_layer(crossed & (absolute(state.count - static_cast<S>(order)) < Real(S(0.5))), layer, layers[order]);
     }
@@ -213,6 +230,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const Real zero(S(0));
   const T none(zero);
   const NearRay<T> ray = detail::off_the_plane(start);
+  const HorizonWinding<S> horizon = horizon_winding(spin);
   for (CrossingLayer<T>& layer : layers) {
     layer = {T(Real(limits.lowest_u)), none, none, none};
   }
@@ -230,12 +248,17 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
     const Real length = detail::near_step(s, scale, limits.tolerance);
     MaskOf<Real> leaves = zero > zero;
     const T h = detail::end_of_step(s, limits, length, state, leaves);
-    detail::meet_plane(s, value_of(h), state, layers);
+    detail::meet_plane(horizon, s, value_of(h), state, layers);
+    detail::StraightRates<T> rates = {none, none};
     if constexpr (has_delay(Parts)) {
-      state.rates = {select(leaves, series_rate(s.drag, h), state.rates.drag),
-                     select(leaves, series_rate(s.delay, h), state.rates.delay)};
+      rates = {series_rate(s.drag, h), series_rate(s.delay, h)};
     }
     detail::move_series_exactly(s, h);
+    if constexpr (has_delay(Parts)) {
+      if (any(leaves)) {
+        detail::unwind(horizon, leaves, rates, s, state.rates);
+      }
+    }
     state.straight = state.straight | leaves;
     detail::end_layers(s.u[0], limits, state, layers);
   }

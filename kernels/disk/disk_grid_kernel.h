@@ -205,10 +205,16 @@ struct CheckDiskCells {
     const float sine = quad_part(read.sky, 2);
     const float turned = ::atan2f(cosine * lane(layer.sine, i) - sine * lane(layer.cosine, i),
                                   cosine * lane(layer.cosine, i) + sine * lane(layer.sine, i));
-    const float missed = ::fabsf(turned + rotation * (lane(layer.delay, i) - quad_part(read.sky, 3)));
+    // Where the radius is wrong, so is what the horizon winds there.
+    const HorizonWinding<float> horizon = horizon_winding(batch.camera.grid.rays.spin);
+    const float wound = winding_turn(horizon) + rotation * winding_delay(horizon);
+    const float read_u = minimum(maximum(quad_part(read.sky, 0), batch.span.outer_u), batch.span.inner_u);
+    const float missed = ::fabsf(turned + rotation * (lane(layer.delay, i) - quad_part(read.sky, 3)) +
+                                 wound * (winding(horizon, u) - winding(horizon, read_u)));
     const float inverse = 1.0F / (cosine * cosine + sine * sine);
     const auto rate = [&](const Quad& along) {
-      return (cosine * quad_part(along, 2) - sine * quad_part(along, 1)) * inverse + rotation * quad_part(along, 3);
+      return (cosine * quad_part(along, 2) - sine * quad_part(along, 1)) * inverse + rotation * quad_part(along, 3) +
+             wound * winding_rate(horizon, u) * quad_part(along, 0);
     };
     const float change = screen.across_pixel(rate(read.along_gamma), rate(read.along_s));
     return missed / maximum(change, batch.span.least_turn);

@@ -3,6 +3,7 @@
 #include "kernels/disk/disk_chart.h"
 #include "kernels/disk/disk_grid.h"
 #include "kernels/disk/disk_sight.h"
+#include "kernels/disk/horizon_winding.h"
 #include "kernels/near_field/pixel_samples.h"
 #include "kernels/trace/pixel_geometry.h"
 
@@ -157,9 +158,11 @@ struct LookUpDisk {
     SeenCrossing at = {span.coverage, span.r, width * span.r, false, 0.0F, 0.0F};
     if constexpr (WithPattern) {
       const CameraStationOf<float>& camera = batch.near_field.pixels.camera;
-      at.phi =
-          ::atan2f(quad_part(value.sky, 2), quad_part(value.sky, 1)) + ::atan2f(camera.sine_phi, camera.cosine_phi);
-      at.delay = quad_part(value.sky, 3);
+      const HorizonWinding<float> horizon = horizon_winding(camera.spin);
+      const float wound = winding(horizon, 1.0F / span.r);
+      at.phi = ::atan2f(quad_part(value.sky, 2), quad_part(value.sky, 1)) + winding_turn(horizon) * wound +
+               ::atan2f(camera.sine_phi, camera.cosine_phi);
+      at.delay = quad_part(value.sky, 3) + winding_delay(horizon) * wound;
     }
     const PhotonConstants photon = {lane(ray.energy, i), lane(ray.axial_angular_momentum, i),
                                     lane(ray.shear_constant, i), lane(ray.carter, i)};

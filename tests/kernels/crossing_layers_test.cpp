@@ -36,8 +36,11 @@ TEST(CrossingLayers, HaveTheReferenceRadiusAzimuthAndDelay) {
         << row.id;
     const CrossingLayer<double>& layer = layers[row.order];
     EXPECT_NEAR(1.0 / layer.u, row.r_hit, 1e-8) << row.id;
-    EXPECT_LT(std::abs(std::remainder(std::atan2(layer.sine, layer.cosine) - row.phi_hit, 2.0 * pi)), 1e-8) << row.id;
-    EXPECT_NEAR(layer.delay, row.delay, 1e-8) << row.id;
+    const HorizonWinding<double> horizon = horizon_winding(row.a);
+    const double wound = winding(horizon, layer.u);
+    const double azimuth = std::atan2(layer.sine, layer.cosine) + winding_turn(horizon) * wound;
+    EXPECT_LT(std::abs(std::remainder(azimuth - row.phi_hit, 2.0 * pi)), 1e-8) << row.id;
+    EXPECT_NEAR(layer.delay + winding_delay(horizon) * wound, row.delay, 1e-8) << row.id;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "kernels/disk/disk_chart.h"
 #include "kernels/disk/disk_light.h"
 #include "kernels/disk/equatorial_crossings.h"
+#include "kernels/disk/horizon_winding.h"
 #include "kernels/shadow/shadow_chart.h"
 #include "render/disk/disk_grids.h"
 #include "tests/kernels/reference_tables.h"
@@ -24,9 +25,7 @@ struct ReadCrossing {
   bool good = false;  //!< not left to rays
   bool shown = false;
   Dual<double> u;
-  double azimuth = 0.0;
-  Dual<double> cosine;
-  Dual<double> sine;
+  Dual<double> azimuth;
   Dual<double> delay;
 };
 
@@ -66,10 +65,17 @@ ReadCrossing read_crossing(const DiskStation& station, const Aberration& observe
   read.shown = (station.orders[static_cast<std::size_t>(leaf.number)] >> static_cast<unsigned>(order) & 1U) != 0U;
   read.u = dual(station.pattern ? 0 : order);
   if (station.pattern) {
-    read.cosine = dual(1);
-    read.sine = dual(2);
-    read.delay = dual(3);
-    read.azimuth = std::atan2(read.sine.value, read.cosine.value);
+    const HorizonWinding<double> horizon = horizon_winding(station.cells.spin);
+    const double rate = winding_rate(horizon, read.u.value);
+    const Dual<double> wound = {winding(horizon, read.u.value), rate * read.u.along_x, rate * read.u.along_y};
+    const Dual<double> cosine = dual(1);
+    const Dual<double> sine = dual(2);
+    const double square = cosine.value * cosine.value + sine.value * sine.value;
+    const Dual<double> turn = {std::atan2(sine.value, cosine.value),
+                               (cosine.value * sine.along_x - sine.value * cosine.along_x) / square,
+                               (cosine.value * sine.along_y - sine.value * cosine.along_y) / square};
+    read.azimuth = turn + wound * winding_turn(horizon);
+    read.delay = dual(3) + wound * winding_delay(horizon);
   }
   return read;
 }
@@ -115,11 +121,8 @@ TEST(DiskGrid, HasTheReferenceCrossingsWithinItsBudget) {
     // The pattern is turned by as much as the flow turns while its light is on the way.
     const double rotation = 1.0 / (row.r_hit * std::sqrt(row.r_hit) + row.a);
     const double turned =
-        std::remainder(read.azimuth - row.phi_hit, 2.0 * pi) + rotation * (read.delay.value - row.delay);
-    const Dual<double> phase = {
-        0.0,
-        read.cosine.value * read.sine.along_x - read.sine.value * read.cosine.along_x + rotation * read.delay.along_x,
-        read.cosine.value * read.sine.along_y - read.sine.value * read.cosine.along_y + rotation * read.delay.along_y};
+        std::remainder(read.azimuth.value - row.phi_hit, 2.0 * pi) + rotation * (read.delay.value - row.delay);
+    const Dual<double> phase = read.azimuth + read.delay * rotation;
     EXPECT_LT(std::abs(turned), table_budget_px * change_of(phase) + 2e-5) << row.id;
   });
   EXPECT_GT(compared, 110);
@@ -209,14 +212,9 @@ Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, con
       found.radius_px.push_back(std::abs(read.u.value - crossings[order].u) / std::max(change_of(read.u), flat));
       const double rotation = 1.0 / (r * std::sqrt(r) + at.spin);
       const double azimuth = std::atan2(crossings[order].y, crossings[order].x) + crossings[order].drag;
-      const double turned =
-          std::remainder(read.azimuth - azimuth, 2.0 * pi) + rotation * (read.delay.value - crossings[order].delay);
-      const double size = std::hypot(read.cosine.value, read.sine.value);
-      const auto rate = [&](double dc, double ds, double dt) {
-        return (read.cosine.value * ds - read.sine.value * dc) / (size * size) + rotation * dt;
-      };
-      const double change = std::hypot(rate(read.cosine.along_x, read.sine.along_x, read.delay.along_x),
-                                       rate(read.cosine.along_y, read.sine.along_y, read.delay.along_y));
+      const double turned = std::remainder(read.azimuth.value - azimuth, 2.0 * pi) +
+                            rotation * (read.delay.value - crossings[order].delay);
+      const double change = change_of(read.azimuth + read.delay * rotation);
       found.phase_px.push_back(std::abs(turned) / std::max(change, 1e-4));
     }
   }
