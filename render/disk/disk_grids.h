@@ -75,7 +75,7 @@ class DiskGrids {
 //! Below this many pixels a disk's grid that has to be made first is not worth its while, and one with a pattern; compare disk_picture/rays and
 //! disk_picture/live_grid in tests/bench.
 inline constexpr double least_disk_grid_pixels = 150'000.0;
-inline constexpr double least_pattern_grid_pixels = 600'000.0;
+inline constexpr double least_pattern_grid_pixels = 300'000.0;
 
 //! Whether a picture's disk is cheaper by a grid that has to be made first. On a GPU a ray a pixel is cheap.
 inline bool is_worth_a_disk_grid(Backend backend, double pixels, bool pattern) {
