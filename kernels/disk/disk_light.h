@@ -35,6 +35,13 @@ ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
 
 }  // namespace detail
 
+//! Whether a pixel across which 1/r at a crossing changes so much may hold images that are finer than itself: next to the critical curve image
+//! after image is thinner, e^π times about without spin.
+ERGO_HD bool holds_finer(const DiskLook& look, float change) {
+  constexpr float fine_change = 0.25F;  // of the whole disk's
+  return change > fine_change * (1.0F / look.inner_r - 1.0F / look.outer_r);
+}
+
 //! A crossing as one pixel sees it.
 struct SeenCrossing {
   float coverage;  //!< of the pixel by the disk

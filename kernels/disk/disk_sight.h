@@ -58,19 +58,14 @@ class DiskSight {
 
   //! Whether images may be finer than what the ray stands for.
   ERGO_HD bool is_fine(int i) const {
-    const float least = fine_change * (1.0F / look_.inner_r - 1.0F / look_.outer_r);
     bool fine = false;
     for (const EquatorialCrossing<D>& crossing : crossings_) {
-      fine = fine || (is_crossing(crossing, i) && change(crossing, i) > least);
+      fine = fine || (is_crossing(crossing, i) && holds_finer(look_, change(crossing, i)));
     }
     return fine;
   }
 
  private:
-  //! A change of 1/r across the pixel, as a part of the whole disk's, from which on it holds images finer than itself: next to the critical
-  //! curve image after image is thinner, e^π times about without spin.
-  static constexpr float fine_change = 0.25F;
-
   ERGO_HD static bool is_crossing(const EquatorialCrossing<D>& crossing, int i) {
     const S u = lane(crossing.u.value, i);
     return u < S(0) || u > S(0);

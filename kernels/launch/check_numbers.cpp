@@ -124,6 +124,17 @@ void check_outputs(const std::string& kernel, Backend backend, const ShadeBatch&
   require_finite(kernel, backend, "rgba", batch.rgba, 4L * batch.count);
 }
 
+void check_outputs(const std::string& kernel, Backend backend, const DiskNodeBatch& batch) {
+  for (int set = 0; set < (batch.camera.pattern ? layer_orders : 1); ++set) {
+    require_finite(kernel, backend, "nodes", batch.nodes[set], static_cast<long>(batch.count) * floats_a_node);
+  }
+}
+
+void check_outputs(const std::string& kernel, Backend backend, const DiskCheckBatch& batch) {
+  require_finite(kernel, backend, "error_px", batch.error_px, batch.count);
+  require_finite(kernel, backend, "area_px", batch.area_px, batch.count);
+}
+
 void check_outputs(const std::string& kernel, Backend backend, const NearFieldBatch& batch) {
   require_finite(kernel, backend, "rgba", batch.rgba, 4L * batch.pixels.row_count * batch.pixels.projection.width_px);
 }

@@ -32,6 +32,9 @@ void check_outputs(const std::string& kernel, Backend backend, const NearFieldBa
 void check_outputs(const std::string& kernel, Backend backend, const OverlayBatch& batch);
 void check_outputs(const std::string& kernel, Backend backend, const BlendCheckBatch& batch);
 
+void check_outputs(const std::string& kernel, Backend backend, const DiskNodeBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const DiskCheckBatch& batch);
+
 template <class S, class Camera>
 void check_outputs(const std::string& kernel, Backend backend, const NodeBatch<S, Camera>& batch) {
   require_finite(kernel, backend, "nodes", batch.nodes, static_cast<long>(batch.count) * floats_a_node);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/disk/disk_grid.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/warp_pixels.h"
 #include "kernels/launch/instruction_set.h"
@@ -56,6 +57,9 @@ struct KernelTable {
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
   void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);
+  void (*trace_disk_nodes)(const DiskNodeBatch& batch, int begin, int end);
+  void (*check_disk_cells)(const DiskCheckBatch& batch, int begin, int end);
+  void (*look_up_disk)(const DiskLookUpBatch& batch, int begin, int end);
   void (*mark_object_tiles)(const ObjectTileBatch& batch, int begin, int end);
   void (*look_at_objects)(const ObjectPixelBatch& batch, int begin, int end);
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);

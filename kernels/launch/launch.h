@@ -82,6 +82,15 @@ const char* near_field_name(DiskDrawing disk, bool shells);
 //! Draws disk and shells over a picture of the sky, by a ray for each pixel that may see them; see NearFieldBatch.
 void draw_near_field(Backend backend, const NearFieldBatch& batch);
 
+//! The disk in a grid of a camera's sky, on the CPU alone: traces nodes of the grid, compares its cells with traced rays, and draws the disk from it;
+//! see the batches. On a GPU a ray a pixel is cheap.
+void trace_disk_nodes(const DiskNodeBatch& batch);
+void check_disk_cells(const DiskCheckBatch& batch);
+void look_up_disk(const DiskLookUpBatch& batch);
+
+//! What drawing the disk from a grid is counted by.
+const char* disk_look_up_name(DiskDrawing disk);
+
 //! Marks tiles of an image in which objects may be seen, and looks at them in pixels; see the batches.
 void mark_object_tiles(Backend backend, const ObjectTileBatch& batch);
 void look_at_objects(Backend backend, const ObjectPixelBatch& batch);

@@ -1,6 +1,7 @@
 #include "kernels/core/host_device.h"
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
+#include "kernels/launch/own_disk_grid.h"
 #include "kernels/launch/own_near_field.h"
 #include "kernels/launch/own_objects.h"
 #include "kernels/launch/own_shading.h"
@@ -101,6 +102,9 @@ const KernelTable& own_kernel_table() {
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
       &draw_near_field,
+      &trace_disk_nodes,
+      &check_disk_cells,
+      &look_up_disk,
       &mark_object_tiles,
       &look_at_objects,
       &run<DrawOverlay<WidePack<float>>, OverlayBatch>,

@@ -3,6 +3,7 @@
 #include "kernels/disk/disk_sight.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/near_field/layer_sight.h"
+#include "kernels/near_field/pixel_samples.h"
 #include "kernels/shells/shell_sight.h"
 #include "kernels/trace/pixel_geometry.h"
 
@@ -31,40 +32,21 @@ struct DrawNearField {
     if (any(fine)) {
       average(x_px, y_px, objects, fine, seen);
     }
-    const int count = pixel_count(pixels);
-    for (int i = 0; i < RealTraits<T>::lane_count && first + i < count; ++i) {
-      float* rgba = batch.rgba + 4 * static_cast<long>(first + i);
-      const float clear = lane(seen.clear, i);
-      const float part = lane(inside, i);
-      if (clear < 1.0F) {
-        rgba[0] = part * lane(seen.red, i) + clear * rgba[0];
-        rgba[1] = part * lane(seen.green, i) + clear * rgba[1];
-        rgba[2] = part * lane(seen.blue, i) + clear * rgba[2];
-        rgba[3] = part * (1.0F - clear) + clear * rgba[3];
-      }
-    }
+    lay_over(seen, inside, first, pixel_count(pixels), batch.rgba);
   }
 
  private:
-  //! Samples along each side of a pixel that holds images finer than itself.
-  static constexpr int samples = 4;
-
   //! Looks at many places within the pixels of the mask.
   ERGO_HD void average(const T& x_px, const T& y_px, const LayerSight<T, Objects>& objects, const Mask& fine,
                        SeenLanes<T>& seen) const {
     const T zero(S(0));
     SeenLanes<T> sum = {zero, zero, zero, zero};
-    constexpr S step = S(1) / samples;
-    for (int i = 0; i < samples * samples; ++i) {
-      const int row = i / samples;
-      const S along = (static_cast<S>(i - row * samples) + S(0.5)) * step - S(0.5);
-      const S down = (static_cast<S>(row) + S(0.5)) * step - S(0.5);
+    for (int i = 0; i < near_samples * near_samples; ++i) {
+      const NearSample<S> at = near_sample<S>(i);
       Mask wanted = fine;
-      sum = sum + look(x_px + along, y_px + down, step, objects, wanted);
+      sum = sum + look(x_px + at.along, y_px + at.down, at.width, objects, wanted);
     }
-    constexpr S share = step * step;
-    seen = {select(fine, sum.red * share, seen.red), select(fine, sum.green * share, seen.green),
-            select(fine, sum.blue * share, seen.blue), select(fine, sum.clear * share, seen.clear)};
+    take_mean(fine, sum, seen);
   }
 
   //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may

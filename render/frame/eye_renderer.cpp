@@ -5,6 +5,7 @@
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
+#include "kernels/projection/pixel_measure.h"
 #include "render/effects/bloom_across_seams.h"
 #include "render/plan/frame_needs.h"
 
@@ -179,6 +180,7 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
   shade.rgba = room_for(pixels);
   const auto source = lens_for(eye, projection, settings);
+  near_field_ = near_field_of(eye, projection, settings);
   render_rows(*source, shade, settings.polygons, 0, projection.height_px);
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
   if (!stars.empty()) {
@@ -192,11 +194,24 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   return rgba_.data();
 }
 
+NearField EyeRenderer::near_field_of(const EyeCamera& eye, const Projection& projection,
+                                     const PictureSettings& settings) {
+  NearField near_field = settings.near_field;
+  const bool own_lens = settings.given == nullptr && settings.turning == nullptr;
+  if (own_lens && is_disk_alone(near_field) && may_read_disk_grid(backend_, settings.lens, settings.scheme)) {
+    const DiskLook disk = near_field.disk->look_at(settings.time_s);
+    const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
+    near_field.disk_grid = disk_grids_.grid_for(
+        {eye, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels, settings.lens == LensChoice::live});
+  }
+  return near_field;
+}
+
 void EyeRenderer::draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                                  const RowBlock& rows, float* rgba) const {
-  if (!settings.near_field.empty()) {
+  if (!near_field_.empty()) {
     const PictureView view = {eye, settings.turning.get(), projection, settings.accuracy.tolerance_px, settings.time_s};
-    draw_near_field(backend_, settings.near_field, view, rows, rgba);
+    draw_near_field(backend_, near_field_, view, rows, rgba);
   }
 }
 
@@ -252,7 +267,7 @@ void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& project
     return;
   }
   settings.stars->draw(stars, projection, rows.first, rows.count, light);
-  if (settings.near_field.empty()) {
+  if (near_field_.empty()) {
     return;
   }
   // What stands near the hole hides stars too.
@@ -291,6 +306,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   ShadeBatch shade = prepare(projection, sky, settings, most);
   const auto chosen = settings.given == nullptr ? lens_for(eye, projection, settings) : nullptr;
   const LensSource* const source = settings.given != nullptr ? settings.given : chosen.get();
+  near_field_ = near_field_of(eye, projection, settings);
   picture.lens = source->name();
   picture.behind = source->behind();
   const std::vector<StarPoint> stars = find_stars(eye, projection, settings);

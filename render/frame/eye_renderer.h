@@ -112,6 +112,9 @@ class EyeRenderer {
   //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
   void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
 
+  //! What stands near the hole in a picture, with the grid that its disk is read from where that is worth its while.
+  NearField near_field_of(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);
+
   //! Draws what stands near the hole over rows of a picture in the backend's memory, where it has any.
   void draw_near_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                       const RowBlock& rows, float* rgba) const;
@@ -134,6 +137,8 @@ class EyeRenderer {
 
   Backend backend_;
   LensChooser lenses_;
+  DiskGrids disk_grids_;
+  NearField near_field_;  //!< of the picture in hand
   Buffer<float> lens_;
   Buffer<float> rgba_;
 };

@@ -26,6 +26,12 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
       return lay_objects(backend, {batch.objects, batch.pixels.projection, rows.first, rows.count, rgba});
     }
   }
+  if (near_field.disk_grid != nullptr) {
+    const EyeCamera& eye = view.camera();
+    return look_up_disk(
+        {batch, near_field.disk_grid->view(),
+         converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))});
+  }
   draw_near_field(backend, batch);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/disk/disk_grids.h"
 #include "render/disk/disk_pass.h"
 #include "render/lens/picture_view.h"
 #include "render/objects/traced_objects.h"
@@ -12,11 +13,19 @@ struct NearField {
   const DiskPass* disk = nullptr;
   const ShellPass* shells = nullptr;
   TracedObjects* objects = nullptr;
+  const DiskGridBuffers* disk_grid =
+      nullptr;  //!< of the picture's place: the disk is read from it where it stands alone
 
   [[nodiscard]] bool empty() const { return disk == nullptr && shells == nullptr && objects == nullptr; }
 };
 
-//! Draws it, by exact rays, over rows of a picture in the backend's memory: four floats a pixel.
+//! Whether the disk stands alone, so that it may be read from a grid.
+inline bool is_disk_alone(const NearField& near_field) {
+  return near_field.disk != nullptr && near_field.disk->is_visible() && near_field.shells == nullptr &&
+         near_field.objects == nullptr;
+}
+
+//! Draws it, by exact rays or from the disk's grid, over rows of a picture in the backend's memory: four floats a pixel.
 void draw_near_field(Backend backend, const NearField& near_field, const PictureView& view, const RowBlock& rows,
                      float* rgba);
 

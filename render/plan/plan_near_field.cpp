@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "content/animated_show.h"
+#include "render/disk/disk_grids.h"
 #include "render/disk/disk_pass.h"
 #include "render/plan/planner.h"
 #include "render/shells/shell_pass.h"
@@ -33,18 +34,48 @@ void Planner::plan_near_rays(bool shells) {
   const bool edges_move =
       find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
   const bool shells_go = needs_.shells != always_.shells;
-  const std::string with = shells ? ", " + why("shells") : "";
+  const std::string with = ", " + why("shells");
+  const auto disk_pass = [&](DiskDrawing drawing, const std::string& reason, bool if_needed) {
+    if (shells) {
+      pixel_pass(near_field_name(drawing, true), reason + with, if_needed);
+    } else {
+      plan_disk_alone(drawing, reason, if_needed);
+    }
+  };
   if (needs_.disk) {
     const bool pattern = needs_.disk_pattern;
-    pixel_pass(near_field_name(pattern ? DiskDrawing::pattern : DiskDrawing::plain, shells),
-               why(pattern ? "disk.pattern" : "disk") + with,
-               edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern);
+    disk_pass(pattern ? DiskDrawing::pattern : DiskDrawing::plain, why(pattern ? "disk.pattern" : "disk"),
+              edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern);
   }
   if (needs_.disk_pattern && !always_.disk_pattern) {
-    pixel_pass(near_field_name(DiskDrawing::plain, shells), why("disk.contrast") + with, true);
+    disk_pass(DiskDrawing::plain, why("disk.contrast"), true);
   }
   if (shells && (!always_.disk || edges_move)) {
     pixel_pass(near_field_name(DiskDrawing::none, true), why("shells"), needs_.disk || shells_go);
+  }
+}
+
+void Planner::plan_disk_alone(DiskDrawing drawing, const std::string& reason, bool if_needed) {
+  const bool omni = plan_.eyes > 1 && show_.stereo.model == StereoModel::omni;
+  const bool asked = request_.lens == LensChoice::live;
+  const bool by_grid =
+      may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) && !omni && !needs_.traced_objects &&
+      (asked || is_worth_a_disk_grid(request_.backend, static_cast<double>(pixels_), drawing == DiskDrawing::pattern));
+  if (!by_grid) {
+    return pixel_pass(near_field_name(drawing, false), reason, if_needed);
+  }
+  // Matter that falls from the last stable orbit has no grid; and others give most of some places' pixels back to rays.
+  const bool certain = asked && !show_.disk->plunging;
+  const std::string with_budget = reason + ", " + why("quality.budget_px");
+  for (const char* const name : {"trace_disk_nodes", "check_disk_cells"}) {
+    pass(name, WorkMoment::place, 0, 0, with_budget, if_needed || show_.disk->plunging);
+  }
+  for (const char* const name : {"disk grid while it is traced", "disk grid"}) {
+    buffer(name, WorkMoment::place, 0, with_budget);
+  }
+  pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
+  if (!certain) {
+    pixel_pass(near_field_name(drawing, false), reason, true);
   }
 }
 

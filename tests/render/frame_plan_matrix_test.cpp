@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "content/animated_show.h"
 #include "content/show_reader.h"
 #include "tests/render/frame_plan_scenes.h"
@@ -117,6 +120,60 @@ TEST_F(FramePlans, HoldForEveryLens) {
       expect_as_planned(show, asked);
     }
   }
+}
+
+bool plans(const FramePlan& plan, std::string_view pass) {
+  return std::ranges::any_of(plan.passes, [&](const PlannedPass& each) { return each.name == pass; });
+}
+
+TEST_F(FramePlans, HoldForADiskInAGrid) {
+  for (const LensChoice lens : {LensChoice::live, LensChoice::direct}) {
+    for (const bool clouds : {false, true}) {
+      for (const bool stereo : {false, true}) {
+        SCOPED_TRACE(testing::Message() << static_cast<int>(lens) << clouds << stereo);
+        Show show = plain_show();
+        show.disk.emplace();
+        show.disk->pattern = clouds ? DiskPattern::procedural : DiskPattern::none;
+        if (stereo) {
+          show.stereo.layout = StereoLayout::separate;
+          show.stereo.baseline = 0.1;
+        }
+        FrameRequest asked = request();
+        asked.lens = lens;
+        expect_as_planned(show, asked);
+        const FramePlan plan = plan_frame(show, asked);
+        EXPECT_EQ(plans(plan, disk_look_up_name(clouds ? DiskDrawing::pattern : DiskDrawing::plain)),
+                  lens == LensChoice::live);
+        EXPECT_EQ(plans(plan, near_field_name(clouds ? DiskDrawing::pattern : DiskDrawing::plain, false)),
+                  lens == LensChoice::direct);
+      }
+    }
+  }
+}
+
+TEST_F(FramePlans, HoldForADiskInALargePicture) {
+  Show show = plain_show();
+  show.disk.emplace();
+  show.view.size_px = 520;
+  expect_as_planned(show, request());
+  EXPECT_TRUE(plans(plan_frame(show, request()), "trace_disk_nodes"));
+}
+
+TEST_F(FramePlans, HaveNoGridForADiskThatIsNotAloneOrFalls) {
+  FrameRequest asked = request();
+  asked.lens = LensChoice::live;
+  Show falls = plain_show();
+  falls.disk.emplace();
+  falls.disk->profile = DiskProfile::uniform;
+  falls.disk->plunging = true;
+  expect_as_planned(falls, asked);
+  Show with_shell = plain_show();
+  with_shell.disk.emplace();
+  with_shell.shells.emplace_back();
+  with_shell.shells[0].radius = 12.0;
+  expect_as_planned(with_shell, asked);
+  EXPECT_FALSE(plans(plan_frame(with_shell, asked), "trace_disk_nodes"));
+  EXPECT_FALSE(plans(plan_frame(plain_show(), asked), "trace_disk_nodes"));
 }
 
 //! Animates a number of the whole scene from nothing at 0 s to a value at 1 s.

@@ -1,0 +1,268 @@
+#pragma once
+
+#include "kernels/core/mixed_dual.h"
+#include "kernels/disk/equatorial_crossings.h"
+#include "kernels/disk/horizon_winding.h"
+#include "kernels/disk/layer_limits.h"
+
+// Where light crosses the equatorial plane, as functions of its direction that are smooth wherever the disk may be seen.
+//
+// When light crosses the plane depends on its polar motion alone, and comes at a finite Mino time. So 1/r at the n-th crossing is smooth in the
+// direction, also from light that the hole takes to light that gets away, if it is followed past what counts: inwards from where no light turns any
+// more, and outwards from beyond the disk, it goes on straight, as if it had no force there, and azimuth and time with it. That keeps value and first
+// derivatives where it begins, and nothing becomes infinite at the horizon or far out.
+namespace ergodome::inline ERGO_TARGET {
+
+//! The crossing of one order; outside the bounds of LayerLimits what they say, without derivatives.
+template <class T>
+struct CrossingLayer {
+  T u;       //!< 1 / r [1/M]
+  T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, less the horizon's winding at u; with the pattern alone
+  T sine;
+  T delay;  //!< coordinate time from emission to the camera, less the winding's [M]; with the pattern alone
+};
+
+namespace detail {
+
+//! Rates at which azimuth and time go on straight.
+template <class T>
+struct StraightRates {
+  T drag;
+  T delay;
+};
+
+//! Takes the force out of the series of the lanes that go on straight.
+template <int Order, class T, NearParts Parts>
+ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T>& rates,
+                        NearSeries<Order, T, Parts>& s) {
+  const T none(RealOf<T>(ScalarOf<T>(0)));
+  ERGO_UNROLL
+  for (int k = 2; k <= Order; ++k) {
+    s.u[k] = select(straight, none, s.u[k]);
+  }
+  if constexpr (has_delay(Parts)) {
+    ERGO_UNROLL
+    for (int k = 1; k <= Order; ++k) {
+      s.drag[k] = select(straight, k == 1 ? rates.drag : none, s.drag[k]);
+      s.delay[k] = select(straight, k == 1 ? rates.delay : none, s.delay[k]);
+    }
+  }
+}
+
+//! The h at which a series is zero, exact in the mixed part too: a second step of Newton's brings that.
+template <int Order, class T>
+ERGO_HD T exact_time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<T>& to) {
+  const RealOf<T> start(ScalarOf<T>(0));
+  const T h = time_to_zero(c, side, start, to);
+  if constexpr (has_mixed_part<T>) {
+    return h - series_value(c, h) / series_rate(c, h);
+  } else {
+    return h;
+  }
+}
+
+//! Coefficients 0 and 1 of the series about an h with derivatives.
+template <int Order, class T, NearParts Parts>
+ERGO_HD void move_series_exactly(NearSeries<Order, T, Parts>& s, const T& h) {
+  const auto move = [&h](auto& c) {
+    const T value = series_value(c, h);
+    c[1] = series_rate(c, h);
+    c[0] = value;
+  };
+  move(s.u);
+  move(s.z);
+  if constexpr (has_azimuth(Parts)) {
+    move(s.x);
+    move(s.y);
+    s.drag[0] = series_value(s.drag, h);
+  }
+  if constexpr (has_delay(Parts)) {
+    s.delay[0] = series_value(s.delay, h);
+  }
+}
+
+//! Reads a layer from the series where the light is in the plane. What goes on straight has lost its winding where it began to.
+template <int Order, class T, NearParts Parts>
+ERGO_HD CrossingLayer<T> layer_at(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& straight,
+                                  const NearSeries<Order, T, Parts>& s, const T& h) {
+  const T none(RealOf<T>(ScalarOf<T>(0)));
+  CrossingLayer<T> layer = {series_value(s.u, h), none, none, none};
+  if constexpr (has_delay(Parts)) {
+    const T x = series_value(s.x, h);
+    const T y = series_value(s.y, h);
+    T sine;
+    T cosine;
+    const T wound = select(straight, none, winding(horizon, layer.u));
+    sine_cosine(series_value(s.drag, h) - winding_turn(horizon) * wound, sine, cosine);
+    layer.cosine = x * cosine - y * sine;
+    layer.sine = x * sine + y * cosine;
+    layer.delay = series_value(s.delay, h) - winding_delay(horizon) * wound;
+  }
+  return layer;
+}
+
+template <class Mask, class T>
+ERGO_HD void keep_layer(const Mask& mask, const CrossingLayer<T>& from, CrossingLayer<T>& to) {
+  to = {select(mask, from.u, to.u), select(mask, from.cosine, to.cosine), select(mask, from.sine, to.sine),
+        select(mask, from.delay, to.delay)};
+}
+
+//! Light in the plane of a camera that is in it crosses it where its neighbours do: its height has a size that does not matter, and a sign.
+template <class T>
+ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real zero(S(0));
+  const Real least = S(sizeof(S) == 4 ? 1e-2 : 1e-4) * safe_sqrt(maximum(value_of(ray.polar_constant), zero));
+  const Real rate = value_of(ray.m_rate.z);
+  const Real lift = select(rate < zero, minimum(rate, -least), maximum(rate, least)) - rate;
+  const auto within = absolute(value_of(ray.m.z)) < Real(std::numeric_limits<S>::min());
+  NearRay<T> lifted = ray;
+  lifted.m_rate.z = ray.m_rate.z + select(within, lift, zero);
+  return lifted;
+}
+
+//! How the lanes of a register of rays stand.
+template <class T>
+struct LayerState {
+  using Real = RealOf<T>;
+  using Mask = MaskOf<Real>;
+
+  Mask active;
+  Mask straight;
+  Real side;   //!< of the plane
+  Real count;  //!< crossings so far
+  StraightRates<T> rates;
+};
+
+//! Where a step ends: before its length, where 1/r leaves what counts. `leaves` receives the lanes that go on straight from there.
+template <int Order, class T, NearParts Parts>
+ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<ScalarOf<T>>& limits,
+                      const RealOf<T>& length, const LayerState<T>& state, MaskOf<RealOf<T>>& leaves) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real zero(S(0));
+  const Real begin = value_of(s.u[0]);
+  const Real end = value_of(series_value(s.u, length));
+  const Real rate = value_of(series_rate(s.u, length));
+  const auto inwards = (end > Real(limits.near_u)) & (rate > zero);
+  const auto outwards = (end < Real(limits.far_u)) & (rate < zero);
+  leaves = (inwards | outwards) & (!state.straight) & state.active;
+  // Where it has been beyond already, it turned there, and the disk is far.
+  const Real bound = select(inwards, Real(limits.near_u), Real(limits.far_u));
+  const auto passes = leaves & ((inwards & (begin < bound)) | (outwards & (begin > bound)));
+  if (!any(passes)) {
+    return T(length);
+  }
+  T beyond[Order + 1];
+  ERGO_UNROLL
+  for (int k = 0; k <= Order; ++k) {
+    beyond[k] = s.u[k];
+  }
+  beyond[0] = s.u[0] - bound;
+  const T exit = exact_time_to_zero(beyond, select(inwards, Real(S(-1)), Real(S(1))), length);
+  return select(passes, exit, T(length));
+}
+
+//! Takes the winding out of azimuth and time of lanes that go on straight from the state at h = 0 of a series that has been moved there by `h`.
+template <int Order, class T, NearParts Parts>
+ERGO_HD void unwind(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& leaves,
+                    const StraightRates<T>& rates, NearSeries<Order, T, Parts>& s, StraightRates<T>& kept) {
+  const T wound = winding(horizon, s.u[0]);
+  const T rate = winding_rate(horizon, s.u[0]) * s.u[1];
+  const auto turn = winding_turn(horizon);
+  const auto delay = winding_delay(horizon);
+  s.drag[0] = select(leaves, s.drag[0] - turn * wound, s.drag[0]);
+  s.delay[0] = select(leaves, s.delay[0] - delay * wound, s.delay[0]);
+  kept.drag = select(leaves, rates.drag - turn * rate, kept.drag);
+  kept.delay = select(leaves, rates.delay - delay * rate, kept.delay);
+}
+
+//! Looks for a crossing in a step, and counts it.
+template <int Order, class T, NearParts Parts>
+ERGO_HD void meet_plane(const HorizonWinding<ScalarOf<T>>& horizon, const NearSeries<Order, T, Parts>& s,
+                        const RealOf<T>& length, LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real zero(S(0));
+  const Real side = side_of(value_of(series_value(s.z, length)), state.side);
+  const auto crossed = state.active & (side * state.side < zero);
+  if (any(crossed)) {
+    const CrossingLayer<T> layer = layer_at(horizon, state.straight, s, exact_time_to_zero(s.z, state.side, length));
+    for (int order = 0; order < crossing_orders; ++order) {
+      keep_layer(crossed & (absolute(state.count - static_cast<S>(order)) < Real(S(0.5))), layer, layers[order]);
+    }
+    state.count = select(crossed, state.count + S(1), state.count);
+  }
+  state.side = side;
+}
+
+//! Ends lanes that have all their crossings, or are so far off the disk that the rest do not matter.
+template <class T>
+ERGO_HD void end_layers(const T& u, const LayerLimits<ScalarOf<T>>& limits, LayerState<T>& state,
+                        CrossingLayer<T> (&layers)[crossing_orders]) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const T none(Real(S(0)));
+  const auto high = value_of(u) > Real(limits.highest_u);
+  const auto done = state.active & state.straight & (high | (value_of(u) < Real(limits.lowest_u)));
+  if (any(done)) {
+    const T end = select(high, T(Real(limits.highest_u)), T(Real(limits.lowest_u)));
+    for (int order = 0; order < crossing_orders; ++order) {
+      const auto missing = done & (state.count < Real(S(order + 0.5)));
+      keep_layer(missing, CrossingLayer<T>{end, none, none, none}, layers[order]);
+    }
+  }
+  state.active = state.active & (!done) & (state.count < Real(S(crossing_orders - 0.5)));
+}
+
+}  // namespace detail
+
+//! Follows a ray to its first crossings of the equatorial plane, wherever they are. With Parts beyond NearParts::place_alone, azimuth and time too.
+//!
+//! False where a ray met the step limit. With MixedDual numbers all derivatives are exact ones.
+template <int Order, NearParts Parts, class T>
+ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start,
+                                       const LayerLimits<ScalarOf<T>>& limits,
+                                       CrossingLayer<T> (&layers)[crossing_orders]) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const Real zero(S(0));
+  const T none(zero);
+  const NearRay<T> ray = detail::off_the_plane(start);
+  const HorizonWinding<S> horizon = horizon_winding(spin);
+  for (CrossingLayer<T>& layer : layers) {
+    layer = {T(Real(limits.lowest_u)), none, none, none};
+  }
+  const Real scale =
+      safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(S(1)));
+  const Real inverse_scale = Real(S(1)) / scale;
+  const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
+  detail::NearSeries<Order, T, Parts> s;
+  detail::start_series(ray, inverse_scale, s);
+  const Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), Real(S(1))));
+  detail::LayerState<T> state = {zero<Real(S(1)), zero> zero, side, zero, {none, none}};
+  for (int step = 0; step < limits.step_limit && any(state.active); ++step) {
+    detail::expand_near(spin, ray, coefficients, s);
+    detail::straighten(state.straight, state.rates, s);
+    const Real length = detail::near_step(s, scale, limits.tolerance);
+    MaskOf<Real> leaves = zero > zero;
+    const T h = detail::end_of_step(s, limits, length, state, leaves);
+    detail::meet_plane(horizon, s, value_of(h), state, layers);
+    detail::StraightRates<T> rates = {none, none};
+    if constexpr (has_delay(Parts)) {
+      rates = {series_rate(s.drag, h), series_rate(s.delay, h)};
+    }
+    detail::move_series_exactly(s, h);
+    if constexpr (has_delay(Parts)) {
+      if (any(leaves)) {
+        detail::unwind(horizon, leaves, rates, s, state.rates);
+      }
+    }
+    state.straight = state.straight | leaves;
+    detail::end_layers(s.u[0], limits, state, layers);
+  }
+  return !state.active;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "kernels/core/mixed_dual.h"
+#include "kernels/core/transcendental.h"
+
+// What all light that goes on to the horizon has in common: its time and its azimuth grow without end there, as W(u) does.
+//
+// With Δ u² = (1 - r_+ u)(1 - r_- u), light that is followed inwards has dt/du -> 2 r_+ / (Δ u²) and dφ/du -> -a / (Δ u²) whatever its constants are.
+// So t - 2 r_+ W and φ + a W, with W = ∫ du / (Δ u²) = ln(1 + d q) / d, q = u / (1 - r_+ u), d = r_+ - r_-, stay smooth on the way; d -> 0 leaves q.
+namespace ergodome::inline ERGO_TARGET {
+
+template <class S>
+struct HorizonWinding {
+  S spin;
+  S horizon_r;  //!< r_+
+  S gap;        //!< d; 0 for holes that spin so fast that W is q
+};
+
+template <class S>
+ERGO_HD HorizonWinding<S> horizon_winding(S spin) {
+  const S half = safe_sqrt((S(1) - spin) * (S(1) + spin));
+  return {spin, S(1) + half, half > S(1e-3) ? S(2) * half : S(0)};
+}
+
+//! What time and azimuth are together with W: factors of W.
+template <class S>
+ERGO_HD S winding_delay(const HorizonWinding<S>& w) {
+  return S(2) * w.horizon_r;
+}
+template <class S>
+ERGO_HD S winding_turn(const HorizonWinding<S>& w) {
+  return -w.spin;
+}
+
+namespace detail {
+
+template <class T>
+ERGO_HD T logarithm_of(const T& a) {
+  return natural_logarithm(a);
+}
+
+template <class T>
+ERGO_HD MixedDual<T> logarithm_of(const MixedDual<T>& a) {
+  const T inverse = ScalarOf<T>(1) / a.value;
+  const T x = a.along_x * inverse;
+  const T y = a.along_y * inverse;
+  return {natural_logarithm(a.value), x, y, a.mixed * inverse - x * y};
+}
+
+//! 1 - r_+ u, as far as it is positive.
+template <class T>
+ERGO_HD T outer_part(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
+  using S = ScalarOf<T>;
+  const T rest = S(1) - w.horizon_r * u;
+  const T least(RealOf<T>(S(1e-6)));
+  return select(value_of(rest) > value_of(least), rest, least);
+}
+
+}  // namespace detail
+
+//! W(u).
+template <class T>
+ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
+  using S = ScalarOf<T>;
+  const T q = u / detail::outer_part(w, u);
+  // Far out, beyond infinity, it is nothing that matters: the logarithm's argument stays positive.
+  const T argument = S(1) + w.gap * q;
+  const T least(RealOf<T>(S(1e-3)));
+  return w.gap > S(0)
+             ? detail::logarithm_of(select(value_of(argument) > value_of(least), argument, least)) * (S(1) / w.gap)
+             : q;
+}
+
+//! dW/du.
+template <class T>
+ERGO_HD T winding_rate(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
+  using S = ScalarOf<T>;
+  const T outer = detail::outer_part(w, u);
+  const T inner = w.gap > S(0) ? S(1) - (w.horizon_r - w.gap) * u : outer;
+  return T(RealOf<T>(S(1))) / (outer * inner);
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,193 @@
+#pragma once
+
+#include "kernels/disk/disk_chart.h"
+#include "kernels/disk/disk_grid.h"
+#include "kernels/disk/disk_sight.h"
+#include "kernels/disk/horizon_winding.h"
+#include "kernels/near_field/pixel_samples.h"
+#include "kernels/trace/pixel_geometry.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Draws the disk over pixels, from a grid; index i stands for the pixels i * lanes, i * lanes + 1, ... of the block. What a pixel sees at a
+//! crossing, its edges and how finely it looks are as in DrawNearField; rays are traced where the grid leaves them to be.
+template <class T, bool WithPattern>
+struct LookUpDisk {
+  using D = Dual<T>;
+  using Mask = MaskOf<T>;
+
+  DiskLookUpBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const PixelBatch& pixels = batch.near_field.pixels;
+    const int first = index * RealTraits<T>::lane_count;
+    T x_px;
+    T y_px;
+    pixel_middles(pixels, first, x_px, y_px);
+    const T inside = image_coverage(pixels.projection, x_px, y_px);
+    Mask fine = inside > T(0.0F);
+    SeenLanes<T> seen = look(x_px, y_px, 1.0F, fine);
+    if (any(fine)) {
+      average(x_px, y_px, fine, seen);
+    }
+    lay_over(seen, inside, first, pixel_count(pixels), batch.near_field.rgba);
+  }
+
+ private:
+  //! Looks at many places within the pixels of the mask.
+  ERGO_HD void average(const T& x_px, const T& y_px, const Mask& fine, SeenLanes<T>& seen) const {
+    const T zero(0.0F);
+    SeenLanes<T> sum = {zero, zero, zero, zero};
+    for (int i = 0; i < near_samples * near_samples; ++i) {
+      const NearSample<float> at = near_sample<float>(i);
+      Mask wanted = fine;
+      sum = sum + look(x_px + at.along, y_px + at.down, at.width, wanted);
+    }
+    take_mean(fine, sum, seen);
+  }
+
+  //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may be
+  //! finer than that.
+  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, float pixel, Mask& lanes) const {
+    const PixelBatch& pixels = batch.near_field.pixels;
+    const Vector3<D> n = observed_direction(pixels, x_px, y_px);
+    SeenLanes<T> seen = nothing_seen<T>();
+    const NearRay<T> ray = start_near_ray(pixels.camera, Vector3<T>{n.x.value, n.y.value, n.z.value});
+    const Mask wanted = lanes & may_reach(pixels.camera.spin, ray, batch.near_field.disk.outer_r);
+    lanes = lanes & !lanes;
+    if (!any(wanted)) {
+      return seen;
+    }
+    const DiskPlace<T> place = disk_place(batch.grid.cells.chart.edge, rain_direction(batch.aberration, n));
+    T fine(0.0F);
+    T traced(0.0F);
+    Leaf leaf{};
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (!mask_lane(wanted, i)) {
+        continue;
+      }
+      const LanePlace at = place_of(place, i);
+      if (!holds(leaf, at.gamma_turns, at.s)) {
+        leaf = find_leaf(batch.grid.cells, at.gamma_turns, at.s);
+      }
+      const unsigned orders = batch.grid.orders[leaf.number];
+      if (orders != 0 && leaf.flagged) {
+        set_lane(traced, i, 1.0F);
+      } else if (orders != 0) {
+        set_lane(fine, i, read(leaf, at, orders, {pixel, i}, ray, seen) ? 1.0F : 0.0F);
+      }
+    }
+    Mask finer = fine > T(0.0F);
+    const Mask left = traced > T(0.0F);
+    if (any(left)) {
+      finer = finer | trace(n, pixel, left, seen);
+    }
+    lanes = finer;
+    return seen;
+  }
+
+  //! A lane's place in the grid's cells, and how it changes along the image's rows and columns.
+  struct LanePlace {
+    float gamma_turns;
+    float s;
+    float gamma_along_x, gamma_along_y;
+    float s_along_x, s_along_y;
+  };
+
+  //! A grid of half the sky is read at -γ for the other half.
+  ERGO_HD LanePlace place_of(const DiskPlace<T>& place, int i) const {
+    const float turns = lane(place.gamma_turns.value, i);
+    const bool over = batch.grid.cells.mirrored != 0 && turns > 0.5F;
+    const float side = over ? -1.0F : 1.0F;
+    return {over ? 1.0F - turns : turns,
+            lane(place.s.value, i),
+            side * lane(place.gamma_turns.along_x, i),
+            side * lane(place.gamma_turns.along_y, i),
+            lane(place.s.along_x, i),
+            lane(place.s.along_y, i)};
+  }
+
+  //! A pixel, or a part of one: its width as a part of a pixel's, and its lane.
+  struct Look {
+    float pixel;
+    int lane;
+  };
+
+  //! Composes what a lane sees by a leaf; tells whether there may be more than its middle tells.
+  ERGO_HD bool read(const Leaf& leaf, const LanePlace& at, unsigned orders, const Look& look, const NearRay<T>& ray,
+                    SeenLanes<T>& seen) const {
+    const LeafPlace within = place_in(leaf, at.gamma_turns, at.s);
+    const int* const corners = batch.grid.cells.leaves + 4 * leaf.number;
+    const auto patch = [&](int set) {
+      return patch_value(batch.grid.nodes[set], corners, within.u, within.v, leaf.width_turns, leaf.height);
+    };
+    PatchValue value{};
+    if constexpr (!WithPattern) {
+      value = patch(0);
+    }
+    bool fine = false;
+    for (int order = 0; order < layer_orders; ++order) {
+      if ((orders & (1U << static_cast<unsigned>(order))) == 0U) {
+        continue;
+      }
+      if constexpr (WithPattern) {
+        value = patch(order);
+      }
+      const int part = WithPattern ? 0 : order;
+      const float along_gamma = quad_part(value.along_gamma, part);
+      const float along_s = quad_part(value.along_s, part);
+      const float x = along_gamma * at.gamma_along_x + along_s * at.s_along_x;
+      const float y = along_gamma * at.gamma_along_y + along_s * at.s_along_y;
+      const float change = ::sqrtf(x * x + y * y);
+      fine = fine || holds_finer(batch.near_field.disk, change);
+      compose(quad_part(value.sky, part), look.pixel * change, value, look.lane, ray, seen);
+    }
+    return fine;
+  }
+
+  //! Puts a crossing behind what lane `i` has seen.
+  ERGO_HD void compose(float u, float width, const PatchValue& value, int i, const NearRay<T>& ray,
+                       SeenLanes<T>& seen) const {
+    const DiskLook& look = batch.near_field.disk;
+    const detail::DiskSpan span = detail::disk_span(look.inner_r, look.outer_r, u, width);
+    const float opacity = look.opacity * span.coverage;
+    // A number that is not one covers nothing.
+    if (!(opacity > 0.0F)) {
+      return;
+    }
+    SeenCrossing at = {span.coverage, span.r, width * span.r, false, 0.0F, 0.0F};
+    if constexpr (WithPattern) {
+      const CameraStationOf<float>& camera = batch.near_field.pixels.camera;
+      const HorizonWinding<float> horizon = horizon_winding(camera.spin);
+      const float wound = winding(horizon, 1.0F / span.r);
+      at.phi = ::atan2f(quad_part(value.sky, 2), quad_part(value.sky, 1)) + winding_turn(horizon) * wound +
+               ::atan2f(camera.sine_phi, camera.cosine_phi);
+      at.delay = quad_part(value.sky, 3) + winding_delay(horizon) * wound;
+    }
+    const PhotonConstants photon = {lane(ray.energy, i), lane(ray.axial_angular_momentum, i),
+                                    lane(ray.shear_constant, i), lane(ray.carter, i)};
+    put_behind(opacity * disk_light(look, photon, at), opacity, i, seen);
+  }
+
+  //! Looks along rays for the lanes of a mask.
+  ERGO_HD Mask trace(const Vector3<D>& n, float pixel, const Mask& wanted, SeenLanes<T>& seen) const {
+    const PixelBatch& pixels = batch.near_field.pixels;
+    const NearRay<D> ray = start_near_ray(pixels.camera, n);
+    const NearLimits<float> limits = {static_cast<float>(pixels.settings.tolerance), pixels.settings.step_limit};
+    DiskSight<T, WithPattern> disk(pixels.camera, batch.near_field.disk, limits, ray, pixel);
+    disk.trace(wanted);
+    T fine(0.0F);
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (!mask_lane(wanted, i)) {
+        continue;
+      }
+      for (int order = 0; disk.time(order, i) < std::numeric_limits<float>::max(); ++order) {
+        disk.compose(order, i, seen);
+      }
+      set_lane(fine, i, disk.is_fine(i) ? 1.0F : 0.0F);
+    }
+    return fine > T(0.0F);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

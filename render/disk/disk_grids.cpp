@@ -1,0 +1,90 @@
+#include "render/disk/disk_grids.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/metric/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Both eyes, and both of the moment before.
+constexpr std::size_t kept_disk_grids = 4;
+constexpr const char* disk_grid_buffer = "disk grid";
+
+double error_of(const DiskGridRequest& request) { return request.budget_px * request.pixel; }
+
+}  // namespace
+
+DiskGridBuffers::DiskGridBuffers(const DiskStation& station)
+    : cells_(grid_view(station.cells)),
+      edge_(Backend::cpu, station.cells.edge, disk_grid_buffer),
+      tree_(Backend::cpu, station.cells.tree, disk_grid_buffer),
+      leaves_(Backend::cpu, station.cells.leaves, disk_grid_buffer),
+      orders_(Backend::cpu, station.orders, disk_grid_buffer) {
+  for (int set = 0; set < station.sets(); ++set) {
+    nodes_[set] = Buffer<float>(Backend::cpu, station.nodes[set], disk_grid_buffer);
+  }
+}
+
+DiskGrid DiskGridBuffers::view() const {
+  DiskGrid grid{cells_, {nodes_[0].data(), nodes_[1].data(), nodes_[2].data()}, orders_.data()};
+  grid.cells.chart.edge.polar_angle = edge_.data();
+  grid.cells.tree = tree_.data();
+  grid.cells.leaves = leaves_.data();
+  grid.cells.nodes = nullptr;
+  return grid;
+}
+
+bool can_have_disk_grid(const DiskLook& disk) {
+  return disk.outer_r > disk.inner_r && disk.inner_r >= 0.999999F * disk.flow.stable_r;
+}
+
+bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
+  const EyeCamera& eye = request.eye;
+  const auto outer_r = static_cast<double>(request.disk.outer_r);
+  // A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
+  const Vector3<double> turn = grid.velocity - eye.velocity;
+  return grid.spin == eye.spin && grid.r == eye.r && grid.theta == eye.theta &&
+         grid.inner_r == static_cast<double>(request.disk.inner_r) && grid.outer_r >= outer_r &&
+         grid.outer_r <= 1.5 * outer_r && grid.pattern == has_pattern(request.disk) &&
+         grid.error <= 1.01 * error_of(request) && grid.error >= 0.5 * error_of(request) && grid.motion == eye.motion &&
+         dot(turn, turn) < 1e-4;
+}
+
+DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
+  const EyeCamera& eye = request.eye;
+  DiskGridSettings settings;
+  settings.inner_r = static_cast<double>(request.disk.inner_r);
+  settings.outer_r = static_cast<double>(request.disk.outer_r);
+  settings.pattern = has_pattern(request.disk);
+  settings.pixel = request.pixel;
+  settings.budget_px = request.budget_px;
+  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  DiskGridStatistics statistics;
+  const DiskStation station = build_disk_station(eye.spin, eye.r, eye.theta, settings, &statistics, &tracer_);
+  ++built_;
+  return {eye.spin,          eye.r,      eye.theta,    settings.inner_r,      settings.outer_r,        settings.pattern,
+          error_of(request), eye.motion, eye.velocity, statistics.flagged_px, DiskGridBuffers(station)};
+}
+
+const DiskGridBuffers* DiskGrids::grid_for(const DiskGridRequest& request) {
+  if (!can_have_disk_grid(request.disk) ||
+      (!request.asked && !is_worth_a_disk_grid(Backend::cpu, request.pixels, has_pattern(request.disk)))) {
+    return nullptr;
+  }
+  auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) { return serves(grid, request); });
+  if (found == grids_.end()) {
+    grids_.push_front(make(request));
+    if (grids_.size() > kept_disk_grids) {
+      grids_.pop_back();
+    }
+    found = grids_.begin();
+  } else {
+    grids_.splice(grids_.begin(), grids_, found);
+  }
+  return request.asked || found->traced_px < 0.25 * request.pixels ? &found->buffers : nullptr;
+}
+
+}  // namespace ergodome

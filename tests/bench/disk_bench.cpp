@@ -1,0 +1,62 @@
+#include <benchmark/benchmark.h>
+
+#include "content/show_reader.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/frame/view_projection.h"
+#include "render/near_field/near_field.h"
+
+// A disk over pixels, memory to memory, without a sky: by a ray for each pixel that may see it (rays), read from a grid that is there already (kept),
+// or from one that each picture builds anew (live).
+namespace {
+
+using namespace ergodome;
+
+enum class DiskLens { rays, kept_grid, live_grid };
+
+//! The built-in show's disk and view, with clouds or without.
+Show disk_show(bool clouds) {
+  return parse_show(std::string("[hole]\nspin = 0.999\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 60\n"
+                                "theta_deg = 83\n[sky]\nmap = \"milky_way\"\n[effects]\nredshift = true\n"
+                                "[disk]\nouter = 18\ntemperature_K = 20000\nlimb_darkening = true\n") +
+                        (clouds ? "pattern = \"procedural\"\n" : "") +
+                        "[view]\nprojection = \"pinhole\"\nfov_deg = 40\naspect = 1.7777778\n",
+                    "bench.toml");
+}
+
+void disk_picture(benchmark::State& state, DiskLens lens, bool clouds) {
+  const Show show = disk_show(clouds);
+  const DiskPass pass(show, Backend::cpu);
+  const Projection projection = make_projection(show.view, static_cast<int>(state.range(0)), 0.0);
+  CameraPose pose = camera_pose(show, 0.0);
+  const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
+  std::vector<float> rgba(4 * static_cast<std::size_t>(pixels));
+  DiskGrids grids;
+  for (auto _ : state) {
+    pose.r += lens == DiskLens::live_grid ? 1e-9 : 0.0;
+    const EyeCamera eye = eye_camera(show, pose, 0.0);
+    NearField near_field{&pass, nullptr, nullptr, nullptr};
+    if (lens != DiskLens::rays) {
+      near_field.disk_grid = grids.grid_for({eye, pass.look_at(0.0), pixel_angle(projection), 0.25, pixels, true});
+    }
+    draw_near_field(Backend::cpu, near_field, {eye, nullptr, projection, 0.05, 0.0}, {0, projection.height_px},
+                    rgba.data());
+    benchmark::DoNotOptimize(rgba.data());
+  }
+  state.counters["ns_per_pixel"] =
+      benchmark::Counter(pixels * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
+}
+
+void disk_widths(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(480)->Arg(960)->Arg(1920)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(disk_picture, rays, DiskLens::rays, false)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, kept_grid, DiskLens::kept_grid, false)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, live_grid, DiskLens::live_grid, false)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, rays_clouds, DiskLens::rays, true)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, kept_grid_clouds, DiskLens::kept_grid, true)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, live_grid_clouds, DiskLens::live_grid, true)->Apply(disk_widths);
+
+}  // namespace
