@@ -36,17 +36,14 @@ StepPicture steps_of(TraceMethod method, const std::vector<WatchedShell>& shells
   return picture;
 }
 
-//! What a part of the rays takes no more than.
-float most_of(std::vector<float> values, double part) {
+float middle_of(std::vector<float> values) {
   std::erase(values, 0.0F);
-  const auto at = static_cast<long>(part * static_cast<double>(values.size()));
+  const auto at = static_cast<long>(values.size() / 2);
   std::ranges::nth_element(values, values.begin() + at);
-  return values[static_cast<std::size_t>(at)];
+  return values[values.size() / 2];
 }
 
-float middle_of(const std::vector<float>& values) { return most_of(values, 0.5); }
-
-TEST(RayHeat, OfAShellIsRedAtThePolesInPolarAnglesAlone) {
+TEST(RayHeat, OfAShellIsHotAtThePolesInPolarAnglesAlone) {
   // The camera looks down on the north pole of a shell, which is in the middle column: there θ is least.
   const std::vector<WatchedShell> shell = {{1.0F / 4.0F, true}};
   const StepPicture polar = steps_of(TraceMethod::baseline_rk34, shell);
@@ -62,7 +59,6 @@ TEST(RayHeat, OfAShellIsRedAtThePolesInPolarAnglesAlone) {
   };
   constexpr int middle = heat_size_px / 2;
   EXPECT_GT(most_in(polar, middle - 1, middle + 2), 4.0F * middle_of(polar.steps));
-  EXPECT_LT(most_of(polar.steps, 0.8), 2.0F * middle_of(polar.steps));
   EXPECT_LE(most_in(ours, 0, heat_size_px), 3.0F * middle_of(ours.steps));
   EXPECT_LT(10.0F * middle_of(ours.steps), middle_of(polar.steps));
 }
