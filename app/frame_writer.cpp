@@ -44,7 +44,7 @@ FrameFormat format_of(const RenderOptions& options) {
 FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup)
     : options_(options),
       format_(format_of(options)),
-      choice_{view_mode(options.view), options.size_px},
+      choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show)},
       backend_(choose_backend(options.backend)),
       renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {
   if (setup) {

@@ -30,6 +30,7 @@ struct RenderOptions {
   double frame_rate_hz = 0.0;
   std::string movie;
   std::string view = "sky";
+  std::string method;
   std::string setup;
   LensOptions lens;
   bool resume = false;

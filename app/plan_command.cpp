@@ -24,6 +24,7 @@ struct PlanOptions {
   std::string stereo;
   std::string backend = "auto";
   std::string view = "sky";
+  std::string method;
   LensOptions lens;
   int size_px = 0;
   double time_s = 0.0;
@@ -42,7 +43,8 @@ Measured measure(const PlanOptions& options, const Show& show, Backend backend, 
   Measured measured;
   const auto start = work_done();
   ShowRenderer renderer(show, backend, lens_choice(options.lens), std::move(stream));
-  const ViewChoice choice = {view_mode(options.view), options.size_px};
+  const ViewChoice choice = {view_mode(options.view), options.size_px,
+                             follow_method(options.method, options.view, show)};
   renderer.render(options.time_s, choice);
   const auto first = work_done();
   const auto begin = std::chrono::steady_clock::now();
@@ -140,6 +142,7 @@ void run(const PlanOptions& options) {
   const FrameRequest request = {backend,
                                 view_mode(options.view),
                                 lens_choice(options.lens),
+                                follow_method(options.method, options.view, show),
                                 options.size_px,
                                 load_sky_map(show).width,
                                 stream != nullptr,
@@ -179,6 +182,10 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--view", options->view, "what to show")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
+      ->check(CLI::IsMember(follow_method_names()));
   command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
       ->check(CLI::IsMember(object_method_names()));
   command

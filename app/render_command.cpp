@@ -176,6 +176,10 @@ void add_render_command(CLI::App& app) {
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
+      ->check(CLI::IsMember(follow_method_names()));
   add_lens_options(*command, options->lens);
   add_budget_option(*command, options->budget);
   command

@@ -9,6 +9,7 @@
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "kernels/core/error.h"
+#include "render/plan/frame_needs.h"
 
 namespace ergodome {
 
@@ -97,6 +98,25 @@ std::vector<std::string> view_mode_names() { return {"sky", "steps", "error", "o
 ViewMode view_mode(const std::string& name) {
   const std::vector<std::string> names = view_mode_names();
   return static_cast<ViewMode>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::vector<std::string> follow_method_names() { return {"taylor", "rk34", "cash_karp", "baseline_rk34"}; }
+
+std::optional<TraceMethod> follow_method(const std::string& name, const std::string& view, const Show& show) {
+  if (name.empty()) {
+    return std::nullopt;
+  }
+  if (!follows_rays(view_mode(view))) {
+    throw Error("--method " + name, "is for heat maps of steps and errors alone", "add --view steps or --view error");
+  }
+  if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
+    throw Error("--method " + name, "follows the rays of one camera, and in the model omni every pixel has its own",
+                "add --stereo mono");
+  }
+  constexpr TraceMethod methods[] = {TraceMethod::taylor, TraceMethod::rk34, TraceMethod::cash_karp,
+                                     TraceMethod::baseline_rk34};
+  const std::vector<std::string> names = follow_method_names();
+  return methods[std::find(names.begin(), names.end(), name) - names.begin()];
 }
 
 }  // namespace ergodome

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "content/show.h"
 #include "kernels/image/shade_pixels.h"
+#include "kernels/trace/trace_rays.h"
 
 namespace ergodome {
 
@@ -32,5 +34,11 @@ void require_features(const Show& show);
 //! The words for ViewMode on the command line, and the mode of a word.
 std::vector<std::string> view_mode_names();
 ViewMode view_mode(const std::string& name);
+
+//! The words for how rays of a heat map are followed.
+std::vector<std::string> follow_method_names();
+
+//! The method of a word (empty: none). Throws Error where pictures of the view and the show have no rays to follow so.
+std::optional<TraceMethod> follow_method(const std::string& name, const std::string& view, const Show& show);
 
 }  // namespace ergodome

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numeric>
+
+#include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
 
@@ -11,6 +13,9 @@ namespace {
 
 constexpr std::uint32_t leaf_triangles = 4;
 constexpr int bin_count = 16;
+//! Parts of a tree that are made by themselves: enough to share them out evenly, and none too small to be worth it.
+constexpr std::size_t most_parts = 256;
+constexpr std::size_t least_part = 4096;
 //! From here on parts are halved by number: that ends within the greatest depth for any mesh.
 constexpr int deepest_by_area = deepest_tree - 34;
 
@@ -124,9 +129,19 @@ ItemIterator part_items(ItemIterator begin, ItemIterator end, int depth) {
   return half;
 }
 
+//! Calls each(i) for i from 0 to a count, on all threads.
+template <class Each>
+void for_each_on_all_threads(std::size_t count, const Each& each) {
+  parallel_for(static_cast<int>(count), 4096, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      each(i);
+    }
+  });
+}
+
 std::vector<Item> items_of(const TriangleMesh& mesh) {
   std::vector<Item> items(static_cast<std::size_t>(mesh.triangle_count()));
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for_each_on_all_threads(items.size(), [&](std::size_t i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       items[i].box.add(mesh.vertices[mesh.indices[3 * i + corner]].position);
     }
@@ -134,7 +149,7 @@ std::vector<Item> items_of(const TriangleMesh& mesh) {
       items[i].middle[axis] = 0.5F * items[i].box.low[axis] + 0.5F * items[i].box.high[axis];
     }
     items[i].triangle = static_cast<std::uint32_t>(i);
-  }
+  });
   return items;
 }
 
@@ -145,13 +160,16 @@ struct Open {
   int depth;
 };
 
-std::vector<TreeNode> make_nodes(std::vector<Item>& items) {
-  std::vector<TreeNode> nodes(1);
-  nodes.reserve(items.size() / 2 + 1);
-  std::vector<Open> open = {{0, 0, items.size(), 0}};
+//! Makes the nodes that are open, and what is below them; those that are left(open) stay as they are.
+template <class Left>
+void make_nodes_below(std::vector<Item>& items, const Open& from, std::vector<TreeNode>& nodes, const Left& left) {
+  std::vector<Open> open = {from};
   while (!open.empty()) {
     const Open now = open.back();
     open.pop_back();
+    if (left(now)) {
+      continue;
+    }
     Box box;
     for (std::size_t i = now.begin; i < now.end; ++i) {
       box.add(items[i].box);
@@ -172,6 +190,43 @@ std::vector<TreeNode> make_nodes(std::vector<Item>& items) {
     }
     nodes[now.node] = node;
   }
+}
+
+//! Puts a tree of its own in the place of a node.
+void put_in_place(const std::vector<TreeNode>& tree, std::size_t node, std::vector<TreeNode>& nodes) {
+  const auto beyond = static_cast<std::uint32_t>(nodes.size() - 1);
+  const auto moved = [beyond](TreeNode from) {
+    from.first += from.count == 0 ? beyond : 0;
+    return from;
+  };
+  nodes[node] = moved(tree.front());
+  std::transform(tree.begin() + 1, tree.end(), std::back_inserter(nodes), moved);
+}
+
+//! The top of the tree one node after another, its parts on all threads: in the same order, whatever the threads do.
+std::vector<TreeNode> make_nodes(std::vector<Item>& items) {
+  const std::size_t part = std::max(least_part, items.size() / most_parts);
+  std::vector<TreeNode> nodes(1);
+  std::vector<Open> parts;
+  make_nodes_below(items, {0, 0, items.size(), 0}, nodes, [&](const Open& open) {
+    const bool small = open.end - open.begin <= part;
+    if (small) {
+      parts.push_back(open);
+    }
+    return small;
+  });
+  std::vector<std::vector<TreeNode>> trees(parts.size(), std::vector<TreeNode>(1));
+  parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      Open whole = parts[i];
+      whole.node = 0;
+      make_nodes_below(items, whole, trees[i], [](const Open&) { return false; });
+    }
+  });
+  nodes.reserve(items.size() / 2 + 1);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    put_in_place(trees[i], parts[i].node, nodes);
+  }
   return nodes;
 }
 
@@ -181,15 +236,15 @@ TriangleBoxes build_triangle_tree(const TriangleMesh& mesh) {
   std::vector<Item> items = items_of(mesh);
   TriangleBoxes boxes;
   boxes.nodes = make_nodes(items);
-  boxes.triangles.reserve(items.size());
-  boxes.corners.reserve(9 * items.size());
-  for (const Item& item : items) {
-    boxes.triangles.push_back(item.triangle);
+  boxes.triangles.resize(items.size());
+  boxes.corners.resize(9 * items.size());
+  for_each_on_all_threads(items.size(), [&](std::size_t i) {
+    boxes.triangles[i] = items[i].triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const float* const p = mesh.vertices[mesh.indices[3 * static_cast<std::size_t>(item.triangle) + corner]].position;
-      boxes.corners.insert(boxes.corners.end(), p, p + 3);
+      const float* const p = mesh.vertices[mesh.indices[3 * std::size_t{items[i].triangle} + corner]].position;
+      std::copy_n(p, 3, boxes.corners.begin() + static_cast<std::ptrdiff_t>(9 * i + 3 * corner));
     }
-  }
+  });
   const TreeNode& root = boxes.nodes.front();
   const auto between = [&](int axis) {
     return 0.5 * (static_cast<double>(root.low[axis]) + static_cast<double>(root.high[axis]));

@@ -45,6 +45,45 @@ ERGO_HD AngularState<T> angular_choice(const MaskOf<T>& mask, const AngularState
           select(mask, yes.theta_rate, no.theta_rate), select(mask, yes.phi, no.phi)};
 }
 
+//! Where a ray begins, in angles.
+template <class T>
+ERGO_HD AngularState<T> baseline_start(const RayStart<T>& start) {
+  using S = ScalarOf<T>;
+  T camera_theta(S(0));
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    set_lane(camera_theta, i,
+             static_cast<S>(::atan2(static_cast<double>(lane(start.m.x, i)), static_cast<double>(lane(start.m.z, i)))));
+  }
+  const T theta_rate = start.m.z * start.m_rate.x - start.m.x * start.m_rate.z;
+  return {start.u, start.u_rate, camera_theta, theta_rate, T(S(0))};
+}
+
+template <class T>
+struct BaselineTrial {
+  AngularState<T> end;
+  T estimate;
+};
+
+//! One step of the published pair.
+template <class T>
+ERGO_HD BaselineTrial<T> try_baseline_step(ScalarOf<T> spin, const RayStart<T>& start, const AngularState<T>& y,
+                                           const T& h) {
+  using S = ScalarOf<T>;
+  const AngularState<T> a = angular_rate(spin, start, y);
+  const AngularState<T> b = angular_rate(spin, start, angular_sum(y, S(0.5) * h, a));
+  const AngularState<T> c = angular_rate(spin, start, angular_sum(y, S(0.5) * h, b));
+  const AngularState<T> d = angular_rate(spin, start, angular_sum(y, h, c));
+  const T sixth = h * S(1.0 / 6);
+  AngularState<T> end = angular_sum(y, sixth, a);
+  end = angular_sum(end, S(2) * sixth, b);
+  end = angular_sum(end, S(2) * sixth, c);
+  end = angular_sum(end, sixth, d);
+  // The published estimate: (a + 2b + 3c) / 6 against (a + 2b + 2c + d) / 6.
+  const AngularState<T> e = {sixth * (c.u - d.u), sixth * (c.u_rate - d.u_rate), sixth * (c.theta - d.theta),
+                             sixth * (c.theta_rate - d.theta_rate), sixth * (c.phi - d.phi)};
+  return {end, sqrt(e.u * e.u + e.u_rate * e.u_rate + e.theta * e.theta + e.theta_rate * e.theta_rate + e.phi * e.phi)};
+}
+
 }  // namespace detail
 
 //! Follows a ray by the baseline method. Arguments as trace_taylor; the camera must not be on the axis, where its angles do not exist:
@@ -56,14 +95,7 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   using detail::angular_rate;
   using detail::angular_sum;
   const T zero(S(0));
-  const T sine_theta = start.m.x;
-  T camera_theta = zero;
-  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    set_lane(camera_theta, i,
-             static_cast<S>(::atan2(static_cast<double>(lane(start.m.x, i)), static_cast<double>(lane(start.m.z, i)))));
-  }
-  const T theta_rate = start.m.z * start.m_rate.x - sine_theta * start.m_rate.z;
-  AngularState<T> y = {start.u, start.u_rate, camera_theta, theta_rate, zero};
+  AngularState<T> y = detail::baseline_start(start);
   const T polar_speed = safe_sqrt(maximum(start.polar_constant, zero)) + S(1);
   const T longest = S(0.5) / polar_speed;
   const T tolerance(static_cast<S>(settings.tolerance));
@@ -73,20 +105,9 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   steps = zero;
   auto active = active_at_start;
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
-    const AngularState<T> a = angular_rate(spin, start, y);
-    const AngularState<T> b = angular_rate(spin, start, angular_sum(y, S(0.5) * h, a));
-    const AngularState<T> c = angular_rate(spin, start, angular_sum(y, S(0.5) * h, b));
-    const AngularState<T> d = angular_rate(spin, start, angular_sum(y, h, c));
-    const T sixth = h * S(1.0 / 6);
-    AngularState<T> end = angular_sum(y, sixth, a);
-    end = angular_sum(end, S(2) * sixth, b);
-    end = angular_sum(end, S(2) * sixth, c);
-    end = angular_sum(end, sixth, d);
-    // The published estimate: (a + 2b + 3c) / 6 against (a + 2b + 2c + d) / 6.
-    const AngularState<T> e = {sixth * (c.u - d.u), sixth * (c.u_rate - d.u_rate), sixth * (c.theta - d.theta),
-                               sixth * (c.theta_rate - d.theta_rate), sixth * (c.phi - d.phi)};
-    const T estimate =
-        sqrt(e.u * e.u + e.u_rate * e.u_rate + e.theta * e.theta + e.theta_rate * e.theta_rate + e.phi * e.phi);
+    const detail::BaselineTrial<T> trial = detail::try_baseline_step(spin, start, y, h);
+    const AngularState<T>& end = trial.end;
+    const T estimate = trial.estimate;
     const T wished = h * sqrt(tolerance / (estimate + std::numeric_limits<S>::min()));
     const auto accepted = active & (wished >= S(0.5) * h);
     y = detail::angular_choice(accepted, end, y);

@@ -20,6 +20,8 @@ constexpr int block_pixels = 1 << 20;
 void set_kernel_range(ShadeBatch& batch, const HeatRange& range) {
   const auto measure = [&](double value) {
     switch (batch.mode) {
+      case ViewMode::steps:
+        return range.logarithmic ? std::log10(value) : value;
       case ViewMode::error_estimate:
       case ViewMode::magnification:
         return std::log10(value);
@@ -49,14 +51,18 @@ void clear_outside(const Projection& projection, Picture& picture) {
   });
 }
 
+HeatRange range_of(const PictureSettings& settings) {
+  return heat_range(settings.mode, settings.follow && settings.follow->logarithmic);
+}
+
 }  // namespace
 
 int rows_of_a_block(int width_px, int height_px) { return std::clamp(block_pixels / width_px, 1, height_px); }
 
-HeatRange heat_range(ViewMode mode) {
+HeatRange heat_range(ViewMode mode, bool logarithmic_steps) {
   switch (mode) {
     case ViewMode::steps:
-      return {0.0, 16.0, false};
+      return logarithmic_steps ? HeatRange{1.0, 1e3, true} : HeatRange{0.0, 16.0, false};
     case ViewMode::error_estimate:
       return {1e-7, 1e-2, true};
     case ViewMode::image_order:
@@ -153,7 +159,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
                    nullptr,
                    0};
   if (settings.mode != ViewMode::sky) {
-    set_kernel_range(shade, heat_range(settings.mode));
+    set_kernel_range(shade, range_of(settings));
   }
   return shade;
 }
@@ -169,6 +175,9 @@ std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Proje
 
 std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Projection& projection,
                                                   const PictureSettings& settings) {
+  if (settings.follow) {
+    return std::make_unique<FollowLens>(backend_, eye, projection, settings.accuracy.tolerance_px, *settings.follow);
+  }
   return lenses_.choose(
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
 }
@@ -296,7 +305,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   picture.width = projection.width_px;
   picture.height = projection.height_px;
   if (settings.mode != ViewMode::sky) {
-    picture.heat_range = heat_range(settings.mode);
+    picture.heat_range = range_of(settings);
   }
   const auto width = static_cast<std::size_t>(projection.width_px);
   picture.rgba.resize(4 * width * static_cast<std::size_t>(projection.height_px));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/backend/buffer.h"
+#include "render/lens/follow_lens.h"
 #include "render/lens/lens_chooser.h"
 #include "render/near_field/near_field.h"
 #include "render/objects/object_pass.h"
@@ -25,7 +26,8 @@ struct PictureSettings {
   const PolygonFilter* polygons = nullptr;  //!< for SkyFilter::polygon, which needs it
   BlackbodyTable colours{};  //!< for SkyShift::blackbody_fit, in the backend's memory; the sky must be fitted
   float exposure = 1.0F;
-  const LensSource* given = nullptr;  //!< the lens itself, in place of what `lens` and `accuracy` ask for
+  const LensSource* given = nullptr;   //!< the lens itself, in place of what `lens` and `accuracy` ask for
+  std::optional<FollowedRays> follow;  //!< of heat maps: which rays they show, in place of the sky's
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};
   ShowMoment moment{};
@@ -143,7 +145,7 @@ class EyeRenderer {
   Buffer<float> rgba_;
 };
 
-//! The range of a heat map's colour bar for a view.
-HeatRange heat_range(ViewMode mode);
+//! The range of a heat map's colour bar; of steps, for ways to follow rays that differ by orders of magnitude, a logarithmic one.
+HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
 
 }  // namespace ergodome

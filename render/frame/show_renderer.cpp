@@ -43,6 +43,19 @@ void add_images(std::vector<Picture> eyes, StereoLayout layout, std::optional<Cu
   }
 }
 
+//! A show's shells as heat maps have them: thin lines, through which the map shines.
+Show lines_alone(Show show) {
+  for (ShellSettings& shell : show.shells) {
+    shell.line_opacity = is_visible(shell) ? 0.5 : 0.0;
+    shell.line_width_deg = 0.5;
+    shell.line_color = {1.0, 1.0, 1.0};
+    shell.fill_opacity = 0.0;
+    shell.exposure = 1.0;
+  }
+  show.effects.redshift = false;
+  return show;
+}
+
 }  // namespace
 
 void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
@@ -144,6 +157,12 @@ PictureSettings ShowRenderer::picture_settings(ViewMode mode, const ShowMoment& 
   settings.stars = needs.stars ? stars_.get() : nullptr;
   settings.near_field = {needs.disk ? disk_.get() : nullptr, needs.shells ? shells_.get() : nullptr,
                          needs.traced_objects ? traced_objects_.get() : nullptr};
+  if (needs.shells) {
+    shells_->set_numbers(mode == ViewMode::sky ? show_ : lines_alone(show_));
+  }
+  if (follows_rays(mode) && (method_ || needs.shells)) {
+    settings.follow = {method_.value_or(TraceMethod::taylor), watched_shells(show_.shells), method_.has_value()};
+  }
   settings.objects = needs.objects ? objects_.get() : nullptr;
   settings.time_s = moment.time_s.value_or(time_s_);
   settings.clear_outside = needs.clear_outside;
@@ -242,6 +261,7 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   const CameraPose pose = camera_pose(show_, time_s);
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
   const Projection projection = make_projection(show_.view, size_px, 0.0);
+  method_ = choice.method;
   std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
   finish_eyes(eyes, projection, choice.mode, {time_s}, time_s);
   std::vector<FrameImage> images;

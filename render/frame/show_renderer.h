@@ -32,7 +32,8 @@ struct FrameImage {
 //! What a person may choose beside the show.
 struct ViewChoice {
   ViewMode mode = ViewMode::sky;
-  int size_px = 0;  //!< width of one eye's image; 0: as the show says
+  int size_px = 0;                      //!< width of one eye's image; 0: as the show says
+  std::optional<TraceMethod> method{};  //!< of heat maps of steps and errors: how rays are followed
 };
 
 //! What of a picture can be traded for time while a show goes on.
@@ -162,7 +163,8 @@ class ShowRenderer {
   double overlay_distance_ = 0.0;
   double exposure_stops_ = 0.0;
   double last_clock_s_ = 0.0;
-  double time_s_ = 0.0;  //!< that the numbers are of
+  double time_s_ = 0.0;                //!< that the numbers are of
+  std::optional<TraceMethod> method_;  //!< ViewChoice::method, of the pictures that are drawn
 };
 
 //! Throws Error unless a trajectory was baked along the show's camera path, for its hole.

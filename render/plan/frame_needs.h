@@ -37,6 +37,9 @@ inline LensChannels lens_channels(ViewMode mode, const SkyShading& shading) {
           mode == ViewMode::steps, mode == ViewMode::image_order};
 }
 
+//! Heat maps of what following rays takes, to shells too.
+inline bool follows_rays(ViewMode mode) { return mode == ViewMode::steps || mode == ViewMode::error_estimate; }
+
 //! Which effects a show's pictures have. An effect that has nothing to work on is none.
 struct FrameNeeds {
   bool stars;
@@ -49,7 +52,7 @@ struct FrameNeeds {
   bool disk_pattern;
   bool objects;         //!< drawn as polygons
   bool traced_objects;  //!< drawn by rays
-  bool shells;          //!< any that is seen
+  bool shells;          //!< any that is seen; in heat maps of rays as lines
   bool auto_exposure;
   bool clear_outside;  //!< light may be spread beyond the image
 
@@ -72,7 +75,8 @@ inline FrameNeeds frame_needs(const Show& show, ViewMode mode) {
   needs.disk_pattern = needs.disk && show.disk->pattern != DiskPattern::none && show.disk->contrast > 0.0;
   needs.objects = sky && has_objects(show, ObjectMethod::polygon);
   needs.traced_objects = sky && has_objects(show, ObjectMethod::trace);
-  needs.shells = sky && std::ranges::any_of(show.shells, is_visible);
+  const bool one_camera = eye_count(show.stereo) < 2 || show.stereo.model != StereoModel::omni;
+  needs.shells = (sky || (follows_rays(mode) && one_camera)) && std::ranges::any_of(show.shells, is_visible);
   needs.auto_exposure = sky && show.tone.automatic.has_value();
   needs.clear_outside = needs.bloom || needs.spikes;
   return needs;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,11 +59,12 @@ struct FrameRequest {
   Backend backend = Backend::cpu;
   ViewMode mode = ViewMode::sky;
   LensChoice lens = LensChoice::automatic;
-  int size_px = 0;         //!< width of one eye's image; 0: as the show says
-  int map_width_px = 0;    //!< of the sky's image
-  bool streamed = false;   //!< the show's trajectory has been baked
-  long overlay_bytes = 0;  //!< of the images that are laid over (OverlayPass::image_bytes)
-  long mesh_bytes = 0;     //!< of the objects (ObjectPass::mesh_bytes)
+  std::optional<TraceMethod> method{};  //!< ViewChoice::method
+  int size_px = 0;                      //!< width of one eye's image; 0: as the show says
+  int map_width_px = 0;                 //!< of the sky's image
+  bool streamed = false;                //!< the show's trajectory has been baked
+  long overlay_bytes = 0;               //!< of the images that are laid over (OverlayPass::image_bytes)
+  long mesh_bytes = 0;                  //!< of the objects (ObjectPass::mesh_bytes)
 };
 
 //! Plans the pictures that ShowRenderer::render makes; of a show whose numbers change, whatever one of them may take at its greatest

@@ -20,6 +20,9 @@ void Planner::plan_lens() {
   if (plan_.eyes > 1 && show_.stereo.model == StereoModel::omni) {
     return plan_omni();
   }
+  if (follows_rays(request_.mode) && (request_.method || needs_.shells)) {
+    return plan_followed();
+  }
   const double pixels = static_cast<double>(pixels_);
   const bool asked = request_.lens == LensChoice::live || request_.lens == LensChoice::streamed;
   const std::string quality = why("quality.budget_px");
@@ -53,6 +56,17 @@ void Planner::plan_direct(const std::string& reason) {
   plan_.lens = "direct";
   pixel_pass(variant("trace_pixels"), reason);
   buffer("shadow edge", WorkMoment::picture, plan_.eyes * edge_points * static_cast<long>(sizeof(float)), reason);
+}
+
+void Planner::plan_followed() {
+  const bool always = request_.method || always_.shells;
+  const std::string reason = needs_.shells ? why_view() + ", " + why("shells") : why_view();
+  plan_.lens = "direct";
+  pixel_pass("follow_rays", reason, !always);
+  if (!always) {
+    pixel_pass("trace_pixels", why_view(), true);
+    buffer("shadow edge", WorkMoment::picture, 0, why_view());
+  }
 }
 
 void Planner::plan_omni() {

@@ -34,6 +34,8 @@ class Planner {
   void plan_grid(const std::string& reason, bool if_needed);
   void plan_lens();
   void plan_direct(const std::string& reason);
+  //! Rays that a heat map follows by a method, or to shells.
+  void plan_followed();
   //! As OmniChooser chooses.
   void plan_omni();
   void plan_shading();

@@ -154,6 +154,11 @@ TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
   for (const char* view : {"steps", "error", "order", "g", "magnification"}) {
     EXPECT_EQ(run(std::string("render small.toml --out v --frames 1 --size 200 --view ") + view), 0) << view;
   }
+  for (const char* method : {"taylor", "baseline_rk34"}) {
+    EXPECT_EQ(run(std::string("render small.toml --out m --frames 1 --view steps --method ") + method), 0) << output_;
+  }
+  EXPECT_EQ(run("render small.toml --method rk34"), 1);
+  EXPECT_THAT(output_, HasSubstr("add --view steps"));
 }
 
 TEST_F(CommandLine, RenderWritesEveryStereoLayoutAndResumesIt) {

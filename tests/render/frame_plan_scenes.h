@@ -123,7 +123,7 @@ class FramePlans : public FolderTest {
   static std::pair<Work, Work> work_of(const Show& show, const FrameRequest& request) {
     const Work start = work_done();
     ShowRenderer renderer(show, request.backend, request.lens);
-    const ViewChoice choice = {request.mode, request.size_px};
+    const ViewChoice choice = {request.mode, request.size_px, request.method};
     renderer.render(0.5, choice);
     const Work first = work_done();
     renderer.render(0.5, choice);

@@ -1,14 +1,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "content/mesh/built_in_meshes.h"
 #include "content/mesh/mesh_reader.h"
+#include "content/mesh/triangle_boxes.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "tests/support/folder_test.h"
@@ -100,6 +103,43 @@ TEST(BuiltInMeshes, HoldTenMillionTriangles) {
   const TriangleMesh mesh = make_sphere({3163, 1582});
   EXPECT_GT(mesh.triangle_count(), 10'000'000);
   EXPECT_EQ(mesh.parts.front().index_count, mesh.indices.size());
+}
+
+//! Looks at a tree from a node on: whether its box holds what is below it; counts the triangles of its leaves.
+bool boxes_hold(const TriangleBoxes& tree, std::size_t at, int depth, std::vector<int>& met) {
+  const TreeNode& node = tree.nodes[at];
+  bool holds = depth <= deepest_tree;
+  for (std::uint32_t i = 0; i < node.count; ++i) {
+    const std::size_t place = node.first + i;
+    ++met[tree.triangles[place]];
+    for (std::size_t corner = 0; corner < 9; ++corner) {
+      const float value = tree.corners[9 * place + corner];
+      holds = holds && value >= node.low[corner % 3] && value <= node.high[corner % 3];
+    }
+  }
+  for (std::size_t child = 0; child < 2 && node.count == 0; ++child) {
+    const TreeNode& below = tree.nodes[node.first + child];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      holds = holds && below.low[axis] >= node.low[axis] && below.high[axis] <= node.high[axis];
+    }
+    holds = boxes_hold(tree, node.first + child, depth + 1, met) && holds;
+  }
+  return holds;
+}
+
+TEST(TriangleTrees, OfFewAndOfManyTrianglesHoldEachOfThemOnce) {
+  // Those of many are made in parts, by several threads.
+  for (const SphereShape& shape : {SphereShape{12, 6}, SphereShape{90, 45}, SphereShape{900, 450}}) {
+    const TriangleMesh mesh = make_sphere(shape);
+    const TriangleBoxes tree = build_triangle_tree(mesh);
+    std::vector<int> met(static_cast<std::size_t>(mesh.triangle_count()), 0);
+    EXPECT_TRUE(boxes_hold(tree, 0, 0, met)) << shape.segments;
+    EXPECT_TRUE(std::ranges::all_of(met, [](int times) { return times == 1; })) << shape.segments;
+    EXPECT_EQ(tree.corners.size(), 9 * met.size());
+    EXPECT_NEAR(tree.radius, 1.0, 1e-6);
+    // Leaves hold four at the most, and nodes are in pairs.
+    EXPECT_LT(tree.nodes.size(), 1 + met.size());
+  }
 }
 
 constexpr const char* square_obj = R"(# a square of two triangles and one triangle that is a line
