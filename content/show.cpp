@@ -33,9 +33,6 @@ std::vector<std::string> missing_features(const Show& show) {
   if (eye_count(stereo) < 2) {
     return missing;
   }
-  if (stereo.model == StereoModel::omni && !show.sky.stars.empty() && show.sky.star_method == StarMethod::gather) {
-    missing.emplace_back("pixels do not gather stars in the stereo model omni (stereo.model, stars.method)");
-  }
   if (stereo.model == StereoModel::flat && show.disk) {
     missing.emplace_back("a disk is not drawn in the stereo model flat (stereo.model, disk)");
   }

@@ -31,6 +31,7 @@ struct KernelTable {
   void (*trace_rays_double)(const RayBatch<double>& batch, int begin, int end);
   void (*trace_pixels)(const PixelBatch& batch, int begin, int end);
   void (*trace_omni_pixels)(const OmniBatch& batch, int begin, int end);
+  void (*trace_omni_rays)(const OmniRayBatch& batch, int begin, int end);
   void (*trace_nodes_float)(const NodeBatch<float>& batch, int begin, int end);
   void (*trace_nodes_double)(const NodeBatch<double>& batch, int begin, int end);
   void (*check_cells_float)(const CheckBatch<float>& batch, int begin, int end);

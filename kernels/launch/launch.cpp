@@ -60,6 +60,13 @@ void trace_omni_pixels(Backend backend, const OmniBatch& batch) {
   finish(counter, backend, batch);
 }
 
+void trace_rays(const OmniRayBatch& batch) {
+  static WorkCounter counter("trace_rays, double");
+  const WorkScope work(counter, batch.rays.count);
+  run_on_cpu(active_table().trace_omni_rays, batch, batch.rays.count, active_table().lanes_double);
+  finish(counter, Backend::cpu, batch.rays);
+}
+
 void trace_nodes(Backend backend, const NodeBatch<float>& batch) {
   static WorkCounter counter("trace_nodes");
   const WorkScope work(counter, batch.count);

@@ -18,6 +18,9 @@ const char* cuda_unavailable_reason();
 void trace_rays(Backend backend, const RayBatch<float>& batch);
 void trace_rays(Backend backend, const RayBatch<double>& batch);
 
+//! Traces rays of an eye that turns with the direction, on the CPU alone; see OmniRayBatch.
+void trace_rays(const OmniRayBatch& batch);
+
 //! Traces the pixels of an image; see PixelBatch.
 void trace_pixels(Backend backend, const PixelBatch& batch);
 

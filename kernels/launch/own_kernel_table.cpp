@@ -76,6 +76,7 @@ const KernelTable& own_kernel_table() {
       &trace_rays<WidePack<double>>,
       &trace_pixels,
       &trace_omni_pixels,
+      &trace_omni_rays,
       &run<TraceNodes<WidePack<float>>, NodeBatch<float>>,
       &run<TraceNodes<WidePack<double>>, NodeBatch<double>>,
       &run<CheckCells<WidePack<float>>, CheckBatch<float>>,

@@ -3,6 +3,7 @@
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
+#include "kernels/trace/trace_rays_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {
@@ -18,6 +19,10 @@ void run(const Batch& batch, int begin, int end) {
 }
 
 }  // namespace
+
+void trace_omni_rays(const OmniRayBatch& batch, int begin, int end) {
+  run<TraceOmniRays<WidePack<double>>>(batch, begin, end);
+}
 
 void trace_omni_nodes(const OmniNodeBatch& batch, int begin, int end) {
   run<TraceNodes<WidePack<float>, OmniCameraOf<float>>>(batch, begin, end);

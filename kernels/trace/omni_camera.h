@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/trace/trace_pixels.h"
+#include "kernels/trace/trace_rays.h"
 
 namespace ergodome {
 
@@ -38,6 +39,13 @@ struct OmniCameraOf {
 struct OmniBatch {
   PixelBatch pixels;
   OmniCameraOf<float> camera;
+};
+
+//! Many rays through such an eye, followed by Taylor series whatever `rays.method` says. Directions are in the view's axes; `camera` of `rays`
+//! is the head's, for its azimuth.
+struct OmniRayBatch {
+  RayBatch<double> rays;
+  OmniCameraOf<double> camera;
 };
 
 inline namespace ERGO_TARGET {

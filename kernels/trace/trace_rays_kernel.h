@@ -5,7 +5,7 @@
 #include "kernels/geodesic/closed_form.h"
 #include "kernels/geodesic/runge_kutta.h"
 #include "kernels/geodesic/taylor.h"
-#include "kernels/trace/trace_rays.h"
+#include "kernels/trace/omni_camera.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -75,37 +75,51 @@ struct TraceByClosedForm {
   }
 };
 
-//! Traces the rays of a batch; index i stands for the rays i * lanes, i * lanes + 1, ...
+//! Traces the rays of a batch that one camera sees, or with `camera` what an eye sees whose every direction has its own.
+template <class Tracer, class T, class Camera>
+ERGO_HD void trace_rays_at(const RayBatch<ScalarOf<T>>& batch, const Camera& camera, int first) {
+  using S = ScalarOf<T>;
+  const int count = batch.count;
+  const Vector3<T> n = {load_lanes<T>(batch.direction[0], first, count),
+                        load_lanes<T>(batch.direction[1], first, count),
+                        load_lanes<T>(batch.direction[2], first, count)};
+  const RayStart<T> start = start_ray(camera, n);
+  const auto bright = comes_from_sky(camera.spin, camera.horizon_r, start);
+  T steps(S(0));
+  MaskOf<T> reached = bright;
+  const RayEnd<T> end = Tracer{}(camera.spin, start, bright, batch.settings, steps, reached);
+  const T zero(S(0));
+  const Vector3<T> sky = turned_to_camera(batch.camera, end.sky);
+  store_lanes(batch.sky[0], first, count, select(reached, sky.x, zero));
+  store_lanes(batch.sky[1], first, count, select(reached, sky.y, zero));
+  store_lanes(batch.sky[2], first, count, select(reached, sky.z, zero));
+  store_lanes(batch.frequency_ratio, first, count, S(1) / start.energy);
+  const T escaped(S(static_cast<int>(RayStatus::escaped)));
+  const T captured(S(static_cast<int>(RayStatus::captured)));
+  const T not_converged(S(static_cast<int>(RayStatus::not_converged)));
+  store_lanes(batch.status, first, count, select(bright, select(reached, escaped, not_converged), captured));
+  store_lanes(batch.steps, first, count, steps);
+  store_lanes(batch.error_estimate, first, count, select(reached, end.error_estimate, zero));
+  store_lanes(batch.mino_time, first, count, select(reached, end.mino_time, zero));
+}
+
+//! The rays of one camera; index i stands for the rays i * lanes, i * lanes + 1, ...
 template <class Tracer, class T>
 struct TraceRays {
   RayBatch<ScalarOf<T>> batch;
 
   ERGO_HD void operator()(int index) const {
-    using S = ScalarOf<T>;
-    const int first = index * RealTraits<T>::lane_count;
-    const int count = batch.count;
-    const Vector3<T> n = {load_lanes<T>(batch.direction[0], first, count),
-                          load_lanes<T>(batch.direction[1], first, count),
-                          load_lanes<T>(batch.direction[2], first, count)};
-    const S spin = batch.camera.spin;
-    const RayStart<T> start = start_ray(batch.camera, n);
-    const auto bright = comes_from_sky(spin, batch.camera.horizon_r, start);
-    T steps(S(0));
-    MaskOf<T> reached = bright;
-    const RayEnd<T> end = Tracer{}(spin, start, bright, batch.settings, steps, reached);
-    const T zero(S(0));
-    const Vector3<T> sky = turned_to_camera(batch.camera, end.sky);
-    store_lanes(batch.sky[0], first, count, select(reached, sky.x, zero));
-    store_lanes(batch.sky[1], first, count, select(reached, sky.y, zero));
-    store_lanes(batch.sky[2], first, count, select(reached, sky.z, zero));
-    store_lanes(batch.frequency_ratio, first, count, S(1) / start.energy);
-    const T escaped(S(static_cast<int>(RayStatus::escaped)));
-    const T captured(S(static_cast<int>(RayStatus::captured)));
-    const T not_converged(S(static_cast<int>(RayStatus::not_converged)));
-    store_lanes(batch.status, first, count, select(bright, select(reached, escaped, not_converged), captured));
-    store_lanes(batch.steps, first, count, steps);
-    store_lanes(batch.error_estimate, first, count, select(reached, end.error_estimate, zero));
-    store_lanes(batch.mino_time, first, count, select(reached, end.mino_time, zero));
+    trace_rays_at<Tracer, T>(batch, batch.camera, index * RealTraits<T>::lane_count);
+  }
+};
+
+//! The same of an eye that turns with the direction.
+template <class T>
+struct TraceOmniRays {
+  OmniRayBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    trace_rays_at<TraceByTaylor, T>(batch.rays, batch.camera, index * RealTraits<T>::lane_count);
   }
 };
 

@@ -39,18 +39,19 @@ bool CornerRows::is_needed(std::size_t i) const {
 }
 
 void CornerRows::trace(const std::vector<std::size_t>& asked) {
+  const EyeCamera& camera = eye_.camera;
   const std::size_t count = asked.size();
   std::vector<double> values(8 * count);
   const auto channel = [&](std::size_t i) { return values.data() + i * count; };
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3<double> view = direction_from_pixel(projection_, column_of(asked[i]), row_of(asked[i]));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto& row = eye_.frame_from_view[axis];
+      const auto& row = camera.frame_from_view[axis];
       channel(axis)[i] = row[0] * view.x + row[1] * view.y + row[2] * view.z;
     }
   }
   RayBatch<double> batch{};
-  batch.camera = make_camera_station(eye_.spin, eye_.r, eye_.theta, eye_.phi, eye_.motion, eye_.velocity);
+  batch.camera = make_camera_station(camera.spin, camera.r, camera.theta, camera.phi, camera.motion, camera.velocity);
   batch.settings = {tolerance_px * pixel_angle(projection_), corner_step_limit, true};
   batch.method = TraceMethod::taylor;
   batch.count = static_cast<int>(count);
@@ -60,7 +61,11 @@ void CornerRows::trace(const std::vector<std::size_t>& asked) {
   }
   batch.frequency_ratio = channel(6);
   batch.status = channel(7);
-  trace_rays(Backend::cpu, batch);
+  if (eye_.omni) {
+    trace_rays({batch, eye_.omni->cameras->exact(eye_.omni->side)});
+  } else {
+    trace_rays(Backend::cpu, batch);
+  }
   for (std::size_t i = 0; i < count; ++i) {
     corners_[asked[i]] = {{channel(3)[i], channel(4)[i], channel(5)[i]},
                           channel(6)[i],

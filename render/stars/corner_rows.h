@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
-#include "render/lens/eye_camera.h"
+#include "render/stars/star_eye.h"
 
 namespace ergodome {
 
@@ -17,7 +17,7 @@ struct CornerRay {
 //! Corners of some rows of pixels. Each is traced once, so that neighbours agree about their common edge to the last bit.
 class CornerRows {
  public:
-  CornerRows(const EyeCamera& eye, const Projection& projection)
+  CornerRows(const StarEye& eye, const Projection& projection)
       : eye_(eye), projection_(projection), width_(static_cast<std::size_t>(projection.width_px) + 1) {}
 
   //! Goes on to the next rows of pixels.
@@ -42,7 +42,7 @@ class CornerRows {
   [[nodiscard]] bool is_needed(std::size_t i) const;
   void trace(const std::vector<std::size_t>& asked);
 
-  const EyeCamera& eye_;
+  const StarEye& eye_;
   const Projection& projection_;
   std::size_t width_;  //!< corners of a row
   int first_row_ = 0;

@@ -183,7 +183,7 @@ bool Gatherer::shine(GatheredStar& gathered) const {
 }  // namespace
 
 GatheredStars gather_stars(const StarField& field, const StarTree& tree, const BlackbodyTable& colours,
-                           const EyeCamera& eye, const Projection& projection, const StarSettings& settings) {
+                           const StarEye& eye, const Projection& projection, const StarSettings& settings) {
   static WorkCounter counter("gather_stars");
   const WorkScope work(counter, static_cast<long>(projection.width_px) * projection.height_px);
   GatheredStars all;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
-#include "render/lens/eye_camera.h"
+#include "render/stars/star_eye.h"
 #include "render/stars/star_finder.h"
 #include "render/stars/star_tree.h"
 
@@ -37,9 +37,11 @@ struct GatheredStars {
 //! solid angle is greater than the polygon's. So images next to the shadow are lost, and images next to caustics are wrong. In float,
 //! the rounding of rays would be a percent of the area of polygons 1e-4 rad wide.
 //!
+//! Corners of an eye that turns with the direction are seen by a camera each: stars are as bright as its picture magnifies them.
+//!
 //! Of `settings` only `faintest`, `redshift` and `magnification` matter. Pixels wholly outside the circle of a dome gather nothing.
 GatheredStars gather_stars(const StarField& field, const StarTree& tree, const BlackbodyTable& colours,
-                           const EyeCamera& eye, const Projection& projection, const StarSettings& settings);
+                           const StarEye& eye, const Projection& projection, const StarSettings& settings);
 
 //! Gathered stars as images, to be drawn like those of find_star_images; without a spread, each one's light goes to the pixel that gathered it.
 std::vector<StarImage> star_images(const std::vector<GatheredStar>& gathered, const EyeCamera& eye,

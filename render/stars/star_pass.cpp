@@ -127,12 +127,12 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   return turned_.front();
 }
 
-std::vector<StarImage> StarPass::gathered_images(const EyeCamera& eye, const Projection& projection,
+std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Projection& projection,
                                                  const StarSettings& settings) const {
   std::vector<StarImage> images;
   for (const PictureSheet& sheet : picture_sheets(projection)) {
     const auto stars = gather_stars(field_, *tree_, colours_.view(), eye, sheet.projection, settings).stars;
-    const std::vector<StarImage> on_sheet = star_images(stars, eye, sheet.projection);
+    const std::vector<StarImage> on_sheet = star_images(stars, eye.camera, sheet.projection);
     images.insert(images.end(), on_sheet.begin(), on_sheet.end());
   }
   return images;
@@ -141,7 +141,7 @@ std::vector<StarImage> StarPass::gathered_images(const EyeCamera& eye, const Pro
 std::vector<StarImage> StarPass::images(const StarEye& eye, const Projection& projection,
                                         const StarSettings& settings) {
   if (tree_) {
-    return gathered_images(eye.camera, projection, settings);
+    return gathered_images(eye, projection, settings);
   }
   const Turned& turned = patches_for(eye, settings);
   return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);

@@ -35,7 +35,7 @@ class StarPass {
 
  private:
   std::vector<StarImage> images(const StarEye& eye, const Projection& projection, const StarSettings& settings);
-  std::vector<StarImage> gathered_images(const EyeCamera& eye, const Projection& projection,
+  std::vector<StarImage> gathered_images(const StarEye& eye, const Projection& projection,
                                          const StarSettings& settings) const;
   void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
                    float* rgba) const;

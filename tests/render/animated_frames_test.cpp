@@ -158,8 +158,8 @@ TEST(AnotherShow, ThatCannotBeReadLeavesTheOldOne) {
   broken = starry_show();
   broken.title = "broken";
   broken.stereo.layout = StereoLayout::side_by_side;
-  broken.stereo.model = StereoModel::omni;
-  broken.sky.star_method = StarMethod::gather;
+  broken.stereo.convergence = 5.0;
+  broken.view.projection = ViewProjection::equirect;
   EXPECT_THROW(renderer.set_show(broken), Error);
   EXPECT_NE(renderer.show().title, "broken");
   EXPECT_EQ(picture_at(renderer, 0.0).rgba, still_picture(starry_show()).rgba);

@@ -9,6 +9,7 @@
 
 #include "kernels/projection/make_projection.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/stars/picture_sheets.h"
 #include "tests/render/omni_eyes.h"
 #include "tests/support/sanitized.h"
 
@@ -155,10 +156,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
 
   //! Images in the picture.
   [[nodiscard]] std::vector<Found> found(double side) const {
-    const auto cameras = std::make_shared<const OmniCamera>(
-        Backend::cpu, eye_at_,
-        OmniSettings{case_.half_baseline, case_.convergence, pi / 3.0, 0.5 * pi, 0.05 * settings_.pixel});
-    const StarEye eye(make_omni_eye(cameras, side, eye_at_));
+    const StarEye eye(eye_of(side));
     const LensStation station = build_star_station(eye, settings_.pixel);
     const StarPatches patches = star_patches(field_, colours().view(), eye, station, settings_);
     std::vector<Found> images;
@@ -169,6 +167,56 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
       }
     }
     return images;
+  }
+
+  [[nodiscard]] std::shared_ptr<const OmniEye> eye_of(double side) const {
+    const auto cameras = std::make_shared<const OmniCamera>(
+        Backend::cpu, eye_at_,
+        OmniSettings{case_.half_baseline, case_.convergence, pi / 3.0, 0.5 * pi, 0.05 * settings_.pixel});
+    return make_omni_eye(cameras, side, eye_at_);
+  }
+
+  //! What pixels gather.
+  [[nodiscard]] std::vector<Found> gathered_by_pixels(double side) const {
+    const StarEye eye(eye_of(side));
+    const StarTree tree(field_);
+    std::vector<Found> images;
+    for (const PictureSheet& sheet : picture_sheets(case_.projection)) {
+      const GatheredStars gathered = gather_stars(field_, tree, colours().view(), eye, sheet.projection, settings_);
+      for (const StarImage& image : star_images(gathered.stars, eye.camera, sheet.projection)) {
+        StarSpot spot{};
+        if (pixel_from_direction(case_.projection, widened(image.direction), spot.x_px, spot.y_px)) {
+          images.push_back({image, spot});
+        }
+      }
+    }
+    return images;
+  }
+
+  //! Whether all about a place is in the picture.
+  [[nodiscard]] bool is_inside_by(const StarSpot& spot, double margin_px) const {
+    return is_shown({spot.x_px - margin_px, spot.y_px - margin_px}) &&
+           is_shown({spot.x_px + margin_px, spot.y_px - margin_px}) &&
+           is_shown({spot.x_px - margin_px, spot.y_px + margin_px}) &&
+           is_shown({spot.x_px + margin_px, spot.y_px + margin_px});
+  }
+
+  //! Whether the magnification changes by some per cent at the most across the pixels about a place: what pixels gather has their mean.
+  [[nodiscard]] bool changes_little(const OwnRays& rays, const StarSpot& spot) const {
+    constexpr double most_change = 0.02;
+    const auto middle = rays.map(spot);
+    if (!middle) {
+      return false;
+    }
+    const double here = pixel_area(spot) / middle->determinant();
+    for (const StarSpot& beside : {StarSpot{spot.x_px - 1.0, spot.y_px}, StarSpot{spot.x_px + 1.0, spot.y_px},
+                                   StarSpot{spot.x_px, spot.y_px - 1.0}, StarSpot{spot.x_px, spot.y_px + 1.0}}) {
+      const auto map = rays.map(beside);
+      if (!map || std::abs(pixel_area(beside) / map->determinant() / here - 1.0) > most_change) {
+        return false;
+      }
+    }
+    return true;
   }
 
   [[nodiscard]] bool is_shown(const StarSpot& spot) const {
@@ -332,6 +380,32 @@ TEST_P(OmniStars, AreAllThatASearchPixelByPixelFinds) {
     }
     EXPECT_EQ(missed, 0);
     EXPECT_GT(compared, 100);
+  }
+}
+
+TEST_P(OmniStars, GatheredByPixelsShineLikeInvertedImages) {
+  for (const double side : {-1.0, 1.0}) {
+    SCOPED_TRACE(std::string(case_.name) + (side < 0.0 ? " left" : " right"));
+    const OwnRays own = rays(side);
+    const std::vector<Found> gathered = gathered_by_pixels(side);
+    std::vector<double> errors;
+    for (const Found& each : found(side)) {
+      if (!is_inside_by(each.spot, 1.0) || !changes_little(own, each.spot)) {
+        continue;
+      }
+      const auto match = std::ranges::find_if(gathered, [&](const Found& other) {
+        return other.image.star == each.image.star &&
+               std::hypot(other.spot.x_px - each.spot.x_px, other.spot.y_px - each.spot.y_px) < 0.5;
+      });
+      ASSERT_NE(match, gathered.end()) << "no gathered star at " << each.spot.x_px << ", " << each.spot.y_px;
+      EXPECT_GT(match->image.magnification * each.image.magnification, 0.0F);
+      EXPECT_NEAR(match->image.frequency_ratio / each.image.frequency_ratio, 1.0F, 2e-3F);
+      errors.push_back(std::abs(static_cast<double>(match->image.illuminance.y / each.image.illuminance.y) - 1.0));
+    }
+    ASSERT_GT(errors.size(), sanitized ? 5U : 30U);
+    std::ranges::sort(errors);
+    EXPECT_LT(errors[errors.size() / 2], 3e-3);
+    EXPECT_LT(errors.back(), 0.02);
   }
 }
 

@@ -140,10 +140,12 @@ TEST(StarsOfAShow, LeaveTrailsInTheModelOmni) {
   }
 }
 
-TEST(StarsOfAShow, AreRefusedWherePixelsWouldGatherThemInTheModelOmni) {
-  EXPECT_FALSE(
-      missing_features(star_show("[stars]\nmethod = \"gather\"\n[stereo]\nlayout = \"separate\"\nmodel = \"omni\"\n"))
-          .empty());
+TEST(StarsOfAShow, GatheredByPixelsShineAsMuchInTheModelOmni) {
+  const auto inverted = omni_eyes("0.4");
+  const auto gathered = omni_eyes("0.4", std::string(plain_effects) + "[stars]\nmethod = \"gather\"\n");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(light_of_stars(gathered[i].picture) / light_of_stars(inverted[i].picture), 1.0, 0.03);
+  }
 }
 
 TEST(BloomOfAShow, KeepsTheLightAndTheRim) {

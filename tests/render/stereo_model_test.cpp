@@ -169,10 +169,6 @@ TEST(StereoModels, RefuseWhatTheyCannotDraw) {
   Show show = show_of_eyes("model = \"omni\"\nbaseline = 0.1\n");
   show.sky.stars = "bright_stars";
   EXPECT_TRUE(missing_features(show).empty());
-  show.sky.star_method = StarMethod::gather;
-  EXPECT_FALSE(missing_features(show).empty());
-  show.sky.stars.clear();
-  EXPECT_TRUE(missing_features(show).empty());
   show.stereo = {StereoLayout::rows, StereoModel::physical, 0.1, 5.0};
   show.view.projection = ViewProjection::equirect;
   EXPECT_FALSE(missing_features(show).empty());
