@@ -155,6 +155,7 @@ TEST(CrossingLayers, OfLightInTheCamerasOwnPlaneAreThoseOfItsNeighbours) {
 TEST(DiskChart, LeadsBackToWhereADirectionIs) {
   const std::vector<float> polar_angle = [] {
     std::vector<float> values;
+    values.reserve(256);
     for (int i = 0; i < 256; ++i) {
       values.push_back(0.3F + 0.05F * std::cos(2.0F * 3.14159265F * static_cast<float>(i) / 256.0F));
     }

@@ -49,6 +49,7 @@ TEST(ParallelFor, ServesManyThreadsAtOnce) {
   std::atomic<int> sum{0};
   {
     std::vector<std::jthread> callers;
+    callers.reserve(6);
     for (int i = 0; i < 6; ++i) {
       callers.emplace_back([&] {
         for (int round = 0; round < 300; ++round) {

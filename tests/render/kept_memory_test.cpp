@@ -34,6 +34,7 @@ TEST(KeptMemory, IsNotGivenToTwo) {
 
 TEST(KeptMemory, OfManySizesIsBounded) {
   std::vector<void*> blocks;
+  blocks.reserve(12);
   for (std::size_t i = 0; i < 12; ++i) {
     blocks.push_back(take_large_block((20 + 2 * i) * mebibyte));
   }

@@ -20,7 +20,9 @@ constexpr int heat_size_px = 97;
 struct StepPicture {
   std::vector<float> coverage, error, steps;
 
-  [[nodiscard]] float at(int x, int y) const { return steps[static_cast<std::size_t>(y * heat_size_px + x)]; }
+  [[nodiscard]] float at(int x, int y) const {
+    return steps[static_cast<std::size_t>(y) * heat_size_px + static_cast<std::size_t>(x)];
+  }
 };
 
 StepPicture steps_of(TraceMethod method, const std::vector<WatchedShell>& shells) {
