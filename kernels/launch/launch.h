@@ -85,8 +85,8 @@ const char* near_field_name(DiskDrawing disk, bool shells);
 //! Draws disk and shells over a picture of the sky, by a ray for each pixel that may see them; see NearFieldBatch.
 void draw_near_field(Backend backend, const NearFieldBatch& batch);
 
-//! The disk in a grid of a camera's sky, on the CPU alone: traces nodes of the grid, compares its cells with traced rays, and draws the disk from it;
-//! see the batches. On a GPU a ray a pixel is cheap.
+//! What grids of a camera's sky that hold the disk's images need: tracing their nodes, comparing their cells with traced rays, drawing the
+//! disk from them; see the batches. On the CPU alone.
 void trace_disk_nodes(const DiskNodeBatch& batch);
 void check_disk_cells(const DiskCheckBatch& batch);
 void look_up_disk(const DiskLookUpBatch& batch);

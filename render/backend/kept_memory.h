@@ -5,7 +5,7 @@
 namespace ergodome {
 
 //! Lets the process keep memory that it frees, for what it allocates next: pictures that come one after the other need as much each time,
-//! and being given pages anew takes a fifth to three quarters of the time of what fills them. Call it once, at the start.
+//! and being given pages anew may take longer than filling them. Call it once, at the start.
 void keep_freed_memory();
 
 //! Memory for large arrays, in large pages where there are any, not filled. Throws std::bad_alloc.
