@@ -70,8 +70,7 @@ DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
 }
 
 const DiskGridBuffers* DiskGrids::grid_for(const DiskGridRequest& request) {
-  if (!can_have_disk_grid(request.disk) ||
-      (!request.asked && !is_worth_a_disk_grid(Backend::cpu, request.pixels, has_pattern(request.disk)))) {
+  if (!can_have_disk_grid(request.disk) || (!request.asked && !is_worth_a_disk_grid(Backend::cpu, request.pixels))) {
     return nullptr;
   }
   auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) { return serves(grid, request); });

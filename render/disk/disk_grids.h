@@ -72,14 +72,13 @@ class DiskGrids {
   int built_ = 0;
 };
 
-//! Below this many pixels a disk's grid that has to be made first is not worth its while, and one with a pattern; compare disk_picture/rays and
-//! disk_picture/live_grid in tests/bench.
-inline constexpr double least_disk_grid_pixels = 150'000.0;
-inline constexpr double least_pattern_grid_pixels = 300'000.0;
+//! Below this many pixels a disk's grid that has to be made first is not worth its while, with a pattern or without; compare disk_picture/rays
+//! and disk_picture/live_grid in tests/bench.
+inline constexpr double least_disk_grid_pixels = 130'000.0;
 
 //! Whether a picture's disk is cheaper by a grid that has to be made first. On a GPU a ray a pixel is cheap.
-inline bool is_worth_a_disk_grid(Backend backend, double pixels, bool pattern) {
-  return backend == Backend::cpu && pixels >= (pattern ? least_pattern_grid_pixels : least_disk_grid_pixels);
+inline bool is_worth_a_disk_grid(Backend backend, double pixels) {
+  return backend == Backend::cpu && pixels >= least_disk_grid_pixels;
 }
 
 //! Whether a disk that stands alone may be read from a grid, where that is worth its while: rays that are asked for are traced, and the published grid

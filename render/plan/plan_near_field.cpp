@@ -58,9 +58,9 @@ void Planner::plan_near_rays(bool shells) {
 void Planner::plan_disk_alone(DiskDrawing drawing, const std::string& reason, bool if_needed) {
   const bool omni = plan_.eyes > 1 && show_.stereo.model == StereoModel::omni;
   const bool asked = request_.lens == LensChoice::live;
-  const bool by_grid =
-      may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) && !omni && !needs_.traced_objects &&
-      (asked || is_worth_a_disk_grid(request_.backend, static_cast<double>(pixels_), drawing == DiskDrawing::pattern));
+  const bool by_grid = may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) && !omni &&
+                       !needs_.traced_objects &&
+                       (asked || is_worth_a_disk_grid(request_.backend, static_cast<double>(pixels_)));
   if (!by_grid) {
     return pixel_pass(near_field_name(drawing, false), reason, if_needed);
   }

@@ -116,11 +116,11 @@ int StarField::search(const SkyFrustum& part, const SkyBounds& bounds, float fai
   if (stars_.empty()) {
     return 0;
   }
-  // Once, so that neither the kernel need ask for room nor each search clear it.
-  if (found.size() < stars_.size()) {
-    found.resize(stars_.size());
-  }
   const Level& level = level_for(std::max(faintest, 0.0F));
+  // Once, so that neither the kernel need ask for room nor each search clear it.
+  if (found.size() < level.number.size()) {
+    found.resize(level.number.size());
+  }
   int count = 0;
   StarSearchBatch batch{};
   batch.stars = {level.bands,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/projection/make_projection.h"
@@ -112,7 +113,8 @@ TEST(StarTrails, OfATurningHeadAreAsLongAsTheTurn) {
   };
   turn(shutter.eyes[0].camera, -0.02);
   turn(shutter.eyes[2].camera, 0.02);
-  images.resize(1);
+  // The brightest is no image next to the shadow's edge, where a turn could lose it.
+  images = {*std::ranges::max_element(images, {}, [](const StarImage& image) { return image.illuminance.y; })};
   const Projection projection = make_dome_projection(1024, pi, 0.0);
   const auto points = trail_points(star_trails(images, field, shutter, pi / 1024), shutter, projection, {0.5, 1.0F});
   ASSERT_GT(points.size(), 10U);
