@@ -215,6 +215,7 @@ TEST_F(ObjectPasses, RefuseObjectsInTheHoleAndEyesInsideThePhotonSphere) {
   EXPECT_EQ(drawn_from(40.0, small_sphere({0.0, 0.0, 0.0}, 5.0)), "");
   ObjectSettings disk;
   disk.form = ObjectForm::disk;
+  // It is drawn or not; how finely is all the same.
   disk.tessellation.most = 1.0;
   EXPECT_EQ(drawn_from(40.0, disk), "");
   disk.disk.inner = 1.9;
