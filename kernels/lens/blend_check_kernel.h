@@ -34,7 +34,8 @@ struct CheckBlend {
     const T error =
         scale * detail::screen_displacement(Vector3<T>{v.x.along_x, v.y.along_x, v.z.along_x},
                                             Vector3<T>{v.x.along_y, v.y.along_y, v.z.along_y}, stretch.alpha, sine,
-                                            Vector3<T>{v.x.value - sky.x, v.y.value - sky.y, v.z.value - sky.z});
+                                            Vector3<T>{v.x.value - sky.x, v.y.value - sky.y, v.z.value - sky.z})
+                    .length;
     const T shown = select(reached & (error < T(S(1e30))), error, T(S(1e30)));
     store_lanes(batch.error_px, first, batch.count, select(read.flagged, zero, shown));
     store_lanes(batch.area_px, first, batch.count,

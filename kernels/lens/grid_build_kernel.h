@@ -23,11 +23,19 @@ ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>, Camera>& camera, const
   return trace_taylor<grid_order<T>>(rays.spin, start, bright, camera.settings, steps, reached).sky;
 }
 
-//! The least displacement δ of a camera direction with J δ = `miss`, by the normal equations; its length [rad]. J, from the derivatives
-//! of what is read along γ [turns] and s, has a column along α and one across it.
+//! How far a camera direction is displaced.
 template <class T>
-ERGO_HD T screen_displacement(const Vector3<T>& along_gamma, const Vector3<T>& along_s, const MixedDual<T>& alpha,
-                              const T& sine, const Vector3<T>& miss) {
+struct Displacement {
+  T length;       //!< [rad]
+  T gamma_turns;  //!< and in the chart
+  T s;
+};
+
+//! The least displacement δ of a camera direction with J δ = `miss`, by the normal equations. J, from the derivatives of what is read
+//! along γ [turns] and s, has a column along α and one across it.
+template <class T>
+ERGO_HD Displacement<T> screen_displacement(const Vector3<T>& along_gamma, const Vector3<T>& along_s,
+                                            const MixedDual<T>& alpha, const T& sine, const Vector3<T>& miss) {
   using S = ScalarOf<T>;
   const T per_alpha = S(1) / alpha.along_y;
   const T per_across = S(0.159154943091895335769) / maximum(sine, T(S(1e-6)));
@@ -43,7 +51,8 @@ ERGO_HD T screen_displacement(const Vector3<T>& along_gamma, const Vector3<T>& a
   const T inverse = S(1) / (dot(normal, normal) + T(S(1e-30)));
   const T x = (c * p - b * q) * inverse;
   const T y = (a * q - b * p) * inverse;
-  return sqrt(x * x + y * y);
+  const T gamma_turns = per_across * y;
+  return {sqrt(x * x + y * y), gamma_turns, per_alpha * (x - alpha.along_x * gamma_turns)};
 }
 }  // namespace detail
 
@@ -123,15 +132,21 @@ struct CheckCells {
     MaskOf<T> reached;
     const Vector3<T> sky = detail::grid_sky(batch.camera, direction, reached);
     const T scale = observed_scale(batch.observer, direction) * (S(1) / batch.pixel);
-    const T error = scale * detail::screen_displacement(patch.along_gamma, patch.along_s, stretch.alpha, sine,
-                                                        without_noise(patch.sky - sky));
+    const detail::Displacement<T> displacement = detail::screen_displacement(
+        patch.along_gamma, patch.along_s, stretch.alpha, sine, without_noise(patch.sky - sky));
+    const T error = scale * displacement.length;
+    const T parts = absolute(displacement.gamma_turns) / patch.width_turns + absolute(displacement.s) / patch.height;
     const auto known = reached & (patch.good > T(S(0.999))) & (error < T(S(1e30)));
-    const T shown = select(known, error, T(S(1e30)));
-    const T area = absolute(sine) * absolute(stretch.alpha.along_y) * patch.extent * scale * scale;
-    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
-      batch.error_px[first + i] = static_cast<float>(lane(shown, i));
-      batch.area_px[first + i] = static_cast<float>(lane(area, i));
-    }
+    const T area = S(6.28318530717958647692) * absolute(sine) * absolute(stretch.alpha.along_y) * patch.width_turns *
+                   patch.height * scale * scale;
+    const auto store_floats = [&](float* to, const T& value) {
+      for (int i = 0; i < lanes && first + i < batch.count; ++i) {
+        to[first + i] = static_cast<float>(lane(value, i));
+      }
+    };
+    store_floats(batch.error_px, select(known, error, T(S(1e30))));
+    store_floats(batch.area_px, area);
+    store_floats(batch.cell_parts, select(known, minimum(parts, T(S(1e30))), T(S(1e30))));
   }
 
  private:
@@ -140,8 +155,9 @@ struct CheckCells {
     Vector3<T> sky;  //!< unit vector
     Vector3<T> along_gamma;
     Vector3<T> along_s;
-    T good;    //!< the weights of the corners sum to 1: less means that one of them has no sky
-    T extent;  //!< the cell's width times its height [rad]
+    T good;  //!< the weights of the corners sum to 1: less means that one of them has no sky
+    T width_turns;
+    T height;
   };
 
   ERGO_HD void read_cell(int check, int i, T& gamma_turns, T& s, Patch& patch) const {
@@ -166,7 +182,8 @@ struct CheckCells {
     set(patch.along_gamma, value.along_gamma);
     set(patch.along_s, value.along_s);
     set_lane(patch.good, i, S(quad_part(value.sky, 3)));
-    set_lane(patch.extent, i, S(6.28318530717958647692) * S(cell.width_turns) * S(cell.height));
+    set_lane(patch.width_turns, i, S(cell.width_turns));
+    set_lane(patch.height, i, S(cell.height));
   }
 
   //! Less what the tracing itself may be wrong: smaller cells would not mend that.

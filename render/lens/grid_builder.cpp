@@ -33,6 +33,11 @@ struct OpenCell {
   std::array<int, 4> corners;
 };
 
+//! What a cell's checks say of all of it.
+float worst_of(const float* checks) {
+  return std::max({inner_share * checks[0], checks[1], checks[2], checks[3], checks[4], inner_share * checks[5]});
+}
+
 //! Distance from the shadow's edge below which every direction shows the same sky: half the budget, in the rain frame.
 double cut_off(const GridSettings& settings, const EdgeCurve& edge) {
   double largest_scale = 0.0;
@@ -159,8 +164,8 @@ class GridBuilder {
                        gamma_turns(cell.box.width),
                        s_of(cell.box.height)});
     }
-    tracer_.check(cells, error_px_, area_px_);
-    statistics_.traced_checks += static_cast<long>(error_px_.size());
+    tracer_.check(cells, checks_);
+    statistics_.traced_checks += static_cast<long>(checks_.error_px.size());
   }
 
   //! Makes leaves of what is good or cannot be made good, and splits the rest.
@@ -169,15 +174,17 @@ class GridBuilder {
     const bool full = tracer_.node_count() >= settings_.most_nodes;
     std::vector<OpenCell> next;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      const float* e = error_px_.data() + checks_a_cell * i;
+      const float* const e = checks_.error_px.data() + checks_a_cell * i;
+      const float* const area_at = checks_.area_px.data() + checks_a_cell * i;
       const float across_gamma = std::max(e[1], e[2]);
       const float across_s = std::max(e[3], e[4]);
-      const float worst = std::max({inner_share * e[0], inner_share * e[5], across_gamma, across_s});
-      const float area = 0.5F * (area_px_[checks_a_cell * i] + area_px_[checks_a_cell * i + 5]);
+      const float worst = worst_of(e);
+      const float area = 0.5F * (area_at[0] + area_at[5]);
       const CellBox& box = open[i].box;
       const bool may_split_gamma = box.width > finest_a_root >> deepest_a_side;
       const bool may_split_s = box.height > finest_a_root >> deepest_a_side;
       if (worst <= limit || full || area < settings_.least_area_px || !(may_split_gamma || may_split_s)) {
+        station_.leaf_cell_parts.push_back(worst_of(checks_.cell_parts.data() + checks_a_cell * i));
         make_leaf(open[i], worst, worst > limit, area);
       } else {
         split(open[i], may_split_gamma && (across_gamma >= across_s || !may_split_s) ? 0 : 1, next);
@@ -213,8 +220,7 @@ class GridBuilder {
   RaysAt rays_at_;
   NodeByPlace node_by_place_;
   std::vector<CellBox> boxes_;
-  std::vector<float> error_px_;
-  std::vector<float> area_px_;
+  CellChecks checks_;
   GridStatistics statistics_;
 };
 

@@ -88,18 +88,21 @@ std::vector<float> GridTracer<S, Camera>::nodes() const {
 }
 
 template <class S, class Camera>
-void GridTracer<S, Camera>::check(const std::vector<GridCell>& cells, std::vector<float>& error_px,
-                                  std::vector<float>& area_px) {
+void GridTracer<S, Camera>::check(const std::vector<GridCell>& cells, CellChecks& found) {
   const std::size_t checks = checks_a_cell * cells.size();
   put(backend_, cells_, cells.data(), cells.size());
-  make_room(backend_, error_px_, checks);
-  make_room(backend_, area_px_, checks);
+  for (Buffer<float>* buffer : {&error_px_, &area_px_, &cell_parts_}) {
+    make_room(backend_, *buffer, checks);
+  }
   run(backend_, CheckBatch<S, Camera>{camera_, observer_, pixel_, static_cast<int>(checks), cells_.data(),
-                                      nodes_.data(), error_px_.data(), area_px_.data()});
-  error_px.resize(checks);
-  area_px.resize(checks);
-  error_px_.read(error_px.data(), checks);
-  area_px_.read(area_px.data(), checks);
+                                      nodes_.data(), error_px_.data(), area_px_.data(), cell_parts_.data()});
+  const auto read = [&](const Buffer<float>& from, std::vector<float>& to) {
+    to.resize(checks);
+    from.read(to.data(), checks);
+  };
+  read(error_px_, found.error_px);
+  read(area_px_, found.area_px);
+  read(cell_parts_, found.cell_parts);
 }
 
 template <class S, class Camera>

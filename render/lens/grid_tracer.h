@@ -8,6 +8,13 @@
 
 namespace ergodome {
 
+//! What checks of cells say, checks_a_cell values a cell; see CheckBatch.
+struct CellChecks {
+  std::vector<float> error_px;
+  std::vector<float> area_px;
+  std::vector<float> cell_parts;
+};
+
 //! Traces the rays of grids in the making, on the processor or on a GPU; a grid's nodes stay where the kernels read them.
 //!
 //! It serves one grid after the other and keeps its memory from each to the next. Rays in double, and those of eyes that turn with the
@@ -31,8 +38,8 @@ class GridTracer {
   //! The nodes so far, floats_a_node each.
   [[nodiscard]] std::vector<float> nodes() const;
 
-  //! Checks cells between the nodes so far: checks_a_cell values each, see CheckBatch.
-  void check(const std::vector<GridCell>& cells, std::vector<float>& error_px, std::vector<float>& area_px);
+  //! Checks cells between the nodes so far.
+  void check(const std::vector<GridCell>& cells, CellChecks& found);
 
   //! The nodes at (γ, s) of another camera; the grid stays as it is.
   std::vector<float> nodes_of(const Grid& camera, const std::vector<float>& gamma_turns, const std::vector<float>& s);
@@ -54,6 +61,7 @@ class GridTracer {
   Buffer<GridCell> cells_;
   Buffer<float> error_px_;
   Buffer<float> area_px_;
+  Buffer<float> cell_parts_;
 };
 
 }  // namespace ergodome

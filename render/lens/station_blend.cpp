@@ -41,7 +41,9 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
       tree_(backend, station_.tree, grid_buffer),
       leaves_(backend, station_.leaves, grid_buffer),
       nodes_(backend, station_.nodes, grid_buffer) {
-  std::vector<float>().swap(station_.leaf_error_px);
+  for (std::vector<float>* told : {&station_.leaf_error_px, &station_.leaf_cell_parts}) {
+    std::vector<float>().swap(*told);
+  }
   if (!has_derivatives()) {
     std::vector<float>().swap(station_.nodes);
   }

@@ -9,10 +9,6 @@ namespace ergodome {
 
 namespace {
 
-//! The coldest and the hottest star that colours tell of: they gain most by a shift to the blue and to the red.
-constexpr float log_coldest = 7.38F;
-constexpr float log_hottest = 10.4F;
-
 //! Luminance of a blackbody seen with a frequency ratio, over its own.
 float shift_gain(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
   return std::exp(read_blackbody(colours, log_temperature + std::log(frequency_ratio)).x -
@@ -89,21 +85,12 @@ float ImageObserver::gain_of(const Shift& shift, const FieldStar& star) const {
          (redshift_ ? shift_gain(colours_, star.log_temperature, static_cast<float>(shift.frequency_ratio)) : 1.0F);
 }
 
-float ImageObserver::greatest_gain(const StarPatch& patch, float magnification) const {
-  const float from = patch.frequency_ratio >= 1.0F ? log_coldest : log_hottest;
-  return gain_at(patch, magnification, from);
-}
-
-float ImageObserver::gain(const StarPatch& patch, float magnification, const FieldStar& star) const {
-  return gain_at(patch, magnification, star.log_temperature);
-}
-
 //! With a margin for what lies between the places that were asked.
-float ImageObserver::gain_at(const StarPatch& patch, float magnification, float log_temperature) const {
+PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
   // Cameras beside the middle one may see less energy by so much.
-  const float least = std::max(1.0F - energy_spread_ * patch.frequency_ratio, 0.1F);
-  return 1.2F * magnification * patch.brightening *
-         (redshift_ ? shift_gain(colours_, log_temperature, 1.05F * patch.frequency_ratio / least) : 1.0F);
+  const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
+  return {1.2F * brightening,
+          redshift_ ? ShiftGains::row_of(1.05F * frequency_ratio / least) : ShiftGains::unshifted_row()};
 }
 
 }  // namespace ergodome

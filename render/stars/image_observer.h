@@ -46,13 +46,9 @@ class ImageObserver final : public ImageLight {
 
   [[nodiscard]] DirectionForm<float> energy() const override { return detail::converted<float>(energy_); }
 
-  [[nodiscard]] float greatest_gain(const StarPatch& patch, float magnification) const override;
-
-  [[nodiscard]] float gain(const StarPatch& patch, float magnification, const FieldStar& star) const override;
+  [[nodiscard]] PatchLight light_in(float brightening, float frequency_ratio) const override;
 
  private:
-  [[nodiscard]] float gain_at(const StarPatch& patch, float magnification, float log_temperature) const;
-
   BlackbodyTable colours_;
   bool redshift_;
   LensChart chart_;

@@ -19,15 +19,6 @@ constexpr float any_step = 1e6F;
 //! A root so far outside of a patch that is one to one, in parts of it, says that none is inside.
 constexpr float near_outside = 0.1F;
 
-//! What an image may be brighter than the grid makes it out to be: what the grid's error says, and no more than grids were found to be off
-//! by, which in regular patches is mostly 1 %, seldom 30 %, and next to the shadow's edge, where patches are bent and images faint, many
-//! times.
-float most_brighter(const StarPatch& patch) {
-  constexpr float most[] = {1.35F, 8.0F, 8.0F};
-  // Folds are sought within the grid's error of where it has them.
-  return patch.shape == PatchShape::folded ? most[2] : std::min(patch.brighter, most[static_cast<int>(patch.shape)]);
-}
-
 }  // namespace
 
 void RoughImageFinder::PairList::add(const Pair& pair, float at_a, float at_b) {
@@ -48,11 +39,9 @@ PatchPairBatch RoughImageFinder::PairList::batch() const {
   return {static_cast<int>(pairs.size()), patch.data(), a.data(), b.data()};
 }
 
-RoughImageFinder::RoughImageFinder(const StarPatches& patches, const StarField& field, const ImageLight& light,
-                                   double phi)
+RoughImageFinder::RoughImageFinder(const StarPatches& patches, const StarField& field, double phi)
     : patches_(patches),
       field_(field),
-      light_(light),
       phi_turns_(static_cast<float>(phi / (2.0 * pi) - std::floor(phi / (2.0 * pi)))),
       sine_phi_(std::sin(phi)),
       cosine_phi_(std::cos(phi)) {}
@@ -61,7 +50,7 @@ void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
   // Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
   const double side = mirrored ? -1.0 : 1.0;
   const int count = field_.search(turned(patch.frustum, sine_phi_, cosine_phi_, side),
-                                  turned(patch.bounds, phi_turns_, mirrored), patches_.faintest() / patch.gain, stars_);
+                                  turned(patch.bounds, phi_turns_, mirrored), patches_.floor_of(patch), stars_);
   const PatchFrame& frame = patch.frame;
   PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : folded_;
   for (int i = 0; i < count; ++i) {
@@ -150,13 +139,15 @@ void RoughImageFinder::keep(const Pair& pair, const Root& root, std::vector<Roug
   // The plane's areas are larger than the solid angles behind them by 1 / depth.
   const float sky = std::max(std::abs(root.area), 1e-30F) * pair.depth;
   const float magnification = patch.most_camera / sky;
-  const float brighter = most_brighter(patch);
-  if (star.illuminance * light_.gain(patch, brighter * magnification, star) >= patches_.faintest()) {
+  const ShiftGain& shift = field_.gains().row(patch.light.shift_row);
+  const float gain = patch.brighter * magnification * patch.light.brighter *
+                     shift.gain[static_cast<std::size_t>(star_class(star.log_temperature))];
+  if (star.illuminance * gain >= patches_.faintest()) {
     const float gamma = patch.gamma_turns + root.u * patch.width_turns;
     const float seen = pair.mirrored ? 1.0F - gamma : gamma;
     // Position angles go round the chart's centre the other way than planes count areas.
     found.push_back({pair.star, seen - std::floor(seen), patch.s + root.v * patch.height,
-                     std::copysign(sky, -root.area) / (patch.width_turns * patch.height), brighter,
+                     std::copysign(sky, -root.area) / (patch.width_turns * patch.height), patch.brighter,
                      patch.exact && patch.shape != PatchShape::folded, root.area == 0.0F});
   }
 }

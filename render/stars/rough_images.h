@@ -25,7 +25,7 @@ struct RoughImage {
 class RoughImageFinder {
  public:
   //! The camera is at `phi` [rad]. All that is given has to outlive the finder.
-  RoughImageFinder(const StarPatches& patches, const StarField& field, const ImageLight& light, double phi);
+  RoughImageFinder(const StarPatches& patches, const StarField& field, double phi);
 
   //! Takes a patch, or with `mirrored` its image in the other half of a mirrored sky.
   void look_in(const StarPatch& patch, bool mirrored);
@@ -69,7 +69,6 @@ class RoughImageFinder {
 
   const StarPatches& patches_;
   const StarField& field_;
-  const ImageLight& light_;
   float phi_turns_;
   double sine_phi_;
   double cosine_phi_;

@@ -17,6 +17,10 @@ constexpr std::size_t fewest_stars = 64;
 //! Stars that a cell holds on average, about.
 constexpr double stars_a_cell = 1.0;
 constexpr int most_bands = 2048;
+//! Steps of ln illuminance by which stars are counted, and the least that is told from less.
+constexpr int counted_steps = 512;
+constexpr float counted_step = 0.05F;
+constexpr float log_least_counted = -60.0F;
 //! B-V of a star whose colour nobody measured.
 constexpr float unknown_colour = 0.3F;
 //! Colours beyond these are errors of measurement; Ballesteros' formula means nothing there.
@@ -54,20 +58,20 @@ double azimuth_turns(const Vector3<double>& d) {
 
 }  // namespace
 
-StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_map, const BlackbodyTable& colours) {
+StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_map, const BlackbodyTable& colours)
+    : gains_(colours) {
   stars_.reserve(catalogue.stars.size());
   for (const CatalogueStar& star : catalogue.stars) {
     stars_.push_back(field_star(star, sky_from_map, colours));
   }
   std::ranges::stable_sort(stars_, std::ranges::greater(), &FieldStar::illuminance);
-  for (const FieldStar& star : stars_) {
-    illuminances_.push_back(star.illuminance);
-  }
+  count_classes();
   std::vector<int> brightest(stars_.size());
   std::iota(brightest.begin(), brightest.end(), 0);
   for (std::size_t count = stars_.size(); count > 0; count = count > fewest_stars ? count / level_ratio : 0) {
     brightest.resize(count);
     levels_.push_back(level_of(brightest));
+    levels_.back().left_out = count < stars_.size() ? stars_[count].illuminance : 0.0F;
   }
 }
 
@@ -92,6 +96,7 @@ StarField::Level StarField::level_of(const std::vector<int>& numbers) const {
     level.direction[1].push_back(static_cast<float>(star.direction.y));
     level.direction[2].push_back(static_cast<float>(star.direction.z));
     level.illuminance.push_back(star.illuminance);
+    level.colour.push_back(static_cast<std::uint8_t>(star_class(star.log_temperature)));
   }
   std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
   for (std::vector<float>* padded :
@@ -101,22 +106,55 @@ StarField::Level StarField::level_of(const std::vector<int>& numbers) const {
   return level;
 }
 
-std::size_t StarField::count_from(float illuminance) const {
-  return static_cast<std::size_t>(std::ranges::upper_bound(illuminances_, illuminance, std::ranges::greater()) -
-                                  illuminances_.begin());
+void StarField::count_classes() {
+  greatest_gain_.assign(static_cast<std::size_t>(ShiftGains::unshifted_row()) + 1, 0.0F);
+  if (stars_.empty()) {
+    return;
+  }
+  log_dimmest_ = std::max(std::log(stars_.back().illuminance), log_least_counted);
+  for (const FieldStar& star : stars_) {
+    ClassCounts& counts = counts_[static_cast<std::size_t>(star_class(star.log_temperature))];
+    counts.resize(counted_steps);
+    const float place = (std::log(star.illuminance) - log_dimmest_) / counted_step;
+    counts[static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))] += 1;
+  }
+  for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
+    ClassCounts& counts = counts_[colour];
+    std::partial_sum(counts.rbegin(), counts.rend(), counts.rbegin());
+    for (std::size_t row = 0; row < greatest_gain_.size() && !counts.empty(); ++row) {
+      greatest_gain_[row] = std::max(greatest_gain_[row], gains_.row(static_cast<int>(row)).gain[colour]);
+    }
+  }
+}
+
+int StarField::count_from(const StarFloor& floor) const {
+  const ShiftGain& gain = gains_.row(floor.shift_row);
+  const float log_least = std::log(std::max(floor.illuminance, 1e-37F)) - log_dimmest_;
+  int count = 0;
+  for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
+    if (!counts_[colour].empty()) {
+      const float place = (log_least - gain.log_gain[colour]) * (1.0F / counted_step);
+      // Those of the last step have any illuminance above it.
+      count +=
+          counts_[colour][static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))];
+    }
+  }
+  return count;
 }
 
 const StarField::Level& StarField::level_for(float faintest) const {
-  const std::size_t wanted = count_from(faintest);
-  const auto smaller = std::ranges::find_if(levels_, [&](const Level& each) { return each.number.size() < wanted; });
-  return smaller == levels_.begin() ? levels_.front() : *(smaller - 1);
+  const auto smallest =
+      std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& each) { return each.left_out < faintest; });
+  return smallest == levels_.rend() ? levels_.front() : *smallest;
 }
 
-int StarField::search(const SkyFrustum& part, const SkyBounds& bounds, float faintest, std::vector<int>& found) const {
+int StarField::search(const SkyFrustum& part, const SkyBounds& bounds, const StarFloor& floor,
+                      std::vector<int>& found) const {
   if (stars_.empty()) {
     return 0;
   }
-  const Level& level = level_for(std::max(faintest, 0.0F));
+  const float faintest = floor.illuminance / greatest_gain_[static_cast<std::size_t>(floor.shift_row)];
+  const Level& level = level_for(faintest);
   // Once, so that neither the kernel need ask for room nor each search clear it.
   if (found.size() < level.number.size()) {
     found.resize(level.number.size());
@@ -139,12 +177,18 @@ int StarField::search(const SkyFrustum& part, const SkyBounds& bounds, float fai
     batch.inward[side][1] = static_cast<float>(inward.y);
     batch.inward[side][2] = static_cast<float>(inward.z);
   }
-  batch.faintest = std::max(faintest, 0.0F);
+  batch.faintest = faintest;
   batch.found = found.data();
   batch.count = &count;
   search_stars(batch);
-  std::for_each_n(found.begin(), count, [&](int& at) { at = level.number[static_cast<std::size_t>(at)]; });
-  return count;
+  const ShiftGain& gain = gains_.row(floor.shift_row);
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(found[static_cast<std::size_t>(i)]);
+    found[static_cast<std::size_t>(kept)] = level.number[at];
+    kept += level.illuminance[at] * gain.gain[level.colour[at]] >= floor.illuminance ? 1 : 0;
+  }
+  return kept;
 }
 
 }  // namespace ergodome

@@ -5,6 +5,7 @@
 
 #include "content/stars/star_catalogue.h"
 #include "kernels/sky/blackbody.h"
+#include "render/stars/shift_gains.h"
 #include "render/stars/sky_frustum.h"
 
 namespace ergodome {
@@ -18,6 +19,13 @@ struct FieldStar {
   std::uint32_t number;       //!< as the catalogue counts
 };
 
+//! Stars that are bright enough: those whose illuminance, times the bound of what their class gains in a row of ShiftGains, reaches so
+//! much [lx]. It is not negative.
+struct StarFloor {
+  float illuminance;
+  int shift_row = ShiftGains::unshifted_row();
+};
+
 //! Stars by their place on the sky.
 class StarField {
  public:
@@ -27,13 +35,16 @@ class StarField {
 
   [[nodiscard]] const std::vector<FieldStar>& stars() const { return stars_; }
 
-  //! How many stars have at least `illuminance` lx.
-  [[nodiscard]] std::size_t count_from(float illuminance) const;
+  //! What they gain by shifts.
+  [[nodiscard]] const ShiftGains& gains() const { return gains_; }
 
-  //! Puts the numbers of the stars of at least `faintest` lx in a part of the sky into the first places of `found`, which is made large
+  //! How many stars are bright enough, or a few more.
+  [[nodiscard]] int count_from(const StarFloor& floor) const;
+
+  //! Puts the numbers of the stars of a part of the sky that are bright enough into the first places of `found`, which is made large
   //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them. `bounds`: of the
   //! part, see bounds_of.
-  int search(const SkyFrustum& part, const SkyBounds& bounds, float faintest, std::vector<int>& found) const;
+  int search(const SkyFrustum& part, const SkyBounds& bounds, const StarFloor& floor, std::vector<int>& found) const;
 
  private:
   //! The brightest stars, by their place on the sky.
@@ -43,15 +54,25 @@ class StarField {
     std::vector<int> first;
     std::vector<float> direction[3];  //!< as kernels read them
     std::vector<float> illuminance;
-    std::vector<int> number;  //!< in `stars_`
+    std::vector<int> number;           //!< in `stars_`
+    std::vector<std::uint8_t> colour;  //!< class
+    float left_out = 0.0F;             //!< illuminance of the brightest that is not among them
   };
+
+  //! How many stars of a class have at least the illuminances whose logarithms go up by equal steps.
+  using ClassCounts = std::vector<int>;
+
+  void count_classes();
 
   [[nodiscard]] Level level_of(const std::vector<int>& numbers) const;
   [[nodiscard]] const Level& level_for(float faintest) const;
 
-  std::vector<float> illuminances_;  //!< the greatest first
-  std::vector<FieldStar> stars_;     //!< the brightest first
-  std::vector<Level> levels_;        //!< all stars, and then fewer and fewer
+  ShiftGains gains_;
+  std::vector<float> greatest_gain_;  //!< of the stars that there are, row by row
+  std::vector<FieldStar> stars_;      //!< the brightest first
+  std::vector<Level> levels_;         //!< all stars, and then fewer and fewer
+  float log_dimmest_ = 0.0F;          //!< the first of the steps by which classes are counted
+  std::array<ClassCounts, star_classes> counts_;
 };
 
 }  // namespace ergodome

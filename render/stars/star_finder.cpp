@@ -30,8 +30,8 @@ bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
   return may_touch(view, way, static_cast<double>(patch.seen_radius));
 }
 
-std::vector<RoughImage> find_rough(const StarField& field, const ImageObserver& observer, double phi,
-                                   const StarPatches& patches, const ViewCone& view) {
+std::vector<RoughImage> find_rough(const StarField& field, double phi, const StarPatches& patches,
+                                   const ViewCone& view) {
   static WorkCounter counter("search_patches");
   const WorkScope work(counter, static_cast<long>(patches.patches().size()));
   constexpr int chunk = 128;
@@ -40,7 +40,7 @@ std::vector<RoughImage> find_rough(const StarField& field, const ImageObserver& 
   // In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes.
   std::vector<std::vector<RoughImage>> found(static_cast<std::size_t>((count + chunk - 1) / chunk));
   parallel_for(static_cast<int>(found.size()), 1, [&](int begin, int end) {
-    RoughImageFinder finder(patches, field, observer, phi);
+    RoughImageFinder finder(patches, field, phi);
     for (int part = begin; part < end; ++part) {
       for (int i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
         const StarPatch& patch = list[static_cast<std::size_t>(i)];
@@ -155,7 +155,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   const ImageObserver observer(eye, station, colours, settings.redshift);
   const double phi = eye.camera.phi;
   std::vector<StarCandidate> candidates =
-      candidates_of(find_rough(field, observer, phi, patches, settings.view), field, observer, phi, settings);
+      candidates_of(find_rough(field, phi, patches, settings.view), field, observer, phi, settings);
   const auto first_exact =
       std::stable_partition(candidates.begin(), candidates.end(), [](const StarCandidate& c) { return !c.exact; });
   const std::vector<StarCandidate> exact(first_exact, candidates.end());

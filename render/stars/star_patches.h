@@ -9,6 +9,13 @@
 
 namespace ergodome {
 
+//! What light becomes for an observer, at the most: stars are so much brighter, times their magnification in the rain frame and what their
+//! class gains in that row of ShiftGains.
+struct PatchLight {
+  float brighter;
+  int shift_row;
+};
+
 //! A part of a lens grid over which the lens is simple enough to be inverted.
 struct StarPatch {
   BezierPatch sky;  //!< in its frame
@@ -20,16 +27,15 @@ struct StarPatch {
   float width_turns;
   float height;
   PatchShape shape;
-  float brighter;         //!< what an image in it may be brighter by than the grid makes it out to be, as a factor
-  bool exact;             //!< images in it need no rays, where it is not folded
-  float error;            //!< how far it may be from the sky where that matters, next to critical curves [rad]
-  int halvings;           //!< that its search for images takes, where it is not regular
-  float brightening;      //!< the observer's solid angles over the rain frame's, in the middle of the patch
-  float frequency_ratio;  //!< g there, to the observer
-  Vector3<float> seen;    //!< the way to it in the observer's frame
-  float seen_radius;      //!< of a cone about that way that holds it [rad]
-  float most_camera;      //!< most that the rain frame's camera sees of it per unit of its own (u, v) [sr]
-  float gain;  //!< most that an image here may be brighter than its star; where folded, but for 1e-8 sr of the sky
+  float brighter;  //!< what an image in it may be brighter by than the grid makes it out to be, as a factor
+  bool exact;      //!< images in it need no rays, where it is not folded
+  float error;     //!< how far it may be from the sky where that matters, next to critical curves [rad]
+  int halvings;    //!< that its search for images takes, where it is not regular
+  PatchLight light;
+  Vector3<float> seen;  //!< the way to it in the observer's frame
+  float seen_radius;    //!< of a cone about that way that holds it [rad]
+  float most_camera;    //!< most that the rain frame's camera sees of it per unit of its own (u, v) [sr]
+  float magnification;  //!< the most in it, in the rain frame; where folded, but for 1e-8 sr of the sky
 };
 
 //! What the search for images asks about an observer and his stars.
@@ -44,11 +50,9 @@ class ImageLight {
   [[nodiscard]] virtual AberrationOf<float> observer() const = 0;
   [[nodiscard]] virtual DirectionForm<float> energy() const = 0;
 
-  //! The most that an image in a patch may be brighter than its star, when magnified so in the rain frame.
-  [[nodiscard]] virtual float greatest_gain(const StarPatch& patch, float magnification) const = 0;
-
-  //! The same for one star.
-  [[nodiscard]] virtual float gain(const StarPatch& patch, float magnification, const FieldStar& star) const = 0;
+  //! What light becomes in a patch where the observer's solid angles are at the most `brightening` times the rain frame's, and g is at the
+  //! most `frequency_ratio`.
+  [[nodiscard]] virtual PatchLight light_in(float brightening, float frequency_ratio) const = 0;
 };
 
 //! How exact a grid is that is turned round.
@@ -58,7 +62,7 @@ struct GridExactness {
 };
 
 //! Where the grid is nearer than this to the sky, at its check points, images are where it has them [px].
-inline constexpr double exact_grid_px = 0.008;
+inline constexpr float exact_grid_px = 0.008F;
 
 //! A lens grid turned round: from places on the sky to places in the chart.
 class StarPatches {
@@ -78,6 +82,11 @@ class StarPatches {
   //! Illuminance below which images are left out [lx].
   [[nodiscard]] float faintest() const { return faintest_; }
 
+  //! Which stars may have images in a patch that are bright enough.
+  [[nodiscard]] StarFloor floor_of(const StarPatch& patch) const {
+    return {faintest_ / (patch.light.brighter * patch.magnification), patch.light.shift_row};
+  }
+
  private:
   //! What making patches asks for.
   struct Wanted {
@@ -87,7 +96,7 @@ class StarPatches {
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
   [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch) const;
-  void tell_error(const LeafBox& box, float error_px, StarPatch& patch) const;
+  void tell_error(float error_px, float cell_parts, StarPatch& patch) const;
 
   std::vector<float> edge_;  //!< of the chart
   LensChart chart_;

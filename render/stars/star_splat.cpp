@@ -1,7 +1,6 @@
 #include "render/stars/star_splat.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,50 +9,18 @@
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/stars/picture_sheets.h"
+#include "render/stars/point_spread.h"
 
 namespace ergodome {
 
 namespace {
 
 constexpr double cut_off_sigmas = 3.0;
-//! Pixels to one side that a spread reaches at the most: a spread of 20 px.
-constexpr int widest_splat_px = 60;
 constexpr int splat_band_rows = 32;
 //! A line across a whole dome of 4k.
 constexpr int most_line_points = 8192;
 
 double row_of(const StarPoint& point) { return std::floor(point.y_px); }
-
-//! Parts of a Gaussian that fall on neighbouring pixels, from pixel `first` on; they add up to 1.
-struct Spread {
-  int first = 0;
-  int count = 0;
-  std::array<float, 2 * widest_splat_px + 2> part{};
-
-  Spread(double middle_px, double sigma_px, double reach) {
-    if (!(sigma_px > 0.0)) {
-      first = static_cast<int>(std::floor(middle_px));
-      count = 1;
-      part[0] = 1.0F;
-      return;
-    }
-    first = static_cast<int>(std::floor(middle_px - reach));
-    count = static_cast<int>(std::floor(middle_px + reach)) - first + 1;
-    const double narrower = 1.0 / (sigma_px * std::sqrt(2.0));
-    const auto integral = [&](double x) {
-      return std::erf(static_cast<float>(std::clamp(x - middle_px, -reach, reach) * narrower));
-    };
-    const float begin = integral(first);
-    float from = begin;
-    for (int i = 0; i < count; ++i) {
-      const float to = integral(first + i + 1);
-      part[static_cast<std::size_t>(i)] = to - from;
-      from = to;
-    }
-    const float scale = 1.0F / (from - begin);
-    std::for_each_n(part.begin(), count, [&](float& each) { each *= scale; });
-  }
-};
 
 //! Whether all pixels between some first and some last are wholly in the image: no image but a cube's, whose faces are drawn one by one, goes
 //! in again between pixels that are.
@@ -67,8 +34,8 @@ bool is_all_inside(const Projection& projection, int left, int right, int top, i
 void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
          int top, int bottom, int origin, float* rgba) {
   const double reach = settings.reach_px() - 1.0;
-  const Spread across(splat.x_px, settings.sigma_px, reach);
-  const Spread down(splat.y_px, settings.sigma_px, reach);
+  const PointSpread across(splat.x_px, settings.sigma_px, reach);
+  const PointSpread down(splat.y_px, settings.sigma_px, reach);
   const bool wraps = wraps_around(projection);
   const int width = projection.width_px;
   const int first_row = std::max(top, cell.top_px);

@@ -89,12 +89,19 @@ bool check_checks(UniformGrid& grid) {
   const int count = checks_a_cell * columns * rows;
   Twin<float> error_px(static_cast<std::size_t>(count));
   Twin<float> area_px(static_cast<std::size_t>(count));
+  Twin<float> cell_parts(static_cast<std::size_t>(count));
   const AberrationOf<float> observer =
       converted_aberration<float>(aberration_to_rain(0.999, 5.0, 1.5707963, ObserverMotion::zamo, {}));
   const float pixel = 7.67e-4F;
-  const CheckBatch<float> on_host = {
-      grid.camera<float>(grid.chart), observer,           pixel, count, grid.cells.host.data(), grid.nodes.host.data(),
-      error_px.host.data(),           area_px.host.data()};
+  const CheckBatch<float> on_host = {grid.camera<float>(grid.chart),
+                                     observer,
+                                     pixel,
+                                     count,
+                                     grid.cells.host.data(),
+                                     grid.nodes.host.data(),
+                                     error_px.host.data(),
+                                     area_px.host.data(),
+                                     cell_parts.host.data()};
   const CheckBatch<float> on_device = {grid.camera<float>(grid.device_chart()),
                                        observer,
                                        pixel,
@@ -102,7 +109,8 @@ bool check_checks(UniformGrid& grid) {
                                        grid.cells.device(),
                                        grid.nodes.device(),
                                        error_px.device(),
-                                       area_px.device()};
+                                       area_px.device(),
+                                       cell_parts.device()};
   const double device_ms = run_on_device_ms("check_cells", CheckCells<float>{on_device}, count);
   const double host_ms = run_on_host_ms(CheckCells<float>{on_host}, count);
   return report("check_cells", count, device_ms, host_ms, compare(area_px.download(), area_px.host, 0.999, 1e-4)) &&

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -43,6 +44,17 @@ double depth_in(const SkyFrustum& frustum, const Vector3<double>& d) {
     depth = std::min(depth, dot(inward, d));
   }
   return depth;
+}
+
+float illuminance_of(double magnitude) {
+  return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
+}
+
+//! Whether a star is bright enough.
+bool is_from(const StarFloor& floor, const StarField& field, const FieldStar& star) {
+  const float gain =
+      field.gains().row(floor.shift_row).gain[static_cast<std::size_t>(star_class(star.log_temperature))];
+  return star.illuminance * gain >= floor.illuminance;
 }
 
 TEST(SkyFrustum, HoldsItsPatchAndLittleElse) {
@@ -107,9 +119,11 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
     const BezierPatch patch = random_patch(random, std::pow(uniform(random), 3.0));
     const PatchFrame frame = frame_of(patch, unit_of(control_point(patch, 5)));
     const SkyFrustum frustum = frustum_of(in_frame(patch, frame), frame);
-    const float faintest =
-        static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * 9.0 * uniform(random)));
-    const int count = field.search(frustum, bounds_of(frustum), faintest, found);
+    // The light of every other search is shifted.
+    const int row = round % 2 == 0 ? ShiftGains::unshifted_row()
+                                   : ShiftGains::row_of(static_cast<float>(0.5 + 2.0 * uniform(random)));
+    const float faintest = illuminance_of(9.0 * uniform(random));
+    const int count = field.search(frustum, bounds_of(frustum), {faintest, row}, found);
     std::vector<int> times(field.stars().size());
     for (int i = 0; i < count; ++i) {
       ++times[static_cast<std::size_t>(found[static_cast<std::size_t>(i)])];
@@ -118,7 +132,42 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
       const FieldStar& star = field.stars()[i];
       const double depth = depth_in(frustum, star.direction);
       if (std::abs(depth) > 2e-7) {
-        ASSERT_EQ(times[i], depth > 0.0 && star.illuminance >= faintest ? 1 : 0) << star.number;
+        const bool bright = is_from({faintest, row}, field, star);
+        ASSERT_EQ(times[i], depth > 0.0 && bright ? 1 : 0) << star.number;
+      }
+    }
+  }
+}
+
+TEST(StarField, CountsTheStarsThatShineBrightEnough) {
+  const StarField field(brightest(20'000), glm::dmat3(1.0), colours().view());
+  for (const int row :
+       {ShiftGains::unshifted_row(), ShiftGains::row_of(0.3F), ShiftGains::row_of(1.1F), ShiftGains::row_of(4.0F)}) {
+    for (double magnitude = -3.0; magnitude < 14.0; magnitude += 0.5) {
+      const auto count = [&](float faintest) {
+        return std::ranges::count_if(field.stars(), [&](const FieldStar& star) {
+          return is_from({faintest, row}, field, star);
+        });
+      };
+      const float faintest = illuminance_of(magnitude);
+      EXPECT_GE(field.count_from({faintest, row}), count(faintest));
+      EXPECT_LE(field.count_from({faintest, row}), count(0.94F * faintest));
+    }
+  }
+}
+
+TEST(ShiftGains, AreNeverLessThanWhatAStarGains) {
+  const ShiftGains gains(colours().view());
+  for (double g = 1e-3; g < 9e5; g *= 1.07) {
+    const ShiftGain& row = gains.row(ShiftGains::row_of(static_cast<float>(g)));
+    for (double temperature_k = 1611.0; temperature_k < 30'000.0; temperature_k *= 1.05) {
+      const auto log_temperature = static_cast<float>(std::log(temperature_k));
+      const double gained = blackbody_tristimulus(g * temperature_k).y / blackbody_tristimulus(temperature_k).y;
+      const auto bound = static_cast<double>(row.gain[static_cast<std::size_t>(star_class(log_temperature))]);
+      ASSERT_GE(bound, 0.999 * gained - 1e-30) << g << ", " << temperature_k << " K";
+      // Of the shifts that many stars are seen with, not much more either.
+      if (g > 0.5 && g < 2.0 && temperature_k > 3000.0) {
+        ASSERT_LE(bound, 1.8 * gained) << g << ", " << temperature_k << " K";
       }
     }
   }

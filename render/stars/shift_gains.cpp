@@ -1,0 +1,55 @@
+#include "render/stars/shift_gains.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ergodome {
+
+namespace {
+
+//! ln T [K] of the coldest and the hottest star that colours tell of, and a little beyond.
+constexpr float log_coldest = 7.38F;
+constexpr float log_hottest = 10.4F;
+constexpr float class_width = (log_hottest - log_coldest) / star_classes;
+
+//! Rows lie at equal steps of ln g, in which the coldest stars gain a fifth at the most. Below the first its bound holds, and patches
+//! know no greater g than 10⁶.
+constexpr float log_first = -4.0F;
+constexpr float log_step = 0.02F;
+constexpr int shifted_rows = 901;
+
+//! ln of the luminance that a blackbody gains.
+float log_gain(const BlackbodyTable& colours, float log_temperature, float log_ratio) {
+  return read_blackbody(colours, log_temperature + log_ratio).x - read_blackbody(colours, log_temperature).x;
+}
+
+}  // namespace
+
+int star_class(float log_temperature) {
+  return std::clamp(static_cast<int>((log_temperature - log_coldest) / class_width), 0, star_classes - 1);
+}
+
+int ShiftGains::unshifted_row() { return shifted_rows; }
+
+int ShiftGains::row_of(float frequency_ratio) {
+  const float place = std::ceil((std::log(std::max(frequency_ratio, 1e-30F)) - log_first) / log_step);
+  return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(shifted_rows - 1)));
+}
+
+ShiftGains::ShiftGains(const BlackbodyTable& colours) : rows_(shifted_rows + 1) {
+  for (int i = 0; i < shifted_rows; ++i) {
+    ShiftGain& row = rows_[static_cast<std::size_t>(i)];
+    const float log_ratio = log_first + log_step * static_cast<float>(i);
+    for (int k = 0; k < star_classes; ++k) {
+      // What a blackbody gains goes one way with its temperature: the most is at an end of the class.
+      const float low = log_coldest + class_width * static_cast<float>(k);
+      const float gain = std::max(log_gain(colours, low, log_ratio), log_gain(colours, low + class_width, log_ratio));
+      row.log_gain[static_cast<std::size_t>(k)] = gain;
+      row.gain[static_cast<std::size_t>(k)] = std::exp(gain);
+    }
+  }
+  rows_.back().gain.fill(1.0F);
+  rows_.back().log_gain.fill(0.0F);
+}
+
+}  // namespace ergodome
