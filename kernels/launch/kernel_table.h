@@ -12,6 +12,7 @@
 #include "kernels/mesh/draw_objects.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
+#include "kernels/stars/observed_places.h"
 #include "kernels/stars/patch_measure.h"
 #include "kernels/stars/patch_pairs.h"
 #include "kernels/stars/seen_parts.h"
@@ -49,7 +50,8 @@ struct KernelTable {
   void (*find_omni_star_images_float)(const OmniStarBatch<float>& batch, int begin, int end);
   void (*find_omni_star_images_double)(const OmniStarBatch<double>& batch, int begin, int end);
   void (*measure_patch)(const PatchMeasureBatch& batch, int begin, int end);  //!< the one index 0
-  void (*search_stars)(const StarSearchBatch& batch, int begin, int end);     //!< the one index 0
+  void (*observe_places)(const ObservedPlaceBatch& batch, int begin, int end);
+  void (*search_stars)(const StarSearchBatch& batch, int begin, int end);  //!< the one index 0
   void (*find_patch_sides)(const PatchSideBatch& batch, int begin, int end);
   void (*invert_patches)(const PatchNewtonBatch& batch, int begin, int end);
   void (*see_patches)(const SeePatchesBatch& batch, int begin, int end);

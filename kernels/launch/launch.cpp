@@ -228,6 +228,10 @@ void solve_parts(const SolvePartsBatch& batch) {
   active_table().solve_parts(batch, 0, index_count(batch.parts.count, active_table().lanes_float));
 }
 
+void observe_places(const ObservedPlaceBatch& batch) {
+  active_table().observe_places(batch, 0, index_count(batch.count, active_table().lanes_float));
+}
+
 std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening) {
   constexpr const char* filters[] = {"", ", point", ", polygon"};
   constexpr const char* shifts[] = {"", ", luminance", ", blackbody_fit"};

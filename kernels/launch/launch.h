@@ -63,8 +63,9 @@ void find_star_images(const StarImageBatch<double>& batch);
 void find_star_images(const OmniStarBatch<float>& batch);
 void find_star_images(const OmniStarBatch<double>& batch);
 
-//! The search for images of stars, on the thread that calls: what patches do to light, stars in a part of the sky, on which side of patches'
-//! borders stars are, where patches that are one to one hold them, and, halving them, where others do. See the batches.
+//! The search for images of stars, on the thread that calls: what patches do to light, stars in a part of the sky, on which side of
+//! patches' borders stars are, where patches that are one to one hold them, and, halving them, where others do; and what an observer sees
+//! there. See the batches.
 void measure_patch(const PatchMeasureBatch& batch);
 void search_stars(const StarSearchBatch& batch);
 void find_patch_sides(const PatchSideBatch& batch);
@@ -72,6 +73,7 @@ void invert_patches(const PatchNewtonBatch& batch);
 void see_patches(const SeePatchesBatch& batch);
 void halve_parts(const HalvePartsBatch& batch);
 void solve_parts(const SolvePartsBatch& batch);
+void observe_places(const ObservedPlaceBatch& batch);
 
 //! What shading the sky is counted by; each variant is compiled apart ("shade_sky, point, luminance").
 std::string shading_name(SkyFilter filter, SkyShift shift, bool brightening);

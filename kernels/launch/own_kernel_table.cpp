@@ -12,6 +12,7 @@
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
 #include "kernels/overlay/draw_overlay_kernel.h"
+#include "kernels/stars/observed_places_kernel.h"
 #include "kernels/stars/part_halving_kernel.h"
 #include "kernels/stars/part_solving_kernel.h"
 #include "kernels/stars/patch_measure_kernel.h"
@@ -94,6 +95,7 @@ const KernelTable& own_kernel_table() {
       &find_omni_star_images,
       &find_omni_star_images,
       &run<MeasurePatch<WidePack<float>>, PatchMeasureBatch>,
+      &run<ObservePlaces<WidePack<float>>, ObservedPlaceBatch>,
       &run<SearchStars<WidePack<float>>, StarSearchBatch>,
       &run<FindPatchSides<WidePack<float>>, PatchSideBatch>,
       &run<InvertPatches<WidePack<float>>, PatchNewtonBatch>,

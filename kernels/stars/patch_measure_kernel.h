@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
+#include "kernels/stars/observed_places_kernel.h"
 #include "kernels/stars/patch_measure.h"
 
 namespace ergodome::inline ERGO_TARGET {
@@ -82,16 +83,10 @@ struct MeasurePatch {
 
   //! What the observer sees in rain-frame directions, and where.
   ERGO_HD Vector3<T> look(const Vector3<T>& rain, Sums& sums) const {
-    const auto inverse = [](const FrameBoostOf<float>& b) { return FrameBoostOf<float>{b.axis, 1.0F / b.stretch}; };
-    T to_zamo;
-    T to_observer;
-    const Vector3<T> in_zamo = aberrated(inverse(batch.observer.rain_from_zamo), rain, to_zamo);
-    const Vector3<T> seen = aberrated(inverse(batch.observer.zamo_from_observer), in_zamo, to_observer);
-    const T scale = T(1.0F) / (to_zamo * to_observer);
-    const T energy = detail::evaluate(batch.energy, rain) * scale;
-    sums.brightening = maximum(sums.brightening, scale * scale);
-    sums.frequency_ratio = maximum(sums.frequency_ratio, T(1.0F) / maximum(energy, T(1e-6F)));
-    return seen;
+    const ObservedLight<T> light = observed_light(batch.observer, batch.energy, rain);
+    sums.brightening = maximum(sums.brightening, light.brightening);
+    sums.frequency_ratio = maximum(sums.frequency_ratio, light.frequency_ratio);
+    return light.direction;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/launch/launch.h"
 #include "kernels/shadow/shadow_chart.h"
 
 namespace ergodome {
@@ -10,7 +11,7 @@ namespace ergodome {
 namespace {
 
 //! Luminance of a blackbody seen with a frequency ratio, over its own.
-float shift_gain(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
+float gain_of_shift(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
   return std::exp(read_blackbody(colours, log_temperature + std::log(frequency_ratio)).x -
                   read_blackbody(colours, log_temperature).x);
 }
@@ -58,31 +59,46 @@ ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, con
       energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
       aberration_(aberration_of(eye)) {}
 
-Vector3<double> ImageObserver::rain_direction(double gamma_turns, double s, double& per_area) const {
-  const ChartStretch<double> stretch = chart_stretch(chart_, gamma_turns, s);
-  const Vector3<MixedDual<double>> n = chart_direction_at(chart_, gamma_turns, stretch.alpha);
-  per_area = 6.28318530717958647692 * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y);
-  return {n.x.value, n.y.value, n.z.value};
-}
-
 double ImageObserver::edge_distance(float s) const {
   return 3.0 * std::exp((static_cast<double>(s) - 1.0) * static_cast<double>(chart_.range));
 }
 
-Vector3<double> ImageObserver::observed(const Vector3<double>& rain) const {
-  return observed_direction(aberration_, rain);
+ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const {
+  std::vector<float> gamma_turns(images.size());
+  std::vector<float> s(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    gamma_turns[i] = images[i].gamma_turns;
+    s[i] = images[i].s;
+  }
+  ObservedPlaces places;
+  for (std::vector<float>* part :
+       {&places.direction[0], &places.direction[1], &places.direction[2], &places.area, &places.frequency_ratio}) {
+    part->resize(images.size());
+  }
+  observe_places({chart_,
+                  energy(),
+                  observer(),
+                  static_cast<int>(images.size()),
+                  gamma_turns.data(),
+                  s.data(),
+                  {places.direction[0].data(), places.direction[1].data(), places.direction[2].data()},
+                  places.area.data(),
+                  places.frequency_ratio.data()});
+  if (cameras_) {
+    // Each camera of an eye that turns has its own energies, in the chart's frame.
+    const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const Vector3<double> direction = {static_cast<double>(places.direction[0][i]),
+                                         static_cast<double>(places.direction[1][i]),
+                                         static_cast<double>(places.direction[2][i])};
+      places.frequency_ratio[i] = static_cast<float>(1.0 / std::max(energy_of(cameras, direction), 1e-6));
+    }
+  }
+  return places;
 }
 
-ImageObserver::Shift ImageObserver::shift_towards(const Vector3<double>& rain) const {
-  const double scale = observed_scale(aberration_, rain);
-  const double energy =
-      cameras_ ? energy_of(cameras_->cameras->exact(cameras_->side), rain) : detail::evaluate(energy_, rain) * scale;
-  return {scale * scale, 1.0 / std::max(energy, 1e-6)};
-}
-
-float ImageObserver::gain_of(const Shift& shift, const FieldStar& star) const {
-  return static_cast<float>(shift.brightening) *
-         (redshift_ ? shift_gain(colours_, star.log_temperature, static_cast<float>(shift.frequency_ratio)) : 1.0F);
+float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) const {
+  return redshift_ ? gain_of_shift(colours_, star.log_temperature, frequency_ratio) : 1.0F;
 }
 
 //! With a margin for what lies between the places that were asked.

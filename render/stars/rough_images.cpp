@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "kernels/stars/patch_newton.h"
 
@@ -40,17 +39,12 @@ PatchPairBatch RoughImageFinder::PairList::batch() const {
 }
 
 RoughImageFinder::RoughImageFinder(const StarPatches& patches, const StarField& field, double phi)
-    : patches_(patches),
-      field_(field),
-      phi_turns_(static_cast<float>(phi / (2.0 * pi) - std::floor(phi / (2.0 * pi)))),
-      sine_phi_(std::sin(phi)),
-      cosine_phi_(std::cos(phi)) {}
+    : patches_(patches), field_(field), turn_(sky_turn(phi)), sine_phi_(std::sin(phi)), cosine_phi_(std::cos(phi)) {}
 
 void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
   // Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
   const double side = mirrored ? -1.0 : 1.0;
-  const int count = field_.search(turned(patch.frustum, sine_phi_, cosine_phi_, side),
-                                  turned(patch.bounds, phi_turns_, mirrored), patches_.floor_of(patch), stars_);
+  const int count = field_.search(turned(patch.part, turn_, mirrored), patches_.floor_of(patch), stars_);
   const PatchFrame& frame = patch.frame;
   PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : folded_;
   for (int i = 0; i < count; ++i) {

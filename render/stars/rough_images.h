@@ -69,7 +69,7 @@ class RoughImageFinder {
 
   const StarPatches& patches_;
   const StarField& field_;
-  float phi_turns_;
+  SkyTurn turn_;
   double sine_phi_;
   double cosine_phi_;
   PairList regular_;

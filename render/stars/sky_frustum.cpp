@@ -139,19 +139,37 @@ double solid_angle(const SkyFrustum& frustum) {
   return opening(0) * opening(2);
 }
 
-SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi, double side) {
-  SkyFrustum other{};
-  for (int i = 0; i < 5; ++i) {
-    const Vector3<double>& n = frustum.inward[i];
-    other.inward[i] = {cosine_phi * n.x - sine_phi * n.y, sine_phi * n.x + cosine_phi * n.y, side * n.z};
+SkyPart sky_part(const SkyFrustum& frustum) {
+  SkyPart part{};
+  for (int side = 0; side < 4; ++side) {
+    const Vector3<double>& inward = frustum.inward[side];
+    part.inward[side][0] = static_cast<float>(inward.x);
+    part.inward[side][1] = static_cast<float>(inward.y);
+    part.inward[side][2] = static_cast<float>(inward.z);
   }
-  return other;
+  part.bounds = bounds_of(frustum);
+  return part;
 }
 
-SkyBounds turned(const SkyBounds& bounds, float phi_turns, bool mirrored) {
-  const float turns = bounds.turns + phi_turns;
-  return {mirrored ? -bounds.high : bounds.low, mirrored ? -bounds.low : bounds.high, turns - std::floor(turns),
-          bounds.width_turns};
+SkyTurn sky_turn(double phi) {
+  const double turns = phi / (2.0 * pi);
+  return {static_cast<float>(turns - std::floor(turns)), static_cast<float>(std::sin(phi)),
+          static_cast<float>(std::cos(phi))};
+}
+
+SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored) {
+  SkyPart other;
+  for (int side = 0; side < 4; ++side) {
+    const float(&n)[3] = part.inward[side];
+    other.inward[side][0] = turn.cosine * n[0] - turn.sine * n[1];
+    other.inward[side][1] = turn.sine * n[0] + turn.cosine * n[1];
+    other.inward[side][2] = mirrored ? -n[2] : n[2];
+  }
+  const SkyBounds& bounds = part.bounds;
+  const float turns = bounds.turns + turn.turns;
+  other.bounds = {mirrored ? -bounds.high : bounds.low, mirrored ? -bounds.low : bounds.high,
+                  turns < 1.0F ? turns : turns - 1.0F, bounds.width_turns};
+  return other;
 }
 
 }  // namespace ergodome

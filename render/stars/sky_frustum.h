@@ -39,8 +39,24 @@ SkyBounds bounds_of(const SkyFrustum& frustum);
 //! What of the sky a frustum holds, at the most, about [sr].
 double solid_angle(const SkyFrustum& frustum);
 
-//! The same after the sky's mirror image across the equator, if `side` is -1, and a turn by φ about z.
-SkyFrustum turned(const SkyFrustum& frustum, double sine_phi, double cosine_phi, double side);
-SkyBounds turned(const SkyBounds& bounds, float phi_turns, bool mirrored);
+//! A frustum as stars are sought in it.
+struct SkyPart {
+  float inward[4][3];  //!< its four sides
+  SkyBounds bounds;
+};
+
+SkyPart sky_part(const SkyFrustum& frustum);
+
+//! A turn by φ about z.
+struct SkyTurn {
+  float turns;  //!< in [0, 1)
+  float sine;
+  float cosine;
+};
+
+SkyTurn sky_turn(double phi);
+
+//! The part after the sky's mirror image across the equator, if `mirrored`, and then a turn.
+SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored);
 
 }  // namespace ergodome

@@ -148,8 +148,7 @@ const StarField::Level& StarField::level_for(float faintest) const {
   return smallest == levels_.rend() ? levels_.front() : *smallest;
 }
 
-int StarField::search(const SkyFrustum& part, const SkyBounds& bounds, const StarFloor& floor,
-                      std::vector<int>& found) const {
+int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const {
   if (stars_.empty()) {
     return 0;
   }
@@ -166,17 +165,16 @@ int StarField::search(const SkyFrustum& part, const SkyBounds& bounds, const Sta
                  level.first.data(),
                  {level.direction[0].data(), level.direction[1].data(), level.direction[2].data()},
                  level.illuminance.data()};
-  batch.first_band = band_of(static_cast<double>(bounds.low), level.bands);
-  batch.last_band = band_of(static_cast<double>(bounds.high), level.bands) + 1;
-  batch.first_cell = place_among(static_cast<double>(bounds.turns), level.cells);
-  const double end = static_cast<double>(bounds.turns) + static_cast<double>(bounds.width_turns);
-  batch.cell_count = std::min(static_cast<int>(end * level.cells) + 1 - batch.first_cell, level.cells);
-  for (int side = 0; side < 4; ++side) {
-    const Vector3<double>& inward = part.inward[side];
-    batch.inward[side][0] = static_cast<float>(inward.x);
-    batch.inward[side][1] = static_cast<float>(inward.y);
-    batch.inward[side][2] = static_cast<float>(inward.z);
-  }
+  const auto place = [](float at, int parts) {
+    return std::clamp(static_cast<int>(at * static_cast<float>(parts)), 0, parts - 1);
+  };
+  const SkyBounds& bounds = part.bounds;
+  batch.first_band = place(0.5F * (bounds.low + 1.0F), level.bands);
+  batch.last_band = place(0.5F * (bounds.high + 1.0F), level.bands) + 1;
+  batch.first_cell = place(bounds.turns, level.cells);
+  const int last_cell = static_cast<int>((bounds.turns + bounds.width_turns) * static_cast<float>(level.cells));
+  batch.cell_count = std::min(last_cell + 1 - batch.first_cell, level.cells);
+  std::copy_n(&part.inward[0][0], 12, &batch.inward[0][0]);
   batch.faintest = faintest;
   batch.found = found.data();
   batch.count = &count;

@@ -42,9 +42,8 @@ class StarField {
   [[nodiscard]] int count_from(const StarFloor& floor) const;
 
   //! Puts the numbers of the stars of a part of the sky that are bright enough into the first places of `found`, which is made large
-  //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them. `bounds`: of the
-  //! part, see bounds_of.
-  int search(const SkyFrustum& part, const SkyBounds& bounds, const StarFloor& floor, std::vector<int>& found) const;
+  //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them.
+  int search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const;
 
  private:
   //! The brightest stars, by their place on the sky.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -83,27 +84,30 @@ StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, 
 
 namespace {
 
-//! What becomes of a rough image; star -1 where it is too faint or out of view.
+//! What becomes of a rough image at a place that an observer sees; star -1 where it is too faint or out of view.
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
-                           const Vector3<double>& on_sky, const StarSettings& settings) {
-  double per_area = 0.0;
-  const Vector3<double> rain =
-      observer.rain_direction(static_cast<double>(image.gamma_turns), static_cast<double>(image.s), per_area);
-  StarCandidate candidate{image.star, on_sky, observer.observed(rain), static_cast<double>(star.radius),
-                          observer.edge_distance(image.s)};
-  const ImageObserver::Shift shift = observer.shift_towards(rain);
-  const float magnification = static_cast<float>(per_area) / std::abs(image.sky);
-  const float most = image.brighter * magnification * observer.gain_of(shift, star);
-  if (image.exact) {
-    candidate.exact = true;
-    candidate.solid_angle = static_cast<double>(image.sky) / (per_area * shift.brightening);
-    // Away from folds no star's disk shows.
-    candidate.stretch = 2.0 * std::abs(candidate.solid_angle);
-    candidate.frequency_ratio = shift.frequency_ratio;
-  }
+                           const ObservedPlaces& places, std::size_t i, const StarSettings& settings) {
+  const float g = places.frequency_ratio[i];
+  // The sky's solid angle over the observer's.
+  const float solid_angle = image.sky / places.area[i];
+  StarCandidate candidate;
+  candidate.star = image.star;
+  candidate.direction = {static_cast<double>(places.direction[0][i]), static_cast<double>(places.direction[1][i]),
+                         static_cast<double>(places.direction[2][i])};
+  const float most = image.brighter / std::abs(solid_angle) * observer.shift_gain(star, g);
   if (!image.guessed &&
       (star.illuminance * most < settings.faintest || !may_touch(settings.view, candidate.direction, 0.0))) {
     candidate.star = -1;
+    return candidate;
+  }
+  candidate.radius = static_cast<double>(star.radius);
+  candidate.edge_distance = observer.edge_distance(image.s);
+  if (image.exact) {
+    candidate.exact = true;
+    candidate.solid_angle = static_cast<double>(solid_angle);
+    // Away from folds no star's disk shows.
+    candidate.stretch = 2.0 * std::abs(candidate.solid_angle);
+    candidate.frequency_ratio = static_cast<double>(g);
   }
   return candidate;
 }
@@ -114,15 +118,28 @@ std::vector<StarCandidate> candidates_of(const std::vector<RoughImage>& rough, c
   const double sine = std::sin(phi);
   const double cosine = std::cos(phi);
   parallel_for(static_cast<int>(rough.size()), 1024, [&](int begin, int end) {
+    const ObservedPlaces places = observer.observe(std::span(rough).subspan(
+        static_cast<std::size_t>(begin), static_cast<std::size_t>(end) - static_cast<std::size_t>(begin)));
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
       const FieldStar& star = field.stars()[static_cast<std::size_t>(rough[i].star)];
       const Vector3<double>& d = star.direction;
-      candidates[i] =
-          candidate_of(rough[i], star, observer, {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z}, settings);
+      candidates[i] = candidate_of(rough[i], star, observer, places, i - static_cast<std::size_t>(begin), settings);
+      candidates[i].on_sky = {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z};
     }
   });
   std::erase_if(candidates, [](const StarCandidate& candidate) { return candidate.star < 0; });
   return candidates;
+}
+
+//! Light of a candidate's image [lx], linear sRGB, where its last ray came from.
+Vector3<float> light_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours, bool redshift) {
+  return star_light(colours, star.log_temperature, star.illuminance,
+                    redshift ? static_cast<float>(c.frequency_ratio) : 1.0F,
+                    1.0F / static_cast<float>(capped_solid_angle(c)));
+}
+
+float luminance_of(const Vector3<float>& light) {
+  return 0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z;
 }
 
 //! The image that a candidate has become; star -1 where it is none, or too faint.
@@ -133,17 +150,15 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
   if (!(c.miss <= image_tolerance_px * settings.pixel)) {
     return image;
   }
-  const auto solid_angle = static_cast<float>(capped_solid_angle(c));
-  const auto g = static_cast<float>(c.frequency_ratio);
-  const Vector3<float> light =
-      star_light(colours, star.log_temperature, star.illuminance, settings.redshift ? g : 1.0F, 1.0F / solid_angle);
-  if (!(0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z >= settings.faintest)) {
+  const Vector3<float> light = light_of(c, star, colours, settings.redshift);
+  if (!(luminance_of(light) >= settings.faintest)) {
     return image;
   }
+  const auto solid_angle = static_cast<float>(capped_solid_angle(c));
   return {c.star,
           {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y), static_cast<float>(c.direction.z)},
           (c.solid_angle < 0.0 ? -1.0F : 1.0F) / solid_angle,
-          g,
+          static_cast<float>(c.frequency_ratio),
           settings.magnification ? light : solid_angle * light};
 }
 
@@ -162,9 +177,14 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   candidates.erase(first_exact, candidates.end());
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;
-  refine_images(candidates, {eye, observer.chart(), settings.pixel}, [&](const StarCandidate& c) {
-    return may_touch(settings.view, c.direction, 0.0) &&
-           image_of(c, field.stars()[static_cast<std::size_t>(c.star)], colours, fainter).star >= 0;
+  const auto star_of = [&](const StarCandidate& c) -> const FieldStar& {
+    return field.stars()[static_cast<std::size_t>(c.star)];
+  };
+  const auto brightness = [&](const StarCandidate& c) {
+    return static_cast<double>(luminance_of(light_of(c, star_of(c), colours, settings.redshift)) / settings.faintest);
+  };
+  refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness}, [&](const StarCandidate& c) {
+    return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
   });
   candidates.insert(candidates.end(), exact.begin(), exact.end());
   std::vector<StarImage> found(candidates.size());

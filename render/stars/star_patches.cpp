@@ -156,8 +156,8 @@ void StarPatches::tell_error(float error_px, float cell_parts, StarPatch& patch)
   patch.exact = error_px <= exact_grid_px && magnification_error <= exact_magnification;
 }
 
-bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch) const {
-  const double share = solid_angle(patch.frustum) / (4.0 * 3.14159265358979323846);
+bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const {
+  const double share = solid_angle(frustum) / (4.0 * 3.14159265358979323846);
   const double stars = wanted.field.count_from(floor_of(patch)) * std::min(share, 1.0);
   return patch.shape == PatchShape::regular ||
          stars <= (patch.shape == PatchShape::folded ? few_stars_folded : few_stars);
@@ -179,7 +179,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     const Stretching stretching = stretching_of(measures, own);
     own.shape = stretching.folded ? PatchShape::folded : measures.regular ? PatchShape::regular : PatchShape::bent;
     own.error = stretching.folded ? static_cast<float>(exactness_.fold_error) : 0.0F;
-    own.frustum = frustum_of(own.sky, own.frame, static_cast<double>(own.error));
+    const SkyFrustum frustum = frustum_of(own.sky, own.frame, static_cast<double>(own.error));
     own.light = wanted.light.light_in(measures.brightening, measures.frequency_ratio);
     own.seen = measures.seen;
     // Chords are shorter than angles, and sides may bulge between the places that were asked.
@@ -190,8 +190,8 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     if (wanted.field.count_from(floor_of(own)) == 0) {
       return;
     }
-    if (last || is_done(wanted, own)) {
-      own.bounds = bounds_of(own.frustum);
+    if (last || is_done(wanted, own, frustum)) {
+      own.part = sky_part(frustum);
       patches.push_back(own);
       return;
     }

@@ -20,9 +20,8 @@ struct PatchLight {
 struct StarPatch {
   BezierPatch sky;  //!< in its frame
   PatchFrame frame;
-  SkyFrustum frustum;  //!< holds all of it on the sky
-  SkyBounds bounds;    //!< of that
-  float gamma_turns;   //!< its place in the chart
+  SkyPart part;       //!< holds all of it on the sky
+  float gamma_turns;  //!< its place in the chart
   float s;
   float width_turns;
   float height;
@@ -95,7 +94,7 @@ class StarPatches {
   };
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
-  [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch) const;
+  [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const;
   void tell_error(float error_px, float cell_parts, StarPatch& patch) const;
 
   std::vector<float> edge_;  //!< of the chart

@@ -36,6 +36,7 @@ constexpr int later_rounds[] = {1, 1, 1, 2};
 constexpr int many_rounds = 18;
 //! Larger misses say that no light came [rad].
 constexpr double no_light = 1e29;
+constexpr double nowhere = 1e30;
 //! What goes farther than this after the few rounds will not come to an end, as a part of the distance to the shadow's edge.
 constexpr double hopeless_miss = 0.02;
 
@@ -133,10 +134,29 @@ bool is_open(const StarCandidate& c, const RayPrecision& precision) {
   return (c.miss > precision.miss || c.change > most_magnification_change) && c.miss < no_light;
 }
 
+//! Leaves images that are too faint where their last rays came from, and will be where the next come from.
+void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
+  constexpr double least_slack = 1.3;
+  constexpr double most_change_told = 0.5;
+  // What the last step changes is told as most change at the most, and here and there up to twice that.
+  constexpr double between = 3.0;
+  if (!search.brightness) {
+    return;
+  }
+  for (StarCandidate& c : candidates) {
+    if (is_open(c, precision) && c.solid_angle != 0.0 && c.change < most_change_told &&
+        search.brightness(c) * (least_slack + between * c.change) < 1.0) {
+      c.miss = nowhere;
+      c.faint = true;
+    }
+  }
+}
+
 //! Seeks images, most of which one ray finds: the others shall not keep them waiting, nor those that never end each other.
 template <class S>
 void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
   refine<S>(candidates, search, precision, 1);
+  leave_faint(candidates, search, precision);
   for (const int rounds : later_rounds) {
     with_some(
         candidates, [&](const StarCandidate& c) { return is_open(c, precision); },
@@ -162,6 +182,9 @@ enum class Start {
 };
 
 Start double_start(const StarCandidate& c, const ImageSearch& search) {
+  if (c.faint) {
+    return Start::none;
+  }
   const double pixel = search.pixel;
   const SingularValues values = singular_values(c);
   const double smaller = std::min(std::sqrt(values.smaller_square), 1.0);
@@ -194,25 +217,26 @@ void refine_finest(std::vector<StarCandidate>& candidates, const ImageSearch& se
 //! Seeks in double what float's rounding leaves wrong.
 void refine_steep(std::vector<StarCandidate>& candidates, const std::vector<StarCandidate>& rough,
                   const ImageSearch& search, const std::function<bool(const StarCandidate&)>& wanted) {
-  std::vector<std::size_t> places[2];
-  std::vector<StarCandidate> steep[2];
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Start start = double_start(candidates[i], search);
-    if (start == Start::rough || (start == Start::found && wanted(candidates[i]))) {
-      const int from = start == Start::found ? 0 : 1;
-      places[from].push_back(i);
-      steep[from].push_back(start == Start::found ? candidates[i] : rough[i]);
+  std::vector<std::size_t> places;
+  std::vector<StarCandidate> steep;
+  const auto take = [&](Start start) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (double_start(candidates[i], search) == start && (start == Start::rough || wanted(candidates[i]))) {
+        places.push_back(i);
+        steep.push_back(start == Start::found ? candidates[i] : rough[i]);
+      }
     }
-  }
+  };
+  take(Start::found);
+  const auto found = static_cast<std::ptrdiff_t>(steep.size());
+  take(Start::rough);
   const double miss = image_tolerance_px * search.pixel;
-  for (std::vector<StarCandidate>& each : steep) {
-    refine_patiently(each, search, {fine_tolerance, std::min(miss, fine_miss)});
-  }
-  refine_finest(steep[1], search);
-  for (const int from : {0, 1}) {
-    for (std::size_t i = 0; i < places[from].size(); ++i) {
-      candidates[places[from][i]] = steep[from][i];
-    }
+  refine_patiently(steep, search, {fine_tolerance, std::min(miss, fine_miss)});
+  std::vector<StarCandidate> from_rough(steep.begin() + found, steep.end());
+  refine_finest(from_rough, search);
+  std::ranges::copy(from_rough, steep.begin() + found);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    candidates[places[i]] = steep[i];
   }
 }
 

@@ -22,6 +22,7 @@ struct StarCandidate {
   double miss = 0.0;
   double change = 0.0;
   bool exact = false;  //!< it needs no rays
+  bool faint = false;  //!< it was left on the way
 };
 
 //! Squares of the singular values of the map from the camera's sky to the stars'.
@@ -40,10 +41,13 @@ struct ImageSearch {
   const StarEye& eye;
   StarChartOf<double> chart;  //!< of the eye's place, if one is known
   double pixel;               //!< its angle [rad]
+  //! Luminance of an image as its last ray has it, over the least that is asked for; without it none is left.
+  std::function<double(const StarCandidate&)> brightness;
 };
 
 //! Follows images to where rays have them: in float, and in double next to caustics. An image is found when its `miss` is at most
-//! image_tolerance_px pixels. Images of which `wanted` says no, where float is right to some per cent, are not made better.
+//! image_tolerance_px pixels. What turns out too faint on the way is left, and images of which `wanted` says no, where float is right to
+//! some per cent, are not made better.
 void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& search,
                    const std::function<bool(const StarCandidate&)>& wanted);
 

@@ -102,8 +102,11 @@ TEST(SkyBounds, HoldTheirFrustumAboutThePolesAndAcrossTheSeam) {
 }
 
 TEST(SkyBounds, TurnWithTheSky) {
-  const SkyBounds bounds = {-0.25F, 0.5F, 0.75F, 0.125F};
-  const SkyBounds other = turned(bounds, 0.5F, true);
+  const SkyPart part = {{{0.6F, 0.8F, 0.0F}}, {-0.25F, 0.5F, 0.75F, 0.125F}};
+  const SkyPart turned_part = turned(part, sky_turn(pi), true);
+  EXPECT_NEAR(turned_part.inward[0][0], -0.6F, 1e-6F);
+  EXPECT_NEAR(turned_part.inward[0][1], -0.8F, 1e-6F);
+  const SkyBounds& other = turned_part.bounds;
   EXPECT_EQ(other.low, -0.5F);
   EXPECT_EQ(other.high, 0.25F);
   EXPECT_EQ(other.turns, 0.25F);
@@ -123,7 +126,7 @@ TEST(StarField, SearchVisitsOnceWhatAFrustumHolds) {
     const int row = round % 2 == 0 ? ShiftGains::unshifted_row()
                                    : ShiftGains::row_of(static_cast<float>(0.5 + 2.0 * uniform(random)));
     const float faintest = illuminance_of(9.0 * uniform(random));
-    const int count = field.search(frustum, bounds_of(frustum), {faintest, row}, found);
+    const int count = field.search(sky_part(frustum), {faintest, row}, found);
     std::vector<int> times(field.stars().size());
     for (int i = 0; i < count; ++i) {
       ++times[static_cast<std::size_t>(found[static_cast<std::size_t>(i)])];
