@@ -64,6 +64,23 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   overlays.set_extra(request.captions, request.captions_opacity);
 }
 
+//! Joining eyes copies both of them, and a window need not: where light is shown they go up one by one. Colour bars lie across both.
+void show_eyes(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection, const ShowMoment& moment,
+               PictureAnswer& answer) {
+  if (frame.mode != ViewMode::sky) {
+    answer.picture = renderer.render_window(frame.pose, projection, frame.mode, moment);
+    draw_color_bar(answer.picture, frame.mode);
+    return;
+  }
+  std::vector<Picture> parts = renderer.render_window_parts(frame.pose, projection, frame.mode, moment);
+  answer.picture = std::move(parts.front());
+  if (parts.size() > 1) {
+    answer.picture.behind = answer.picture.behind || parts[1].behind;
+    answer.right_eye = std::move(parts[1]);
+    answer.eyes_above = frame.stereo.layout == StereoLayout::top_bottom;
+  }
+}
+
 }  // namespace
 
 PictureAnswer render_for_window(const PictureRequest& request) {
@@ -79,8 +96,7 @@ PictureAnswer render_for_window(const PictureRequest& request) {
         renderer.render_eye_in_place(frame.pose, 0.0, projection, frame.mode, moment, &answer.picture.lens);
     answer.on_device = {rgba, projection.width_px, projection.height_px, frame.mode != ViewMode::sky, renderer.tone()};
   } else {
-    answer.picture = renderer.render_window(frame.pose, projection, frame.mode, moment);
-    draw_color_bar(answer.picture, frame.mode);
+    show_eyes(renderer, frame, projection, moment, answer);
   }
   if (request.errors_asked) {
     const auto begun = Clock::now();

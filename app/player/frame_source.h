@@ -42,7 +42,9 @@ struct DevicePicture {
 
 //! A finished picture and what it took.
 struct PictureAnswer {
-  Picture picture;
+  Picture picture;                         //!< or the left eye's
+  std::optional<Picture> right_eye;        //!< where both eyes are shown whole
+  bool eyes_above = false;                 //!< the left one above the right, not beside it
   std::optional<DevicePicture> on_device;  //!< in place of the picture's pixels
   double time_ms = 0.0;
   int size_px = 0;

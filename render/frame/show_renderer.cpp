@@ -247,13 +247,23 @@ void ShowRenderer::set_observer(ObserverMotion motion, const Vector3<double>& ve
   show_.camera.velocity = velocity;
 }
 
-Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
-                                    const ShowMoment& moment) {
+std::vector<Picture> ShowRenderer::render_window_parts(const CameraPose& pose, const Projection& projection,
+                                                       ViewMode mode, const ShowMoment& moment) {
   std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);
   // A visitor's eye follows by the clock on the wall, show or no show.
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   finish_eyes(eyes, projection, mode, moment, std::chrono::duration<double>(now).count());
-  return eyes.size() < 2 ? std::move(eyes.front()) : joined_eyes(eyes[0], eyes[1], show_.stereo.layout);
+  if (eyes.size() == 2 && !shows_eyes_whole(show_.stereo.layout)) {
+    eyes.front() = joined_eyes(eyes[0], eyes[1], show_.stereo.layout);
+    eyes.pop_back();
+  }
+  return eyes;
+}
+
+Picture ShowRenderer::render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                    const ShowMoment& moment) {
+  std::vector<Picture> parts = render_window_parts(pose, projection, mode, moment);
+  return parts.size() < 2 ? std::move(parts.front()) : joined_eyes(parts[0], parts[1], show_.stereo.layout);
 }
 
 std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& choice) {

@@ -73,6 +73,10 @@ class ShowRenderer {
   Picture render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                         const ShowMoment& moment = {});
 
+  //! The same, but that eyes which lie whole beside or above each other are not joined: two pictures, the left eye's first.
+  std::vector<Picture> render_window_parts(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                           const ShowMoment& moment = {});
+
   //! One eye's picture. `eye_offset` in M to the right of the head.
   Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
                      const ShowMoment& moment = {});

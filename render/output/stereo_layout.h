@@ -10,6 +10,12 @@ constexpr bool keeps_eyes_apart(StereoLayout layout) {
   return layout == StereoLayout::separate || layout == StereoLayout::multiview;
 }
 
+//! Whether a window's picture has both eyes whole, beside or above each other.
+constexpr bool shows_eyes_whole(StereoLayout layout) {
+  return keeps_eyes_apart(layout) || layout == StereoLayout::side_by_side || layout == StereoLayout::quad_buffer ||
+         layout == StereoLayout::top_bottom;
+}
+
 //! Width and height of an image [px].
 struct ImageSize {
   int width;

@@ -82,6 +82,18 @@ void Presenter::upload(const Picture& picture) {
   glTextureSubImage2D(state_->texture, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.rgba.data());
 }
 
+void Presenter::upload_eyes(const Picture& left, const Picture& right, bool above) {
+  const int left_px = above ? 0 : left.width;
+  const int top_px = above ? left.height : 0;
+  resize(left_px + right.width, top_px + right.height);
+  ++state_->version;
+  state_->heat_map = left.heat_range.has_value();
+  state_->tone = left.tone;
+  glTextureSubImage2D(state_->texture, 0, 0, 0, left.width, left.height, GL_RGBA, GL_FLOAT, left.rgba.data());
+  glTextureSubImage2D(state_->texture, 0, left_px, top_px, right.width, right.height, GL_RGBA, GL_FLOAT,
+                      right.rgba.data());
+}
+
 void Presenter::upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone) {
   resize(width, height);
   ++state_->version;

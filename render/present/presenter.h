@@ -35,6 +35,9 @@ class Presenter {
   //! Hands over a picture from host memory; it stays until the next one.
   void upload(const Picture& picture);
 
+  //! Hands over those of two eyes of one size, which fill one picture: beside each other, or the left one above the right.
+  void upload_eyes(const Picture& left, const Picture& right, bool above);
+
   //! Hands over a picture from CUDA device memory (four floats a pixel), without a way through the host.
   void upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone);
 

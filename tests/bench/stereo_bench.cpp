@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <memory>
 #include <string>
@@ -35,7 +36,7 @@ void stereo_frame(benchmark::State& state, const char* stereo) {
   CameraPose pose = camera_pose(show, 0.0);
   for (auto _ : state) {
     pose.r -= 1e-6;
-    benchmark::DoNotOptimize(renderer.render_window(pose, projection, ViewMode::sky).rgba.data());
+    benchmark::DoNotOptimize(renderer.render_window_parts(pose, projection, ViewMode::sky).front().rgba.data());
   }
   state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
 }
@@ -61,7 +62,10 @@ double middle(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-//! Frames of each model in turn: middle processor time of one eye's, and the middle, least and greatest of the ratios of each round.
+double clock_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+//! Frames of each model in turn: middle time of one eye's, and the middle, least and greatest of the ratios of each round, of processor time
+//! and of time on the clock.
 void stereo_in_turn(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));
   constexpr const char* models[] = {"", physical_eyes, flat_eyes, omni_eyes};
@@ -72,19 +76,23 @@ void stereo_in_turn(benchmark::State& state) {
   const Projection projection = make_projection(renderers[0]->show().view, size, 0.0);
   CameraPose pose = camera_pose(renderers[0]->show(), 0.0);
   std::vector<double> times[4];
+  std::vector<double> clock_times[4];
   for (auto _ : state) {
     pose.r -= 1e-6;
     for (std::size_t i = 0; i < 4; ++i) {
       const double begin = processor_s();
-      benchmark::DoNotOptimize(renderers[i]->render_window(pose, projection, ViewMode::sky).rgba.data());
+      const double clock_begin = clock_s();
+      benchmark::DoNotOptimize(renderers[i]->render_window_parts(pose, projection, ViewMode::sky).data());
       times[i].push_back(processor_s() - begin);
+      clock_times[i].push_back(clock_s() - clock_begin);
     }
   }
-  const auto ratios = [&](std::size_t above, std::size_t below, const std::string& name) {
+  const auto ratios = [&](std::size_t above, std::size_t below, const std::string& name, bool by_clock = false) {
+    const auto& taken = by_clock ? clock_times : times;
     std::vector<double> each;
-    each.reserve(times[above].size());
-    for (std::size_t i = 0; i < times[above].size(); ++i) {
-      each.push_back(times[above][i] / times[below][i]);
+    each.reserve(taken[above].size());
+    for (std::size_t i = 0; i < taken[above].size(); ++i) {
+      each.push_back(taken[above][i] / taken[below][i]);
     }
     state.counters[name] = middle(each);
     state.counters[name + "_least"] = *std::ranges::min_element(each);
@@ -94,6 +102,8 @@ void stereo_in_turn(benchmark::State& state) {
   ratios(1, 0, "physical_over_mono");
   ratios(2, 0, "flat_over_mono");
   ratios(3, 1, "omni_over_physical");
+  ratios(1, 0, "clock_physical_over_mono", true);
+  ratios(2, 0, "clock_flat_over_mono", true);
 }
 
 BENCHMARK(stereo_in_turn)->Apply(stereo_sizes);

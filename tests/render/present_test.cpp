@@ -1,9 +1,11 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "kernels/core/error.h"
+#include "render/output/stereo_layout.h"
 #include "render/output/tone_map.h"
 #include "render/present/headless_context.h"
 #include "render/present/presenter.h"
@@ -120,6 +122,25 @@ TEST_F(Present, PicturesMayChangeTheirSize) {
   }
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   EXPECT_GT(Presenter::read_back(16, 16)[0], 150);
+}
+
+TEST_F(Present, EyesFillOnePictureAsJoinedOnesDo) {
+  const Picture left = corners(40, 20);
+  Picture right = corners(40, 20);
+  std::ranges::fill(right.rgba, 0.3F);
+  for (const StereoLayout layout : {StereoLayout::side_by_side, StereoLayout::top_bottom}) {
+    const Picture joined = joined_eyes(left, right, layout);
+    make_framebuffer(joined.width, joined.height);
+    Presenter presenter;
+    presenter.upload_eyes(left, right, layout == StereoLayout::top_bottom);
+    presenter.draw(joined.width, joined.height);
+    const auto shown = Presenter::read_back(joined.width, joined.height);
+    const auto expected = tone_mapped(joined);
+    ASSERT_EQ(shown.size(), expected.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      ASSERT_NEAR(shown[i], expected[i], 1) << static_cast<int>(layout) << ", byte " << i;
+    }
+  }
 }
 
 TEST_F(Present, TextLiesInItsCornerAlone) {

@@ -67,8 +67,10 @@ class EdgeImages {
   using Column = std::array<double, count>;
 
   [[nodiscard]] Vector3<double> at(double gamma_turns, double s) const {
-    double per_area = 0.0;
-    return unit_of(observer_.observed(observer_.rain_direction(gamma_turns, s, per_area)));
+    const StarChartOf<double> chart = observer_.chart();
+    const ChartStretch<double> stretch = chart_stretch(chart.chart, gamma_turns, s);
+    const Vector3<MixedDual<double>> n = chart_direction_at(chart.chart, gamma_turns, stretch.alpha);
+    return unit_of(observed_direction(chart.aberration, Vector3<double>{n.x.value, n.y.value, n.z.value}));
   }
 
   //! Kernels take stars as from φ = 0.
