@@ -105,8 +105,8 @@ float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) co
 PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
   // Cameras beside the middle one may see less energy by so much.
   const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
-  return {1.2F * brightening,
-          redshift_ ? ShiftGains::row_of(1.05F * frequency_ratio / least) : ShiftGains::unshifted_row()};
+  return {1.05F * brightening,
+          redshift_ ? ShiftGains::row_of(1.01F * frequency_ratio / least) : ShiftGains::unshifted_row()};
 }
 
 }  // namespace ergodome

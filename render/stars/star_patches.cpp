@@ -74,7 +74,7 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
     // Samples lie a quarter of the patch apart: half of that on, what changes steadily is off by the eighth root of what it changes by.
     const float low = std::min(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
     const float high = std::max(std::abs(measures.lowest_sky), std::abs(measures.highest_sky));
-    const float between_samples = std::min(std::sqrt(std::sqrt(high / low)), most_between_samples);
+    const float between_samples = std::min(std::sqrt(std::sqrt(std::sqrt(high / low))), most_between_samples);
     return {false, between_samples * measures.greatest_ratio};
   }
   return {true, folded_magnification(measures.greatest_camera, sky_range, patch.width_turns * patch.height)};
