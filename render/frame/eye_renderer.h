@@ -44,7 +44,7 @@ struct PictureSettings {
 };
 
 //! Rows of a picture that are worked on at a time: memory stays bounded at any size.
-int rows_of_a_block(int width_px, int height_px);
+int rows_of_a_block(Backend backend, int width_px, int height_px);
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
 struct HeatRange {

@@ -33,26 +33,60 @@ float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, 
   return after < before ? after / before : 1.0F;
 }
 
+//! Pixels of a side of the squares that are asked together.
+constexpr int tile_px = 16;
+
+//! Angles from the middle of the edges between which pixels may see another of them.
+struct EdgeRing {
+  double inner;
+  double outer;
+
+  //! Whether what lies within `radius` of a direction may reach into it.
+  [[nodiscard]] bool reaches(const Vector3<float>& direction, const Vector3<float>& middle, double radius) const {
+    const double angle = std::acos(std::clamp(static_cast<double>(dot(direction, middle)), -1.0, 1.0));
+    return angle - radius <= outer && angle + radius >= inner;
+  }
+};
+
+//! The part of a picture that is asked together.
+struct PixelSquare {
+  int left, top, right, bottom;
+};
+
+void mask_square(Picture& picture, const ProjectionOf<float>& projection, const EdgeCurve& head, const EdgeCurve& eye,
+                 const PixelSquare& square) {
+  for (int y = square.top; y < square.bottom; ++y) {
+    float* pixel = picture.rgba.data() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + square.left);
+    for (int x = square.left; x < square.right; ++x, pixel += 4) {
+      const float left = light_left(projection, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, head, eye);
+      for (int c = 0; c < 4; ++c) {
+        pixel[c] *= left;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void mask_shadow(Picture& picture, const Projection& projection, const EdgeCurve& head, const EdgeCurve& eye) {
   static WorkCounter counter("mask_shadow");
   const WorkScope work(counter, static_cast<long>(picture.width) * picture.height);
   const ProjectionOf<float> narrowed = converted_projection<float>(projection);
-  const double reach = static_cast<double>(std::max(head.largest, eye.largest)) + 2.0 * largest_pixel_angle(projection);
-  const float lowest = reach < 3.14159 ? static_cast<float>(std::cos(reach)) : -2.0F;
-  parallel_for(picture.height, 8, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      float* pixel = picture.rgba.data() + 4 * static_cast<std::ptrdiff_t>(y) * picture.width;
-      for (int x = 0; x < picture.width; ++x, pixel += 4) {
-        const float x_px = static_cast<float>(x) + 0.5F;
-        const float y_px = static_cast<float>(y) + 0.5F;
-        const Vector3<float> n = direction_from_pixel(narrowed, x_px, y_px);
-        if (dot(n, eye.centre) >= lowest) {
-          const float left = light_left(narrowed, x_px, y_px, head, eye);
-          for (int c = 0; c < 4; ++c) {
-            pixel[c] *= left;
-          }
+  const double pixel = largest_pixel_angle(projection);
+  const EdgeRing ring = {static_cast<double>(head.smallest) - 2.0 * pixel,
+                         static_cast<double>(std::max(head.largest, eye.largest)) + 2.0 * pixel};
+  // Faces of a cube do not look the same way where they touch.
+  const int side_px = projection.kind == ProjectionKind::cube ? 1 : tile_px;
+  const double radius = side_px * pixel;
+  parallel_for((picture.height + side_px - 1) / side_px, std::max(8 / side_px, 1), [&](int begin, int end) {
+    for (int top = begin * side_px; top < std::min(end * side_px, picture.height); top += side_px) {
+      for (int left = 0; left < picture.width; left += side_px) {
+        const float middle_px = 0.5F * static_cast<float>(side_px);
+        const Vector3<float> n =
+            direction_from_pixel(narrowed, static_cast<float>(left) + middle_px, static_cast<float>(top) + middle_px);
+        if (ring.reaches(n, eye.centre, radius)) {
+          mask_square(picture, narrowed, head, eye,
+                      {left, top, std::min(left + side_px, picture.width), std::min(top + side_px, picture.height)});
         }
       }
     }

@@ -7,6 +7,7 @@
 #include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat_shadow.h"
+#include "render/output/stereo_layout.h"
 
 // How a show's renderer draws two eyes, by the models of stereo.
 namespace ergodome {
@@ -50,8 +51,7 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
       const Projection own = converged_projection(projection, side * stereo.baseline, stereo.convergence);
       eyes.push_back(renderer_.render(head, own, sky_.cube(), sharp));
     } else {
-      eyes.push_back(eyes.front());
-      eyes.back().unresolved_pixels = 0;
+      eyes.push_back(copied_picture(eyes.front()));
     }
   }
   std::optional<FlatShadow> shadow;

@@ -53,6 +53,7 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
   view_chart_ = {in_view(head, chart.centre), in_view(head, chart.first), in_view(head, chart.second)};
   right_ = {view_chart_.centre.x, view_chart_.first.x, view_chart_.second.x};
   edge_ = solve_edge(camera, chart, edge_points);
+  curve_ = edge_view(view_chart_, edge_);
   distances_.resize(static_cast<std::size_t>(spokes) * depths);
   parallel_for(spokes, 1, [&](int begin, int end) {
     for (int spoke = begin; spoke < end; ++spoke) {
@@ -89,10 +90,9 @@ double FlatShadow::distance(double gamma, double depth) const {
 }
 
 double FlatShadow::edge_at(double gamma) const {
-  const EdgeCurve curve = edge_view(view_chart_, edge_);
   float alpha = 0.0F;
   float slope = 0.0F;
-  ergodome::edge_at(curve, static_cast<float>(gamma), alpha, slope);
+  ergodome::edge_at(head_curve(), static_cast<float>(gamma), alpha, slope);
   return static_cast<double>(alpha);
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "kernels/metric/camera_station.h"
+#include "kernels/shadow/edge_curve.h"
 #include "kernels/shadow/shadow_chart.h"
 #include "render/lens/eye_camera.h"
 
@@ -32,12 +33,18 @@ class FlatShadow {
   [[nodiscard]] double distance(double gamma, double depth) const;
 
  private:
+  [[nodiscard]] EdgeCurve head_curve() const {
+    EdgeCurve curve = curve_;
+    curve.polar_angle = edge_.data();
+    return curve;
+  }
   [[nodiscard]] double edge_at(double gamma) const;
   [[nodiscard]] double farthest_out(const Vector3<double>& eye, double gamma) const;
 
   ShadowChart view_chart_{};
   Vector3<double> right_{};  //!< the view's right in the chart's axes
   std::vector<float> edge_;
+  EdgeCurve curve_{};  //!< of it, but for where its angles lie
   std::vector<double> distances_;
   double nearest_ = 0.0;
 };

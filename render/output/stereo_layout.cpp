@@ -186,6 +186,14 @@ Picture joined_eyes(const Picture& left, const Picture& right, StereoLayout layo
   return joined;
 }
 
+Picture copied_picture(const Picture& picture) {
+  Picture made = frame_like(picture, {picture.width, picture.height});
+  made.behind = picture.behind;
+  made.rgba.resize(numbers_of(made));
+  copy_to(made, picture, 0, 0);
+  return made;
+}
+
 void tint_left_eye(Picture& picture) { dim(picture, {1.0F, tint, tint}); }
 
 void tint_right_eye(Picture& picture) { dim(picture, {tint, 1.0F, 1.0F}); }

@@ -37,6 +37,9 @@ ImageSize layout_size(StereoLayout layout, ImageSize eye);
 //! of E. Dubois, Conversion of a Stereo Pair to Anaglyph with the Least-Squares Projection Method (2009), after ICASSP 2001, p. 1661.
 Picture joined_eyes(const Picture& left, const Picture& right, StereoLayout layout);
 
+//! The picture that both eyes see, for the other eye.
+Picture copied_picture(const Picture& picture);
+
 //! Turns the left eye's picture reddish or the right one's cyan, so that a person sees which eye gets which.
 void tint_left_eye(Picture& picture);
 void tint_right_eye(Picture& picture);

@@ -21,7 +21,7 @@ Planner::Planner(const Show& show, const FrameRequest& request)
   plan_.eyes = drawn_pictures(show_.stereo);
   shown_ = eye_count(show.stereo);
   pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
-  block_rows_ = rows_of_a_block(projection.width_px, projection.height_px);
+  block_rows_ = rows_of_a_block(request.backend, projection.width_px, projection.height_px);
   blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
   channels_ = lens_channels(request.mode, needs_.shading);
   for (const PictureSheet& sheet : picture_sheets(projection)) {

@@ -11,6 +11,8 @@
 #include "kernels/projection/flat_parallax.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/shadow/critical_curve.h"
+#include "kernels/shadow/pixel_coverage.h"
+#include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat_shadow.h"
 #include "tests/render/stereo_scene.h"
@@ -114,6 +116,46 @@ TEST(FlatEyes, HaveTheSkyWhereTheHeadHasIt) {
     }
   }
   EXPECT_GT(different, 200);
+}
+
+TEST(FlatEyes, AreDarkenedPixelByPixelInEveryProjection) {
+  const Show show = show_of_eyes("model = \"flat\"\n");
+  const FlatShadow shadow(eye_camera(show, camera_pose(show, 0.0), 0.0));
+  const std::vector<float> edge = shadow.eye_edge(0.5);
+  const EdgeCurve head = edge_view(shadow.chart(), shadow.head_edge());
+  const EdgeCurve eye = edge_view(shadow.chart(), edge);
+  for (const Projection& projection :
+       {make_dome_projection(301, pi, 0.3), make_dome_projection(300, 2.0 * pi, 1.0),
+        make_pinhole_projection(203, 150, 1.8), make_equirectangular_projection(330, 166),
+        make_cube_projection(60, CubeLayout::cross)}) {
+    const ProjectionOf<float> narrowed = converted_projection<float>(projection);
+    Picture picture;
+    picture.width = projection.width_px;
+    picture.height = projection.height_px;
+    picture.rgba.assign(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 1.0F);
+    mask_shadow(picture, projection, head, eye);
+    int darker = 0;
+    for (int y = 0; y < picture.height; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        using D = Dual<float>;
+        const Vector3<D> view = direction_from_pixel(narrowed, D(static_cast<float>(x) + 0.5F, 1.0F, 0.0F),
+                                                     D(static_cast<float>(y) + 0.5F, 0.0F, 1.0F));
+        const auto lit = [&](const EdgeCurve& curve) {
+          return cover_pixel(curve, Vector3<float>{view.x.value, view.y.value, view.z.value},
+                             Vector3<float>{view.x.along_x, view.y.along_x, view.z.along_x},
+                             Vector3<float>{view.x.along_y, view.y.along_y, view.z.along_y})
+              .lit;
+        };
+        const float expected = lit(eye) < lit(head) ? lit(eye) / lit(head) : 1.0F;
+        ASSERT_EQ(picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                    static_cast<std::size_t>(x))],
+                  expected)
+            << static_cast<int>(projection.kind) << ": " << x << ", " << y;
+        darker += expected < 1.0F ? 1 : 0;
+      }
+    }
+    EXPECT_GT(darker, 20);
+  }
 }
 
 TEST(FlatEyes, AreRefusedWhereTheHorizonIsBesideThem) {
