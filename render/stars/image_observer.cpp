@@ -5,6 +5,7 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/shadow/shadow_chart.h"
+#include "render/stars/edge_rounding.h"
 
 namespace ergodome {
 
@@ -59,9 +60,7 @@ ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, con
       energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
       aberration_(aberration_of(eye)) {}
 
-double ImageObserver::edge_distance(float s) const {
-  return 3.0 * std::exp((static_cast<double>(s) - 1.0) * static_cast<double>(chart_.range));
-}
+double ImageObserver::edge_distance(float s) const { return ergodome::edge_distance(chart_, static_cast<double>(s)); }
 
 ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const {
   std::vector<float> gamma_turns(images.size());

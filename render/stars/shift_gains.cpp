@@ -12,8 +12,8 @@ constexpr float log_coldest = 7.38F;
 constexpr float log_hottest = 10.4F;
 constexpr float class_width = (log_hottest - log_coldest) / star_classes;
 
-//! Rows lie at equal steps of ln g, in which the coldest stars gain a fifth at the most. Below the first its bound holds, and patches
-//! know no greater g than 10⁶.
+//! Rows lie at equal steps of ln g, in each of which stars of 6,000 K gain a tenth about g = 1, and the coldest a third. Below the first its
+//! bound holds, and patches know no greater g than 10⁶.
 constexpr float log_first = -4.0F;
 constexpr float log_step = 0.02F;
 constexpr int shifted_rows = 901;

@@ -45,8 +45,9 @@ FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_map, 
 }
 
 //! Number of equal parts of [0, 1) that a place lies in.
-int place_among(double place, int parts) {
-  return std::clamp(static_cast<int>(std::floor(place * parts)), 0, parts - 1);
+template <class T>
+int place_among(T place, int parts) {
+  return std::clamp(static_cast<int>(place * static_cast<T>(parts)), 0, parts - 1);
 }
 
 int band_of(double z, int bands) { return place_among(0.5 * (z + 1.0), bands); }
@@ -165,13 +166,10 @@ int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<i
                  level.first.data(),
                  {level.direction[0].data(), level.direction[1].data(), level.direction[2].data()},
                  level.illuminance.data()};
-  const auto place = [](float at, int parts) {
-    return std::clamp(static_cast<int>(at * static_cast<float>(parts)), 0, parts - 1);
-  };
   const SkyBounds& bounds = part.bounds;
-  batch.first_band = place(0.5F * (bounds.low + 1.0F), level.bands);
-  batch.last_band = place(0.5F * (bounds.high + 1.0F), level.bands) + 1;
-  batch.first_cell = place(bounds.turns, level.cells);
+  batch.first_band = place_among(0.5F * (bounds.low + 1.0F), level.bands);
+  batch.last_band = place_among(0.5F * (bounds.high + 1.0F), level.bands) + 1;
+  batch.first_cell = place_among(bounds.turns, level.cells);
   const int last_cell = static_cast<int>((bounds.turns + bounds.width_turns) * static_cast<float>(level.cells));
   batch.cell_count = std::min(last_cell + 1 - batch.first_cell, level.cells);
   std::copy_n(&part.inward[0][0], 12, &batch.inward[0][0]);

@@ -7,6 +7,7 @@
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/shadow_chart.h"
+#include "render/stars/edge_rounding.h"
 
 namespace ergodome {
 
@@ -148,11 +149,10 @@ void StarPatches::tell_error(float error_px, float cell_parts, StarPatch& patch)
   constexpr float slope_error = 3.1F;
   constexpr float exact_magnification = 3e-3F;
   constexpr float between_checks = 3.0F;
-  // What float's rounding leaves of a node's derivatives, times the distance to the shadow's edge [rad].
-  constexpr float rounding = 1.6e-5F;
   const float magnification_error = slope_error * cell_parts;
-  const float edge_distance = 3.0F * std::exp((patch.s - 1.0F) * chart_.range);
-  patch.brighter = 1.0F + between_checks * (magnification_error + rounding / edge_distance);
+  // Nodes are traced in float.
+  const auto rounding = static_cast<float>(edge_rounding / edge_distance(chart_, static_cast<double>(patch.s)));
+  patch.brighter = 1.0F + between_checks * (magnification_error + rounding);
   patch.exact = error_px <= exact_grid_px && magnification_error <= exact_magnification;
 }
 

@@ -5,14 +5,14 @@
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
+#include "render/stars/edge_rounding.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Errors of traced rays on the sky, in float and in double, and next to caustics; images move by that over the smaller singular value
-//! of the map.
-constexpr double float_tolerance = 5e-7;
+//! Errors of rays in double on the sky, as float_tolerance is of those in float, and next to caustics; images move by that over the smaller
+//! singular value of the map.
 constexpr double fine_tolerance = 1e-9;
 constexpr double finest_tolerance = 1e-11;
 //! What an image may be off by where the magnification changes fast [rad].
@@ -23,8 +23,6 @@ constexpr double ring_tolerance = 1e-10;
 constexpr double steepest = 0.1;
 //! Change of the magnification that float's rounding may make, as a part of it.
 constexpr double most_change = 0.01;
-//! What float's rounding is amplified by in the magnification: in none of 4,200 images about six holes, spins 0 to 0.999, by more.
-constexpr double most_amplified = 32.0;
 //! What rays have not brought so near to an image has none [px]; next to a caustic, where images run along it, so near to the star.
 constexpr double near_px = 2.0;
 //! Nearer to the shadow's edge, rays in float cannot tell that [rad].
@@ -198,7 +196,7 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   }
   // The map changes on the scale of the distance to the shadow's edge, and next to a caustic faster by one over the square of its smaller
   // singular value.
-  const double change = most_amplified * float_tolerance / (c.edge_distance * std::min(values.smaller_square, 1.0));
+  const double change = edge_rounding / (c.edge_distance * std::min(values.smaller_square, 1.0));
   return change > most_change ? Start::found : Start::none;
 }
 
