@@ -21,7 +21,7 @@ constexpr double grid_budget_px = 0.01;
 //! What rays in float leave of a finer one is their rounding [rad].
 constexpr double float_budget = 1.2e-5;
 //! Cells smaller than this are not refined: rays start from what they have.
-constexpr double least_star_cell_px = 4.0;
+constexpr double least_star_cell_px = 2.0;
 
 //! Whether a part of the view may lie in a patch, or on its `mirrored` side.
 bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {

@@ -28,8 +28,12 @@ constexpr double near_px = 2.0;
 //! Nearer to the shadow's edge, rays in float cannot tell that [rad].
 constexpr double least_float_distance = 3e-4;
 constexpr int star_step_limit = 400;
-//! Rounds of rays after the first in which most images are found, those left put together anew before each of these.
-constexpr int later_rounds[] = {1, 1, 1, 2};
+//! Rounds of rays after the first in which most images are found, those left put together anew before each.
+constexpr int later_rounds = 3;
+//! And the last ones, for those that are on their way.
+constexpr int last_rounds = 2;
+//! What is farther than this after the later rounds is on no way: it leaps about, in distances to the shadow's edge.
+constexpr double lost_miss = 2.0;
 //! And in which those are that lie next to caustics, far from where they are sought.
 constexpr int many_rounds = 18;
 //! Larger misses say that no light came [rad].
@@ -132,6 +136,9 @@ bool is_open(const StarCandidate& c, const RayPrecision& precision) {
   return (c.miss > precision.miss || c.change > most_magnification_change) && c.miss < no_light;
 }
 
+//! Whether rounds have led an image nowhere.
+bool is_lost(const StarCandidate& c) { return c.miss > lost_miss * c.edge_distance; }
+
 //! Leaves images that are too faint where their last rays came from, and will be where the next come from.
 void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
   constexpr double least_slack = 1.3;
@@ -155,11 +162,15 @@ template <class S>
 void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
   refine<S>(candidates, search, precision, 1);
   leave_faint(candidates, search, precision);
-  for (const int rounds : later_rounds) {
+  const auto refine_open = [&](int rounds, const auto& chosen) {
     with_some(
-        candidates, [&](const StarCandidate& c) { return is_open(c, precision); },
+        candidates, [&](const StarCandidate& c) { return is_open(c, precision) && chosen(c); },
         [&](std::vector<StarCandidate>& open) { refine<S>(open, search, precision, rounds); });
+  };
+  for (int round = 0; round < later_rounds; ++round) {
+    refine_open(1, [](const StarCandidate&) { return true; });
   }
+  refine_open(last_rounds, [](const StarCandidate& c) { return !is_lost(c); });
 }
 
 //! Seeks images in double, and patiently those that the few rounds have brought near but not to the end.
@@ -188,7 +199,7 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   const double smaller = std::min(std::sqrt(values.smaller_square), 1.0);
   // Without a chart, how near the edge is is not known.
   const bool float_tells = search.chart.chart.edge.count > 0 && c.edge_distance > least_float_distance;
-  if (float_tells && c.miss * smaller > near_px * pixel) {
+  if (float_tells && (is_lost(c) || c.miss * smaller > near_px * pixel)) {
     return Start::none;
   }
   if (!(c.miss <= image_tolerance_px * pixel) || values.smaller_square < steepest * steepest) {

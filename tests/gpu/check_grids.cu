@@ -114,7 +114,8 @@ bool check_checks(UniformGrid& grid) {
   const double device_ms = run_on_device_ms("check_cells", CheckCells<float>{on_device}, count);
   const double host_ms = run_on_host_ms(CheckCells<float>{on_host}, count);
   return report("check_cells", count, device_ms, host_ms, compare(area_px.download(), area_px.host, 0.999, 1e-4)) &&
-         compare(error_px.download(), error_px.host, 0.9, 0.05).good;
+         compare(error_px.download(), error_px.host, 0.9, 0.05).good &&
+         compare(cell_parts.download(), cell_parts.host, 0.9, 0.05).good;
 }
 
 bool check_look_up(UniformGrid& grid, int size) {
