@@ -77,12 +77,13 @@ class StarRace {
         static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * moment.show.sky.faintest_mag));
     settings_.redshift = moment.show.effects.redshift;
     settings_.magnification = moment.show.effects.magnification;
+    settings_.least_cell_px = least_star_cell_px(moment.show.quality.budget_px);
     settings_.view = view_cone(moment.eye, moment.projection, 0.05);
   }
 
   //! What a new place takes.
   void prepare() {
-    station_ = build_star_station(moment_.eye, settings_.pixel);
+    station_ = build_star_station(moment_.eye, settings_);
     patches_.emplace(star_patches(field_, colours_.view(), moment_.eye, station_, settings_));
   }
 

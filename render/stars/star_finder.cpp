@@ -20,8 +20,10 @@ namespace {
 constexpr double grid_budget_px = 0.01;
 //! What rays in float leave of a finer one is their rounding [rad].
 constexpr double float_budget = 1.2e-5;
-//! Cells smaller than this are not refined: rays start from what they have.
-constexpr double least_star_cell_px = 2.0;
+//! Cells that are not refined: rays start from what they have. Finer ones find nothing more, and coarser ones cost more rays than they save.
+constexpr double finest_cell_px = 0.5;
+constexpr double coarsest_cell_px = 2.0;
+constexpr double cell_of_budget = 8.0;
 
 //! Whether a part of the view may lie in a patch, or on its `mirrored` side.
 bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
@@ -65,15 +67,19 @@ std::vector<RoughImage> find_rough(const StarField& field, double phi, const Sta
 
 }  // namespace
 
-LensStation build_star_station(const StarEye& eye, double pixel, GridTracer<float>* tracer) {
-  GridSettings settings;
-  settings.pixel = pixel;
-  settings.budget_px = std::max(grid_budget_px, float_budget / pixel);
-  settings.observer = aberration_of(eye);
-  settings.fine = false;
-  settings.least_area_px = least_star_cell_px;
-  return eye.omni ? build_omni_station(*eye.omni, settings)
-                  : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, settings, nullptr, tracer);
+double least_star_cell_px(double budget_px) {
+  return std::clamp(cell_of_budget * budget_px, finest_cell_px, coarsest_cell_px);
+}
+
+LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer) {
+  GridSettings grid;
+  grid.pixel = settings.pixel;
+  grid.budget_px = std::max(grid_budget_px, float_budget / settings.pixel);
+  grid.observer = aberration_of(eye);
+  grid.fine = false;
+  grid.least_area_px = settings.least_cell_px;
+  return eye.omni ? build_omni_station(*eye.omni, grid)
+                  : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
 }
 
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,

@@ -22,17 +22,22 @@ struct StarImage {
 
 //! Which images to find, and how well.
 struct StarSettings {
-  double pixel = 3e-3;        //!< angle of a pixel on the screen [rad]
-  double grid_px = 0.01;      //!< how far the grid may be wrong next to critical curves [px]
-  float faintest = 1e-11F;    //!< illuminance of an image, below which it is left out [lx]
-  ViewCone view{};            //!< images outside of it may be left out
-  bool redshift = true;       //!< light is shifted and beamed
-  bool magnification = true;  //!< images are as bright as the lens makes them; else as bright as the star
+  double pixel = 3e-3;         //!< angle of a pixel on the screen [rad]
+  double grid_px = 0.01;       //!< how far the grid may be wrong next to critical curves [px]
+  double least_cell_px = 2.0;  //!< cells of the grid that are smaller are not split, see least_star_cell_px() [px²]
+  float faintest = 1e-11F;     //!< illuminance of an image, below which it is left out [lx]
+  ViewCone view{};             //!< images outside of it may be left out
+  bool redshift = true;        //!< light is shifted and beamed
+  bool magnification = true;   //!< images are as bright as the lens makes them; else as bright as the star
 };
 
-//! Builds a lens grid that leads to the images of stars; `pixel` [rad]. Its nodes are traced by `tracer` if there is one. The grid of an eye
+//! Where a grid for stars ends, for a show's lens budget [px]: at a budget of 0.0625 px no image of 5,000 stars is lost about a hole of spin
+//! 0.999 that finer grids have; at four times that ten of 8,691 are, next to the shadow's edge, and a new place takes half the time.
+double least_star_cell_px(double budget_px);
+
+//! Builds a lens grid that leads to the images of stars. Its nodes are traced by `tracer` if there is one. The grid of an eye
 //! that turns with the direction is that of all its cameras together: a pixel's image of a star is where its own camera sees the star.
-LensStation build_star_station(const StarEye& eye, double pixel, GridTracer<float>* tracer = nullptr);
+LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
 
 //! Turns a lens grid round for an eye at its place: `station` and what it is for are those of find_star_images.
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,

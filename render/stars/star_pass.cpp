@@ -40,6 +40,7 @@ StarSettings star_settings(const Show& show) {
   settings.faintest = illuminance_of(show.sky.faintest_mag);
   settings.redshift = show.effects.redshift;
   settings.magnification = show.effects.magnification;
+  settings.least_cell_px = least_star_cell_px(show.quality.budget_px);
   return settings;
 }
 
@@ -107,8 +108,9 @@ void StarPass::set_numbers(const Show& show) {
 
 const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
-  const auto found = std::ranges::find_if(
-      turned_, [&](const Turned& each) { return each.pixel == pixel && served_alike(each.eye, eye); });
+  const auto found = std::ranges::find_if(turned_, [&](const Turned& each) {
+    return each.pixel == pixel && each.least_cell_px == asked.least_cell_px && served_alike(each.eye, eye);
+  });
   if (found != turned_.end()) {
     std::rotate(turned_.begin(), found, found + 1);
     Turned& latest = turned_.front();
@@ -118,9 +120,10 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
     }
     return latest;
   }
-  LensStation station = build_star_station(eye, pixel, &tracer_);
+  LensStation station = build_star_station(eye, asked, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
-  turned_.insert(turned_.begin(), Turned{eye, pixel, asked.faintest, std::move(station), std::move(patches)});
+  turned_.insert(turned_.begin(),
+                 Turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches)});
   if (turned_.size() > kept) {
     turned_.pop_back();
   }

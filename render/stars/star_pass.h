@@ -46,6 +46,7 @@ class StarPass {
   struct Turned {
     StarEye eye;
     double pixel;
+    double least_cell_px;
     float faintest;  //!< that the patches were made for
     LensStation station;
     StarPatches patches;

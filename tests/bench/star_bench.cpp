@@ -30,29 +30,31 @@ StarField field_of(long stars, const BlackbodyColours& colours) {
   return {catalogue, glm::dmat3(1.0), colours.view()};
 }
 
-StarSettings settings_to(double faintest_mag) {
+StarSettings settings_to(double faintest_mag, long thousandths_of_px = 250) {
   StarSettings settings;
   settings.pixel = pixel;
   settings.faintest = static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * faintest_mag));
+  settings.least_cell_px = least_star_cell_px(1e-3 * static_cast<double>(thousandths_of_px));
   return settings;
 }
 
+//! For a number of stars and a show's lens budget [1e-3 px].
 void star_place(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
-  const StarSettings settings = settings_to(10.0);
+  const StarSettings settings = settings_to(10.0, state.range(1));
   for (auto _ : state) {
-    const LensStation station = build_star_station(eye(), pixel);
+    const LensStation station = build_star_station(eye(), settings);
     benchmark::DoNotOptimize(star_patches(field, colours.view(), eye(), station, settings).patches().data());
   }
 }
 
-//! Pictures of a width.
+//! The same, and pictures of a width.
 void star_picture(benchmark::State& state) {
   const BlackbodyColours colours(Backend::cpu);
   const StarField field = field_of(state.range(0), colours);
-  StarSettings settings = settings_to(10.0);
-  const LensStation station = build_star_station(eye(), pixel);
+  StarSettings settings = settings_to(10.0, state.range(2));
+  const LensStation station = build_star_station(eye(), settings);
   const StarPatches patches = star_patches(field, colours.view(), eye(), station, settings);
   const int width = static_cast<int>(state.range(1));
   const Projection projection = make_dome_projection(width, pi, 0.5);
@@ -82,12 +84,18 @@ void star_gathered_picture(benchmark::State& state) {
   state.counters["images"] = static_cast<double>(images);
 }
 
-BENCHMARK(star_place)->Arg(5000)->Arg(118216)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(star_place)
+    ->Args({5000, 250})
+    ->Args({118216, 250})
+    ->Args({5000, 62})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(star_picture)
-    ->Args({5000, 1024})
-    ->Args({20'000, 1024})
-    ->Args({118'216, 1024})
-    ->Args({118'216, 4096})
+    ->Args({5000, 1024, 250})
+    ->Args({20'000, 1024, 250})
+    ->Args({118'216, 1024, 250})
+    ->Args({118'216, 4096, 250})
+    ->Args({5000, 1024, 62})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(star_gathered_picture)

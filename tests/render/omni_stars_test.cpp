@@ -65,7 +65,7 @@ class OmniStars : public testing::TestWithParam<std::size_t> {
   //! Images in the picture.
   [[nodiscard]] std::vector<Found> found(double side) const {
     const StarEye eye(eye_of(side));
-    const LensStation station = build_star_station(eye, settings_.pixel);
+    const LensStation station = build_star_station(eye, settings_);
     const StarPatches patches = star_patches(field_, colours().view(), eye, station, settings_);
     std::vector<Found> images;
     for (const StarImage& image : find_star_images(field_, colours().view(), eye, station, patches, settings_)) {

@@ -56,7 +56,7 @@ inline StarSettings settings_for(double faintest_mag) {
 }
 
 inline std::vector<StarImage> images_of(const StarField& field, const EyeCamera& eye, const StarSettings& settings) {
-  const LensStation station = build_star_station(eye, settings.pixel);
+  const LensStation station = build_star_station(eye, settings);
   return find_star_images(field, colours().view(), eye, station,
                           star_patches(field, colours().view(), eye, station, settings), settings);
 }

@@ -104,7 +104,7 @@ TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
   EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(test::sanitized ? 200 : 3000), glm::dmat3(1.0), colours().view());
   StarSettings settings = settings_for(8.0);
-  const LensStation station = build_star_station(eye, settings.pixel);
+  const LensStation station = build_star_station(eye, settings);
   const StarPatches patches = star_patches(field, colours().view(), eye, station, settings);
   const auto all = find_star_images(field, colours().view(), eye, station, patches, settings);
   for (const Projection& projection : {make_dome_projection(512, pi, 0.7), make_pinhole_projection(512, 256, 1.0),

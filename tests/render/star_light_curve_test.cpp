@@ -26,10 +26,10 @@ class LightCurve : public testing::Test {
       : eye_(eye_at_place({0.9, 8.0, 1.3, 0.0, ObserverMotion::zamo})),
         field_(brightest(60), glm::dmat3(1.0), colours().view()),
         settings_(settings_for(5.0)),
-        station_(build_star_station(eye_, curve_pixel)),
         projection_(make_dome_projection(curve_size_px, pi, 0.0)) {
     settings_.pixel = curve_pixel;
     settings_.redshift = true;
+    station_ = build_star_station(eye_, settings_);
   }
 
   //! The images of a frame; going round the axis leaves the grid as it is.
