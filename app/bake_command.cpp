@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/number_check.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
@@ -168,7 +169,7 @@ void add_bake_command(CLI::App& app) {
   command->add_option("--size", options->size_px, "width of the pictures in pixels, instead of the show's")
       ->check(CLI::Range(1, 16384));
   command->add_option("--budget", options->budget_px, "error on the screen in pixels, instead of the show's")
-      ->check(CLI::Range(1e-3, 100.0));
+      ->check(number_between(1e-3, 100.0));
   command->add_flag("--no-derivatives", options->no_derivatives,
                     "stations that tell their own place alone: many more are needed, and stereo eyes get live grids");
   command->callback([options] { run(*options); });

@@ -10,6 +10,7 @@
 #include "app/calibration_keys.h"
 #include "app/calibration_window.h"
 #include "app/commands.h"
+#include "app/number_check.h"
 #include "app/progress.h"
 #include "app/projector_folder.h"
 #include "calibration/bourke_mesh.h"
@@ -142,18 +143,18 @@ void add_calibrate_command(CLI::App& app) {
   const CLI::Option* const size = command->add_option("--size", options->master_px, "width of the domemaster in pixels")
                                       ->check(CLI::Range(64, 16'384));
   command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
-      ->check(CLI::Range(0.01, 10.0));
+      ->check(number_between(0.01, 10.0));
   command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
-      ->check(CLI::Range(0.5, 8.0));
+      ->check(number_between(0.5, 8.0));
   command
       ->add_option("--evenness", options->blend.evenness,
                    "1 evens out what is spread over more of the dome, 0 leaves it")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_between(0.0, 1.0));
   command->add_flag("--live", options->live,
                     "show test patterns on the projectors and adjust the setup by keys, instead of computing warps");
   command->add_flag("--no-control", options->shown.hide_control, "with --live: the projectors' windows alone");
   command->add_option("--for", options->shown.for_seconds, "with --live: end by itself after this many seconds")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(number_between(0.0, 1e9));
   command->add_option("--screenshot", options->shown.screenshot,
                       "with --live: write what the windows showed last as FILE_PROJECTOR.png for FILE.png");
   command->footer(calibration_key_help());

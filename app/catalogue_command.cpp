@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/commands.h"
+#include "app/number_check.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"
 
@@ -56,7 +57,8 @@ void add_catalogue_command(CLI::App& app) {
                    "bright_stars, all_stars, or a file: a table (.csv) or the project's own form")
       ->required();
   command->add_option("--out", options->out, "file to write, in the project's own form");
-  command->add_option("--faintest", options->faintest, "leave out what is fainter than this V magnitude");
+  command->add_option("--faintest", options->faintest, "leave out what is fainter than this V magnitude")
+      ->check(number_between(-30.0, 60.0));
   command->callback([options] { run(*options); });
 }
 

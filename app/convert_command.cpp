@@ -4,9 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <ctime>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "app/commands.h"
+#include "app/number_check.h"
 #include "app/projector_folder.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_reader.h"
@@ -20,12 +23,15 @@ namespace ergodome {
 
 namespace {
 
+//! No size was asked for: a mesh keeps its own.
+constexpr std::pair<int, int> own_size = {std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
+
 struct ConvertOptions {
   std::string from;
   std::string to;
   double radius_m = 5.0;
   double aspect = 16.0 / 9.0;
-  std::pair<int, int> size{0, 0};
+  std::pair<int, int> size = own_size;
 };
 
 //! What a file is, by its ending; a name without one is a folder.
@@ -75,7 +81,8 @@ void convert_mpcdi(const ConvertOptions& options) {
     return convert_setup(options, setup);
   }
   write_dome_setup(to, setup);
-  fmt::print("written to {}\n", to.string());
+  fmt::print("written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor its tilt, 0\n", to.string(),
+             options.radius_m);
 }
 
 void convert_mesh(const ConvertOptions& options) {
@@ -87,8 +94,7 @@ void convert_mesh(const ConvertOptions& options) {
   if (kind_of(options.to) == FileKind::bourke) {
     write_text_atomically(options.to, to_bourke_mesh(mesh, options.aspect));
   } else {
-    const int columns = options.size.first > 0 ? options.size.first : mesh.columns;
-    const int rows = options.size.second > 0 ? options.size.second : mesh.rows;
+    const auto [columns, rows] = options.size == own_size ? std::pair(mesh.columns, mesh.rows) : options.size;
     check_mesh_size(columns, rows, "--size");
     const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
     write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
@@ -127,10 +133,10 @@ void add_convert_command(CLI::App& app) {
                    "of a mesh: .data or .pfm")
       ->required();
   command->add_option("--radius", options->radius_m, "the dome's [m], which MPCDI does not tell")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_between(0.1, 1000.0))
       ->capture_default_str();
   command->add_option("--aspect", options->aspect, "width over height of the raster that a .data mesh is for")
-      ->check(CLI::Range(0.01, 100.0))
+      ->check(number_between(0.01, 100.0))
       ->capture_default_str();
   command->add_option("--size", options->size, "columns and rows of a .pfm (default: the mesh's own)")
       ->delimiter('x')

@@ -11,6 +11,7 @@
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
+#include "app/number_check.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
 #include "content/camera_path.h"
@@ -220,7 +221,9 @@ void add_inspect_command(CLI::App& app) {
   command->add_option(
       "--picture", options->picture,
       "draw the lens grid of the show's camera or of a trajectory's station, or a dome's projectors, to this PNG");
-  command->add_option("--time", options->time_s, "with --picture: show time [s]")->capture_default_str();
+  command->add_option("--time", options->time_s, "with --picture: show time [s]")
+      ->check(show_time())
+      ->capture_default_str();
   command->add_option("--size", options->size_px, "with --picture: its width in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();

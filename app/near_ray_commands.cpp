@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/disk_crossing_table.h"
+#include "app/number_check.h"
 #include "app/object_hit_table.h"
 #include "app/ray_groups.h"
 #include "app/shell_crossing_table.h"
@@ -74,7 +75,7 @@ std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const st
               "--shell", options->shell_r,
               "list each ray's crossings of a sphere of this radius [M] instead: polar angle, azimuth, times, g "
               "of an observer without angular momentum")
-          ->check(CLI::Range(1.0, 1e15))
+          ->check(number_between(1.0, 1e15))
           ->excludes(disk);
   CLI::Option* const objects =
       command
@@ -84,7 +85,7 @@ std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const st
           ->excludes(disk)
           ->excludes(shell);
   command.add_option("--at", options->time_s, "with --objects: time of the show [s]")
-      ->check(CLI::Range(-1e12, 1e12))
+      ->check(number_between(-1e12, 1e12))
       ->needs(objects);
   for (CLI::Option* const other : excluded) {
     disk->excludes(other);

@@ -7,6 +7,7 @@
 #include "app/backend_choice.h"
 #include "app/commands.h"
 #include "app/lens_options.h"
+#include "app/number_check.h"
 #include "app/show_loading.h"
 #include "content/sky_map.h"
 #include "kernels/launch/work_counter.h"
@@ -199,7 +200,9 @@ void add_plan_command(CLI::App& app) {
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
   add_lens_options(*command, options->lens);
-  command->add_option("--time", options->time_s, "with --measure: show time [s]")->capture_default_str();
+  command->add_option("--time", options->time_s, "with --measure: show time [s]")
+      ->check(show_time())
+      ->capture_default_str();
   command->add_flag("--measure", options->measure, "render a picture, twice, and count what it has taken");
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options] { run(*options); });

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/near_ray_commands.h"
+#include "app/number_check.h"
 #include "app/pixel_text.h"
 #include "app/ray_groups.h"
 #include "content/files/atomic_file.h"
@@ -250,7 +251,7 @@ void add_trace_command(CLI::App& app) {
                                      ->capture_default_str();
   command
       ->add_option("--tolerance", options->tolerance, "accepted error of the sky direction [rad] (default: the finest)")
-      ->check(CLI::Range(1e-16, 1.0));
+      ->check(number_between(1e-16, 1.0));
   command->add_option("--budget", options->budget, "for grid: accepted displacement on the screen")
       ->capture_default_str();
   command
@@ -266,7 +267,7 @@ void add_trace_command(CLI::App& app) {
   command
       ->add_option("--blend", options->blend,
                    "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
-      ->check(CLI::Range(0.0, 1e3));
+      ->check(number_between(0.0, 1e3));
   const auto near_field = add_near_ray_options(*command, {method, precision});
   command->callback([options, near_field] {
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {

@@ -11,6 +11,7 @@
 #include "app/frame_writer.h"
 #include "app/interrupt.h"
 #include "app/movie.h"
+#include "app/number_check.h"
 #include "app/pattern_frames.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
@@ -171,7 +172,7 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::IsMember(exr_compression_names()));
   command->add_flag("--alpha", options->alpha, "a fourth channel: what the image covers, a dome's circle for instance");
   command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's")
-      ->check(CLI::Range(0.1, 1000.0));
+      ->check(number_between(0.1, 1000.0));
   command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv");
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "content/animated_show.h"
 #include "content/files/toml_table.h"
@@ -59,6 +60,16 @@ DiskSettings read_disk(const toml::table& table, const std::string& file) {
   return disk;
 }
 
+namespace {
+
+//! A positive number rounded up to six digits: what is printed of it is not below it.
+double six_digits_above(double value) {
+  const double last = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  return std::ceil(value / last) * last;
+}
+
+}  // namespace
+
 void check_disk(const toml::table& table, const std::string& file, const Show& show) {
   const TomlTable reader(table, file, "disk");
   const DiskSettings& disk = *show.disk;
@@ -67,7 +78,7 @@ void check_disk(const toml::table& table, const std::string& file, const Show& s
     throw reader.error_at("inner",
                           fmt::format("is {} M, {}", *disk.inner,
                                       disk.plunging ? "inside the horizon" : "inside the innermost stable orbit"),
-                          fmt::format("choose {:.6g} or more{}", first.least,
+                          fmt::format("choose {:.6g} or more{}", six_digits_above(first.least),
                                       disk.plunging ? "" : ", or plunging = true with profile = \"uniform\""));
   }
   const double inner = disk.inner.value_or(first.least);

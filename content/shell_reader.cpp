@@ -32,10 +32,12 @@ ShellSettings read_shell(TomlTable& table) {
   shell.radius = own_number(table, "radius", shell.radius);
   shell.spacing_deg = table.number("spacing_deg", shell.spacing_deg, 0.5, 180.0);
   const double parts = 180.0 / shell.spacing_deg;
-  if (std::abs(parts - std::round(parts)) > 1e-9 * parts) {
+  // As near as six digits of the quotient.
+  if (std::abs(parts - std::round(parts)) > 1e-5 * parts) {
     throw table.error_at("spacing_deg", "does not divide 180, so that the grid would not close",
                          fmt::format("write {:.6g}", 180.0 / std::round(parts)));
   }
+  shell.spacing_deg = 180.0 / std::round(parts);
   shell.line_width_deg = own_number(table, "line_width_deg", shell.line_width_deg);
   read_color(table, "line_color", shell.line_color);
   read_color(table, "fill_color", shell.fill_color);

@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/number_check.h"
 #include "app/pads/hid_fixture.h"
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
@@ -298,7 +299,7 @@ void add_pad_command(CLI::App& app) {
       ->excludes(live);
   command->add_option("--pad", options->pad, "which controller to measure, from 1 in the order they are listed")
       ->check(CLI::Range(1, 16));
-  command->add_option("--for", options->for_s, "end after so many seconds")->check(CLI::Range(0.1, 1e9));
+  command->add_option("--for", options->for_s, "end after so many seconds")->check(number_between(0.1, 1e9));
   command->add_option("--settings", options->settings,
                       "file to read; default: $XDG_CONFIG_HOME/ergodome/pads.toml, or in ~/.config");
   command->add_option("--out", options->out, "file to write settings to, with comments; an older one is kept as .bak");

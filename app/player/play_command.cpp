@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/exhibit/kept_settings.h"
 #include "app/lens_options.h"
+#include "app/number_check.h"
 #include "app/player/player.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
@@ -179,7 +180,7 @@ void add_play_command(CLI::App& app) {
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
   command
       ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(number_between(0.0, 1e9));
   command->add_option("--language", arguments->options.language, "of captions and narration, by its tag (en, de)");
   command->add_option("--record", arguments->options.record, "write the flight to this show file (.toml)");
   command->add_option("--controls", arguments->options.controls, "a map of keys, mouse and pads (.toml)");
@@ -203,7 +204,7 @@ void add_play_command(CLI::App& app) {
   command
       ->add_option("--sound-later", arguments->options.services.sound_later_s,
                    "seconds by which sound is heard later, for displays that take their time")
-      ->check(CLI::Range(-1.0, 1.0));
+      ->check(number_between(-1.0, 1.0));
   add_remote_options(*command, arguments->options.services.remote);
   command->add_flag("--exhibit", arguments->exhibit,
                     "full screen, locked: an attract show until somebody touches something, then free flight");
@@ -211,10 +212,10 @@ void add_play_command(CLI::App& app) {
   command->add_option("--attract", exhibit.attract, "with --exhibit: the show that runs by itself")
       ->capture_default_str();
   command->add_option("--idle", exhibit.times.idle_s, "with --exhibit: seconds without a touch that end a flight")
-      ->check(CLI::Range(1.0, 86400.0))
+      ->check(number_between(1.0, 86400.0))
       ->capture_default_str();
   command->add_option("--session", exhibit.times.session_s, "with --exhibit: seconds of one flight; 0: no limit")
-      ->check(CLI::Range(0.0, 86400.0))
+      ->check(number_between(0.0, 86400.0))
       ->capture_default_str();
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
   command->callback([arguments, size] {

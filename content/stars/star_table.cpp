@@ -3,6 +3,7 @@
 #include <csv.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -23,15 +24,26 @@ constexpr std::size_t chunk_bytes = 1U << 18U;
 
 enum Column { ra_deg, ra_hours, dec_deg, magnitude, colour, catalogue_number, distance, column_count };
 
-//! Names under which catalogues have a column; HYG: ra in hours, dec, mag, ci.
+//! What a problem calls a column.
+constexpr const char* column_words[column_count] = {"a right ascension", "a right ascension", "a declination",
+                                                    "a magnitude",       "a colour",          "a catalogue's number",
+                                                    "a distance"};
+
+//! Colours are farther than this from 0 where catalogues write 99 for one that is not known.
+constexpr double most_colour = 20.0;
+
+//! Names under which catalogues have a column, in capitals or not; HYG: ra in hours, dec, mag, ci.
 std::optional<Column> column_named(std::string_view name) {
   constexpr std::pair<std::string_view, Column> names[] = {
-      {"ra_deg", ra_deg},        {"RAdeg", ra_deg},         {"ra", ra_hours},         {"dec_deg", dec_deg},
-      {"DEdeg", dec_deg},        {"dec", dec_deg},          {"v_mag", magnitude},     {"Vmag", magnitude},
-      {"mag", magnitude},        {"b_v", colour},           {"B-V", colour},          {"ci", colour},
-      {"hip", catalogue_number}, {"HIP", catalogue_number}, {"id", catalogue_number}, {"dist", distance}};
+      {"ra_deg", ra_deg},        {"radeg", ra_deg},        {"ra", ra_hours},     {"dec_deg", dec_deg},
+      {"dedeg", dec_deg},        {"dec", dec_deg},         {"v_mag", magnitude}, {"vmag", magnitude},
+      {"mag", magnitude},        {"b_v", colour},          {"b-v", colour},      {"ci", colour},
+      {"hip", catalogue_number}, {"id", catalogue_number}, {"dist", distance}};
+  const auto same = [](char known, char given) {
+    return known == (given >= 'A' && given <= 'Z' ? static_cast<char>(given - 'A' + 'a') : given);
+  };
   for (const auto& [known, column] : names) {
-    if (known == name) {
+    if (std::ranges::equal(known, name, same)) {
       return column;
     }
   }
@@ -100,6 +112,7 @@ class TableBuilder {
     if (column) {
       has_[*column] = true;
     }
+    semicolons_ = semicolons_ || cell.find(';') != std::string_view::npos;
     if (columns_.size() < 4096) {
       columns_.push_back(column);
     }
@@ -109,8 +122,11 @@ class TableBuilder {
     in_header_ = false;
     values_.fill(std::numeric_limits<double>::quiet_NaN());
     if (!(has_[ra_deg] || has_[ra_hours]) || !has_[dec_deg] || !has_[magnitude]) {
-      fail("does not name the columns of a star catalogue",
-           "name them in the first line: ra_deg (or ra, in hours), dec_deg (or dec), v_mag (or mag), b_v (or ci)");
+      fail(
+          "does not name the columns of a star catalogue",
+          semicolons_
+              ? "separate cells by commas in place of semicolons"
+              : "name them in the first line: ra_deg (or ra, in hours), dec_deg (or dec), v_mag (or mag), b_v (or ci)");
     }
   }
 
@@ -127,8 +143,8 @@ class TableBuilder {
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size()) {
-      fail(fmt::format("has \"{}\" where a catalogue_number should be", cell.substr(0, 40)),
-           "write a catalogue_number, or nothing");
+      fail(fmt::format("has \"{}\" where {} should be", cell.substr(0, 40), column_words[column]),
+           "write a number, or nothing");
       return;
     }
     values_[column] = value;
@@ -155,7 +171,8 @@ class TableBuilder {
     }
     const double own = values_[catalogue_number];
     const bool counted = own >= 0.0 && own <= 4e9;
-    const double b_v = std::isfinite(values_[colour]) ? values_[colour] : std::numeric_limits<double>::quiet_NaN();
+    const bool coloured = std::abs(values_[colour]) <= most_colour;
+    const double b_v = coloured ? values_[colour] : std::numeric_limits<double>::quiet_NaN();
     catalogue_.stars.push_back({counted ? static_cast<std::uint32_t>(own) : 0U, std::fmod(ra + 360.0, 360.0), dec,
                                 static_cast<float>(v_mag), static_cast<float>(b_v)});
   }
@@ -164,6 +181,7 @@ class TableBuilder {
   std::size_t line_ = 1;
   std::size_t cell_ = 0;
   bool in_header_ = true;
+  bool semicolons_ = false;  //!< in the header
   std::vector<std::optional<Column>> columns_;
   std::array<bool, column_count> has_{};
   std::array<double, column_count> values_{};

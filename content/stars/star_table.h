@@ -12,7 +12,7 @@ namespace ergodome {
 //!   ra_deg [deg] (or ra, in hours, as HYG has it), dec_deg or dec [deg], v_mag, Vmag or mag, and where they are known b_v, B-V or ci, and
 //!   hip or id.
 //! Rows whose place or magnitude is empty or not a number are left out and counted; so is HYG's own row of the Sun (dist = 0). A
-//! missing colour stays NaN.
+//! missing colour stays NaN, and so does one beyond 20: catalogues write 99 for what is not known.
 //! Throws Error with file and line for text where a number should be, places off the sphere, and magnitudes beyond -30 to 60.
 StarCatalogue read_star_table(const std::filesystem::path& path);
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,18 @@ TEST_F(CommandLine, WrongWordsAreOneLineAndNotZero) {
                             "trace --rays a --out b --method guess"}) {
     EXPECT_NE(run(words), 0) << words;
     EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
+  }
+}
+
+TEST_F(CommandLine, NumbersThatAreNoneAreOneLineAndNotZero) {
+  write("empty.csv", "ra_deg,dec_deg,v_mag\n");
+  for (const char* arguments :
+       {"render once-around --fps nan", "plan once-around --measure --time nan", "catalogue empty.csv --faintest nan",
+        "trace --rays rays.csv --out t.csv --tolerance nan", "convert a.mpcdi y.toml --radius nan",
+        "inspect once-around --picture o.png --time nan"}) {
+    EXPECT_NE(run(arguments), 0) << arguments;
+    EXPECT_THAT(output_, testing::HasSubstr("\"nan\" is not a number from")) << arguments;
+    EXPECT_EQ(std::count(output_.begin(), output_.end(), '\n'), 1) << output_;
   }
 }
 

@@ -52,6 +52,15 @@ double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
   return farthest;
 }
 
+TEST_F(ConvertCommand, AMeshWithoutNodesIsRefused) {
+  ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
+  for (const char* size : {"0x0", "1x1", "-3x4"}) {
+    EXPECT_NE(run("convert \"$(ls made/*.data | head -n 1)\" f.pfm --size=" + std::string(size)), 0) << size;
+    EXPECT_THAT(output_, testing::HasSubstr("--size")) << size;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f.pfm"));
+}
+
 TEST_F(ConvertCommand, AFolderOfMeshesShowsWhatTheSetupShows) {
   ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
   const auto before = pictures_of("dome.toml");

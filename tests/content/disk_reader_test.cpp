@@ -48,6 +48,16 @@ TEST(DiskReader, RefusesWhatCannotBe) {
   }
 }
 
+TEST(DiskReader, TakesTheInnerEdgeThatItAdvises) {
+  for (const char* spin : {"0.9", "-0.5", "0.998", "0.3", "0"}) {
+    const std::string problem = test::error_of([&] { show_with_disk("inner = 1", spin); });
+    const std::size_t at = problem.find("choose ");
+    ASSERT_NE(at, std::string::npos) << problem;
+    const std::string advised = problem.substr(at + 7, problem.find(' ', at + 7) - at - 7);
+    EXPECT_NO_THROW(show_with_disk("inner = " + advised, spin)) << "spin " << spin << ", inner " << advised;
+  }
+}
+
 TEST(DiskReader, TakesMatterThatFallsInsideTheLastStableOrbit) {
   EXPECT_EQ(show_with_disk("inner = 2.5\nplunging = true\nprofile = \"uniform\"").disk->inner, 2.5);
 }

@@ -52,6 +52,13 @@ TEST(ShellReader, RefusesWhatCannotBe) {
   }
 }
 
+TEST(ShellReader, TakesTheSpacingThatItAdvises) {
+  const std::string problem = test::error_of([] { show_with_shells("[[shells]]\nradius = 9\nspacing_deg = 7\n"); });
+  EXPECT_THAT(problem, testing::HasSubstr("write 6.92308"));
+  const Show show = show_with_shells("[[shells]]\nradius = 9\nspacing_deg = 6.92308\n");
+  EXPECT_EQ(show.shells[0].spacing_deg, 180.0 / 26.0);
+}
+
 TEST(ShellReader, TakesSixteenShellsAndNoMore) {
   std::string shells;
   for (int i = 0; i < 16; ++i) {

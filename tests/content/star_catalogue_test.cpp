@@ -114,7 +114,25 @@ TEST(StarTable, MissingColumnIsNamed) {
 
 TEST(StarTable, TextForANumberIsAnErrorWithItsLine) {
   EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,2,3\n1,two,3\n"),
-              AllOf(HasSubstr("stars.csv:3"), HasSubstr("two")));
+              AllOf(HasSubstr("stars.csv:3"), HasSubstr("two"), HasSubstr("a declination should be")));
+}
+
+TEST(StarTable, ColumnsMayBeNamedInCapitals) {
+  const StarCatalogue read = parsed_stars("RA,Dec,Mag,CI\n1,2,3,0.5\n");
+  ASSERT_EQ(read.stars.size(), 1U);
+  EXPECT_EQ(read.stars[0].ra_deg, 15.0);
+  EXPECT_EQ(read.stars[0].b_v, 0.5F);
+}
+
+TEST(StarTable, SemicolonsAreNamedWhereNoColumnIs) {
+  EXPECT_THAT(catalogue_problem("ra_deg;dec_deg;v_mag\n1;2;3\n"),
+              AllOf(HasSubstr("stars.csv:1"), HasSubstr("semicolons")));
+}
+
+TEST(StarTable, ColourThatNoStarHasIsNotKnown) {
+  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag,b_v\n1,2,3,99\n1,2,4,-99\n");
+  ASSERT_EQ(read.stars.size(), 2U);
+  EXPECT_TRUE(std::isnan(read.stars[0].b_v) && std::isnan(read.stars[1].b_v));
 }
 
 TEST(StarTable, PlaceOffTheSphereIsAnError) {
