@@ -87,9 +87,6 @@ void run(const CalibrateOptions& options) {
   if (options.out.empty()) {
     throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
   }
-  if (std::isnan(options.tolerance_px) || std::isnan(options.blend.softness) || std::isnan(options.blend.evenness)) {
-    throw Error("calibrate", "an option is not a number", "give numbers to --tolerance, --softness and --evenness");
-  }
   DomeSetup setup = read_dome_setup(options.setup);
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> projectors;

@@ -1,7 +1,6 @@
 #include "app/near_ray_commands.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <functional>
 #include <span>
 
@@ -48,9 +47,6 @@ void run_objects(const NearRayOptions& options, const RayFiles& files) {
   if (show.objects.empty()) {
     throw Error("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
   }
-  if (!std::isfinite(options.time_s)) {
-    throw Error("trace --objects", "--at is not a time", "give seconds of the show");
-  }
   const ObjectRays objects(show, options.time_s);
   const double tolerance = files.tolerance > 0.0 ? files.tolerance : 1e-15;
   write_lines(files, object_table_head,
@@ -85,7 +81,7 @@ std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const st
           ->excludes(disk)
           ->excludes(shell);
   command.add_option("--at", options->time_s, "with --objects: time of the show [s]")
-      ->check(number_between(-1e12, 1e12))
+      ->check(show_time())
       ->needs(objects);
   for (CLI::Option* const other : excluded) {
     disk->excludes(other);

@@ -88,10 +88,13 @@ RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchAr
   return batch;
 }
 
-//! Appends a line for each ray of a batch that starts at row `begin`.
+constexpr const char* unresolved_word = "not_converged";
+constexpr auto unresolved = static_cast<std::size_t>(RayStatus::not_converged);
+
+//! Appends a line for each ray of a batch that starts at row `begin`; of one that did not converge nothing says how far it is off.
 template <class S>
 void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, std::string& text) {
-  constexpr const char* words[] = {"escaped", "captured", "not_converged"};
+  constexpr const char* words[] = {"escaped", "captured", unresolved_word};
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
     text += fmt::format("{},{},", rows[begin + i].id, words[status]);
@@ -100,7 +103,21 @@ void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const Batch
     } else {
       text += ",,,";
     }
-    text += fmt::format("{:.17g},{:.0f},{:.17g}\n", arrays.g[i], arrays.steps[i], arrays.error_estimate[i]);
+    text += fmt::format("{:.17g},{:.0f},", arrays.g[i], arrays.steps[i]);
+    text += status == unresolved ? "\n" : fmt::format("{:.17g}\n", arrays.error_estimate[i]);
+  }
+}
+
+//! Says how many rays of a written table did not converge, if any did not.
+void tell_unresolved(const std::string& text, std::size_t rays) {
+  std::size_t count = 0;
+  const std::string cell = fmt::format(",{},", unresolved_word);
+  for (std::size_t at = text.find(cell); at != std::string::npos; at = text.find(cell, at + 1)) {
+    ++count;
+  }
+  if (count > 0) {
+    fmt::print(stderr, "ergodome: {} of {} rays did not converge; give a coarser --tolerance, or another --method\n",
+               count, rays);
   }
 }
 
@@ -202,6 +219,7 @@ void run_trace(const RayOptions& options) {
     }
   });
   write_text_atomically(options.out, text);
+  tell_unresolved(text, rows.size());
 }
 
 void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,

@@ -1,5 +1,7 @@
 #include "content/sky_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -70,7 +72,9 @@ EnvironmentImage load_sky_map(const Show& show) {
   const std::filesystem::path path = std::filesystem::path(show.folder) / show.sky.map;
   std::error_code problem;
   if (!std::filesystem::exists(path, problem)) {
-    throw Error(path.string(), "is not there (sky.map)",
+    const auto line = show.lines.find("sky.map");
+    const std::string place = line == show.lines.end() ? "" : fmt::format(", {}.toml:{}", show.name, line->second);
+    throw Error(show.sky.map.empty() ? "\"\"" : path.string(), fmt::format("is not there (sky.map{})", place),
                 "give a built-in sky (milky_way, grid) or the path of an image");
   }
   return read_environment_image(path);

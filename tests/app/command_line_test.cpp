@@ -109,6 +109,17 @@ TEST_F(CommandLine, TraceWorksByEveryMethodInBothPrecisions) {
   }
 }
 
+TEST_F(CommandLine, TraceTellsOfRaysThatDoNotConverge) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi,id\n0.9,10,1.57,zamo,-0.3,0.2,0.9,x\n");
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34"), 0) << output_;
+  EXPECT_THAT(output_, testing::HasSubstr("1 of 1 rays did not converge"));
+  std::ifstream written(folder_ / "sky.csv");
+  std::string line;
+  std::getline(written, line);
+  std::getline(written, line);
+  EXPECT_TRUE(line.starts_with("x,not_converged,,,,") && line.ends_with(",")) << line;
+}
+
 TEST_F(CommandLine, EdgeOfTheReferencePointsIsNowhere) {
   ASSERT_EQ(run("edge --rays '" ERGODOME_TEST_DATA_DIR "/edge.csv' --out out.csv"), 0) << output_;
   const auto rows = test::read_csv(folder_ / "out.csv");

@@ -49,7 +49,7 @@ TEST_F(CommandLine, TraceObjectsRefusesWhatCannotBe) {
     EXPECT_THAT(output_, HasSubstr("--objects")) << words;
   }
   EXPECT_NE(run("trace --objects sphere --at nan --rays rays.csv --out out.csv"), 0);
-  EXPECT_THAT(output_, HasSubstr("--at is not a time"));
+  EXPECT_THAT(output_, HasSubstr("--at: \"nan\" is not a number"));
   EXPECT_NE(run("trace --at 3 --rays rays.csv --out out.csv"), 0);
   EXPECT_THAT(output_, HasSubstr("--objects"));
 }
