@@ -88,15 +88,20 @@ RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchAr
   return batch;
 }
 
-constexpr const char* unresolved_word = "not_converged";
-constexpr auto unresolved = static_cast<std::size_t>(RayStatus::not_converged);
+//! Lines of the table that is written.
+struct SkyTable {
+  std::string text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
+  std::size_t unresolved = 0;  //!< rays that did not converge
+};
 
 //! Appends a line for each ray of a batch that starts at row `begin`; of one that did not converge nothing says how far it is off.
 template <class S>
-void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, std::string& text) {
-  constexpr const char* words[] = {"escaped", "captured", unresolved_word};
+void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
+  constexpr const char* words[] = {"escaped", "captured", "not_converged"};
+  std::string& text = table.text;
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
+    const bool unresolved = status == static_cast<std::size_t>(RayStatus::not_converged);
     text += fmt::format("{},{},", rows[begin + i].id, words[status]);
     if (status == 0) {
       text += fmt::format("{:.17g},{:.17g},{:.17g},", arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]);
@@ -104,27 +109,15 @@ void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const Batch
       text += ",,,";
     }
     text += fmt::format("{:.17g},{:.0f},", arrays.g[i], arrays.steps[i]);
-    text += status == unresolved ? "\n" : fmt::format("{:.17g}\n", arrays.error_estimate[i]);
-  }
-}
-
-//! Says how many rays of a written table did not converge, if any did not.
-void tell_unresolved(const std::string& text, std::size_t rays) {
-  std::size_t count = 0;
-  const std::string cell = fmt::format(",{},", unresolved_word);
-  for (std::size_t at = text.find(cell); at != std::string::npos; at = text.find(cell, at + 1)) {
-    ++count;
-  }
-  if (count > 0) {
-    fmt::print(stderr, "ergodome: {} of {} rays did not converge; give a coarser --tolerance, or another --method\n",
-               count, rays);
+    text += unresolved ? "\n" : fmt::format("{:.17g}\n", arrays.error_estimate[i]);
+    table.unresolved += unresolved ? 1 : 0;
   }
 }
 
 //! Traces rows [begin, end), which share a camera, and appends a line for each.
 template <class S>
 void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
-                 std::string& text) {
+                 SkyTable& table) {
   BatchArrays<S> arrays(end - begin);
   const bool narrow = sizeof(S) == 4;
   const double finest = options.method == "taylor" ? 1e-14 : 1e-12;
@@ -136,12 +129,12 @@ void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t
   }
   batch.method = methods.at(options.method);
   trace_rays(Backend::cpu, batch);
-  append_rays(rows, begin, arrays, text);
+  append_rays(rows, begin, arrays, table);
 }
 
 //! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line for each.
 void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
-                   std::string& text) {
+                   SkyTable& table) {
   const RayRow& row = rows[begin];
   GridSettings settings;
   settings.pixel = pi / options.size_px;
@@ -157,7 +150,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
   batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
   look_up_rays(Backend::cpu, batch);
-  append_rays(rows, begin, arrays, text);
+  append_rays(rows, begin, arrays, table);
   fmt::print(
       "a {:.9g} r {:.9g} theta {:.9g}: {} nodes{}, {} rays traced, {} cells, {} of them ({:.0f} px) left to rays, "
       "{:.1f} ms\n",
@@ -168,7 +161,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
 
 //! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a line for each.
 void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
-                         std::string& text) {
+                         SkyTable& table) {
   const RayRow& row = rows[begin];
   QuadtreeSettings settings;
   settings.coarsest_level = std::min(settings.coarsest_level, options.level);
@@ -198,7 +191,7 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
                                   linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline};
   BatchArrays<double> arrays(end - begin);
   read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), look_up});
-  append_rays(rows, begin, arrays, text);
+  append_rays(rows, begin, arrays, table);
   fmt::print("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
              lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
              mirrored ? " (half the sky, mirrored)" : "", time.count());
@@ -206,20 +199,23 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
 
 void run_trace(const RayOptions& options) {
   const std::vector<RayRow> rows = read_ray_table(options.rays);
-  std::string text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
+  SkyTable table;
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
     if (options.method == "grid") {
-      look_up_group(rows, begin, end, options, text);
+      look_up_group(rows, begin, end, options, table);
     } else if (options.method == "quadtree") {
-      read_quadtree_group(rows, begin, end, options, text);
+      read_quadtree_group(rows, begin, end, options, table);
     } else if (options.precision == "float") {
-      trace_group<float>(rows, begin, end, options, text);
+      trace_group<float>(rows, begin, end, options, table);
     } else {
-      trace_group<double>(rows, begin, end, options, text);
+      trace_group<double>(rows, begin, end, options, table);
     }
   });
-  write_text_atomically(options.out, text);
-  tell_unresolved(text, rows.size());
+  write_text_atomically(options.out, table.text);
+  if (table.unresolved > 0) {
+    fmt::print(stderr, "ergodome: {} of {} rays did not converge; give a coarser --tolerance, or another --method\n",
+               table.unresolved, rows.size());
+  }
 }
 
 void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,

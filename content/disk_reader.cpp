@@ -14,6 +14,12 @@ namespace ergodome {
 
 namespace {
 
+//! A positive number rounded up to six digits: what is printed of it is not below it.
+double six_digits_above(double value) {
+  const double last = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  return std::ceil(value / last) * last;
+}
+
 constexpr double least_r = 1.0;
 constexpr double greatest_r = 1e6;
 
@@ -59,16 +65,6 @@ DiskSettings read_disk(const toml::table& table, const std::string& file) {
   reader.refuse_unknown_keys();
   return disk;
 }
-
-namespace {
-
-//! A positive number rounded up to six digits: what is printed of it is not below it.
-double six_digits_above(double value) {
-  const double last = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
-  return std::ceil(value / last) * last;
-}
-
-}  // namespace
 
 void check_disk(const toml::table& table, const std::string& file, const Show& show) {
   const TomlTable reader(table, file, "disk");

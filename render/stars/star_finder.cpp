@@ -20,9 +20,11 @@ namespace {
 constexpr double grid_budget_px = 0.01;
 //! What rays in float leave of a finer one is their rounding [rad].
 constexpr double float_budget = 1.2e-5;
-//! Cells that are not refined: rays start from what they have. Finer ones find nothing more, and coarser ones cost more rays than they save.
+//! Cells smaller than a size in this range are not refined: rays start from what they have [px²]. About a fast hole finer ones found no image
+//! more, and coarser ones cost more rays than they saved.
 constexpr double finest_cell_px = 0.5;
 constexpr double coarsest_cell_px = 2.0;
+//! The size over a show's lens budget [px].
 constexpr double cell_of_budget = 8.0;
 
 //! Whether a part of the view may lie in a patch, or on its `mirrored` side.

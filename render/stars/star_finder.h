@@ -32,7 +32,8 @@ struct StarSettings {
 };
 
 //! Where a grid for stars ends, for a show's lens budget [px]: at a budget of 0.0625 px no image of 5,000 stars is lost about a hole of spin
-//! 0.999 that finer grids have; at four times that ten of 8,691 are, next to the shadow's edge, and a new place takes half the time.
+//! 0.999 that finer grids have; at four times that ten of 8,691 are, next to the shadow's edge, and a new place takes three fifths of
+//! the time.
 double least_star_cell_px(double budget_px);
 
 //! Builds a lens grid that leads to the images of stars. Its nodes are traced by `tracer` if there is one. The grid of an eye

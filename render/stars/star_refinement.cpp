@@ -32,10 +32,10 @@ constexpr int star_step_limit = 400;
 constexpr int later_rounds = 3;
 //! And the last ones, for those that are on their way.
 constexpr int last_rounds = 2;
-//! What is farther than this after the later rounds is on no way: it leaps about, in distances to the shadow's edge.
-constexpr double lost_miss = 2.0;
 //! And in which those are that lie next to caustics, far from where they are sought.
 constexpr int many_rounds = 18;
+//! What is farther than this after the later rounds is on no way: it leaps about, in distances to the shadow's edge.
+constexpr double lost_miss = 2.0;
 //! Larger misses say that no light came [rad].
 constexpr double no_light = 1e29;
 constexpr double nowhere = 1e30;

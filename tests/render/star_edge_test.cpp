@@ -112,12 +112,6 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   EXPECT_LE(found, 55U);
 }
 
-std::vector<StarImage> images_by(const LensStation& station, const StarField& field, const EyeCamera& eye,
-                                 const StarSettings& settings) {
-  const StarPatches patches = star_patches(field, colours().view(), eye, station, settings);
-  return find_star_images(field, colours().view(), eye, station, patches, settings);
-}
-
 //! Images that are in `all` and not in `some`.
 std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const std::vector<StarImage>& some,
                                       double within) {
@@ -153,7 +147,7 @@ class ManyImages : public testing::Test {
   [[nodiscard]] std::vector<StarImage> images(double least_cell_px) const {
     StarSettings settings = settings_;
     settings.least_cell_px = least_cell_px;
-    return images_by(build_star_station(eye_, settings), field_, eye_, settings);
+    return images_of(field_, eye_, settings);
   }
 
   static constexpr double pixel = pi / 1024;
