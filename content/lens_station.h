@@ -23,8 +23,11 @@ struct LensStation {
   std::vector<int> tree;
   std::vector<int> leaves;
   std::vector<float> nodes;
-  std::vector<float> leaf_error_px;    //!< greatest error at a leaf's check points [px]
-  std::vector<float> leaf_cell_parts;  //!< the same in the chart, as parts of the leaf's sides
+  std::vector<float> leaf_error_px;  //!< greatest error at a leaf's check points [px]
+  //! What grids for images of stars keep, empty where nobody asked for it: the nodes as rays have them, also those in the middle of a larger
+  //! leaf's side, and the displacements at each leaf's checks (CheckBatch), those along γ before those along s.
+  std::vector<float> traced_nodes;
+  std::vector<float> leaf_displacements;
   //! How the nodes change with the camera's place at fixed (γ, s), with what moving turns of itself taken out (see place_turn): along r
   //! [1/M] and θ [1/rad], shaped as `nodes`. Empty where nobody asked for them.
   std::vector<float> nodes_along_r;

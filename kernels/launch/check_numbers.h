@@ -44,7 +44,8 @@ template <class S, class Camera>
 void check_outputs(const std::string& kernel, Backend backend, const CheckBatch<S, Camera>& batch) {
   require_finite(kernel, backend, "error_px", batch.error_px, batch.count);
   require_finite(kernel, backend, "area_px", batch.area_px, batch.count);
-  require_finite(kernel, backend, "cell_parts", batch.cell_parts, batch.count);
+  require_finite(kernel, backend, "gamma_parts", batch.gamma_parts, batch.count);
+  require_finite(kernel, backend, "s_parts", batch.s_parts, batch.count);
 }
 
 template <class S, class Camera>

@@ -53,9 +53,12 @@ struct CheckBatch {
   int count;                 //!< checks: checks_a_cell a cell
   const GridCell* cells;
   const float* nodes;
-  float* error_px;    //!< displacement on the screen that a viewer sees; huge where a corner or the check has no sky
-  float* area_px;     //!< the cell's area on the screen, by the stretch at the check [px²]
-  float* cell_parts;  //!< the displacement in the chart, along γ and along s as parts of the cell's sides, summed
+  float* error_px;  //!< displacement on the screen that a viewer sees; huge where a corner or the check has no sky
+  float* area_px;   //!< the cell's area on the screen, by the stretch at the check [px²]
+  // Where the sky lies that the patch reads there, from there: the same displacement in the chart, as parts of the cell's sides, with what the
+  // tracing itself may be wrong. Huge where it is not known.
+  float* gamma_parts;
+  float* s_parts;
 };
 
 }  // namespace ergodome

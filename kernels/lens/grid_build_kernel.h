@@ -132,10 +132,10 @@ struct CheckCells {
     MaskOf<T> reached;
     const Vector3<T> sky = detail::grid_sky(batch.camera, direction, reached);
     const T scale = observed_scale(batch.observer, direction) * (S(1) / batch.pixel);
-    const detail::Displacement<T> displacement = detail::screen_displacement(
-        patch.along_gamma, patch.along_s, stretch.alpha, sine, without_noise(patch.sky - sky));
-    const T error = scale * displacement.length;
-    const T parts = absolute(displacement.gamma_turns) / patch.width_turns + absolute(displacement.s) / patch.height;
+    const Vector3<T> miss = patch.sky - sky;
+    const detail::Displacement<T> displacement =
+        detail::screen_displacement(patch.along_gamma, patch.along_s, stretch.alpha, sine, miss);
+    const T error = scale * displacement.length * part_without_noise(miss);
     const auto known = reached & (patch.good > T(S(0.999))) & (error < T(S(1e30)));
     const T area = S(6.28318530717958647692) * absolute(sine) * absolute(stretch.alpha.along_y) * patch.width_turns *
                    patch.height * scale * scale;
@@ -146,7 +146,11 @@ struct CheckCells {
     };
     store_floats(batch.error_px, select(known, error, T(S(1e30))));
     store_floats(batch.area_px, area);
-    store_floats(batch.cell_parts, select(known, minimum(parts, T(S(1e30))), T(S(1e30))));
+    const auto store_parts = [&](float* to, const T& parts) {
+      store_floats(to, select(known, minimum(maximum(parts, T(S(-1e30))), T(S(1e30))), T(S(1e30))));
+    };
+    store_parts(batch.gamma_parts, displacement.gamma_turns / patch.width_turns);
+    store_parts(batch.s_parts, displacement.s / patch.height);
   }
 
  private:
@@ -186,14 +190,13 @@ struct CheckCells {
     set_lane(patch.height, i, S(cell.height));
   }
 
-  //! Less what the tracing itself may be wrong: smaller cells would not mend that.
-  ERGO_HD Vector3<T> without_noise(const Vector3<T>& miss) const {
+  //! What is left of a miss without what the tracing itself may be wrong, as a part of it: smaller cells would not mend that.
+  ERGO_HD T part_without_noise(const Vector3<T>& miss) const {
     // Nodes are stored in float, whatever they are traced in.
     constexpr S rounding = S(sizeof(S) == 4 ? 4 : 2) * S(std::numeric_limits<float>::epsilon());
     const S noise = S(2) * static_cast<S>(batch.camera.settings.tolerance) + rounding;
     const T size = sqrt(dot(miss, miss) + T(S(1e-30)));
-    const T kept = maximum(size - noise, T(S(0))) / size;
-    return {kept * miss.x, kept * miss.y, kept * miss.z};
+    return maximum(size - noise, T(S(0))) / size;
   }
 };
 

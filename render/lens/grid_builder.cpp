@@ -81,6 +81,9 @@ class GridBuilder {
       open = decide(open);
     }
     station_.nodes = tracer_.nodes();
+    if (settings_.inverted) {
+      station_.traced_nodes = station_.nodes;
+    }
     if (settings_.derivatives) {
       trace_derivatives();
     }
@@ -184,13 +187,22 @@ class GridBuilder {
       const bool may_split_gamma = box.width > finest_a_root >> deepest_a_side;
       const bool may_split_s = box.height > finest_a_root >> deepest_a_side;
       if (worst <= limit || full || area < settings_.least_area_px || !(may_split_gamma || may_split_s)) {
-        station_.leaf_cell_parts.push_back(worst_of(checks_.cell_parts.data() + checks_a_cell * i));
+        keep_displacements(i);
         make_leaf(open[i], worst, worst > limit, area);
       } else {
         split(open[i], may_split_gamma && (across_gamma >= across_s || !may_split_s) ? 0 : 1, next);
       }
     }
     return next;
+  }
+
+  void keep_displacements(std::size_t cell) {
+    if (settings_.inverted) {
+      for (const std::vector<float>* parts : {&checks_.gamma_parts, &checks_.s_parts}) {
+        const auto first = parts->begin() + static_cast<std::ptrdiff_t>(checks_a_cell * cell);
+        station_.leaf_displacements.insert(station_.leaf_displacements.end(), first, first + checks_a_cell);
+      }
+    }
   }
 
   void make_leaf(const OpenCell& cell, float error_px, bool flagged, float area_px) {

@@ -16,6 +16,7 @@ struct GridSettings {
   double least_area_px = 32.0;  //!< a cell smaller than this is not split: tracing its pixels is cheaper than its nodes
   int most_nodes = 1 << 16;     //!< what is bad still when there are so many is left to direct rays
   bool derivatives = false;     //!< also how the nodes change along r and θ; the grid is then never mirrored
+  bool inverted = false;        //!< images of stars are sought in it: what LensStation keeps for these
   double range = 0.0;           //!< of the chart; 0: what the budget asks for at the place, see chart_range()
 };
 

@@ -91,18 +91,20 @@ template <class S, class Camera>
 void GridTracer<S, Camera>::check(const std::vector<GridCell>& cells, CellChecks& found) {
   const std::size_t checks = checks_a_cell * cells.size();
   put(backend_, cells_, cells.data(), cells.size());
-  for (Buffer<float>* buffer : {&error_px_, &area_px_, &cell_parts_}) {
+  for (Buffer<float>* buffer : {&error_px_, &area_px_, &gamma_parts_, &s_parts_}) {
     make_room(backend_, *buffer, checks);
   }
-  run(backend_, CheckBatch<S, Camera>{camera_, observer_, pixel_, static_cast<int>(checks), cells_.data(),
-                                      nodes_.data(), error_px_.data(), area_px_.data(), cell_parts_.data()});
+  run(backend_,
+      CheckBatch<S, Camera>{camera_, observer_, pixel_, static_cast<int>(checks), cells_.data(), nodes_.data(),
+                            error_px_.data(), area_px_.data(), gamma_parts_.data(), s_parts_.data()});
   const auto read = [&](const Buffer<float>& from, std::vector<float>& to) {
     to.resize(checks);
     from.read(to.data(), checks);
   };
   read(error_px_, found.error_px);
   read(area_px_, found.area_px);
-  read(cell_parts_, found.cell_parts);
+  read(gamma_parts_, found.gamma_parts);
+  read(s_parts_, found.s_parts);
 }
 
 template <class S, class Camera>

@@ -12,7 +12,8 @@ namespace ergodome {
 struct CellChecks {
   std::vector<float> error_px;
   std::vector<float> area_px;
-  std::vector<float> cell_parts;
+  std::vector<float> gamma_parts;
+  std::vector<float> s_parts;
 };
 
 //! Traces the rays of grids in the making, on the processor or on a GPU; a grid's nodes stay where the kernels read them.
@@ -61,7 +62,8 @@ class GridTracer {
   Buffer<GridCell> cells_;
   Buffer<float> error_px_;
   Buffer<float> area_px_;
-  Buffer<float> cell_parts_;
+  Buffer<float> gamma_parts_;
+  Buffer<float> s_parts_;
 };
 
 }  // namespace ergodome

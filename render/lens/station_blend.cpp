@@ -41,7 +41,7 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
       tree_(backend, station_.tree, grid_buffer),
       leaves_(backend, station_.leaves, grid_buffer),
       nodes_(backend, station_.nodes, grid_buffer) {
-  for (std::vector<float>* told : {&station_.leaf_error_px, &station_.leaf_cell_parts}) {
+  for (std::vector<float>* told : {&station_.leaf_error_px, &station_.traced_nodes, &station_.leaf_displacements}) {
     std::vector<float>().swap(*told);
   }
   if (!has_derivatives()) {

@@ -42,20 +42,21 @@ RoughImageFinder::RoughImageFinder(const StarPatches& patches, const StarField& 
     : patches_(patches), field_(field), turn_(sky_turn(phi)), sine_phi_(std::sin(phi)), cosine_phi_(std::cos(phi)) {}
 
 void RoughImageFinder::look_in(const StarPatch& patch, bool mirrored) {
-  // Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
-  const double side = mirrored ? -1.0 : 1.0;
   const int count = field_.search(turned(patch.part, turn_, mirrored), patches_.floor_of(patch), stars_);
   const PatchFrame& frame = patch.frame;
   PairList& list = patch.shape == PatchShape::regular ? regular_ : patch.shape == PatchShape::bent ? bent_ : folded_;
   for (int i = 0; i < count; ++i) {
     const int star = stars_[static_cast<std::size_t>(i)];
-    const Vector3<double>& there = field_.stars()[static_cast<std::size_t>(star)].direction;
-    const Vector3<double> d = {cosine_phi_ * there.x + sine_phi_ * there.y, cosine_phi_ * there.y - sine_phi_ * there.x,
-                               side * there.z};
+    const Vector3<double> d = as_patches_see(field_.stars()[static_cast<std::size_t>(star)], mirrored);
     const double depth = dot(d, frame.axis);
     list.add({&patch, mirrored, star, static_cast<float>(depth)}, static_cast<float>(dot(d, frame.first) / depth),
              static_cast<float>(dot(d, frame.second) / depth));
   }
+}
+
+Vector3<double> RoughImageFinder::as_patches_see(const FieldStar& star, bool mirrored) const {
+  const Vector3<double>& d = star.direction;
+  return {cosine_phi_ * d.x + sine_phi_ * d.y, cosine_phi_ * d.y - sine_phi_ * d.x, mirrored ? -d.z : d.z};
 }
 
 void RoughImageFinder::finish(std::vector<RoughImage>& found) {
@@ -137,12 +138,13 @@ void RoughImageFinder::keep(const Pair& pair, const Root& root, std::vector<Roug
   const float gain = patch.brighter * magnification * patch.light.brighter *
                      shift.gain[static_cast<std::size_t>(star_class(star.log_temperature))];
   if (star.illuminance * gain >= patches_.faintest()) {
-    const float gamma = patch.gamma_turns + root.u * patch.width_turns;
-    const float seen = pair.mirrored ? 1.0F - gamma : gamma;
     // Position angles go round the chart's centre the other way than planes count areas.
-    found.push_back({pair.star, seen - std::floor(seen), patch.s + root.v * patch.height,
-                     std::copysign(sky, -root.area) / (patch.width_turns * patch.height), patch.brighter,
-                     patch.exact && patch.shape != PatchShape::folded, root.area == 0.0F});
+    ChartImage image = {patch.gamma_turns + root.u * patch.width_turns, patch.s + root.v * patch.height,
+                        std::copysign(sky, -root.area) / (patch.width_turns * patch.height)};
+    const bool exact = patch.exact && patch.shape != PatchShape::folded &&
+                       patches_.mended().mend(patch.leaf, as_patches_see(star, pair.mirrored), image);
+    const float seen = pair.mirrored ? 1.0F - image.gamma_turns : image.gamma_turns;
+    found.push_back({pair.star, seen - std::floor(seen), image.s, image.sky, patch.brighter, exact, root.area == 0.0F});
   }
 }
 

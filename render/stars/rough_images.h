@@ -60,6 +60,9 @@ class RoughImageFinder {
     float u, v, area;
   };
 
+  //! Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
+  [[nodiscard]] Vector3<double> as_patches_see(const FieldStar& star, bool mirrored) const;
+
   void invert(const PairList& list, float farthest, int rounds);
   [[nodiscard]] bool within(std::size_t pair) const;
   void finish_regular(std::vector<RoughImage>& found);

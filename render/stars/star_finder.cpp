@@ -80,6 +80,7 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
   grid.observer = aberration_of(eye);
   grid.fine = false;
   grid.least_area_px = settings.least_cell_px;
+  grid.inverted = true;
   return eye.omni ? build_omni_station(*eye.omni, grid)
                   : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
 }

@@ -113,7 +113,8 @@ int longer_axis(const BezierPatch& patch) {
 
 StarPatches::StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
                          const GridExactness& exactness)
-    : edge_(station.edge),
+    : mended_(station),
+      edge_(station.edge),
       chart_(grid_view(station).chart),
       mirrored_(station.mirrored),
       faintest_(faintest),
@@ -133,7 +134,8 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
       patch.height = static_cast<float>(box.height);
       patch.sky = bezier_patch(grid, leaf, patch.width_turns, patch.height);
       const auto number = static_cast<std::size_t>(leaf);
-      tell_error(station.leaf_error_px[number], station.leaf_cell_parts[number], patch);
+      patch.leaf = leaf;
+      tell_error(station.leaf_error_px[number], patch);
       add_patch({field, light}, patch, 0, parts[static_cast<std::size_t>(leaf / leaves_a_chunk)]);
     }
   });
@@ -142,18 +144,25 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
   }
 }
 
-//! What a leaf's errors at its check points say of the images in it.
-void StarPatches::tell_error(float error_px, float cell_parts, StarPatch& patch) const {
+//! What a leaf's errors at its check points say of the images in it. `error_px`: of its patch.
+void StarPatches::tell_error(float error_px, StarPatch& patch) const {
   // A cubic that is off by e over a side h has a slope that is off by e √3 384 / (216 h). To first order an image's magnification is off
   // by how much γ is along itself and s is along itself, together.
   constexpr float slope_error = 3.1F;
-  constexpr float exact_magnification = 3e-3F;
+  // Mended, it is off by a quintic first, (t (1 - t))² (t - 1/2), whose slope is so many times what it is at the inner checks.
+  constexpr float mended_slope_error = 7.1F;
+  constexpr float exact_magnification = 6e-3F;
   constexpr float between_checks = 3.0F;
-  const float magnification_error = slope_error * cell_parts;
+  // Beyond this first order does not mend it.
+  constexpr float most_mended = 0.03F;
+  const LeafErrors errors = mended_.errors(patch.leaf);
+  const float magnification_error = slope_error * errors.told;
   // Nodes are traced in float.
   const auto rounding = static_cast<float>(edge_rounding / edge_distance(chart_, static_cast<double>(patch.s)));
   patch.brighter = 1.0F + between_checks * (magnification_error + rounding);
-  patch.exact = error_px <= exact_grid_px && magnification_error <= exact_magnification;
+  const float left_px = error_px * std::min(errors.left / std::max(errors.told, 1e-30F), 1.0F);
+  patch.exact =
+      errors.told <= most_mended && left_px <= exact_grid_px && mended_slope_error * errors.left <= exact_magnification;
 }
 
 bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const {

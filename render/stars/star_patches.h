@@ -5,6 +5,7 @@
 #include "content/lens_station.h"
 #include "kernels/stars/patch_measure.h"
 #include "render/stars/bezier_patch.h"
+#include "render/stars/mended_grid.h"
 #include "render/stars/star_field.h"
 
 namespace ergodome {
@@ -26,8 +27,9 @@ struct StarPatch {
   float width_turns;
   float height;
   PatchShape shape;
+  int leaf;        //!< whose part it is
   float brighter;  //!< what an image in it may be brighter by than the grid makes it out to be, as a factor
-  bool exact;      //!< images in it need no rays, where it is not folded
+  bool exact;      //!< images in it, mended, need no rays, where it is not folded
   float error;     //!< how far it may be from the sky where that matters, next to critical curves [rad]
   int halvings;    //!< that its search for images takes, where it is not regular
   PatchLight light;
@@ -60,14 +62,14 @@ struct GridExactness {
   double fold_error;  //!< next to critical curves, on the camera's sky [rad]
 };
 
-//! Where the grid is nearer than this to the sky, at its check points, images are where it has them [px].
+//! Where the mended grid is nearer than this to the sky, images are where it has them [px].
 inline constexpr float exact_grid_px = 0.008F;
 
 //! A lens grid turned round: from places on the sky to places in the chart.
 class StarPatches {
  public:
-  //! For images of at least `faintest` lx: the more stars may have some, the finer. `station` was built, not blended: it knows its leaves'
-  //! errors.
+  //! For images of at least `faintest` lx: the more stars may have some, the finer. Where
+  //! `station` was not built to be inverted (GridSettings), all of them need rays.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness);
   StarPatches(StarPatches&&) = default;
@@ -80,6 +82,9 @@ class StarPatches {
 
   //! Illuminance below which images are left out [lx].
   [[nodiscard]] float faintest() const { return faintest_; }
+
+  //! Moves images to where rays have them.
+  [[nodiscard]] const MendedGrid& mended() const { return mended_; }
 
   //! Which stars may have images in a patch that are bright enough.
   [[nodiscard]] StarFloor floor_of(const StarPatch& patch) const {
@@ -95,8 +100,9 @@ class StarPatches {
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
   [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const;
-  void tell_error(float error_px, float cell_parts, StarPatch& patch) const;
+  void tell_error(float error_px, StarPatch& patch) const;
 
+  MendedGrid mended_;
   std::vector<float> edge_;  //!< of the chart
   LensChart chart_;
   bool mirrored_;

@@ -139,18 +139,29 @@ bool is_open(const StarCandidate& c, const RayPrecision& precision) {
 //! Whether rounds have led an image nowhere.
 bool is_lost(const StarCandidate& c) { return c.miss > lost_miss * c.edge_distance; }
 
-//! Leaves images that are too faint where their last rays came from, and will be where the next come from.
-void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
+//! Larger changes of the magnification over a step are but told as large.
+constexpr double most_change_told = 0.5;
+
+//! Whether an image that is so faint where its last ray came from is bright enough nowhere near; one that leaps about may come to a place
+//! where it is many times as bright, and next to caustics that is all that is known.
+bool stays_faint(const StarCandidate& c, const ImageSearch& search) {
   constexpr double least_slack = 1.3;
-  constexpr double most_change_told = 0.5;
   // What the last step changes is told as most change at the most, and here and there up to twice that.
   constexpr double between = 3.0;
+  constexpr double far_slack = 20.0;
+  return c.solid_angle != 0.0 &&
+         search.brightness(c) * (c.change < most_change_told ? least_slack + between * c.change : far_slack) < 1.0;
+}
+
+//! Leaves those images that stay faint and of which `asked` says so.
+template <class Asked>
+void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision,
+                 const Asked& asked) {
   if (!search.brightness) {
     return;
   }
   for (StarCandidate& c : candidates) {
-    if (is_open(c, precision) && c.solid_angle != 0.0 && c.change < most_change_told &&
-        search.brightness(c) * (least_slack + between * c.change) < 1.0) {
+    if (is_open(c, precision) && asked(c) && stays_faint(c, search)) {
       c.miss = nowhere;
       c.faint = true;
     }
@@ -161,7 +172,7 @@ void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& sear
 template <class S>
 void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
   refine<S>(candidates, search, precision, 1);
-  leave_faint(candidates, search, precision);
+  leave_faint(candidates, search, precision, [](const StarCandidate&) { return true; });
   const auto refine_open = [&](int rounds, const auto& chosen) {
     with_some(
         candidates, [&](const StarCandidate& c) { return is_open(c, precision) && chosen(c); },
@@ -169,6 +180,7 @@ void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& 
   };
   for (int round = 0; round < later_rounds; ++round) {
     refine_open(1, [](const StarCandidate&) { return true; });
+    leave_faint(candidates, search, precision, [](const StarCandidate& c) { return c.change >= most_change_told; });
   }
   refine_open(last_rounds, [](const StarCandidate& c) { return !is_lost(c); });
 }
@@ -216,8 +228,15 @@ void refine_finest(std::vector<StarCandidate>& candidates, const ImageSearch& se
   const auto is_beside_caustic = [&](const StarCandidate& c) {
     return c.miss > fine_miss || singular_values(c).smaller_square < steepest * steepest;
   };
+  // A hair beside where it is found, an image is about as bright.
+  const auto is_faint = [&](const StarCandidate& c) {
+    constexpr double hair = 0.05;
+    constexpr double slack = 4.0;
+    return search.brightness && c.miss < hair * c.edge_distance && search.brightness(c) * slack < 1.0;
+  };
   with_some(
-      candidates, [&](const StarCandidate& c) { return c.miss <= near_px * search.pixel && is_beside_caustic(c); },
+      candidates,
+      [&](const StarCandidate& c) { return c.miss <= near_px * search.pixel && is_beside_caustic(c) && !is_faint(c); },
       [&](std::vector<StarCandidate>& near) {
         refine_patiently(near, search, {finest_tolerance, std::min(image_tolerance_px * search.pixel, ring_tolerance)});
       });

@@ -89,7 +89,8 @@ bool check_checks(UniformGrid& grid) {
   const int count = checks_a_cell * columns * rows;
   Twin<float> error_px(static_cast<std::size_t>(count));
   Twin<float> area_px(static_cast<std::size_t>(count));
-  Twin<float> cell_parts(static_cast<std::size_t>(count));
+  Twin<float> gamma_parts(static_cast<std::size_t>(count));
+  Twin<float> s_parts(static_cast<std::size_t>(count));
   const AberrationOf<float> observer =
       converted_aberration<float>(aberration_to_rain(0.999, 5.0, 1.5707963, ObserverMotion::zamo, {}));
   const float pixel = 7.67e-4F;
@@ -101,7 +102,8 @@ bool check_checks(UniformGrid& grid) {
                                      grid.nodes.host.data(),
                                      error_px.host.data(),
                                      area_px.host.data(),
-                                     cell_parts.host.data()};
+                                     gamma_parts.host.data(),
+                                     s_parts.host.data()};
   const CheckBatch<float> on_device = {grid.camera<float>(grid.device_chart()),
                                        observer,
                                        pixel,
@@ -110,12 +112,14 @@ bool check_checks(UniformGrid& grid) {
                                        grid.nodes.device(),
                                        error_px.device(),
                                        area_px.device(),
-                                       cell_parts.device()};
+                                       gamma_parts.device(),
+                                       s_parts.device()};
   const double device_ms = run_on_device_ms("check_cells", CheckCells<float>{on_device}, count);
   const double host_ms = run_on_host_ms(CheckCells<float>{on_host}, count);
   return report("check_cells", count, device_ms, host_ms, compare(area_px.download(), area_px.host, 0.999, 1e-4)) &&
          compare(error_px.download(), error_px.host, 0.9, 0.05).good &&
-         compare(cell_parts.download(), cell_parts.host, 0.9, 0.05).good;
+         compare(gamma_parts.download(), gamma_parts.host, 0.9, 0.05).good &&
+         compare(s_parts.download(), s_parts.host, 0.9, 0.05).good;
 }
 
 bool check_look_up(UniformGrid& grid, int size) {
