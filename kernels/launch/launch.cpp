@@ -181,28 +181,28 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
 void find_star_images(const StarImageBatch<float>& batch) {
   static WorkCounter counter("find_star_images");
   const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
+  run_on_cpu(active_table().find_star_images_float, batch, batch.count, active_table().lanes_float, star_grain);
   finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const StarImageBatch<double>& batch) {
   static WorkCounter counter("find_star_images, double");
   const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
+  run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, star_grain);
   finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const OmniStarBatch<float>& batch) {
   static WorkCounter counter("find_star_images");
   const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_omni_star_images_float, batch, batch.count, active_table().lanes_float, grid_grain);
+  run_on_cpu(active_table().find_omni_star_images_float, batch, batch.count, active_table().lanes_float, star_grain);
   finish(counter, Backend::cpu, batch);
 }
 
 void find_star_images(const OmniStarBatch<double>& batch) {
   static WorkCounter counter("find_star_images, double");
   const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_omni_star_images_double, batch, batch.count, active_table().lanes_double, grid_grain);
+  run_on_cpu(active_table().find_omni_star_images_double, batch, batch.count, active_table().lanes_double, star_grain);
   finish(counter, Backend::cpu, batch);
 }
 

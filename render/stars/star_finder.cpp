@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -16,7 +19,7 @@ namespace ergodome {
 
 namespace {
 
-//! A grid so fine has most images where they are, and costs less than their rays. Rays mend what it misses.
+//! A grid so fine has, mended, most images where they are, and costs less than their rays. Rays find the others.
 constexpr double grid_budget_px = 0.01;
 //! What rays in float leave of a finer one is their rounding [rad].
 constexpr double float_budget = 1.2e-5;
@@ -35,6 +38,32 @@ bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
   return may_touch(view, way, static_cast<double>(patch.seen_radius));
 }
 
+//! Finders that wait for work, so that each keeps the memory it once asked for.
+class IdleFinders {
+ public:
+  using Finder = std::unique_ptr<RoughImageFinder>;
+
+  //! One that waits, or none.
+  Finder take() {
+    const std::lock_guard lock(mutex_);
+    if (finders_.empty()) {
+      return nullptr;
+    }
+    Finder last = std::move(finders_.back());
+    finders_.pop_back();
+    return last;
+  }
+
+  void give_back(Finder finder) {
+    const std::lock_guard lock(mutex_);
+    finders_.push_back(std::move(finder));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Finder> finders_;
+};
+
 std::vector<RoughImage> find_rough(const StarField& field, double phi, const StarPatches& patches,
                                    const ViewCone& view) {
   static WorkCounter counter("search_patches");
@@ -44,19 +73,24 @@ std::vector<RoughImage> find_rough(const StarField& field, double phi, const Sta
   const int count = static_cast<int>(list.size());
   // In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes.
   std::vector<std::vector<RoughImage>> found(static_cast<std::size_t>((count + chunk - 1) / chunk));
+  IdleFinders idle;
   parallel_for(static_cast<int>(found.size()), 1, [&](int begin, int end) {
-    RoughImageFinder finder(patches, field, phi);
+    IdleFinders::Finder finder = idle.take();
+    if (!finder) {
+      finder = std::make_unique<RoughImageFinder>(patches, field, phi);
+    }
     for (int part = begin; part < end; ++part) {
       for (int i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
         const StarPatch& patch = list[static_cast<std::size_t>(i)];
         for (const bool mirrored : {false, true}) {
           if ((!mirrored || patches.mirrored()) && may_be_seen(patch, mirrored, view)) {
-            finder.look_in(patch, mirrored);
+            finder->look_in(patch, mirrored);
           }
         }
       }
-      finder.finish(found[static_cast<std::size_t>(part)]);
+      finder->finish(found[static_cast<std::size_t>(part)]);
     }
+    idle.give_back(std::move(finder));
   });
   std::vector<RoughImage> all;
   for (const std::vector<RoughImage>& part : found) {

@@ -30,6 +30,16 @@ bool is_all_inside(const Projection& projection, int left, int right, int top, i
          inside(right, bottom);
 }
 
+//! Adds a row of pixels of the picture, all of which are wholly in the image. `light`: of the row, and nothing for the fourth channel.
+void add_whole_row(const PointSpread& across, const float (&light)[4], float* rgba) {
+  for (int i = 0; i < across.count; ++i) {
+    const float part = across.part[static_cast<std::size_t>(i)];
+    for (int channel = 0; channel < 4; ++channel) {
+      rgba[4 * i + channel] += part * light[channel];
+    }
+  }
+}
+
 //! Adds the pixels of one image that lie in rows [top, bottom) and in a cell of the picture; `rgba` begins at row `origin`.
 void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
          int top, int bottom, int origin, float* rgba) {
@@ -42,9 +52,17 @@ void add(const StarPoint& splat, const Projection& projection, const PixelCell& 
   const int end_row = std::min(bottom, cell.top_px + cell.height_px);
   const bool all_inside =
       is_all_inside(projection, across.first, across.first + across.count - 1, down.first, down.first + down.count - 1);
+  const bool whole_rows =
+      all_inside && across.first >= cell.left_px && across.first + across.count <= cell.left_px + cell.width_px;
   for (int j = 0; j < down.count; ++j) {
     const int y = down.first + j;
     if (y < first_row || y >= end_row) {
+      continue;
+    }
+    if (whole_rows) {
+      const float part = down.part[static_cast<std::size_t>(j)];
+      add_whole_row(across, {part * splat.light.x, part * splat.light.y, part * splat.light.z, 0.0F},
+                    rgba + 4 * (static_cast<std::ptrdiff_t>(y - origin) * width + across.first));
       continue;
     }
     for (int i = 0; i < across.count; ++i) {
