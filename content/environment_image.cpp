@@ -1,11 +1,10 @@
 #include "content/environment_image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -21,67 +20,60 @@ float decoded_srgb(float encoded) {
   return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 
-bool is_encoded(const OIIO::ImageSpec& spec) {
-  const bool whole_numbers = spec.format.basetype != OIIO::TypeDesc::FLOAT &&
-                             spec.format.basetype != OIIO::TypeDesc::HALF &&
-                             spec.format.basetype != OIIO::TypeDesc::DOUBLE;
-  return whole_numbers && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
-}
-
-void check_shape(const OIIO::ImageSpec& spec, const std::string& name) {
-  if (spec.width < narrowest || spec.width > widest || spec.depth > 1) {
-    throw Error(name, fmt::format("is {} pixels wide", spec.width),
+void check_shape(const ImageShape& shape, const std::string& name) {
+  if (shape.width < narrowest || shape.width > widest || shape.depth > 1) {
+    throw Error(name, fmt::format("is {} pixels wide", shape.width),
                 fmt::format("a sky map is {} to {} pixels wide", narrowest, widest));
   }
-  if (spec.width != 2 * spec.height) {
-    throw Error(name, fmt::format("is {} x {}, not twice as wide as high", spec.width, spec.height),
+  if (shape.width != 2 * shape.height) {
+    throw Error(name, fmt::format("is {} x {}, not twice as wide as high", shape.width, shape.height),
                 "convert it to an equirectangular map of the whole sky");
   }
-  if (spec.nchannels < 1 || spec.nchannels > 64) {
-    throw Error(name, fmt::format("has {} channels", spec.nchannels), "save it as RGB");
+  if (shape.channels < 1 || shape.channels > 64) {
+    throw Error(name, fmt::format("has {} channels", shape.channels), "save it as RGB");
   }
 }
 
 //! Reads an opened image row by row, adding up blocks of `factor` x `factor` texels.
 class MapReader {
  public:
-  MapReader(OIIO::ImageInput& input, std::string name, int largest_width)
-      : input_(input), name_(std::move(name)), encoded_(is_encoded(input.spec())) {
-    const OIIO::ImageSpec& spec = input.spec();
-    check_shape(spec, name_);
-    while (spec.width / factor_ > largest_width && spec.width % (2 * factor_) == 0 &&
-           spec.height % (2 * factor_) == 0) {
+  MapReader(ImageInput& input, std::string name, int largest_width)
+      : input_(input), name_(std::move(name)), encoded_(input.shape().encoded) {
+    const ImageShape& shape = input.shape();
+    check_shape(shape, name_);
+    while (shape.width / factor_ > largest_width && shape.width % (2 * factor_) == 0 &&
+           shape.height % (2 * factor_) == 0) {
       factor_ *= 2;
     }
-    if (spec.width / factor_ > largest_width && spec.width > 2 * largest_width) {
-      throw Error(name_, fmt::format("is {} pixels wide, which cannot be halved evenly", spec.width),
+    if (shape.width / factor_ > largest_width && shape.width > 2 * largest_width) {
+      throw Error(name_, fmt::format("is {} pixels wide, which cannot be halved evenly", shape.width),
                   fmt::format("scale it to {} pixels", largest_width));
     }
     image_.name = name_;
-    image_.width = spec.width / factor_;
-    image_.height = spec.height / factor_;
+    image_.width = shape.width / factor_;
+    image_.height = shape.height / factor_;
     image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
-    colour_channels_ = spec.nchannels >= 3 ? 3 : 1;
+    colour_channels_ = shape.channels >= 3 ? 3 : 1;
   }
 
   EnvironmentImage read() {
-    const OIIO::ImageSpec spec = input_.spec();
+    const ImageShape shape = input_.shape();
     constexpr int rows_at_once = 64;
-    std::vector<float> rows(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(colour_channels_) *
+    std::vector<float> rows(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(colour_channels_) *
                             rows_at_once);
-    for (int begin = 0; begin < spec.height; begin += rows_at_once) {
-      const int end = std::min(begin + rows_at_once, spec.height);
-      if (!read_rows(spec, begin, end, rows)) {
-        throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.geterror()),
+    for (int begin = 0; begin < shape.height; begin += rows_at_once) {
+      const int end = std::min(begin + rows_at_once, shape.height);
+      if (!read_rows(shape, begin, end, rows)) {
+        throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.error()),
                     "the file seems torn; save it again");
       }
       for (int y = begin; y < end; ++y) {
-        add_row(
-            rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(spec.width * colour_channels_),
-            y, spec.width);
+        add_row(rows.data() +
+                    static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(shape.width * colour_channels_),
+                y, shape.width);
       }
     }
-    if (repaired_ == static_cast<long>(spec.width) * spec.height) {
+    if (repaired_ == static_cast<long>(shape.width) * shape.height) {
       throw Error(name_, "holds no finite light at all", "save it again");
     }
     image_.repaired_texels = static_cast<int>(std::min(repaired_, 2'000'000'000L));
@@ -89,23 +81,22 @@ class MapReader {
   }
 
  private:
-  bool read_rows(const OIIO::ImageSpec& spec, int begin, int end, std::vector<float>& rows) {
-    if (spec.tile_width == 0) {
-      return input_.read_scanlines(0, 0, spec.y + begin, spec.y + end, 0, 0, colour_channels_, OIIO::TypeDesc::FLOAT,
-                                   rows.data());
+  bool read_rows(const ImageShape& shape, int begin, int end, std::vector<float>& rows) {
+    if (!shape.tiled) {
+      return input_.read_rows(begin, end, colour_channels_, rows.data());
     }
     // Tiles are read once and kept: asking for scanlines of them would decode each many times.
     if (tiles_.empty()) {
-      if (static_cast<double>(spec.width) * spec.height > 16384.0 * 8192.0) {
-        throw Error(name_, fmt::format("is tiled and {} pixels wide", spec.width),
+      if (static_cast<double>(shape.width) * shape.height > 16384.0 * 8192.0) {
+        throw Error(name_, fmt::format("is tiled and {} pixels wide", shape.width),
                     "save it in scanlines, or scale it to 16384 pixels");
       }
-      tiles_.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height * colour_channels_));
-      if (!input_.read_image(0, 0, 0, colour_channels_, OIIO::TypeDesc::FLOAT, tiles_.data())) {
+      tiles_.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height * colour_channels_));
+      if (!input_.read_all(colour_channels_, tiles_.data())) {
         return false;
       }
     }
-    const auto row_size = static_cast<std::ptrdiff_t>(spec.width) * colour_channels_;
+    const auto row_size = static_cast<std::ptrdiff_t>(shape.width) * colour_channels_;
     std::copy(tiles_.begin() + begin * row_size, tiles_.begin() + end * row_size, rows.begin());
     return true;
   }
@@ -128,7 +119,7 @@ class MapReader {
     }
   }
 
-  OIIO::ImageInput& input_;
+  ImageInput& input_;
   std::string name_;
   bool encoded_;
   int factor_ = 1;
@@ -138,10 +129,11 @@ class MapReader {
   EnvironmentImage image_;
 };
 
-EnvironmentImage read_opened(const std::unique_ptr<OIIO::ImageInput>& input, const std::string& name,
-                             int largest_width) {
+EnvironmentImage read_with(const ImageLibrary::Wishes& wishes, const std::string& name, int largest_width) {
+  std::string problem;
+  const auto input = image_library().open(name, wishes, problem);
   if (!input) {
-    throw Error(name, "is not an image that can be read: " + OIIO::geterror(),
+    throw Error(name, "is not an image that can be read: " + problem,
                 "give an equirectangular EXR, HDR, PNG, TIFF or JPEG");
   }
   try {
@@ -158,12 +150,11 @@ EnvironmentImage read_environment_image(const std::filesystem::path& path, int l
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", "give the path of an equirectangular image");
   }
-  return read_opened(OIIO::ImageInput::open(path.string()), path.string(), largest_width);
+  return read_with({}, path.string(), largest_width);
 }
 
 EnvironmentImage read_environment_image(std::span<const std::byte> bytes, const std::string& name, int largest_width) {
-  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-  return read_opened(OIIO::ImageInput::open(name, nullptr, &memory), name, largest_width);
+  return read_with({bytes}, name, largest_width);
 }
 
 }  // namespace ergodome

@@ -1,15 +1,14 @@
 #include "render/effects/diffraction.h"
 
-#include <OpenImageIO/color.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
+#include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/sky/blackbody.h"
 
@@ -73,14 +72,6 @@ bool normalise(std::vector<float>& rgb) {
   return true;
 }
 
-//! Whether an image's numbers are encoded as sRGB.
-bool is_encoded(const OIIO::ImageSpec& spec) {
-  const bool whole_numbers = spec.format.basetype != OIIO::TypeDesc::FLOAT &&
-                             spec.format.basetype != OIIO::TypeDesc::HALF &&
-                             spec.format.basetype != OIIO::TypeDesc::DOUBLE;
-  return whole_numbers && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
-}
-
 //! A file's pixels, linear, three floats each.
 struct Image {
   int width;
@@ -89,29 +80,29 @@ struct Image {
 };
 
 Image read_image(const std::string& name) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(name);
+  std::string problem;
+  const auto input = image_library().open(name, {}, problem);
   if (!input) {
-    throw Error(name, "is not an image that can be read: " + OIIO::geterror(), "give an EXR, HDR, PNG, TIFF or JPEG");
+    throw Error(name, "is not an image that can be read: " + problem, "give an EXR, HDR, PNG, TIFF or JPEG");
   }
-  const OIIO::ImageSpec spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > widest_px || spec.height > widest_px || spec.depth > 1) {
-    throw Error(name, fmt::format("is {} x {} pixels", spec.width, spec.height),
+  const ImageShape shape = input->shape();
+  if (shape.width < 1 || shape.height < 1 || shape.width > widest_px || shape.height > widest_px || shape.depth > 1) {
+    throw Error(name, fmt::format("is {} x {} pixels", shape.width, shape.height),
                 fmt::format("scale the pattern to at most {} x {}", widest_px, widest_px));
   }
-  const int channels = spec.nchannels >= 3 ? 3 : 1;
-  const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  const int channels = shape.channels >= 3 ? 3 : 1;
+  const std::size_t pixels = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
   std::vector<float> values(pixels * static_cast<std::size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) {
-    throw Error(name, "cannot be read: " + input->geterror(), "the file seems torn; save it again");
+  if (!input->read_all(channels, values.data())) {
+    throw Error(name, "cannot be read: " + input->error(), "the file seems torn; save it again");
   }
-  Image image{spec.width, spec.height, std::vector<float>(3 * pixels)};
-  const bool encoded = is_encoded(spec);
+  Image image{shape.width, shape.height, std::vector<float>(3 * pixels)};
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const float value = values[channels == 3 ? i : i / 3];
     if (!std::isfinite(value)) {
       throw Error(name, "holds light that is not finite", "save it again without NaN and infinity");
     }
-    image.rgb[i] = encoded ? OIIO::sRGB_to_linear(value) : value;
+    image.rgb[i] = shape.encoded ? srgb_decoded(value) : value;
   }
   return image;
 }

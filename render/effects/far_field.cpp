@@ -1,13 +1,12 @@
 #include "render/effects/far_field.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
+#include "content/images/image_library.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
@@ -82,14 +81,14 @@ FarField::FarField(const ApertureSettings& settings) {
   diameter_ = std::clamp(power_of_two(1.7 * settings.size_px / settings.scale), 64, 1024);
   cells_ = std::min(diameter_ * std::max(4, power_of_two(4.0 * settings.scale)), 4096);
   cells_per_px_ = first_ring * cells_ / diameter_ / (first_ring_px * settings.scale);
-  OIIO::ImageBuf mask(OIIO::ImageSpec(cells_, cells_, 1, OIIO::TypeDesc::FLOAT));
-  OIIO::ImageBufAlgo::zero(mask);
-  draw_mask(settings, static_cast<float*>(mask.localpixels()));
-  const OIIO::ImageBuf field = OIIO::ImageBufAlgo::fft(mask);
-  if (field.has_error() || field.nchannels() != 2 || field.spec().format != OIIO::TypeDesc::FLOAT) {
-    throw Error("aperture", "cannot be transformed: " + field.geterror(), "give a smaller pattern");
+  std::vector<float> mask(static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_));
+  draw_mask(settings, mask.data());
+  std::string problem;
+  const std::vector<float> field = image_library().transform(mask.data(), cells_, problem);
+  if (field.empty()) {
+    throw Error("aperture", "cannot be transformed: " + problem, "give a smaller pattern");
   }
-  integrate(static_cast<const float*>(field.localpixels()));
+  integrate(field.data());
 }
 
 void FarField::draw_mask(const ApertureSettings& settings, float* cells) const {

@@ -1,12 +1,11 @@
 #include "render/output/color_bar.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "content/images/image_library.h"
 #include "kernels/image/color_map.h"
 
 namespace ergodome {
@@ -39,14 +38,13 @@ void fill(Picture& picture, ViewMode mode, const Bar& bar) {
   }
 }
 
-void write(OIIO::ImageBuf& image, int x, int y, const std::string& text, int font_px) {
+void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int font_px) {
   const float white[4] = {0.8F, 0.8F, 0.8F, 1.0F};
-  OIIO::ImageBufAlgo::render_text(image, x, y, text, font_px, "DejaVuSans", white,
-                                  OIIO::ImageBufAlgo::TextAlignX::Center, OIIO::ImageBufAlgo::TextAlignY::Top, 1);
+  image_library().draw_text(canvas, x, y, text, {font_px, white, TextPlace::top_centre, 1});
 }
 
 void label(Picture& picture, ViewMode mode, const Bar& bar, int font_px) {
-  OIIO::ImageBuf image(OIIO::ImageSpec(picture.width, picture.height, 4, OIIO::TypeDesc::FLOAT), picture.rgba.data());
+  const ImageCanvas image = {picture.rgba.data(), picture.width, picture.height, 4};
   constexpr int ticks = 4;
   const HeatRange& range = *picture.heat_range;
   for (int i = 0; i <= ticks; ++i) {

@@ -1,8 +1,8 @@
 #include "render/output/image_reader.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -13,15 +13,16 @@ Error unreadable(const std::filesystem::path& path, const std::string& reason) {
   return {path.string(), "cannot be read: " + reason, "render it again"};
 }
 
-std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path) {
+std::unique_ptr<ImageInput> opened(const std::filesystem::path& path) {
   constexpr int most_px = 65'535;
-  auto input = OIIO::ImageInput::open(path.string());
+  std::string problem;
+  auto input = image_library().open(path.string(), {}, problem);
   if (!input) {
-    throw unreadable(path, OIIO::geterror());
+    throw unreadable(path, problem);
   }
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > most_px || spec.height > most_px || spec.nchannels < 3) {
-    throw unreadable(path, fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels));
+  const ImageShape& shape = input->shape();
+  if (shape.width < 1 || shape.height < 1 || shape.width > most_px || shape.height > most_px || shape.channels < 3) {
+    throw unreadable(path, fmt::format("{} x {} pixels of {} channels", shape.width, shape.height, shape.channels));
   }
   return input;
 }
@@ -30,15 +31,15 @@ std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path) {
 
 DisplayPixels image_size(const std::filesystem::path& path) {
   const auto input = opened(path);
-  return {input->spec().width, input->spec().height, {}};
+  return {input->shape().width, input->shape().height, {}};
 }
 
 DisplayPixels read_display_pixels(const std::filesystem::path& path) {
   const auto input = opened(path);
-  DisplayPixels pixels = {input->spec().width, input->spec().height, {}};
+  DisplayPixels pixels = {input->shape().width, input->shape().height, {}};
   pixels.rgb.resize(3 * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height));
-  if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT16, pixels.rgb.data())) {
-    throw unreadable(path, input->geterror());
+  if (!input->read_all(3, pixels.rgb.data())) {
+    throw unreadable(path, input->error());
   }
   return pixels;
 }

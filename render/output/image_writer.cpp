@@ -1,10 +1,9 @@
 #include "render/output/image_writer.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 
 #include "content/files/atomic_file.h"
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
 #include "render/output/tone_map.h"
 
@@ -32,43 +31,47 @@ const char* plugin_of(ImageFormat format) {
   return format == ImageFormat::exr ? "openexr" : format == ImageFormat::tiff ? "tiff" : "png";
 }
 
-OIIO::TypeDesc type_of(ImageFormat format) {
+ImageSample sample_of(ImageFormat format) {
   switch (format) {
     case ImageFormat::exr:
-      return OIIO::TypeDesc::HALF;
+      return ImageSample::half;
     case ImageFormat::png:
-      return OIIO::TypeDesc::UINT8;
+      return ImageSample::whole_8;
     default:
-      return OIIO::TypeDesc::UINT16;
+      return ImageSample::whole_16;
   }
 }
 
-OIIO::ImageSpec make_spec(const FrameFormat& format, const Picture& picture, const FrameMetadata& metadata) {
+ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const FrameMetadata& metadata) {
   constexpr const char* compressions[] = {"zip", "none", "dwaa"};
-  OIIO::ImageSpec spec(picture.width, picture.height, format.alpha ? 4 : 3, type_of(format.image));
-  spec.attribute("Software", "Ergodome " ERGODOME_VERSION);
+  ImagePlan plan;
+  plan.width = picture.width;
+  plan.height = picture.height;
+  plan.channels = format.alpha ? 4 : 3;
+  plan.sample = sample_of(format.image);
+  plan.texts.emplace_back("Software", "Ergodome " ERGODOME_VERSION);
   for (const auto& [name, value] : metadata) {
-    spec.attribute("ergodome:" + name, value);
+    plan.texts.emplace_back("ergodome:" + name, value);
   }
   if (format.image == ImageFormat::exr) {
-    spec.attribute("compression", compressions[static_cast<int>(format.compression)]);
-    spec.attribute("oiio:ColorSpace", "Linear");
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), rec709);
-    return spec;
+    plan.texts.emplace_back("compression", compressions[static_cast<int>(format.compression)]);
+    plan.texts.emplace_back("oiio:ColorSpace", "Linear");
+    plan.chromaticities.assign(std::begin(rec709), std::end(rec709));
+    return plan;
   }
-  spec.attribute("oiio:ColorSpace", "sRGB");
+  plan.texts.emplace_back("oiio:ColorSpace", "sRGB");
   if (format.image == ImageFormat::tiff) {
-    spec.attribute("compression", "zip");
+    plan.texts.emplace_back("compression", "zip");
     // TIFF has no place for facts of others: they stand in its description.
     std::string description;
     for (const auto& [name, value] : metadata) {
       description.append(name).append("=").append(value).append("\n");
     }
-    spec.attribute("ImageDescription", description);
+    plan.texts.emplace_back("ImageDescription", description);
   } else {
-    spec.attribute("png:compressionLevel", 4);
+    plan.numbers.emplace_back("png:compressionLevel", 4);
   }
-  return spec;
+  return plan;
 }
 
 //! Rows of a picture for a file, with the coverage where there is an alpha channel.
@@ -89,41 +92,32 @@ std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& 
   return rgba;
 }
 
-bool write_pixels(OIIO::ImageOutput& output, const FrameFormat& format, const Picture& picture) {
+bool write_pixels(ImageOutput& output, const FrameFormat& format, const Picture& picture) {
   switch (format.image) {
     case ImageFormat::exr:
-      return output.write_image(OIIO::TypeDesc::FLOAT, with_alpha(bounded_rgb(picture), format, picture, 1.0F).data());
+      return output.write(with_alpha(bounded_rgb(picture), format, picture, 1.0F).data());
     case ImageFormat::png:
-      return output.write_image(OIIO::TypeDesc::UINT8,
-                                with_alpha(tone_mapped(picture), format, picture, 255.0F).data());
+      return output.write(with_alpha(tone_mapped(picture), format, picture, 255.0F).data());
     default:
-      return output.write_image(OIIO::TypeDesc::UINT16,
-                                with_alpha(tone_mapped_finely(picture), format, picture, 65535.0F).data());
+      return output.write(with_alpha(tone_mapped_finely(picture), format, picture, 65535.0F).data());
   }
 }
 
-bool is_complete_part(OIIO::ImageInput& input, int part, int width, int height) {
-  if (!input.seek_subimage(part, 0)) {
-    return false;
-  }
-  const OIIO::ImageSpec& spec = input.spec();
-  if (spec.width != width || spec.height != height) {
-    return false;
-  }
-  std::vector<unsigned char> rows(spec.scanline_bytes(true) * 64);
-  for (int y = 0; y < height; y += 64) {
-    if (!input.read_scanlines(part, 0, spec.y + y, spec.y + std::min(y + 64, height), 0, 0, spec.nchannels,
-                              OIIO::TypeDesc::UNKNOWN, rows.data())) {
-      return false;
-    }
-  }
-  return true;
+bool is_complete_part(ImageInput& input, int part, int width, int height) {
+  return input.go_to_part(part) && input.shape().width == width && input.shape().height == height &&
+         input.read_through();
 }
 
-Error cannot_be_written(const std::filesystem::path& path, const OIIO::ImageOutput* output) {
-  const std::string reason =
-      output != nullptr && output->has_error() ? output->geterror() : "the folder or the disk refuses it";
-  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the space left"};
+Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) {
+  const std::string reason = output != nullptr ? output->error() : "";
+  return {path.string(), "cannot be written: " + (reason.empty() ? "the folder or the disk refuses it" : reason),
+          "check the folder, its permissions and the space left"};
+}
+
+//! A writer of a format that the program counts on.
+std::unique_ptr<ImageOutput> writer_of(const char* format) {
+  std::string problem;
+  return image_library().create(format, nullptr, problem);
 }
 
 }  // namespace
@@ -131,9 +125,9 @@ Error cannot_be_written(const std::filesystem::path& path, const OIIO::ImageOutp
 void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
                    const FrameMetadata& metadata) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = OIIO::ImageOutput::create(plugin_of(format.image));
-    const bool written = output && output->open(partial.string(), make_spec(format, picture, metadata)) &&
-                         write_pixels(*output, format, picture);
+    const auto output = writer_of(plugin_of(format.image));
+    const ImagePlan plan[] = {make_plan(format, picture, metadata)};
+    const bool written = output && output->open(partial.string(), plan) && write_pixels(*output, format, picture);
     // Closing flushes, so it can fail too.
     if (!written || !output->close() || !is_complete_image(partial, picture.width, picture.height)) {
       throw cannot_be_written(path, output.get());
@@ -143,19 +137,19 @@ void write_picture(const std::filesystem::path& path, const FrameFormat& format,
 
 void write_views(const std::filesystem::path& path, const FrameFormat& format, const Picture& left,
                  const Picture& right, const FrameMetadata& metadata) {
-  OIIO::ImageSpec specs[] = {make_spec(format, left, metadata), make_spec(format, right, metadata)};
+  ImagePlan plans[] = {make_plan(format, left, metadata), make_plan(format, right, metadata)};
   constexpr const char* views[] = {"left", "right"};
   const Picture* pictures[] = {&left, &right};
   for (int i = 0; i < 2; ++i) {
-    specs[i].attribute("oiio:subimagename", views[i]);
-    specs[i].attribute("view", views[i]);
+    plans[i].texts.emplace_back("oiio:subimagename", views[i]);
+    plans[i].texts.emplace_back("view", views[i]);
   }
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = OIIO::ImageOutput::create("exr");
-    bool written = output && output->open(partial.string(), 2, specs);
+    const auto output = writer_of("openexr");
+    bool written = output && output->open(partial.string(), plans);
     for (int i = 0; i < 2 && written; ++i) {
-      written = (i == 0 || output->open(partial.string(), specs[i], OIIO::ImageOutput::AppendSubimage)) &&
-                write_pixels(*output, format, *pictures[i]);
+      written =
+          (i == 0 || output->open_next(partial.string(), plans[i])) && write_pixels(*output, format, *pictures[i]);
     }
     if (!written || !output->close() || !is_complete_image(partial, left.width, left.height, 2)) {
       throw cannot_be_written(path, output.get());
@@ -165,10 +159,9 @@ void write_views(const std::filesystem::path& path, const FrameFormat& format, c
 
 void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = OIIO::ImageOutput::create("png");
-    const bool written = output &&
-                         output->open(partial.string(), OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) &&
-                         output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) && output->close();
+    const auto output = writer_of("png");
+    const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, {}, {}, {}}};
+    const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
     if (!written) {
       throw Error(path.string(), "cannot be written", "check the folder, its permissions and the space left");
     }
@@ -180,14 +173,14 @@ bool is_complete_image(const std::filesystem::path& path, int width, int height,
   if (!std::filesystem::is_regular_file(path, problem)) {
     return false;
   }
-  const auto input = OIIO::ImageInput::open(path.string());
+  std::string reason;
+  const auto input = image_library().open(path.string(), {}, reason);
   if (!input) {
-    static_cast<void>(OIIO::geterror());  // takes the message away, so that nobody else finds it
     return false;
   }
   for (int part = 0; part < parts; ++part) {
     if (!is_complete_part(*input, part, width, height)) {
-      static_cast<void>(input->geterror());
+      static_cast<void>(input->error());  // takes the message away, so that nobody else finds it
       return false;
     }
   }

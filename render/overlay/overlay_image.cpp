@@ -1,12 +1,11 @@
 #include "render/overlay/overlay_image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
@@ -110,16 +109,11 @@ struct Coding {
   bool separate;  //!< colours are not times alpha
 };
 
-Coding coding_of(const OIIO::ImageSpec& spec) {
-  const bool whole_numbers = !spec.format.is_floating_point();
-  Coding coding{};
-  coding.channels = spec.nchannels;
-  coding.alpha = spec.alpha_channel;
-  if (coding.alpha < 0 && (spec.nchannels == 2 || spec.nchannels == 4)) {
-    coding.alpha = spec.nchannels - 1;
+Coding coding_of(const ImageShape& shape) {
+  Coding coding{shape.channels, shape.alpha_channel, shape.encoded, shape.separate_alpha};
+  if (coding.alpha < 0 && (shape.channels == 2 || shape.channels == 4)) {
+    coding.alpha = shape.channels - 1;
   }
-  coding.decoded = whole_numbers && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
-  coding.separate = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   return coding;
 }
 
@@ -141,49 +135,41 @@ void put_pixel(const Coding& coding, const float* from, std::uint16_t* to) {
   to[3] = whole_number(alpha);
 }
 
-//! `memory`: where the file's bytes are, if they are not on a disk.
-std::unique_ptr<OIIO::ImageInput> opened_overlay(const std::filesystem::path& path,
-                                                 OIIO::Filesystem::IOProxy* memory = nullptr) {
-  OIIO::ImageSpec wishes;
-  // Else whole numbers would be multiplied by alpha before they are decoded.
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  if (memory != nullptr) {
-    // Readers that are given wishes look for it there alone.
-    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<const void*>(&memory));
-  }
-  auto input = OIIO::ImageInput::open(path.string(), &wishes, memory);
+//! `bytes`: of the file, if it is not on a disk.
+std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path,
+                                           const std::optional<std::span<const std::byte>>& bytes = std::nullopt) {
+  std::string problem;
+  auto input = image_library().open(path.string(), {bytes, true}, problem);
   if (!input) {
-    throw unreadable_overlay(path, OIIO::geterror());
+    throw unreadable_overlay(path, problem);
   }
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 64) {
+  const ImageShape& shape = input->shape();
+  if (shape.width < 1 || shape.height < 1 || shape.depth > 1 || shape.channels < 1 || shape.channels > 64) {
     throw unreadable_overlay(path,
-                             fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels));
+                             fmt::format("{} x {} pixels of {} channels", shape.width, shape.height, shape.channels));
   }
-  if (spec.width > longest_overlay_px || spec.height > longest_overlay_px) {
-    throw Error(path.string(), fmt::format("has {} x {} pixels", spec.width, spec.height),
+  if (shape.width > longest_overlay_px || shape.height > longest_overlay_px) {
+    throw Error(path.string(), fmt::format("has {} x {} pixels", shape.width, shape.height),
                 fmt::format("make it {} px or less a side", longest_overlay_px));
   }
   return input;
 }
 
-OverlayImage read_opened_overlay(OIIO::ImageInput& input, const std::filesystem::path& path) {
-  const OIIO::ImageSpec spec = input.spec();
-  const Coding coding = coding_of(spec);
-  OverlayImage image = empty_image(spec.width, spec.height);
-  const auto width = static_cast<std::size_t>(spec.width);
+OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path& path) {
+  const ImageShape shape = input.shape();
+  const Coding coding = coding_of(shape);
+  OverlayImage image = empty_image(shape.width, shape.height);
+  const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);
   // Rows are read some at a time; files in tiles, which are rare, at once.
-  const int most_rows = spec.tile_width > 0 ? spec.height : std::min(rows_at_a_time, spec.height);
+  const int most_rows = shape.tiled ? shape.height : std::min(rows_at_a_time, shape.height);
   std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
-  for (int row = 0; row < spec.height; row += most_rows) {
-    const int count = std::min(most_rows, spec.height - row);
-    const bool read = spec.tile_width > 0
-                          ? input.read_image(0, 0, 0, coding.channels, OIIO::TypeDesc::FLOAT, rows.data())
-                          : input.read_scanlines(0, 0, spec.y + row, spec.y + row + count, 0, 0, coding.channels,
-                                                 OIIO::TypeDesc::FLOAT, rows.data());
+  for (int row = 0; row < shape.height; row += most_rows) {
+    const int count = std::min(most_rows, shape.height - row);
+    const bool read = shape.tiled ? input.read_all(coding.channels, rows.data())
+                                  : input.read_rows(row, row + count, coding.channels, rows.data());
     if (!read) {
-      throw unreadable_overlay(path, input.geterror());
+      throw unreadable_overlay(path, input.error());
     }
     std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {
@@ -219,7 +205,7 @@ OverlayImage make_overlay_image(int width, int height, const std::vector<float>&
 
 OverlaySize overlay_image_size(const std::filesystem::path& path) {
   const auto input = opened_overlay(path);
-  return {input->spec().width, input->spec().height};
+  return {input->shape().width, input->shape().height};
 }
 
 OverlayImage read_overlay_image(const std::filesystem::path& path) {
@@ -228,8 +214,7 @@ OverlayImage read_overlay_image(const std::filesystem::path& path) {
 }
 
 OverlayImage read_overlay_image(std::string_view bytes, const std::string& name) {
-  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-  const auto input = opened_overlay(name, &memory);
+  const auto input = opened_overlay(name, std::as_bytes(std::span(bytes)));
   return read_opened_overlay(*input, name);
 }
 

@@ -1,9 +1,8 @@
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "content/images/image_library.h"
 #include "kernels/core/error.h"
 #include "render/patterns/test_pattern.h"
 
@@ -15,10 +14,8 @@ constexpr float white_line[4] = {1.0F, 1.0F, 1.0F, 1.0F};
 constexpr float amber_line[4] = {1.0F, 0.6F, 0.05F, 1.0F};
 constexpr float dim_line[4] = {0.3F, 0.3F, 0.3F, 1.0F};
 
-void write(OIIO::ImageBuf& image, int x, int y, const std::string& text, int font_px, const float (&colour)[4]) {
-  using Algorithm = OIIO::ImageBufAlgo::TextAlignX;
-  OIIO::ImageBufAlgo::render_text(image, x, y, text, std::max(font_px, 1), "DejaVuSans", colour, Algorithm::Center,
-                                  OIIO::ImageBufAlgo::TextAlignY::Center, 0);
+void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int font_px, const float (&colour)[4]) {
+  image_library().draw_text(canvas, x, y, text, {std::max(font_px, 1), colour, TextPlace::centre});
 }
 
 //! A circle as its pixels: those whose middle is within half a pixel of it.
@@ -51,10 +48,10 @@ Picture draw_projector_number(int number, const std::string& name, int width_px,
   }
   const int small = std::min(width_px, height_px);
   draw_circle(picture, 0.45 * small);
-  OIIO::ImageBuf image(OIIO::ImageSpec(width_px, height_px, 4, OIIO::TypeDesc::FLOAT), picture.rgba.data());
-  OIIO::ImageBufAlgo::render_line(image, 0, 0, width_px - 1, height_px - 1, dim_line);
-  OIIO::ImageBufAlgo::render_line(image, 0, height_px - 1, width_px - 1, 0, dim_line);
-  OIIO::ImageBufAlgo::render_box(image, 0, 0, width_px - 1, height_px - 1, white_line);
+  const ImageCanvas image = {picture.rgba.data(), width_px, height_px, 4};
+  image_library().draw_line(image, 0, 0, width_px - 1, height_px - 1, dim_line);
+  image_library().draw_line(image, 0, height_px - 1, width_px - 1, 0, dim_line);
+  image_library().draw_box(image, 0, 0, width_px - 1, height_px - 1, white_line);
   write(image, width_px / 2, height_px / 2, fmt::format("{}", number), small / 3, white_line);
   write(image, width_px / 2, height_px / 2 + small / 4, name, small / 16, amber_line);
   write(image, width_px / 2, height_px / 2 + small / 3, fmt::format("{} x {}", width_px, height_px), small / 24,

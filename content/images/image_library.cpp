@@ -1,0 +1,31 @@
+#include "content/images/image_library.h"
+
+#include <dlfcn.h>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+const ImageLibrary& load() {
+  constexpr const char* file = ERGODOME_IMAGE_MODULE;
+  // Never closed: what it hands out may be in use to the end.
+  void* const module = dlopen(file, RTLD_LAZY | RTLD_LOCAL);
+  void* const entry = module != nullptr ? dlsym(module, "ergodome_openimageio") : nullptr;
+  if (entry == nullptr) {
+    const char* const reason = dlerror();
+    throw Error(file, std::string("cannot be loaded: ") + (reason != nullptr ? reason : "it is another file"),
+                "run app/setup and build again");
+  }
+  return *reinterpret_cast<const ImageLibrary* (*)()>(entry)();
+}
+
+}  // namespace
+
+const ImageLibrary& image_library() {
+  static const ImageLibrary& library = load();
+  return library;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What the program asks of OpenImageIO. To load that takes a quarter of a second, for the hundreds of libraries that it brings; most commands
+// need no image. So it lies behind these interfaces in a library of its own, which the first call of image_library() loads.
+namespace ergodome {
+
+//! How a file's image lies there.
+struct ImageShape {
+  int width = 0;
+  int height = 0;
+  int depth = 1;
+  int channels = 0;
+  int alpha_channel = -1;  //!< or none
+  int sample_bytes = 1;
+  bool whole_numbers = false;
+  bool encoded = false;         //!< as sRGB: whole numbers, but for files that say they are linear
+  bool separate_alpha = false;  //!< colours are not times alpha
+  bool tiled = false;
+};
+
+//! An image that was opened. What returns bool says false where the file is torn; error() then says why.
+class ImageInput {
+ public:
+  ImageInput() = default;
+  virtual ~ImageInput() = default;
+  ImageInput(const ImageInput&) = delete;
+  ImageInput& operator=(const ImageInput&) = delete;
+
+  [[nodiscard]] virtual const ImageShape& shape() const = 0;
+
+  //! Goes to another of a file's images.
+  virtual bool go_to_part(int part) = 0;
+
+  //! Reads the first `channels` of rows [begin, end), or of all, from the top. Of tiled images rows are dear: each decodes its tiles.
+  virtual bool read_rows(int begin, int end, int channels, float* to) = 0;
+  virtual bool read_all(int channels, float* to) = 0;
+  virtual bool read_all(int channels, std::uint16_t* to) = 0;
+
+  //! Reads all rows, and keeps none.
+  virtual bool read_through() = 0;
+
+  //! The last message, which is taken away.
+  virtual std::string error() = 0;
+};
+
+enum class ImageSample { whole_8, whole_16, half };
+
+//! An image that is to be written.
+struct ImagePlan {
+  int width = 0;
+  int height = 0;
+  int channels = 3;
+  ImageSample sample = ImageSample::whole_8;
+  std::vector<std::pair<std::string, std::string>> texts;  //!< facts by OpenImageIO's names
+  std::vector<std::pair<std::string, int>> numbers;
+  std::vector<float> chromaticities;  //!< of red, green, blue and white, or none
+};
+
+//! A file that is being written; as ImageInput.
+class ImageOutput {
+ public:
+  ImageOutput() = default;
+  virtual ~ImageOutput() = default;
+  ImageOutput(const ImageOutput&) = delete;
+  ImageOutput& operator=(const ImageOutput&) = delete;
+
+  //! Begins a file with one part, or with several, of which the first is begun.
+  virtual bool open(const std::string& path, std::span<const ImagePlan> parts) = 0;
+  virtual bool open_next(const std::string& path, const ImagePlan& part) = 0;
+
+  //! All of a part's pixels.
+  virtual bool write(const float* pixels) = 0;
+  virtual bool write(const std::uint8_t* pixels) = 0;
+  virtual bool write(const std::uint16_t* pixels) = 0;
+
+  virtual bool close() = 0;
+  virtual std::string error() = 0;
+};
+
+//! What is drawn on: floats, the top row first.
+struct ImageCanvas {
+  float* pixels;
+  int width;
+  int height;
+  int channels;
+};
+
+//! Which point of a text lies at its place.
+enum class TextPlace { baseline_start, top_centre, centre };
+
+struct TextStyle {
+  int font_px;
+  std::span<const float> colour;  //!< a number a channel
+  TextPlace place = TextPlace::baseline_start;
+  int shadow_px = 0;
+};
+
+//! The pixels that a text covers when its baseline starts at (0, 0).
+struct TextBox {
+  int left, top, width, height;
+};
+
+class ImageLibrary {
+ public:
+  ImageLibrary() = default;
+  virtual ~ImageLibrary() = default;
+  ImageLibrary(const ImageLibrary&) = delete;
+  ImageLibrary& operator=(const ImageLibrary&) = delete;
+
+  //! How a file is to be opened.
+  struct Wishes {
+    std::optional<std::span<const std::byte>>
+        bytes;                    //!< of the file, which is not on a disk then; they outlive what is opened
+    bool separate_alpha = false;  //!< whole numbers shall not be multiplied by alpha before they are decoded
+  };
+
+  //! Opens an image; its name's ending tells the format of bytes. None where it cannot be read: `problem` says why.
+  virtual std::unique_ptr<ImageInput> open(const std::string& name, const Wishes& wishes,
+                                           std::string& problem) const = 0;
+
+  //! A writer of a format ("png", "openexr", "tiff"), to a file or to `bytes`. None where it is not known: `problem` says why.
+  virtual std::unique_ptr<ImageOutput> create(const std::string& format, std::vector<unsigned char>* bytes,
+                                              std::string& problem) const = 0;
+
+  //! Nothing where there is no such font, or nothing to write.
+  [[nodiscard]] virtual TextBox text_box(const std::string& text, int font_px) const = 0;
+  virtual bool draw_text(const ImageCanvas& canvas, int x, int y, const std::string& text,
+                         const TextStyle& style) const = 0;
+  virtual void draw_line(const ImageCanvas& canvas, int x0, int y0, int x1, int y1,
+                         std::span<const float> colour) const = 0;
+  virtual void draw_box(const ImageCanvas& canvas, int x0, int y0, int x1, int y1,
+                        std::span<const float> colour) const = 0;
+
+  //! Fourier's transform of a square of `side` x `side` numbers: real and imaginary part of each frequency, unshifted. Empty where it fails:
+  //! `problem` says why.
+  virtual std::vector<float> transform(const float* cells, int side, std::string& problem) const = 0;
+};
+
+//! OpenImageIO. Throws Error where it cannot be loaded.
+const ImageLibrary& image_library();
+
+}  // namespace ergodome

@@ -1,0 +1,72 @@
+#include "content/images/image_library.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+
+using ImageLibraryFiles = test::FolderTest;
+
+TEST_F(ImageLibraryFiles, SaysWhyAFileIsNoImage) {
+  std::string problem;
+  std::ofstream(folder_ / "text.png") << "no picture";
+  EXPECT_EQ(image_library().open((folder_ / "text.png").string(), {}, problem), nullptr);
+  EXPECT_THAT(problem, HasSubstr("PNG"));
+}
+
+TEST_F(ImageLibraryFiles, ReadsBytesOfNoneAsNoImageWhateverLiesOnTheDisk) {
+  std::string problem;
+  const auto output = image_library().create("png", nullptr, problem);
+  const std::string path = (folder_ / "one.png").string();
+  const ImagePlan plan[] = {{2, 1, 1, ImageSample::whole_8, {}, {}, {}}};
+  const float pixels[2] = {0.0F, 1.0F};
+  ASSERT_TRUE(output && output->open(path, plan) && output->write(pixels) && output->close());
+  EXPECT_NE(image_library().open(path, {}, problem), nullptr);
+  EXPECT_EQ(image_library().open(path, {std::span<const std::byte>()}, problem), nullptr);
+}
+
+TEST_F(ImageLibraryFiles, ReadsRowsPartsAndWholeImagesAsTheyWereWritten) {
+  std::string problem;
+  const auto output = image_library().create("openexr", nullptr, problem);
+  ASSERT_NE(output, nullptr) << problem;
+  const std::string path = (folder_ / "two.exr").string();
+  const ImagePlan plans[] = {{2, 3, 3, ImageSample::half, {{"oiio:subimagename", "left"}, {"view", "left"}}, {}, {}},
+                             {2, 3, 3, ImageSample::half, {{"oiio:subimagename", "right"}, {"view", "right"}}, {}, {}}};
+  std::vector<float> left(18);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    left[i] = 0.25F * static_cast<float>(i);
+  }
+  const std::vector<float> right(18, 7.0F);
+  ASSERT_TRUE(output->open(path, plans) && output->write(left.data()) && output->open_next(path, plans[1]) &&
+              output->write(right.data()) && output->close());
+  const auto input = image_library().open(path, {}, problem);
+  ASSERT_NE(input, nullptr) << problem;
+  EXPECT_EQ(input->shape().width, 2);
+  EXPECT_EQ(input->shape().height, 3);
+  EXPECT_FALSE(input->shape().encoded);
+  std::vector<float> row(6);
+  ASSERT_TRUE(input->read_rows(1, 2, 3, row.data()));
+  EXPECT_EQ(row, std::vector<float>(left.begin() + 6, left.begin() + 12));
+  std::vector<float> all(18);
+  ASSERT_TRUE(input->go_to_part(1));
+  ASSERT_TRUE(input->read_all(3, all.data()));
+  EXPECT_EQ(all, right);
+  EXPECT_TRUE(input->read_through());
+  EXPECT_FALSE(input->go_to_part(2));
+}
+
+TEST(ImageLibrary, KnowsNoFormatOfThatName) {
+  std::string problem;
+  EXPECT_EQ(image_library().create("notaformat", nullptr, problem), nullptr);
+  EXPECT_FALSE(problem.empty());
+}
+
+}  // namespace
+}  // namespace ergodome
