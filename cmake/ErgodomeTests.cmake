@@ -1,6 +1,6 @@
 # How CTest knows the tests of a GoogleTest program.
 
-# Each suite is one test: to start a program that links OpenImageIO takes a quarter of a second, which is longer than most tests.
+# Each suite is one test: to start a program and load its sky takes longer than most tests.
 function(ergodome_discover_tests target)
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake")
   add_custom_command(
