@@ -12,24 +12,36 @@ namespace {
 constexpr double coldest_k = 300.0;
 constexpr double hottest_k = 1e7;
 
+float first_entry() { return static_cast<float>(std::log(coldest_k)); }
+
+float entry_step() { return static_cast<float>(std::log(hottest_k / coldest_k) / (BlackbodyColours::count - 1)); }
+
+//! The table of all that ask for it: to make it takes a million Planck functions.
+const std::vector<float>& shared_entries() {
+  static const std::vector<float> table = [] {
+    constexpr int count = BlackbodyColours::count;
+    const float first = first_entry();
+    const float step = entry_step();
+    std::vector<float> entries(4 * static_cast<std::size_t>(count));
+    parallel_for(count, 64, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        // At the very place that the kernels take an entry for.
+        const double log_temperature = static_cast<double>(first) + i * static_cast<double>(step);
+        const Vector3<double> xyz = blackbody_tristimulus(std::exp(log_temperature));
+        float* entry = entries.data() + 4 * static_cast<std::size_t>(i);
+        entry[0] = static_cast<float>(std::log(xyz.y));
+        entry[1] = static_cast<float>(xyz.x / xyz.y);
+        entry[2] = static_cast<float>(xyz.z / xyz.y);
+      }
+    });
+    return entries;
+  }();
+  return table;
+}
+
 }  // namespace
 
 BlackbodyColours::BlackbodyColours(Backend backend)
-    : first_(static_cast<float>(std::log(coldest_k))),
-      step_(static_cast<float>(std::log(hottest_k / coldest_k) / (count - 1))) {
-  std::vector<float> entries(4 * static_cast<std::size_t>(count));
-  parallel_for(count, 64, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      // At the very place that the kernels take an entry for.
-      const double log_temperature = static_cast<double>(first_) + i * static_cast<double>(step_);
-      const Vector3<double> xyz = blackbody_tristimulus(std::exp(log_temperature));
-      float* entry = entries.data() + 4 * static_cast<std::size_t>(i);
-      entry[0] = static_cast<float>(std::log(xyz.y));
-      entry[1] = static_cast<float>(xyz.x / xyz.y);
-      entry[2] = static_cast<float>(xyz.z / xyz.y);
-    }
-  });
-  entries_ = Buffer<float>(backend, entries, "blackbody table");
-}
+    : first_(first_entry()), step_(entry_step()), entries_(backend, shared_entries(), "blackbody table") {}
 
 }  // namespace ergodome

