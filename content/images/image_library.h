@@ -21,7 +21,6 @@ struct ImageShape {
   int channels = 0;
   int alpha_channel = -1;  //!< or none
   int sample_bytes = 1;
-  bool whole_numbers = false;
   bool encoded = false;         //!< as sRGB: whole numbers, but for files that say they are linear
   bool separate_alpha = false;  //!< colours are not times alpha
   bool tiled = false;

@@ -21,8 +21,7 @@ ImageShape shape_of(const OIIO::ImageSpec& spec) {
   shape.channels = spec.nchannels;
   shape.alpha_channel = spec.alpha_channel;
   shape.sample_bytes = static_cast<int>(spec.format.size());
-  shape.whole_numbers = !spec.format.is_floating_point();
-  shape.encoded = shape.whole_numbers && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
+  shape.encoded = !spec.format.is_floating_point() && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
   shape.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   shape.tiled = spec.tile_width > 0;
   return shape;

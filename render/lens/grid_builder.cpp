@@ -23,8 +23,6 @@ constexpr int deepest_a_side = 10;
 //! Errors are sampled; the worst between the samples is about a quarter larger.
 constexpr double safety = 0.8;
 constexpr int grid_step_limit = 400;
-//! What a cubic misses by in its middle, over what it misses by at the inner checks: (u (1 - u))² at 1/2 and at `inner_check`.
-constexpr float inner_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
 
 //! A cell on its way: its place in units of the finest cells, and its slot in the tree.
 struct OpenCell {

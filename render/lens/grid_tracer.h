@@ -8,6 +8,10 @@
 
 namespace ergodome {
 
+//! What a cubic misses by in its middle, over what it misses by at the inner checks: (u (1 - u))² at 1/2 and at `inner_check`.
+inline constexpr float inner_share =
+    0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
+
 //! What checks of cells say, checks_a_cell values a cell; see CheckBatch.
 struct CellChecks {
   std::vector<float> error_px;

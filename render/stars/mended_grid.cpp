@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/lens/grid_tracer.h"
+
 namespace ergodome {
 
 namespace {
@@ -73,8 +75,6 @@ LeafErrors MendedGrid::errors(int leaf) const {
   if (checks_.empty()) {
     return {unknown, unknown};
   }
-  // What a cubic misses by in its middle, over what it misses by at the inner checks.
-  constexpr float inner_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
   const float* const gamma = checks_.data() + static_cast<std::ptrdiff_t>(floats_a_leaf) * leaf;
   const float* const s = gamma + checks_a_cell;
   LeafErrors errors{0.0F, 0.0F};

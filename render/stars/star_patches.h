@@ -68,8 +68,8 @@ inline constexpr float exact_grid_px = 0.008F;
 //! A lens grid turned round: from places on the sky to places in the chart.
 class StarPatches {
  public:
-  //! For images of at least `faintest` lx: the more stars may have some, the finer. Where
-  //! `station` was not built to be inverted (GridSettings), all of them need rays.
+  //! For images of at least `faintest` lx: the more stars may have some, the finer. Where `station` was not built to be
+  //! inverted (GridSettings), all of them need rays.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness);
   StarPatches(StarPatches&&) = default;
