@@ -18,10 +18,21 @@ constexpr int rays_a_camera = sanitized ? 20 : 500;
 //! What a sweep found.
 struct Found {
   long walked = 0;
-  long lost = 0;       //!< rays that did not come to an end
-  double worst = 0.0;  //!< miss of a first integral
-  std::string at;      //!< where that was
+  long lost = 0;        //!< rays that did not come to an end
+  std::string lost_at;  //!< of the last of them about a hole that is not extremal: where
+  double worst = 0.0;   //!< miss of a first integral
+  std::string at;       //!< where that was
 };
+
+std::string words_with(const Place& place, const Vector3<double>& n) {
+  std::ostringstream words;
+  words.precision(17);
+  words << words_of(place) << " n " << n.x << " " << n.y << " " << n.z;
+  return words.str();
+}
+
+//! Whether light may wind along the horizon too often to count. What chance has lost so far, it lost within 1e-7 of the extremal spin.
+bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-6; }
 
 template <int Order, class S>
 void walk_all(const Place& place, const Directions& rays, S tolerance, Found& found) {
@@ -35,14 +46,16 @@ void walk_all(const Place& place, const Directions& rays, S tolerance, Found& fo
     const Walk<S> walked = walk<Order>(camera.spin, start, tolerance, 5000);
     ++found.walked;
     found.lost += walked.reached ? 0 : 1;
+    if (!walked.reached && !is_extremal(place)) {
+      found.lost_at = words_with(place, n);
+    }
     // What is not a number counts as the worst.
     if (!(walked.misses.worst() <= found.worst)) {
       found.worst = walked.misses.worst();
       std::ostringstream at;
-      at.precision(17);
-      at << words_of(place) << " n " << n.x << " " << n.y << " " << n.z << ": radial " << walked.misses.radial
-         << " polar " << walked.misses.polar << " unit " << walked.misses.unit << " axial " << walked.misses.axial
-         << " tangent " << walked.misses.tangent << " in " << walked.steps << " steps";
+      at << words_with(place, n) << ": radial " << walked.misses.radial << " polar " << walked.misses.polar << " unit "
+         << walked.misses.unit << " axial " << walked.misses.axial << " tangent " << walked.misses.tangent << " in "
+         << walked.steps << " steps";
       found.at = at.str();
     }
   }
@@ -62,6 +75,7 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
       const std::lock_guard guard(lock);
       all.walked += found.walked;
       all.lost += found.lost;
+      all.lost_at += found.lost_at;
       if (!(found.worst <= all.worst)) {
         all.worst = found.worst;
         all.at = found.at;
@@ -71,20 +85,24 @@ Found sweep(Seed seed, S tolerance, double least_height, double nearest) {
   return all;
 }
 
+//! Rays that may be lost along extremal horizons. A sanitized run walks a few hundred, of which chance may well lose one.
+long most_lost(long walked) { return walked / 10'000 + 3; }
+
 class Invariants : public testing::TestWithParam<Seed> {};
 
 TEST_P(Invariants, HoldAllAlongRaysInDouble) {
   const Found found = sweep<20>(GetParam(), 1e-12, 1e-5, 1e-12);
   EXPECT_GT(found.walked, cameras * rays_a_camera / 3);
-  // Only along an extremal horizon light winds too often to count.
-  EXPECT_LE(found.lost, found.walked / 10'000);
+  EXPECT_EQ(found.lost_at, "");
+  EXPECT_LE(found.lost, most_lost(found.walked));
   EXPECT_LT(found.worst, 1e-9 * room_of(GetParam())) << found.at;
 }
 
 TEST_P(Invariants, HoldAllAlongRaysInFloat) {
   const Found found = sweep<10>(GetParam(), 1e-6F, 1e-2, 1e-3);
   EXPECT_GT(found.walked, cameras * rays_a_camera / 3);
-  EXPECT_LE(found.lost, found.walked / 1'000);
+  EXPECT_EQ(found.lost_at, "");
+  EXPECT_LE(found.lost, most_lost(found.walked));
   EXPECT_LT(found.worst, 1e-3 * room_of(GetParam())) << found.at;
 }
 
