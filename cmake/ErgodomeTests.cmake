@@ -1,13 +1,15 @@
 # How CTest knows the tests of a GoogleTest program.
 
 # Each suite is one test: to start a program and load its sky takes longer than most tests.
+# ergodome_discover_tests(<target> [LONG]): suites of a program that is LONG start first, so that no core waits for them at the end.
 function(ergodome_discover_tests target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LONG" "" "")
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake")
   add_custom_command(
     TARGET ${target}
     POST_BUILD
-    COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:${target}>" -D "OUTPUT=${suites}" -P
-            "${PROJECT_SOURCE_DIR}/cmake/ListTestSuites.cmake"
+    COMMAND "${CMAKE_COMMAND}" -D "PROGRAM=$<TARGET_FILE:${target}>" -D "OUTPUT=${suites}" -D
+            "LONG=${arg_LONG}" -P "${PROJECT_SOURCE_DIR}/cmake/ListTestSuites.cmake"
     BYPRODUCTS "${suites}"
     VERBATIM)
   set(include_file "${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake")

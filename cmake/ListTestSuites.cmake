@@ -1,4 +1,5 @@
-# Writes a CTest file with a test for each suite of a GoogleTest program: cmake -D PROGRAM=... -D OUTPUT=... -P ListTestSuites.cmake
+# Writes a CTest file with a test for each suite of a GoogleTest program: cmake -D PROGRAM=... -D OUTPUT=... -D LONG=... -P
+# ListTestSuites.cmake
 execute_process(
   COMMAND "${PROGRAM}" --gtest_list_tests
   OUTPUT_VARIABLE listing
@@ -17,5 +18,8 @@ foreach(suite IN LISTS suites)
   string(STRIP "${suite}" suite)
   string(REGEX REPLACE "\\.$" "" suite "${suite}")
   string(APPEND lines "add_test([=[${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])\n")
+  if(LONG)
+    string(APPEND lines "set_tests_properties([=[${suite}]=] PROPERTIES COST 60)\n")
+  endif()
 endforeach()
 file(WRITE "${OUTPUT}" "${lines}")

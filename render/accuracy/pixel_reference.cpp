@@ -11,16 +11,13 @@
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/accuracy/scene.h"
+#include "render/lens/direct_lens.h"
 
 namespace ergodome {
 
 namespace {
 
 using RayDual = Dual<double>;
-
-CameraStation station_of(const EyeCamera& eye) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
-}
 
 Vector3<RayDual> in_frame(const EyeCamera& eye, const Vector3<RayDual>& view) {
   const auto row = [&](int i) {
