@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <vector>
 
 #include "content/show_reader.h"
 #include "content/sky_map.h"
@@ -89,7 +90,8 @@ TEST_P(BuiltInShows, LetNothingLeaveAKernelThatIsNoNumber) {
   const Show show = small_show(GetParam());
   ShowRenderer renderer(show, Backend::cpu);
   const double end_s = std::max(show.duration_s, 1.0);
-  for (const double part : {0.0, 0.31, 0.77, 1.0}) {
+  const std::vector<double> parts = sanitized ? std::vector{0.31} : std::vector{0.0, 0.31, 0.77, 1.0};
+  for (const double part : parts) {
     EXPECT_NO_THROW(renderer.render(part * end_s, {ViewMode::sky, sanitized ? 32 : 96})) << part;
   }
   for (const ViewMode mode : {ViewMode::steps, ViewMode::error_estimate, ViewMode::image_order,
