@@ -1,7 +1,5 @@
 #include "content/sky_map.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "content/show_files.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
@@ -69,15 +68,14 @@ EnvironmentImage load_sky_map(const Show& show) {
   if (show.sky.map == "milky_way") {
     return read_environment_image(built_in_content_folder() / "maps" / "milky_way.jpg");
   }
-  const std::filesystem::path path = std::filesystem::path(show.folder) / show.sky.map;
-  std::error_code problem;
-  if (!std::filesystem::exists(path, problem)) {
-    const auto line = show.lines.find("sky.map");
-    const std::string place = line == show.lines.end() ? "" : fmt::format(", {}.toml:{}", show.name, line->second);
-    throw Error(show.sky.map.empty() ? "\"\"" : path.string(), fmt::format("is not there (sky.map{})", place),
-                "give a built-in sky (milky_way, grid) or the path of an image");
-  }
-  return read_environment_image(path);
+  return read_named(show, "sky.map", show.sky.map, [&](const std::filesystem::path& path) {
+    std::error_code problem;
+    if (!std::filesystem::exists(path, problem)) {
+      throw Error(show.sky.map.empty() ? "\"\"" : path.string(), "is not there",
+                  "give a built-in sky (milky_way, grid) or the path of an image");
+    }
+    return read_environment_image(path);
+  });
 }
 
 EnvironmentImage make_grid_sky(int width) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "content/show_files.h"
 #include "content/sky_map.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
@@ -46,13 +47,14 @@ StarCatalogue load_stars(const Show& show) {
     built_in.name = name;
     return built_in;
   }
-  const std::filesystem::path path = std::filesystem::path(show.folder) / name;
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read (sky.stars)",
-                "give a built-in catalogue (bright_stars, all_stars) or the path of one");
-  }
-  return read_stars(path);
+  return read_named(show, "sky.stars", name, [](const std::filesystem::path& path) {
+    std::error_code problem;
+    if (!std::filesystem::is_regular_file(path, problem)) {
+      throw Error(path.string(), "is not a file that can be read",
+                  "give a built-in catalogue (bright_stars, all_stars) or the path of one");
+    }
+    return read_stars(path);
+  });
 }
 
 StarCatalogue read_stars(const std::filesystem::path& path) {

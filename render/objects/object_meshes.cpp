@@ -1,17 +1,20 @@
 #include "render/objects/object_meshes.h"
 
-#include <filesystem>
+#include <fmt/format.h>
+
 #include <map>
 #include <string>
 
 #include "content/mesh/built_in_meshes.h"
 #include "content/mesh/mesh_reader.h"
+#include "content/show_files.h"
 
 namespace ergodome {
 
 namespace {
 
-TriangleMesh make_mesh(const ObjectSettings& object, const std::string& folder) {
+TriangleMesh make_mesh(const Show& show, std::size_t number) {
+  const ObjectSettings& object = show.objects[number];
   switch (object.form) {
     case ObjectForm::triangle:
       return make_triangle(object.triangle);
@@ -22,7 +25,7 @@ TriangleMesh make_mesh(const ObjectSettings& object, const std::string& folder) 
     case ObjectForm::mesh:
       break;
   }
-  return read_mesh(std::filesystem::path(folder) / object.mesh);
+  return read_named(show, fmt::format("objects[{}].mesh", number), object.mesh, read_mesh);
 }
 
 }  // namespace
@@ -30,7 +33,8 @@ TriangleMesh make_mesh(const ObjectSettings& object, const std::string& folder) 
 ObjectMeshes load_meshes(const Show& show) {
   ObjectMeshes loaded;
   std::map<std::string, std::size_t> files;
-  for (const ObjectSettings& object : show.objects) {
+  for (std::size_t i = 0; i < show.objects.size(); ++i) {
+    const ObjectSettings& object = show.objects[i];
     const auto known = files.find(object.mesh);
     if (object.form == ObjectForm::mesh && known != files.end()) {
       loaded.mesh_of.push_back(known->second);
@@ -38,7 +42,7 @@ ObjectMeshes load_meshes(const Show& show) {
     }
     files[object.mesh] = loaded.meshes.size();
     loaded.mesh_of.push_back(loaded.meshes.size());
-    loaded.meshes.push_back(make_mesh(object, show.folder));
+    loaded.meshes.push_back(make_mesh(show, i));
   }
   return loaded;
 }

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "content/environment_image.h"
+#include "content/show_files.h"
 #include "content/sky_map.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -28,14 +29,16 @@ std::unique_ptr<SkyCube> load_texture(const Show& show, std::size_t shell, Backe
   if (texture.empty()) {
     return nullptr;
   }
-  const std::filesystem::path path = std::filesystem::path(show.folder) / texture;
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(fmt::format("{}.toml", (std::filesystem::path(show.folder) / show.name).string()),
-                fmt::format("shells[{}].texture: {} is not a file that can be read", shell, path.string()),
-                "give the path of an equirectangular image, from the show's folder");
-  }
-  return std::make_unique<SkyCube>(backend, read_environment_image(path), shell_from_map(), nullptr, "shell texture");
+  const std::string key = fmt::format("shells[{}].texture", shell);
+  const EnvironmentImage image = read_named(show, key, texture, [](const std::filesystem::path& path) {
+    std::error_code problem;
+    if (!std::filesystem::is_regular_file(path, problem)) {
+      throw Error(path.string(), "is not a file that can be read",
+                  "give the path of an equirectangular image, from the show's folder");
+    }
+    return read_environment_image(path);
+  });
+  return std::make_unique<SkyCube>(backend, image, shell_from_map(), nullptr, "shell texture");
 }
 
 Vector3<float> color_of(const std::array<double, 3>& color, double factor) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "content/animated_show.h"
+#include "content/show_files.h"
 #include "content/sky_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -30,7 +31,7 @@ float illuminance_of(double magnitude) {
 DiffractionPattern spike_pattern(const Show& show) {
   const DiffractionSettings& spikes = *show.effects.diffraction;
   if (!spikes.pattern.empty()) {
-    return load_diffraction_pattern(std::filesystem::path(show.folder) / spikes.pattern);
+    return read_named(show, "effects.diffraction.pattern", spikes.pattern, load_diffraction_pattern);
   }
   return diffraction_pattern({spikes.blades, spikes.vanes, spikes.obstruction, spikes.size_px, spikes.scale});
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "content/show.h"
+#include "kernels/core/error.h"
+
+// Files that a show names.
+namespace ergodome {
+
+//! `error` of a file that `show` names under `key` ("sky.stars", "shells[1].texture"): says in its problem under which key, and at which
+//! line of the show where it came from a file.
+Error named_by(const Show& show, const std::string& key, const Error& error);
+
+//! What `read(path)` makes of the file `name`, which goes from the show's folder. Its errors are told by named_by().
+template <class Read>
+auto read_named(const Show& show, const std::string& key, const std::string& name, const Read& read) {
+  try {
+    return read(std::filesystem::path(show.folder) / name);
+  } catch (const Error& error) {
+    throw named_by(show, key, error);
+  }
+}
+
+}  // namespace ergodome
