@@ -72,11 +72,16 @@ class MeshFiles : public Assimp::IOSystem {
       return std::make_unique<ByteStream>(bytes_).release();
     }
     const std::filesystem::path path = inside(file);
-    return path.empty()
-               ? nullptr
-               : std::make_unique<ByteStream>(read_whole_file(path, largest_mesh_bytes, "mend the mesh")).release();
+    if (path.empty()) {
+      missing_ = missing_.empty() ? std::filesystem::path(file).lexically_normal().string() : missing_;
+      return nullptr;
+    }
+    return std::make_unique<ByteStream>(read_whole_file(path, largest_mesh_bytes, "mend the mesh")).release();
   }
   void Close(Assimp::IOStream* stream) override { const std::unique_ptr<Assimp::IOStream> gone(stream); }
+
+  //! The first file that the importer asked for and did not get; empty where it got all.
+  [[nodiscard]] const std::string& missing() const { return missing_; }
 
  private:
   //! The path of a file that the mesh names; empty where it is not there or not in the folder.
@@ -93,6 +98,7 @@ class MeshFiles : public Assimp::IOSystem {
   std::string name_;
   std::string_view bytes_;
   std::filesystem::path folder_;
+  std::string missing_;
 };
 
 //! Leaves an importer nothing but its readers of OBJ and glTF 2: it would take files for another kind by their first bytes.
@@ -235,13 +241,20 @@ TriangleMesh import_mesh(std::string_view bytes, MeshFormat format, const std::s
   const std::string name = fmt::format("mesh{}", ending_of(format));
   Assimp::Importer importer;
   keep_wanted_readers(importer);
-  importer.SetIOHandler(std::make_unique<MeshFiles>(name, bytes, folder).release());  // the importer owns it
+  auto files = std::make_unique<MeshFiles>(name, bytes, folder);
+  const MeshFiles& asked = *files;
+  importer.SetIOHandler(files.release());  // the importer owns it
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* const scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_SortByPType |
                                                            aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);
   if (scene == nullptr || scene->mNumMeshes == 0) {
     const std::string reason = importer.GetErrorString();
     throw Error(place, fmt::format("is no mesh with triangles{}{}", reason.empty() ? "" : ": ", reason), wanted);
+  }
+  // The importer of OBJ goes on without materials, and everything would be grey.
+  if (!folder.empty() && !asked.missing().empty()) {
+    throw Error(place, fmt::format("names \"{}\", which is not in its folder", asked.missing()),
+                "put it there, or take out the line that names it");
   }
   check_size(*scene, place);
   TriangleMesh mesh;

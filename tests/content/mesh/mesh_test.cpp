@@ -261,6 +261,14 @@ TEST_F(MeshFilesOnDisk, NothingOutsideTheFolderIsNamed) {
   EXPECT_THAT(reason_of([&] { read_mesh(folder_ / "c.obj"); }), testing::HasSubstr("outside its folder"));
 }
 
+TEST_F(MeshFilesOnDisk, MaterialsThatAreNotThereAreAnErrorThatNamesThem) {
+  write("d.obj", "mtllib colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\n");
+  EXPECT_THAT(reason_of([&] { read_mesh(folder_ / "d.obj"); }),
+              testing::AllOf(testing::HasSubstr("d.obj: names \"colours.mtl\""), testing::HasSubstr("put it there")));
+  write("colours.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
+  EXPECT_THAT(read_mesh(folder_ / "d.obj").parts.front().color, testing::ElementsAre(0.5F, 0.25F, 0.0F));
+}
+
 TEST_F(MeshFilesOnDisk, AMissingFileAndAnotherKindAreErrorsWithARemedy) {
   EXPECT_THAT(reason_of([&] { read_mesh(folder_ / "none.obj"); }), testing::HasSubstr("none.obj: "));
   write("d.stl", "solid\n");
