@@ -5,9 +5,13 @@
 namespace ergodome {
 
 Error named_by(const Show& show, const std::string& key, const Error& error) {
-  const auto line = show.lines.find(key);
-  const std::string place = line == show.lines.end() ? "" : fmt::format(", {}.toml:{}", show.name, line->second);
-  return {error.place(), fmt::format("{} ({}{})", error.problem(), key, place), error.remedy()};
+  std::string place = key;
+  if (!show.name.empty()) {
+    const auto line = show.lines.find(key);
+    place += fmt::format(", {}.toml", show.name);
+    place += line == show.lines.end() ? "" : fmt::format(":{}", line->second);
+  }
+  return {error.place(), fmt::format("{} ({})", error.problem(), place), error.remedy()};
 }
 
 }  // namespace ergodome

@@ -9,8 +9,8 @@
 // Files that a show names.
 namespace ergodome {
 
-//! `error` of a file that `show` names under `key` ("sky.stars", "shells[1].texture"): says in its problem under which key, and at which
-//! line of the show where it came from a file.
+//! `error` of a file that `show` names under `key` ("sky.stars", "shells[1].texture"): says in its problem under which key, of which show,
+//! and at which line where that came from a file.
 Error named_by(const Show& show, const std::string& key, const Error& error);
 
 //! What `read(path)` makes of the file `name`, which goes from the show's folder. Its errors are told by named_by().
