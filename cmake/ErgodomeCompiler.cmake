@@ -36,6 +36,11 @@ if(ERGODOME_WARNINGS_AS_ERRORS)
 endif()
 
 if(ERGODOME_SANITIZE)
+  # Libraries keep to their own, optimized, copies of inline functions: a program linked as one takes those of its tests, which are not
+  # (tests/CMakeLists.txt), and is many times slower.
+  set(BUILD_SHARED_LIBS ON)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  string(APPEND CMAKE_SHARED_LINKER_FLAGS " -Wl,-Bsymbolic-functions")
   target_compile_options(ergodome_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                     -fno-omit-frame-pointer)
   target_compile_definitions(ergodome_options INTERFACE ERGODOME_SANITIZED=1)
