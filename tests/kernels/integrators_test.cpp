@@ -9,6 +9,7 @@
 #include "kernels/geodesic/taylor.h"
 #include "kernels/shadow/critical_curve.h"
 #include "tests/kernels/reference_tables.h"
+#include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
@@ -140,7 +141,8 @@ TEST(HardCasesAtTheEdge, ClosedFormAndTaylorSeriesAgreeDownToTheRoundingOfTheDir
 template <class Tableau>
 void expect_tolerance_met(double tolerance) {
   for (const auto& ray : test::reference_rays()) {
-    if (ray.status == RayStatus::escaped) {
+    const bool is_asked = !test::sanitized || ray.id % 4 == 0;
+    if (is_asked && ray.status == RayStatus::escaped) {
       const Outcome o = by_pair<Tableau>(test::station_of(ray), ray.n, tolerance);
       ASSERT_TRUE(o.reached) << "ray " << ray.id;
       EXPECT_LT(test::length(o.sky - ray.sky), 10.0 * tolerance + 1e-13 / std::abs(ray.edge_distance))
