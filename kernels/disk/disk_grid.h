@@ -60,9 +60,10 @@ struct DiskCheckBatch {
   float* width[layer_orders];  //!< how far it changes across a pixel there
 };
 
-//! A block of rows of one image whose disk is read from a grid. Pixels of leaves that could not be made good are traced.
+//! A block of rows of one image whose disk is read from a grid. Pixels of leaves that could not be made good are traced; those that show objects are left
+//! as they are.
 struct DiskLookUpBatch {
-  NearFieldBatch near_field;  //!< without shells, objects and eyes that turn
+  NearFieldBatch near_field;  //!< without shells and eyes that turn
   DiskGrid grid;
   AberrationOf<float> aberration;
 };

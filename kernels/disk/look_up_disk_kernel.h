@@ -4,6 +4,7 @@
 #include "kernels/disk/disk_grid.h"
 #include "kernels/disk/disk_sight.h"
 #include "kernels/disk/horizon_winding.h"
+#include "kernels/near_field/layer_sight.h"
 #include "kernels/near_field/pixel_samples.h"
 #include "kernels/trace/pixel_geometry.h"
 
@@ -26,6 +27,9 @@ struct LookUpDisk {
     pixel_middles(pixels, first, x_px, y_px);
     const T inside = image_coverage(pixels.projection, x_px, y_px);
     Mask fine = inside > T(0.0F);
+    if (batch.near_field.objects.rgba != nullptr) {
+      fine = fine & !LayerSight<T, true>(batch.near_field.objects, first, pixel_count(pixels)).waiting();
+    }
     SeenLanes<T> seen = look(x_px, y_px, 1.0F, fine);
     if (any(fine)) {
       average(x_px, y_px, fine, seen);

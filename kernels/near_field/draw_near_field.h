@@ -20,6 +20,7 @@ struct NearFieldBatch {
   ShellTable shells;  //!< without any, none are looked for
   float* rgba;
   ObjectLayer objects;  //!< put between them, where there are any
+  bool objects_alone;   //!< only pixels that show objects are drawn: the others are by the disk's grid
   //! What sees them in place of the pixels' camera, where it has coefficients: that is the head's then, for spin and azimuth, and the frame the
   //! view's.
   OmniCameraOf<float> turning;

@@ -28,6 +28,14 @@ struct DrawNearField {
     const T inside = image_coverage(pixels.projection, x_px, y_px);
     Mask fine = inside > T(S(0));
     LayerSight<T, Objects> objects(batch.objects, first, pixel_count(pixels));
+    if constexpr (Objects) {
+      if (batch.objects_alone) {
+        fine = fine & objects.waiting();
+        if (!any(fine)) {
+          return;
+        }
+      }
+    }
     SeenLanes<T> seen = look(x_px, y_px, S(1), objects, fine);
     if (any(fine)) {
       average(x_px, y_px, objects, fine, seen);

@@ -211,7 +211,7 @@ NearField EyeRenderer::near_field_of(const EyeCamera& eye, const Projection& pro
                                      const PictureSettings& settings) {
   NearField near_field = settings.near_field;
   const bool own_lens = settings.given == nullptr && settings.turning == nullptr;
-  if (own_lens && is_disk_alone(near_field) && may_read_disk_grid(backend_, settings.lens, settings.scheme)) {
+  if (own_lens && is_disk_without_shells(near_field) && may_read_disk_grid(backend_, settings.lens, settings.scheme)) {
     const DiskLook disk = near_field.disk->look_at(settings.time_s);
     const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
     near_field.disk_grid = disk_grids_.grid_for(

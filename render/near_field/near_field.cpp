@@ -7,7 +7,7 @@ namespace ergodome {
 void draw_near_field(Backend backend, const NearField& near_field, const PictureView& view, const RowBlock& rows,
                      float* rgba) {
   NearFieldBatch batch{
-      pixel_batch(view.camera(), view.projection, view.tolerance_px), DiskDrawing::none, {}, {}, rgba, {}, {}};
+      pixel_batch(view.camera(), view.projection, view.tolerance_px), DiskDrawing::none, {}, {}, rgba, {}, false, {}};
   batch.pixels.first_row = rows.first;
   batch.pixels.row_count = rows.count;
   if (view.turning != nullptr) {
@@ -28,9 +28,13 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
   }
   if (near_field.disk_grid != nullptr) {
     const EyeCamera& eye = view.camera();
-    return look_up_disk(
+    look_up_disk(
         {batch, near_field.disk_grid->view(),
          converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))});
+    if (near_field.objects == nullptr) {
+      return;
+    }
+    batch.objects_alone = true;
   }
   draw_near_field(backend, batch);
 }

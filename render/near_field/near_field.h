@@ -14,15 +14,14 @@ struct NearField {
   const ShellPass* shells = nullptr;
   TracedObjects* objects = nullptr;
   const DiskGridBuffers* disk_grid =
-      nullptr;  //!< of the picture's place: the disk is read from it where it stands alone
+      nullptr;  //!< of the picture's place: the disk is read from it where no object is seen; not beside shells
 
   [[nodiscard]] bool empty() const { return disk == nullptr && shells == nullptr && objects == nullptr; }
 };
 
-//! Whether the disk stands alone, so that it may be read from a grid.
-inline bool is_disk_alone(const NearField& near_field) {
-  return near_field.disk != nullptr && near_field.disk->is_visible() && near_field.shells == nullptr &&
-         near_field.objects == nullptr;
+//! Whether the disk is without shells, so that it may be read from a grid.
+inline bool is_disk_without_shells(const NearField& near_field) {
+  return near_field.disk != nullptr && near_field.disk->is_visible() && near_field.shells == nullptr;
 }
 
 //! Draws it, by exact rays or from the disk's grid, over rows of a picture in the backend's memory: four floats a pixel.

@@ -39,7 +39,7 @@ void Planner::plan_near_rays(bool shells) {
     if (shells) {
       pixel_pass(near_field_name(drawing, true), reason + with, if_needed);
     } else {
-      plan_disk_alone(drawing, reason, if_needed);
+      plan_disk_without_shells(drawing, reason, if_needed);
     }
   };
   if (needs_.disk) {
@@ -55,11 +55,10 @@ void Planner::plan_near_rays(bool shells) {
   }
 }
 
-void Planner::plan_disk_alone(DiskDrawing drawing, const std::string& reason, bool if_needed) {
+void Planner::plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed) {
   const bool omni = plan_.eyes > 1 && show_.stereo.model == StereoModel::omni;
   const bool asked = request_.lens == LensChoice::live;
   const bool by_grid = may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) && !omni &&
-                       !needs_.traced_objects &&
                        (asked || is_worth_a_disk_grid(request_.backend, static_cast<double>(pixels_)));
   if (!by_grid) {
     return pixel_pass(near_field_name(drawing, false), reason, if_needed);
@@ -74,6 +73,9 @@ void Planner::plan_disk_alone(DiskDrawing drawing, const std::string& reason, bo
     buffer(name, WorkMoment::place, 0, with_budget);
   }
   pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
+  if (needs_.traced_objects) {
+    return pixel_pass(near_field_name(drawing, false), reason + ", " + why("objects"), if_needed);
+  }
   if (!certain) {
     pixel_pass(near_field_name(drawing, false), reason, true);
   }

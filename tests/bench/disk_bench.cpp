@@ -1,5 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include <memory>
+
 #include "content/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
@@ -14,19 +16,26 @@ using namespace ergodome;
 
 enum class DiskLens { rays, kept_grid, live_grid };
 
-//! The built-in show's disk and view, with clouds or without.
-Show disk_show(bool clouds) {
+//! What is beside the plain disk.
+enum class Beside { nothing, clouds, ball };
+
+//! The built-in show's disk and view.
+Show disk_show(Beside beside) {
   return parse_show(std::string("[hole]\nspin = 0.999\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 60\n"
                                 "theta_deg = 83\n[sky]\nmap = \"milky_way\"\n[effects]\nredshift = true\n"
                                 "[disk]\nouter = 18\ntemperature_K = 20000\nlimb_darkening = true\n") +
-                        (clouds ? "pattern = \"procedural\"\n" : "") +
+                        (beside == Beside::clouds ? "pattern = \"procedural\"\n" : "") +
+                        (beside == Beside::ball ? "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsegments = 96\n"
+                                                  "rings = 48\nsize = 2.2\nposition = [22, -8, 1]\n"
+                                                : "") +
                         "[view]\nprojection = \"pinhole\"\nfov_deg = 40\naspect = 1.7777778\n",
                     "bench.toml");
 }
 
-void disk_picture(benchmark::State& state, DiskLens lens, bool clouds) {
-  const Show show = disk_show(clouds);
+void disk_picture(benchmark::State& state, DiskLens lens, Beside beside) {
+  const Show show = disk_show(beside);
   const DiskPass pass(show, Backend::cpu);
+  const std::unique_ptr<TracedObjects> objects = traced_objects_of(show, Backend::cpu);
   const Projection projection = make_projection(show.view, static_cast<int>(state.range(0)), 0.0);
   CameraPose pose = camera_pose(show, 0.0);
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
@@ -35,7 +44,7 @@ void disk_picture(benchmark::State& state, DiskLens lens, bool clouds) {
   for (auto _ : state) {
     pose.r += lens == DiskLens::live_grid ? 1e-9 : 0.0;
     const EyeCamera eye = eye_camera(show, pose, 0.0);
-    NearField near_field{&pass, nullptr, nullptr, nullptr};
+    NearField near_field{&pass, nullptr, objects.get(), nullptr};
     if (lens != DiskLens::rays) {
       near_field.disk_grid = grids.grid_for({eye, pass.look_at(0.0), pixel_angle(projection), 0.25, pixels, true});
     }
@@ -52,11 +61,14 @@ void disk_widths(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(480)->Arg(960)->Arg(1920)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-BENCHMARK_CAPTURE(disk_picture, rays, DiskLens::rays, false)->Apply(disk_widths);
-BENCHMARK_CAPTURE(disk_picture, kept_grid, DiskLens::kept_grid, false)->Apply(disk_widths);
-BENCHMARK_CAPTURE(disk_picture, live_grid, DiskLens::live_grid, false)->Apply(disk_widths);
-BENCHMARK_CAPTURE(disk_picture, rays_clouds, DiskLens::rays, true)->Apply(disk_widths);
-BENCHMARK_CAPTURE(disk_picture, kept_grid_clouds, DiskLens::kept_grid, true)->Apply(disk_widths);
-BENCHMARK_CAPTURE(disk_picture, live_grid_clouds, DiskLens::live_grid, true)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, rays, DiskLens::rays, Beside::nothing)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, kept_grid, DiskLens::kept_grid, Beside::nothing)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, live_grid, DiskLens::live_grid, Beside::nothing)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, rays_clouds, DiskLens::rays, Beside::clouds)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, kept_grid_clouds, DiskLens::kept_grid, Beside::clouds)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, live_grid_clouds, DiskLens::live_grid, Beside::clouds)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, rays_ball, DiskLens::rays, Beside::ball)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, kept_grid_ball, DiskLens::kept_grid, Beside::ball)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, live_grid_ball, DiskLens::live_grid, Beside::ball)->Apply(disk_widths);
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "kernels/projection/make_projection.h"
@@ -25,6 +27,7 @@ struct PicturedDisk {
   double field_of_view;
   bool clouds = false;
   bool away = false;  //!< from the hole
+  bool ball = false;  //!< with one half before and half behind it, drawn by rays
 };
 
 Show pictured_show(const PicturedDisk& at) {
@@ -34,6 +37,13 @@ Show pictured_show(const PicturedDisk& at) {
   show.disk->temperature_k = 20000.0;
   show.disk->pattern = at.clouds ? DiskPattern::procedural : DiskPattern::none;
   show.effects.redshift = true;
+  if (at.ball) {
+    ObjectSettings& ball = show.objects.emplace_back();
+    ball.form = ObjectForm::sphere;
+    ball.method = ObjectMethod::trace;
+    ball.position = {12.0, 4.0, 0.5};
+    ball.size = 2.5;
+  }
   return show;
 }
 
@@ -50,9 +60,11 @@ TwoPictures draw_both(const PicturedDisk& at) {
     eye.frame_from_view[2][0] = -1.0;
     eye.frame_from_view[0][2] = -1.0;
   }
-  const DiskPass pass(pictured_show(at), Backend::cpu);
+  const Show show = pictured_show(at);
+  const DiskPass pass(show, Backend::cpu);
+  const std::unique_ptr<TracedObjects> objects = traced_objects_of(show, Backend::cpu);
   DiskGrids grids;
-  NearField near_field{&pass, nullptr, nullptr, nullptr};
+  NearField near_field{&pass, nullptr, objects.get(), nullptr};
   TwoPictures pictures;
   for (std::vector<float>* rgba : {&pictures.by_rays, &pictures.by_grid}) {
     rgba->assign(4UL * pictured_px * pictured_px, 0.0F);
@@ -90,17 +102,20 @@ double sum_of(const std::vector<float>& rgba) {
 }
 
 TEST(DiskGridPictures, AreThoseOfRays) {
-  for (const PicturedDisk& at : std::vector<PicturedDisk>{{"no spin", 0.0, 30.0, 1.4, 1.4},
-                                                          {"clouds", 0.9, 30.0, 1.4, 1.4, true},
-                                                          {"fast, clouds", 0.999, 30.0, 1.4, 1.4, true},
-                                                          {"extremal", 1.0, 30.0, 1.4, 1.4},
-                                                          {"against the hole", -1.0, 30.0, 1.4, 1.4, true},
-                                                          {"from its edge", 0.9, 30.0, 0.5 * pi, 1.4, true},
-                                                          {"from next to its edge", 0.9, 30.0, 0.5 * pi - 0.01, 1.4},
-                                                          {"from the axis", 0.9, 30.0, 0.0, 1.4, true},
-                                                          {"from far", 0.9, 1e3, 1.3, 0.05, true},
-                                                          {"from within", 0.9, 8.0, 1.2, 1.6, true},
-                                                          {"next to the horizon", 0.9, 1.5, 1.2, 2.0, true, true}}) {
+  for (const PicturedDisk& at :
+       std::vector<PicturedDisk>{{"no spin", 0.0, 30.0, 1.4, 1.4},
+                                 {"clouds", 0.9, 30.0, 1.4, 1.4, true},
+                                 {"fast, clouds", 0.999, 30.0, 1.4, 1.4, true},
+                                 {"extremal", 1.0, 30.0, 1.4, 1.4},
+                                 {"against the hole", -1.0, 30.0, 1.4, 1.4, true},
+                                 {"from its edge", 0.9, 30.0, 0.5 * pi, 1.4, true},
+                                 {"from next to its edge", 0.9, 30.0, 0.5 * pi - 0.01, 1.4},
+                                 {"from the axis", 0.9, 30.0, 0.0, 1.4, true},
+                                 {"from far", 0.9, 1e3, 1.3, 0.05, true},
+                                 {"from within", 0.9, 8.0, 1.2, 1.6, true},
+                                 {"next to the horizon", 0.9, 1.5, 1.2, 2.0, true, true},
+                                 {"round a ball", 0.9, 30.0, 1.4, 1.4, false, false, true},
+                                 {"clouds round a ball", 0.9, 30.0, 1.4, 1.4, true, false, true}}) {
     SCOPED_TRACE(at.name);
     const TwoPictures pictures = draw_both(at);
     const std::vector<float> found = differences(pictures);
@@ -111,6 +126,37 @@ TEST(DiskGridPictures, AreThoseOfRays) {
     EXPECT_LT(found[found.size() * 999 / 1000], 0.12F);
     EXPECT_NEAR(sum_of(pictures.by_grid) / sum_of(pictures.by_rays), 1.0, 3e-3);
   }
+}
+
+TEST(DiskGridPictures, LeavePixelsThatShowObjectsToRays) {
+  // All that is coloured is the ball and what lies before and behind it: a disk that gives no light, but hides.
+  const PicturedDisk at = {"dark, round a ball", 0.9, 30.0, 1.4, 1.4, false, false, true};
+  const auto coloured = [&](bool by_grid) {
+    Show show = pictured_show(at);
+    show.disk->exposure = 0.0;
+    const DiskPass pass(show, Backend::cpu);
+    const std::unique_ptr<TracedObjects> objects = traced_objects_of(show, Backend::cpu);
+    const Projection projection = make_pinhole_projection(pictured_px, pictured_px, at.field_of_view);
+    const EyeCamera eye = eye_at(at.spin, at.r, at.theta);
+    DiskGrids grids;
+    NearField near_field{&pass, nullptr, objects.get(), nullptr};
+    if (by_grid) {
+      near_field.disk_grid =
+          grids.grid_for({eye, pass.look_at(3.0), pixel_angle(projection), 0.1, pictured_px * pictured_px, true});
+    }
+    std::vector<float> rgba(4UL * pictured_px * pictured_px);
+    draw_near_field(Backend::cpu, near_field, {eye, nullptr, projection, 0.02, 3.0}, {0, pictured_px}, rgba.data());
+    std::vector<std::array<float, 4>> pixels;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+      if (rgba[i] > 0.0F) {
+        pixels.push_back({static_cast<float>(i), rgba[i], rgba[i + 1], rgba[i + 3]});
+      }
+    }
+    return pixels;
+  };
+  const auto by_rays = coloured(false);
+  EXPECT_GT(by_rays.size(), 100U);
+  EXPECT_EQ(coloured(true), by_rays);
 }
 
 TEST(DiskGridPictures, TakeAGridFromPictureToPictureAtOnePlace) {
