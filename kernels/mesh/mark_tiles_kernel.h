@@ -66,11 +66,13 @@ struct MarkTiles {
   ERGO_HD TileMark look_through(const PathStep<mark_order, Parts, Dual<double>>& step, TileMark mark) const {
     const MeshScene& scene = batch.objects.scene;
     const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
-    visit_pieces(step.length, 1e-9 * scene.greatest_r, place, [&](const PathPiece& p) {
+    constexpr double most_uneven = 0.05;
+    visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
       const Vector3<Dual<double>> middle = step.point(Dual<double>(p.middle_h()));
       const double width = length_of({middle.x.along_x, middle.y.along_x, middle.z.along_x}) +
                            length_of({middle.x.along_y, middle.y.along_y, middle.z.along_y});
-      const double reach = p.stray() + slack * 0.5 * batch.side_px * width;
+      // The middle stands for the whole piece, whose footprint grows along it.
+      const double reach = p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + slack * 0.5 * batch.side_px * width;
       for (int i = 0; i < scene.count; ++i) {
         const PlacedMesh& mesh = scene.meshes[i];
         const double radius = mesh.size * mesh.tree.radius;

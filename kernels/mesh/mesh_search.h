@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/find_root.h"
-#include "kernels/mesh/path_piece.h"
+#include "kernels/mesh/path_parabola.h"
 
 // Which triangle a ray's path meets first.
 namespace ergodome {
@@ -55,21 +55,29 @@ template <class Path>
 struct PieceCrossings {
   const Path& path;
   const PathPiece& piece;  //!< in the mesh's unit
+  PathParabola parabola;
   int index;
   double first_h;
   MeshHit hit;
+
+  //! Where the first crossing is, as a part of the piece; beyond 1: there is none yet.
+  ERGO_HD double first_s() const { return (first_h - piece.from_h) / (piece.to_h - piece.from_h); }
 
   ERGO_HD void operator()(std::uint32_t place) {
     const TriangleSides sides = triangle_sides(path.mesh.tree, place);
     const PlaneDistance<Path> f = {path, sides.corner, cross(sides.side_1, sides.side_2)};
     const double at_from = f.of(piece.from);
+    const double at_middle = f.of(piece.middle);
     const double at_to = f.of(piece.to);
+    if (!may_cross(parabola, {sides, f.normal, at_from, at_middle, at_to}, first_s())) {
+      return;
+    }
     if ((at_from < 0.0) != (at_to < 0.0)) {
       keep(f, sides, place, piece.from_h, piece.to_h, at_from);
       return;
     }
     // A path that bends may pass the plane and come back: the parabola through three points says where it would turn.
-    const double bow = 2.0 * (at_from + at_to) - 4.0 * f.of(piece.middle);
+    const double bow = 2.0 * (at_from + at_to) - 4.0 * at_middle;
     const double share = bow != 0.0 ? 0.5 - 0.5 * (at_to - at_from) / bow : -1.0;
     if (!(share > 0.0 && share < 1.0)) {
       return;
@@ -129,6 +137,8 @@ struct StepSearch {
   ERGO_HD PieceAnswer operator()(const PathPiece& p) {
     // A piece may stray by so much of a mesh that it comes near.
     constexpr double fine = 0.02;
+    // And its parabola by so much: with less there are more pieces, with more there are more triangles that only the path itself tells from met ones.
+    constexpr double finest = 3e-4;
     const double stray = p.stray();
     bool near = false;
     for (int i = 0; i < scene.count; ++i) {
@@ -141,7 +151,8 @@ struct StepSearch {
       const double reach = mesh.tree.radius + own_stray;
       if (distance_from_segment(mesh.tree.middle, own.from, own.to) <= reach) {
         near = true;
-        if (own_stray > fine * mesh.tree.radius) {
+        if (own_stray > fine * mesh.tree.radius ||
+            parabola_of(own, in(i), mesh.tree.radius).off > finest * mesh.tree.radius) {
           return PieceAnswer::cut;
         }
       }
@@ -159,8 +170,9 @@ struct StepSearch {
       }
       const PathInMesh<Order, Parts> path = in(i);
       const PathPiece own = path.piece(p);
-      PieceCrossings<PathInMesh<Order, Parts>> crossings = {path, own, i, first_h, hit};
-      visit_triangles(mesh.tree, own.from, own.to, own.stray() + 1e-6 * mesh.tree.radius, crossings);
+      PieceCrossings<PathInMesh<Order, Parts>> crossings = {path, own,     parabola_of(own, path, mesh.tree.radius),
+                                                            i,    first_h, hit};
+      search_in_parts(mesh.tree, own.stray(), crossings);
       first_h = crossings.first_h;
       hit = crossings.hit;
     }
@@ -168,10 +180,24 @@ struct StepSearch {
     return hit.mesh >= 0;
   }
 
+  //! Looks at a piece's triangles part by part, from its beginning: the parts bend less than the piece, and there is nothing to find in those after the
+  //! first crossing.
+  template <class Crossings>
+  ERGO_HD static void search_in_parts(const TriangleTree& tree, double stray, Crossings& crossings) {
+    constexpr int parts = 4;
+    const double margin = stray / (parts * parts) + crossings.parabola.off + 1e-6 * tree.radius;
+    Vector3<double> from = crossings.parabola.from;
+    for (int part = 1; part <= parts && (part == 1 || crossings.first_s() * parts > part - 1); ++part) {
+      const Vector3<double> to = crossings.parabola.at(static_cast<double>(part) / parts);
+      visit_triangles(tree, from, to, margin, crossings);
+      from = to;
+    }
+  }
+
   //! Finds the first triangle on the step's path.
   ERGO_HD bool run() {
     visit_pieces(
-        step.length, 1e-9 * scene.greatest_r, [this](double h) { return step.point(h); }, *this);
+        step.length, 1e-9 * scene.greatest_r, even_enough, [this](double h) { return step.point(h); }, *this);
     if (hit.mesh < 0) {
       return false;
     }

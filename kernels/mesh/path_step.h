@@ -97,6 +97,23 @@ ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries
   }
 }
 
+//! A step's length, or where light that goes out for good comes to a little beyond the place where it is held: nothing stands there, and a path with a
+//! kink is cut into many pieces.
+template <int Order, NearParts Parts, class T>
+ERGO_HD double length_within(const PathStep<Order, Parts, T>& step, double length) {
+  const auto is_beyond = [&](double h) { return value_of(series_value(step.series.u, T(h))) < step.least_u; };
+  if (!is_beyond(length) || is_beyond(0.0)) {
+    return length;
+  }
+  constexpr int rounds = 8;
+  double within = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    const double middle = 0.5 * (within + length);
+    (is_beyond(middle) ? length : within) = middle;
+  }
+  return length;
+}
+
 //! The number that one lane of T holds.
 template <class T>
 struct OneLane {
@@ -154,7 +171,7 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
       }
       detail::take_lane(s, i, step.series);
       step.least_u = 0.5 * ::fmin(1.0 / bounds.greatest, lane(value_of(ray.u), i));
-      step.length = lane(length, i);
+      step.length = detail::length_within(step, lane(length, i));
       step.scale = lane(scale, i);
       step.start = lane(time, i);
       if (visit(i, step)) {

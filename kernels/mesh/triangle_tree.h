@@ -48,21 +48,16 @@ ERGO_HD TriangleSides triangle_sides(const TriangleTree& tree, std::uint32_t pla
 
 namespace detail {
 
-//! Whether a segment comes within `margin` of a box; now and then for segments that pass a corner a little farther off.
-ERGO_HD bool comes_near(const TreeNode& node, const double (&from)[3], const double (&way)[3], double margin) {
+//! Whether a segment comes within `margin` of a box; now and then for segments that pass a corner a little farther off. `per_way`: one over the way from
+//! its beginning to its end.
+ERGO_HD bool comes_near(const TreeNode& node, const double (&from)[3], const double (&per_way)[3], double margin) {
   double enter = 0.0;
   double leave = 1.0;
   for (int axis = 0; axis < 3; ++axis) {
     const double low = static_cast<double>(node.low[axis]) - margin - from[axis];
     const double high = static_cast<double>(node.high[axis]) + margin - from[axis];
-    if (way[axis] == 0.0) {
-      if (low > 0.0 || high < 0.0) {
-        return false;
-      }
-      continue;
-    }
-    const double first = low / way[axis];
-    const double second = high / way[axis];
+    const double first = low * per_way[axis];
+    const double second = high * per_way[axis];
     enter = ::fmax(enter, ::fmin(first, second));
     leave = ::fmin(leave, ::fmax(first, second));
   }
@@ -76,13 +71,15 @@ template <class Visit>
 ERGO_HD void visit_triangles(const TriangleTree& tree, const Vector3<double>& from, const Vector3<double>& to,
                              double margin, Visit&& visit) {
   const double start[3] = {from.x, from.y, from.z};
-  const double way[3] = {to.x - from.x, to.y - from.y, to.z - from.z};
+  // A way of nothing is a very short one: multiples of it stay numbers.
+  const auto one_over = [](double way) { return 1.0 / (::fabs(way) > 1e-200 ? way : 1e-200); };
+  const double per_way[3] = {one_over(to.x - from.x), one_over(to.y - from.y), one_over(to.z - from.z)};
   std::uint32_t waiting[deepest_tree + 1];
   int count = 0;
   waiting[count++] = 0;
   while (count > 0) {
     const TreeNode& node = tree.nodes[waiting[--count]];
-    if (!detail::comes_near(node, start, way, margin)) {
+    if (!detail::comes_near(node, start, per_way, margin)) {
       continue;
     }
     if (node.count > 0) {

@@ -137,6 +137,44 @@ TEST(TracedObjects, AboutTheCameraFillThePictureButForTheHole) {
   expect_exact_coverage(show, eye_at(0.5, 8.0, 1.0), make_pinhole_projection(exact_px, exact_px, 2.0));
 }
 
+TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
+  struct Scene {
+    double spin;
+    double r;
+    double field_of_view;
+    ObjectSettings object;
+  };
+  constexpr int dense_px = test::sanitized ? 80 : 240;
+  for (const Scene& at :
+       {Scene{0.999, 60.0, 0.7, ball({22.0, -8.0, 1.0}, 2.2)}, Scene{0.999, 60.0, 0.3, ball({-22.0, 3.0, 1.0}, 0.8)},
+        Scene{0.0, 25.0, 0.8, ball({-8.0, 1.0, 0.5}, 0.5)}, Scene{-1.0, 15.0, 1.2, ball({5.0, 6.0, -1.0}, 0.4)}}) {
+    SCOPED_TRACE(testing::Message() << at.spin << " " << at.object.position.x);
+    const Show show = show_of(at.spin, {at.object});
+    const EyeCamera eye = eye_at(at.spin, at.r, 1.4);
+    const Projection projection = make_pinhole_projection(dense_px, dense_px, at.field_of_view);
+    const Drawn drawn = draw(show, eye, projection);
+    const ObjectRays rays(show, 0.0);
+    const auto sees = [&](double x, double y) {
+      const auto hit = rays.look(station(eye), observed(eye, projection, x, y), 1e-9);
+      return hit && hit->mesh >= 0;
+    };
+    int seen = 0;
+    int missed = 0;
+    for (int y = 0; y < dense_px; ++y) {
+      for (int x = 0; x < dense_px; ++x) {
+        // The middle, and the middles of the quarters: images finer than a quarter may lie between samples.
+        if (sees(x + 0.5, y + 0.5) && sees(x + 0.25, y + 0.25) && sees(x + 0.75, y + 0.25) &&
+            sees(x + 0.25, y + 0.75) && sees(x + 0.75, y + 0.75)) {
+          ++seen;
+          missed += drawn.covered(x, y) > 0.0F ? 0 : 1;
+        }
+      }
+    }
+    EXPECT_GT(seen, 20);
+    EXPECT_EQ(missed, 0);
+  }
+}
+
 TEST(TracedObjects, AreTheSameInBlocksOfRowsAsInOne) {
   const Show show = show_of(0.9, {ball({-4.0, 3.0, 1.0}, 1.2)});
   const EyeCamera eye = eye_at(0.9, 25.0, 1.2);
