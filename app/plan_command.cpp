@@ -147,7 +147,7 @@ void run(const PlanOptions& options) {
                                 options.size_px,
                                 load_sky_map(show).width,
                                 stream != nullptr,
-                                OverlayPass::image_bytes(show.timeline, show.folder),
+                                OverlayPass::image_bytes(show),
                                 has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
   nlohmann::json plan = json_of(show, plan_frame(show, request));
   std::optional<Measured> measured;

@@ -93,7 +93,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       objects_(polygons_of(show_)),
       renderer_(backend, stream_),
       omni_lenses_(backend),
-      overlays_(show_.timeline, show_.folder) {
+      overlays_(show_) {
   if (show_.tone.automatic) {
     exposure_.emplace(*show_.tone.automatic);
   }

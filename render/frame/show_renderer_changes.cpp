@@ -91,7 +91,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   const bool same_shells = shells_ && same_shell_textures(show_, next);
   std::unique_ptr<ShellPass> shells =
       next.shells.empty() || same_shells ? nullptr : std::make_unique<ShellPass>(next, backend());
-  overlays_.set_timeline(next.timeline, next.folder);
+  overlays_.set_show(next);
   // Nothing is thrown from here on.
   if (sky) {
     sky_ = std::move(*sky);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 
+#include "content/show_files.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
@@ -26,9 +27,8 @@ constexpr std::size_t most_caption_texels = 32UL << 20;
 //! A flat image as wide as this looks stretched already; it has no end at 180.
 constexpr double widest_image_deg = 150.0;
 
-std::filesystem::path image_path(const std::string& folder, const std::string& image) {
-  return std::filesystem::path(folder) / image;
-}
+//! Where a show names the image of its i-th overlay.
+std::string image_key(std::size_t i) { return fmt::format("overlay[{}].image", i); }
 
 void check_overlay(const Overlay& overlay, const std::filesystem::path& path, int width, int height) {
   if (overlay.fisheye && width != height) {
@@ -57,29 +57,31 @@ Error too_much(const std::string& folder) {
 
 }  // namespace
 
-OverlayPass::OverlayPass(const Timeline& timeline, const std::string& folder)
-    : captions_(timeline.captions), overlays_(timeline.overlays) {
+OverlayPass::OverlayPass(const Show& show) : captions_(show.timeline.captions), overlays_(show.timeline.overlays) {
   long bytes = 0;
-  for (const Overlay& overlay : overlays_) {
-    const std::filesystem::path path = image_path(folder, overlay.image);
-    auto found = images_.find(overlay.image);
-    if (found == images_.end()) {
-      found = images_.emplace(overlay.image, texture_of(read_overlay_image(path), "overlay images")).first;
-      bytes += static_cast<long>(found->second.host.size() * sizeof(std::uint16_t));
-    }
-    check_overlay(overlay, path, found->second.layout.width, found->second.layout.height);
+  for (std::size_t i = 0; i < overlays_.size(); ++i) {
+    const Overlay& overlay = overlays_[i];
+    read_named(show, image_key(i), overlay.image, [&](const std::filesystem::path& path) {
+      auto found = images_.find(overlay.image);
+      if (found == images_.end()) {
+        found = images_.emplace(overlay.image, texture_of(read_overlay_image(path), "overlay images")).first;
+        bytes += static_cast<long>(found->second.host.size() * sizeof(std::uint16_t));
+      }
+      check_overlay(overlay, path, found->second.layout.width, found->second.layout.height);
+    });
     if (bytes > most_image_bytes) {
-      throw too_much(folder);
+      throw too_much(show.folder);
     }
   }
 }
 
-long OverlayPass::image_bytes(const Timeline& timeline, const std::string& folder) {
+long OverlayPass::image_bytes(const Show& show) {
   std::set<std::string> seen;
   long bytes = 0;
-  for (const Overlay& overlay : timeline.overlays) {
-    if (seen.insert(overlay.image).second) {
-      const OverlaySize size = overlay_image_size(image_path(folder, overlay.image));
+  const std::vector<Overlay>& overlays = show.timeline.overlays;
+  for (std::size_t i = 0; i < overlays.size(); ++i) {
+    if (seen.insert(overlays[i].image).second) {
+      const OverlaySize size = read_named(show, image_key(i), overlays[i].image, overlay_image_size);
       bytes += overlay_image_bytes(size.width, size.height);
     }
   }
@@ -96,8 +98,8 @@ OverlayPass::Texture OverlayPass::texture_of(OverlayImage image, const char* nam
   return texture;
 }
 
-void OverlayPass::set_timeline(const Timeline& timeline, const std::string& folder) {
-  OverlayPass next(timeline, folder);
+void OverlayPass::set_show(const Show& show) {
+  OverlayPass next(show);
   captions_ = std::move(next.captions_);
   overlays_ = std::move(next.overlays_);
   images_ = std::move(next.images_);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "content/timeline.h"
+#include "content/show.h"
 #include "kernels/launch/launch.h"
 #include "kernels/overlay/draw_overlay.h"
 #include "render/backend/buffer.h"
@@ -29,11 +29,12 @@ struct OverlayTarget {
 //! done. All of it belongs to one thread at a time.
 class OverlayPass {
  public:
-  //! Reads the images of a show. Throws Error where one is missing, too large, or no domemaster, or a number makes no sense.
-  OverlayPass(const Timeline& timeline, const std::string& folder);
+  //! Reads the images of a show. Throws Error, with the show's line, where one is missing, too large, or no domemaster, or a number makes no
+  //! sense.
+  explicit OverlayPass(const Show& show);
 
   //! Goes on with another show, in the same language and with the same extra captions. Throws Error like the constructor, and keeps the old.
-  void set_timeline(const Timeline& timeline, const std::string& folder);
+  void set_show(const Show& show);
 
   //! The language of captions, by its tag; empty: the show's own.
   void set_language(const std::string& language) { language_ = language; }
@@ -52,7 +53,7 @@ class OverlayPass {
   void draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s);
 
   //! Bytes that a show's images take, from their files' sizes alone. Throws Error like the constructor.
-  static long image_bytes(const Timeline& timeline, const std::string& folder);
+  static long image_bytes(const Show& show);
 
  private:
   //! An image where kernels reach it; on a device from when it is first drawn there.

@@ -45,7 +45,7 @@ TEST(PresenceOfAnOverlay, IsWholeAtOnceWithoutFades) {
 int shown_in_the_middle(const Timeline& timeline, const std::string& folder, float light, const Tone& tone,
                         double time_s = 0.0) {
   const Projection screen = make_pinhole_projection(64, 64, 0.3);
-  OverlayPass pass(timeline, folder);
+  OverlayPass pass = pass_of(timeline, folder);
   Picture picture = even_picture(screen, light, tone);
   draw(pass, picture, screen, time_s);
   return tone_mapped(picture)[3UL * (32 * 64 + 32)];
@@ -81,7 +81,7 @@ TEST_F(Overlays, OnAHeatMapKeepTheirColours) {
   const Projection screen = make_pinhole_projection(64, 64, 0.3);
   Timeline timeline;
   timeline.overlays = {image_at("grey.png", 0.0, 0.0, 10.0)};
-  OverlayPass pass(timeline, folder_.string());
+  OverlayPass pass = pass_of(timeline, folder_.string());
   Picture picture = even_picture(screen, 0.7F, {ToneCurve::reinhard, 3.0F});
   picture.heat_range = HeatRange{0.0, 1.0, false};
   draw(pass, picture, screen);
@@ -158,7 +158,7 @@ TEST_F(Overlays, GiveTheirAlphaToThePicture) {
   const Projection screen = make_pinhole_projection(64, 64, 0.3);
   Timeline timeline;
   timeline.overlays = {image_at("white.png", 0.0, 0.0, 10.0)};
-  OverlayPass pass(timeline, folder_.string());
+  OverlayPass pass = pass_of(timeline, folder_.string());
   Picture picture = even_picture(screen, 0.0F);
   std::ranges::fill(picture.rgba, 0.0F);
   draw(pass, picture, screen);

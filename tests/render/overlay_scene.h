@@ -30,6 +30,14 @@ inline Picture even_picture(const Projection& projection, float light, const Ton
   return picture;
 }
 
+//! What lays over a show that has nothing else.
+inline OverlayPass pass_of(const Timeline& timeline, const std::string& folder = "") {
+  Show show;
+  show.timeline = timeline;
+  show.folder = folder;
+  return OverlayPass(show);
+}
+
 //! Draws what is there at a time on a picture.
 inline void draw(OverlayPass& pass, Picture& picture, const Projection& projection, double time_s = 0.0) {
   pass.draw({Backend::cpu, picture.rgba.data(), picture.tone, picture.heat_range.has_value()},
@@ -38,7 +46,7 @@ inline void draw(OverlayPass& pass, Picture& picture, const Projection& projecti
 
 inline Picture drawn(const Timeline& timeline, const std::string& folder, const Projection& projection,
                      float light = 0.0F, double time_s = 0.0) {
-  OverlayPass pass(timeline, folder);
+  OverlayPass pass = pass_of(timeline, folder);
   Picture picture = even_picture(projection, light);
   draw(pass, picture, projection, time_s);
   return picture;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "content/show_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/make_projection.h"
 #include "render/frame/view_projection.h"
 #include "tests/render/overlay_scene.h"
+#include "tests/support/errors.h"
 
 namespace ergodome {
 namespace {
@@ -21,7 +23,7 @@ TEST_F(Overlays, StandOnTheScreenForBothEyesOrBehindIt) {
   const double px = 200.0 / std::tan(30.0 * one_degree);
   Timeline timeline;
   timeline.overlays = {image_at("white.png", 0.0, 0.0, 2.0)};
-  OverlayPass pass(timeline, folder_.string());
+  OverlayPass pass = pass_of(timeline, folder_.string());
   const auto place = [&](double offset, double convergence, double distance) {
     Picture picture = even_picture(head, 0.0F);
     pass.draw({Backend::cpu, picture.rgba.data(), picture.tone, false},
@@ -51,7 +53,7 @@ TEST_F(Overlays, BehindTheDomeAreWhereThePictureHasTheSky) {
 TEST_F(Overlays, AreSetInTheLanguageThatIsChosen) {
   Caption caption = caption_of("");
   caption.text = {{"en", "A"}, {"de", "Ein sehr viel längerer Text"}};
-  OverlayPass pass(captions_of({caption}), "");
+  OverlayPass pass = pass_of(captions_of({caption}));
   const Projection projection = make_dome_projection(300, pi, 0.0);
   const auto light = [&](const std::string& language) {
     pass.set_language(language);
@@ -64,17 +66,17 @@ TEST_F(Overlays, AreSetInTheLanguageThatIsChosen) {
 
 TEST_F(Overlays, HideTheShowsCaptionsAndNotItsImages) {
   Timeline timeline = captions_of({caption_of("Here")});
-  OverlayPass words(timeline, "");
+  OverlayPass words = pass_of(timeline);
   words.set_captions(false);
   EXPECT_FALSE(words.draws_at(0.0));
   timeline.overlays = {image_at("white.png", 0.0, 20.0, 5.0)};
-  OverlayPass both(timeline, folder_.string());
+  OverlayPass both = pass_of(timeline, folder_.string());
   both.set_captions(false);
   EXPECT_TRUE(both.draws_at(0.0));
 }
 
 TEST_F(Overlays, OfOthersAreThereWithoutAShow) {
-  OverlayPass pass({}, "");
+  OverlayPass pass = pass_of({});
   const Projection projection = make_dome_projection(300, pi, 0.0);
   EXPECT_FALSE(pass.draws_at(std::nullopt));
   Caption welcome = caption_of("Welcome");
@@ -91,7 +93,7 @@ TEST_F(Overlays, OfOthersAreThereWithoutAShow) {
 TEST_F(Overlays, ThatAreNotThereTakeNothing) {
   Timeline timeline = captions_of({caption_of("Later")});
   timeline.captions[0].presence = {5.0, 8.0, 0.5, 0.5};
-  OverlayPass pass(timeline, "");
+  OverlayPass pass = pass_of(timeline);
   const Projection projection = make_dome_projection(300, pi, 0.0);
   Picture picture = even_picture(projection, 0.0F);
   const auto before = work_done();
@@ -100,7 +102,7 @@ TEST_F(Overlays, ThatAreNotThereTakeNothing) {
 }
 
 TEST_F(Overlays, AreSetOnceAndTouchTheirOwnTilesAlone) {
-  OverlayPass pass(captions_of({caption_of("Once")}), "");
+  OverlayPass pass = pass_of(captions_of({caption_of("Once")}));
   const Projection projection = make_dome_projection(1024, pi, 0.0);
   Picture picture = even_picture(projection, 0.0F);
   draw(pass, picture, projection);
@@ -117,7 +119,7 @@ TEST_F(Overlays, ThatCannotBeReadAreErrors) {
     Timeline timeline;
     timeline.overlays = {overlay};
     try {
-      const OverlayPass pass(timeline, folder_.string());
+      const OverlayPass pass = pass_of(timeline, folder_.string());
     } catch (const Error& error) {
       EXPECT_FALSE(error.remedy().empty());
       return std::string(error.what());
@@ -132,6 +134,15 @@ TEST_F(Overlays, ThatCannotBeReadAreErrors) {
   EXPECT_THAT(problem(wide), testing::HasSubstr("square"));
   write_png(folder_ / "long.png", std::vector<std::uint8_t>(3UL * 8200 * 2, 255), 8200, 2);
   EXPECT_THAT(problem(image_at("long.png", 0.0, 0.0, 10.0)), testing::HasSubstr("8192"));
+}
+
+TEST_F(Overlays, OfAShowTellTheLineOfAnImageThatCannotBe) {
+  const Show show = parse_show(
+      "[camera]\n[[camera.key]]\nr = 30\n[[overlay]]\nimage = \"white.png\"\n[[overlay]]\nimage = \"none.png\"\n",
+      (folder_ / "film.toml").string());
+  const auto told = testing::HasSubstr("(overlay[1].image, film.toml:7)");
+  EXPECT_THAT(error_of([&] { const OverlayPass pass(show); }), told);
+  EXPECT_THAT(error_of([&] { OverlayPass::image_bytes(show); }), told);
 }
 
 }  // namespace
