@@ -68,14 +68,27 @@ EnvironmentImage load_sky_map(const Show& show) {
   if (show.sky.map == "milky_way") {
     return read_environment_image(built_in_content_folder() / "maps" / "milky_way.jpg");
   }
+  if (show.sky.map == "black") {
+    return make_black_sky();
+  }
   return read_named(show, "sky.map", show.sky.map, [&](const std::filesystem::path& path) {
     std::error_code problem;
     if (!std::filesystem::exists(path, problem)) {
       throw Error(show.sky.map.empty() ? "\"\"" : path.string(), "is not there",
-                  "give a built-in sky (milky_way, grid) or the path of an image");
+                  "give a built-in sky (milky_way, grid, black) or the path of an image");
     }
     return read_environment_image(path);
   });
+}
+
+EnvironmentImage make_black_sky() {
+  constexpr int width = 16;
+  EnvironmentImage image;
+  image.name = "black";
+  image.width = width;
+  image.height = width / 2;
+  image.rgb.resize(3UL * width * width / 2);
+  return image;
 }
 
 EnvironmentImage make_grid_sky(int width) {

@@ -12,12 +12,15 @@ namespace ergodome {
 //! A folder with the built-in maps and shows: $ERGODOME_CONTENT, or beside the program, or the source folder it was built from.
 std::filesystem::path built_in_content_folder();
 
-//! Loads the sky map of a show: a built-in name ("milky_way", "grid") or a path, relative to the show's folder.
+//! Loads the sky map of a show: a built-in name ("milky_way", "grid", "black") or a path, relative to the show's folder.
 EnvironmentImage load_sky_map(const Show& show);
 
 //! A sky to judge distortion by: lines every 15° of latitude and longitude, a hue for each quadrant, light in the north and dark in
 //! the south, a white ring at the north pole and a red one at the south pole.
 EnvironmentImage make_grid_sky(int width);
+
+//! A sky without any light: stars, or what stands near the hole, are all there is to see.
+EnvironmentImage make_black_sky();
 
 //! Rotation from a map's axes to the hole's sky axes (z = spin axis).
 //!

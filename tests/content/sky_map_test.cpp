@@ -83,5 +83,14 @@ TEST(SkyMap, GridIsBrighterInTheNorthAndHasAHueForEachQuadrant) {
   EXPECT_GT(texel(307.0).z, 2.0F * texel(307.0).x);  // blue
 }
 
+TEST(SkyMap, BlackHasNoLight) {
+  Show show;
+  show.sky.map = "black";
+  const EnvironmentImage black = load_sky_map(show);
+  EXPECT_EQ(black.width, 2 * black.height);
+  EXPECT_EQ(black.rgb.size(), 3UL * static_cast<std::size_t>(black.width) * static_cast<std::size_t>(black.height));
+  EXPECT_TRUE(std::ranges::all_of(black.rgb, [](float light) { return light == 0.0F; }));
+}
+
 }  // namespace
 }  // namespace ergodome

@@ -1,39 +1,18 @@
 #include "render/stars/star_pass.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <string>
 
 #include "content/show_reader.h"
 #include "render/frame/show_renderer.h"
-#include "render/output/image_writer.h"
 
 namespace ergodome {
 namespace {
 
-//! A map without light, which takes no time to load.
-class BlackMap {
- public:
-  BlackMap() { write_png(path_, std::vector<std::uint8_t>(3UL * 8 * 4), 8, 4); }
-  ~BlackMap() {
-    std::error_code problem;
-    std::filesystem::remove(path_, problem);
-  }
-  BlackMap(const BlackMap&) = delete;
-  BlackMap& operator=(const BlackMap&) = delete;
-
-  [[nodiscard]] std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / ("ergodome-black-" + std::to_string(getpid()) + ".png");
-};
-
 //! A show of stars on their own.
 Show star_show(const std::string& more) {
-  Show show = parse_show(R"(
+  return parse_show(R"(
 duration_s = 10
 [hole]
 spin = 0.9
@@ -47,15 +26,13 @@ r = 12
 theta_deg = 70
 phi_deg = 60
 [sky]
+map = "black"
 stars = "bright_stars"
 faintest_mag = 6
 [view]
 size_px = 256
 )" + more,
-                         "stars.toml");
-  static const BlackMap map;
-  show.sky.map = map.path();
-  return show;
+                    "stars.toml");
 }
 
 Picture rendered(const std::string& more) {
@@ -72,6 +49,13 @@ double light_of_stars(const Picture& picture) {
 }
 
 constexpr const char* plain_effects = "[effects]\nmagnification = true\n";
+
+TEST(StarsOfAShow, AreAllTheLightOfABlackSky) {
+  Show show = star_show(plain_effects);
+  show.sky.stars.clear();
+  ShowRenderer renderer(show, Backend::cpu);
+  EXPECT_EQ(light_of_stars(renderer.render(5.0, {}).front().picture), 0.0);
+}
 
 TEST(StarsOfAShow, AddLightToItsSky) { EXPECT_GT(light_of_stars(rendered(plain_effects)), 1.0); }
 
