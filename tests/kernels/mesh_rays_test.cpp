@@ -197,6 +197,65 @@ TEST(TriangleTree, LeadsToEveryTriangleThatASegmentCrosses) {
   EXPECT_GT(crossed, 1000);
 }
 
+//! A bent path, as a cubic.
+struct BentPath {
+  Vector3<double> start, speed, bow, skew;
+  Vector3<double> operator()(double h) const { return start + h * (speed + h * (bow + h * skew)); }
+};
+
+//! Where a path crosses a triangle, by many small steps; beyond 1: nowhere.
+double first_crossing(const BentPath& path, const TriangleSides& t) {
+  constexpr int steps = 2000;
+  const Vector3<double> normal = cross(t.side_1, t.side_2);
+  double before = dot(normal, path(0.0) - t.corner);
+  for (int i = 1; i <= steps; ++i) {
+    const double h = static_cast<double>(i) / steps;
+    const double now = dot(normal, path(h) - t.corner);
+    if ((before < 0.0) != (now < 0.0)) {
+      const double at = h - now / (now - before) / steps;
+      const Vector3<double> w = path(at) - t.corner;
+      const double b1 = dot(cross(w, t.side_2), normal) / dot(normal, normal);
+      const double b2 = dot(cross(t.side_1, w), normal) / dot(normal, normal);
+      if (b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0) {
+        return at;
+      }
+    }
+    before = now;
+  }
+  return 2.0;
+}
+
+TEST(PathParabola, LeavesOutNoTriangleThatThePathCrossesAndMostOfTheOthers) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  const auto vector = [&](double size) { return size * Vector3<double>{share(random), share(random), share(random)}; };
+  int crossed = 0;
+  int passed = 0;
+  int kept = 0;
+  for (int i = 0; i < 4000; ++i) {
+    // From nearly straight to more bent than any piece that is searched.
+    const double bent = std::pow(10.0, -1.5 + 1.5 * share(random));
+    const BentPath path = {vector(1.0), vector(1.0), vector(0.3 * bent), vector(0.1 * bent)};
+    const TriangleSides t = {path(0.5 + 0.6 * share(random)) + vector(0.15), vector(0.2), vector(0.2)};
+    const PathPiece piece = {0.0, 1.0, path(0.0), path(0.5), path(1.0)};
+    const Vector3<double> normal = cross(t.side_1, t.side_2);
+    const auto f = [&](double h) { return dot(normal, path(h) - t.corner); };
+    const double at = first_crossing(path, t);
+    const PathParabola parabola = parabola_of(piece, path, 1.0);
+    const PlaneOnPiece plane = {t, normal, f(0.0), f(0.5), f(1.0)};
+    if (at <= 1.0) {
+      EXPECT_TRUE(may_cross(parabola, plane, 2.0)) << i;
+      EXPECT_TRUE(may_cross(parabola, plane, at)) << i;
+      ++crossed;
+    } else {
+      kept += may_cross(parabola, plane, 2.0) ? 1 : 0;
+      ++passed;
+    }
+  }
+  EXPECT_GT(crossed, 100);
+  EXPECT_LT(kept, passed / 5);
+}
+
 TEST(TriangleTree, OfTrianglesInOnePlaceIsNoDeeperThanItMayBe) {
   TriangleMesh stack;
   stack.vertices = {{{0.0F, 0.0F, 0.0F}, {}, {}}, {{1.0F, 0.0F, 0.0F}, {}, {}}, {{0.0F, 1.0F, 0.0F}, {}, {}}};
