@@ -9,7 +9,7 @@ namespace ergodome {
 
 namespace {
 
-constexpr int tile_px = 4;
+constexpr int object_tile_px = 4;
 //! A step in brightness from pixel to pixel that is worth finer samples.
 constexpr float visible_step = 0.2F;
 
@@ -53,15 +53,15 @@ void ObjectPixels::look() {
 
 void ObjectPixels::mark_tiles(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const {
   std::vector<std::int32_t> tiles;
-  for (int y = top_; y < bottom_; y += tile_px) {
-    for (int x = 0; x < width_; x += tile_px) {
-      add_if_shown(x, y, tile_px, tiles);
+  for (int y = top_; y < bottom_; y += object_tile_px) {
+    for (int x = 0; x < width_; x += object_tile_px) {
+      add_if_shown(x, y, object_tile_px, tiles);
     }
   }
   // Where images are small, tiles are wide on what they look at, and few of their pixels see an object: a ray more a quarter tells which.
-  constexpr int half_px = tile_px / 2;
+  constexpr int half_px = object_tile_px / 2;
   std::vector<std::int32_t> quarters;
-  share_out(tiles, tile_px, coarse, [&](int x, int y) {
+  share_out(tiles, object_tile_px, coarse, [&](int x, int y) {
     for (const int down : {0, half_px}) {
       for (const int along : {0, half_px}) {
         add_if_shown(x + along, y + down, half_px, quarters);

@@ -138,9 +138,11 @@ TEST_F(Overlays, ThatCannotBeReadAreErrors) {
 
 TEST_F(Overlays, OfAShowTellTheLineOfAnImageThatCannotBe) {
   const Show show = parse_show(
-      "[camera]\n[[camera.key]]\nr = 30\n[[overlay]]\nimage = \"white.png\"\n[[overlay]]\nimage = \"none.png\"\n",
+      "[camera]\n[[camera.key]]\nr = 30\n"
+      "[[overlay]]\nimage = \"white.png\"\nfrom_s = 0\nto_s = 9\n"
+      "[[overlay]]\nimage = \"none.png\"\nfrom_s = 0\nto_s = 9\n",
       (folder_ / "film.toml").string());
-  const auto told = testing::HasSubstr("(overlay[1].image, film.toml:7)");
+  const auto told = testing::HasSubstr("(overlay[1].image, film.toml:9)");
   EXPECT_THAT(error_of([&] { const OverlayPass pass(show); }), told);
   EXPECT_THAT(error_of([&] { OverlayPass::image_bytes(show); }), told);
 }
