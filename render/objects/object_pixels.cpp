@@ -68,7 +68,7 @@ void ObjectPixels::mark_tiles(std::vector<std::int32_t>& coarse, std::vector<std
       }
     }
   });
-  share_out(quarters, half_px, coarse, [&](int x, int y) {
+  share_out(quarters, half_px, fine, [&](int x, int y) {
     visit_tile(objects_.projection, x, y, half_px, bottom_, [&](int column, int row) {
       fine.insert(fine.end(), {column, row});
     });
@@ -84,7 +84,7 @@ void ObjectPixels::add_if_shown(int x, int y, int side_px, std::vector<std::int3
 }
 
 template <class Each>
-void ObjectPixels::share_out(const std::vector<std::int32_t>& tiles, int side_px, std::vector<std::int32_t>& coarse,
+void ObjectPixels::share_out(const std::vector<std::int32_t>& tiles, int side_px, std::vector<std::int32_t>& large,
                              const Each& each_fine) const {
   const std::vector<TileMark> marks = marked(tiles, side_px);
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -94,19 +94,23 @@ void ObjectPixels::share_out(const std::vector<std::int32_t>& tiles, int side_px
       each_fine(x, y);
     } else if (marks[i] == TileMark::objects) {
       visit_tile(objects_.projection, x, y, side_px, bottom_, [&](int column, int row) {
-        coarse.insert(coarse.end(), {column, row});
+        large.insert(large.end(), {column, row});
       });
     }
   }
 }
 
-std::vector<TileMark> ObjectPixels::marked(const std::vector<std::int32_t>& tiles, int side_px) const {
+std::vector<TileMark> ObjectPixels::marked(std::vector<std::int32_t> tiles, int side_px) const {
   const std::size_t count = tiles.size() / 2;
   std::vector<TileMark> marks(count);
   if (count > 0) {
+    // Smaller ones are marked as if they were as wide about their middles: next to the shadow's edge what they look at is far from linear.
+    for (std::int32_t& first : tiles) {
+      first -= (object_tile_px - side_px) / 2;
+    }
     const Buffer<std::int32_t> places(backend_, tiles, "objects' tiles");
     const Buffer<TileMark> there(backend_, count, "objects' tiles");
-    mark_object_tiles(backend_, {objects_, places.data(), static_cast<int>(count), side_px, there.data()});
+    mark_object_tiles(backend_, {objects_, places.data(), static_cast<int>(count), object_tile_px, there.data()});
     there.read(marks.data(), count);
   }
   return marks;
