@@ -18,9 +18,9 @@ bool is_shown(const Projection& projection, int x, int y) { return image_coverag
 
 //! Calls each(x, y) for the pixels of a tile that are in the rows and in the image.
 template <class Each>
-void visit_tile(const Projection& projection, int left, int top, int side_px, int bottom, const Each& each) {
-  for (int y = top; y < std::min(top + side_px, bottom); ++y) {
-    for (int x = left; x < std::min(left + side_px, projection.width_px); ++x) {
+void visit_tile(const Projection& projection, int left, int top, int bottom, const Each& each) {
+  for (int y = top; y < std::min(top + object_tile_px, bottom); ++y) {
+    for (int x = left; x < std::min(left + object_tile_px, projection.width_px); ++x) {
       if (is_shown(projection, x, y)) {
         each(x, y);
       }
@@ -55,65 +55,27 @@ void ObjectPixels::mark_tiles(std::vector<std::int32_t>& coarse, std::vector<std
   std::vector<std::int32_t> tiles;
   for (int y = top_; y < bottom_; y += object_tile_px) {
     for (int x = 0; x < width_; x += object_tile_px) {
-      add_if_shown(x, y, object_tile_px, tiles);
-    }
-  }
-  // Where images are small, tiles are wide on what they look at, and few of their pixels see an object: a ray more a quarter tells which.
-  constexpr int half_px = object_tile_px / 2;
-  std::vector<std::int32_t> quarters;
-  share_out(tiles, object_tile_px, coarse, [&](int x, int y) {
-    for (const int down : {0, half_px}) {
-      for (const int along : {0, half_px}) {
-        add_if_shown(x + along, y + down, half_px, quarters);
+      bool shown = false;
+      visit_tile(objects_.projection, x, y, bottom_, [&](int, int) { shown = true; });
+      if (shown) {
+        tiles.insert(tiles.end(), {x, y});
       }
     }
-  });
-  share_out(quarters, half_px, fine, [&](int x, int y) {
-    visit_tile(objects_.projection, x, y, half_px, bottom_, [&](int column, int row) {
-      fine.insert(fine.end(), {column, row});
-    });
-  });
-}
-
-void ObjectPixels::add_if_shown(int x, int y, int side_px, std::vector<std::int32_t>& tiles) const {
-  bool shown = false;
-  visit_tile(objects_.projection, x, y, side_px, bottom_, [&](int, int) { shown = true; });
-  if (shown) {
-    tiles.insert(tiles.end(), {x, y});
   }
-}
-
-template <class Each>
-void ObjectPixels::share_out(const std::vector<std::int32_t>& tiles, int side_px, std::vector<std::int32_t>& large,
-                             const Each& each_fine) const {
-  const std::vector<TileMark> marks = marked(tiles, side_px);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    const int x = tiles[2 * i];
-    const int y = tiles[2 * i + 1];
-    if (marks[i] == TileMark::fine) {
-      each_fine(x, y);
-    } else if (marks[i] == TileMark::objects) {
-      visit_tile(objects_.projection, x, y, side_px, bottom_, [&](int column, int row) {
-        large.insert(large.end(), {column, row});
+  const std::size_t count = tiles.size() / 2;
+  const Buffer<std::int32_t> places(backend_, tiles, "objects' tiles");
+  const Buffer<TileMark> marks(backend_, count, "objects' tiles");
+  mark_object_tiles(backend_, {objects_, places.data(), static_cast<int>(count), object_tile_px, marks.data()});
+  std::vector<TileMark> marked(count);
+  marks.read(marked.data(), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (marked[i] != TileMark::nothing) {
+      std::vector<std::int32_t>& to = marked[i] == TileMark::fine ? fine : coarse;
+      visit_tile(objects_.projection, tiles[2 * i], tiles[2 * i + 1], bottom_, [&](int x, int y) {
+        to.insert(to.end(), {x, y});
       });
     }
   }
-}
-
-std::vector<TileMark> ObjectPixels::marked(std::vector<std::int32_t> tiles, int side_px) const {
-  const std::size_t count = tiles.size() / 2;
-  std::vector<TileMark> marks(count);
-  if (count > 0) {
-    // Smaller ones are marked as if they were as wide about their middles: next to the shadow's edge what they look at is far from linear.
-    for (std::int32_t& first : tiles) {
-      first -= (object_tile_px - side_px) / 2;
-    }
-    const Buffer<std::int32_t> places(backend_, tiles, "objects' tiles");
-    const Buffer<TileMark> there(backend_, count, "objects' tiles");
-    mark_object_tiles(backend_, {objects_, places.data(), static_cast<int>(count), object_tile_px, there.data()});
-    there.read(marks.data(), count);
-  }
-  return marks;
 }
 
 void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, int samples) {

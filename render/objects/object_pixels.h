@@ -28,18 +28,8 @@ class ObjectPixels {
     std::int32_t content = pixel_of_nothing;
   };
 
-  //! The pixels that may see objects; `fine`: those where these are small.
+  //! The pixels of tiles that may see objects; `fine`: of those where these are small.
   void mark_tiles(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const;
-
-  void add_if_shown(int x, int y, int side_px, std::vector<std::int32_t>& tiles) const;
-
-  //! Adds the pixels of tiles that see large objects to `large`, and calls each_fine(x, y) for tiles that see small ones.
-  template <class Each>
-  void share_out(const std::vector<std::int32_t>& tiles, int side_px, std::vector<std::int32_t>& large,
-                 const Each& each_fine) const;
-
-  //! Marks tiles: two numbers each, their first pixel.
-  [[nodiscard]] std::vector<TileMark> marked(std::vector<std::int32_t> tiles, int side_px) const;
 
   //! Looks at pixels, and keeps what they show.
   void look_at(const std::vector<std::int32_t>& pixels, int samples);

@@ -21,8 +21,8 @@ struct RowBlock {
 
 //! A show's objects as exact rays see them, about a hole of any spin: all image orders, shadows, frequency shift, light travel time.
 //!
-//! Tiles of the picture that cannot see an object cost a ray, those that may see a small one four more; pixels that can see one cost four, and sixteen where
-//! outlines, textures or shadows run through them or their neighbours, or where it is small.
+//! Tiles of the picture that cannot see an object cost a ray; pixels that can cost four, and sixteen where outlines, textures or shadows run through them or
+//! their neighbours.
 class TracedObjects {
  public:
   //! Loads the meshes; the show must have objects. Throws Error where a mesh or an image cannot be read.
