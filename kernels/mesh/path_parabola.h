@@ -9,7 +9,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! The parabola through a piece's ends and its middle, P(s) for s from 0 to 1.
 struct PathParabola {
   Vector3<double> from, middle, to;
-  double off;      //!< the path is no farther from it, at the same s
+  double off;      //!< how far the path is from it at the same s, at the most: an estimate
   double fastest;  //!< |dP/ds| is nowhere greater
 
   ERGO_HD Vector3<double> at(double s) const {
@@ -59,7 +59,7 @@ ERGO_HD bool is_within(const PlaneOnPiece& plane, const Vector3<double>& point, 
 
 }  // namespace detail
 
-//! Whether a path may cross a triangle before `first_s`, by its parabola. False only where it does not: what grazes the plane, may.
+//! Whether a path may cross a triangle before `first_s`, by its parabola: false only where it does not, as far as `off` holds. What grazes the plane, may.
 ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, double first_s) {
   const double reach = path.off * ::sqrt(dot(plane.normal, plane.normal));
   const double bow = 2.0 * (plane.at_from + plane.at_to) - 4.0 * plane.at_middle;

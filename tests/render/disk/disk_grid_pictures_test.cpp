@@ -143,6 +143,7 @@ TEST(DiskGridPictures, LeavePixelsThatShowObjectsToRays) {
     if (by_grid) {
       near_field.disk_grid =
           grids.grid_for({eye, pass.look_at(3.0), pixel_angle(projection), 0.1, pictured_px * pictured_px, true});
+      EXPECT_NE(near_field.disk_grid, nullptr);
     }
     std::vector<float> rgba(4UL * pictured_px * pictured_px);
     draw_near_field(Backend::cpu, near_field, {eye, nullptr, projection, 0.02, 3.0}, {0, pictured_px}, rgba.data());

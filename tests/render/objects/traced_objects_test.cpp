@@ -137,6 +137,7 @@ TEST(TracedObjects, AboutTheCameraFillThePictureButForTheHole) {
   expect_exact_coverage(show, eye_at(0.5, 8.0, 1.0), make_pinhole_projection(exact_px, exact_px, 2.0));
 }
 
+// Of tiles that are marked: the rays that tell look for triangles as the pixels' own do.
 TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   struct Scene {
     double spin;
