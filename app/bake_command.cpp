@@ -18,8 +18,8 @@
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/bake/trajectory_baker.h"
 #include "render/frame/show_renderer.h"
-#include "render/lens/trajectory_baker.h"
 
 namespace ergodome {
 
@@ -108,6 +108,10 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
   fmt::print("{}: {} stations ({} built now), {:.1f} MB, {:.1f} s; blending misses by {:.3f} px at most\n",
              file.string(), trajectory.stations().size(), result.built,
              1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, result.worst_px);
+  if (result.live_disk_s > 0.0) {
+    fmt::print("the disk is drawn from grids made anew for {:.1f} s of the show: next to its plane its images leap\n",
+               result.live_disk_s);
+  }
   if (result.unmet > 0) {
     fmt::print(stderr, "ergodome: {} gaps between stations stay over the budget of {} px\n", result.unmet,
                trajectory.provenance().budget_px);

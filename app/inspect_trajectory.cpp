@@ -21,7 +21,9 @@ nlohmann::json facts_of(const StationEntry& station) {
           {"bytes", station.bytes},
           {"nodes", station.nodes},
           {"cells", station.leaves},
-          {"gap_error_px", station.gap_error_px}};
+          {"gap_error_px", station.gap_error_px},
+          {"disk_bytes", station.disk_bytes},
+          {"disk_gap_error_px", station.disk_gap_error_px}};
 }
 
 }  // namespace
@@ -44,6 +46,7 @@ nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
                           {"budget_px", from.budget_px},
                           {"pixel_arcmin", from.pixel * radian_deg * 60.0},
                           {"derivatives", from.derivatives},
+                          {"disk", from.disk},
                           {"code_version", from.code_version},
                           {"show", from.show_text},
                           {"stations", nlohmann::json::array()},
@@ -53,6 +56,9 @@ nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
     facts["stations"].push_back(facts_of(trajectory.stations()[i]));
     try {
       (void)trajectory.read(i);
+      if (trajectory.stations()[i].disk_bytes > 0) {
+        (void)trajectory.read_disk(i);
+      }
     } catch (const Error& problem) {
       facts["damaged"].push_back(problem.what());
     }
@@ -63,18 +69,27 @@ nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {
 
 void print_trajectory(const nlohmann::json& facts) {
   constexpr std::size_t most_lines = 40;
-  for (const char* name : {"file", "bytes", "spin", "budget_px", "pixel_arcmin", "derivatives", "code_version"}) {
+  for (const char* name :
+       {"file", "bytes", "spin", "budget_px", "pixel_arcmin", "derivatives", "disk", "code_version"}) {
     fmt::print("{:<16}{}\n", name, facts[name].is_string() ? facts[name].get<std::string>() : facts[name].dump());
   }
   const auto& stations = facts["stations"];
-  fmt::print("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}\n", "stations", stations.size(), "t [s]", "r [M]",
-             "theta [deg]", "nodes", "bytes", "blending [px]");
+  const bool disk = facts["disk"].get<bool>();
+  fmt::print("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}{}\n", "stations", stations.size(), "t [s]", "r [M]",
+             "theta [deg]", "nodes", "bytes", "blending [px]", disk ? " disk's bytes      its [px]" : "");
   for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / most_lines)) {
     const auto& s = stations[i];
-    const double gap = s["gap_error_px"].get<double>();
-    fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}\n", s["t_s"].get<double>(), s["r"].get<double>(),
-               s["theta_deg"].get<double>(), s["nodes"].get<int>(), s["bytes"].get<long>(),
-               gap >= 0.0 ? fmt::format("{:.3f}", gap) : "");
+    const bool last = s["gap_error_px"].get<double>() < 0.0;
+    const auto error = [&](const char* name) {
+      return last ? std::string() : fmt::format("{:.3f}", s[name].get<double>());
+    };
+    // Where it is too much, a grid is made anew.
+    const bool live = s["disk_gap_error_px"].get<double>() > facts["budget_px"].get<double>();
+    fmt::print(
+        "{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}{}\n", s["t_s"].get<double>(), s["r"].get<double>(),
+        s["theta_deg"].get<double>(), s["nodes"].get<int>(), s["bytes"].get<long>(), error("gap_error_px"),
+        disk ? fmt::format(" {:>12} {:>13}", s["disk_bytes"].get<long>(), live ? "live" : error("disk_gap_error_px"))
+             : "");
   }
   for (const auto& problem : facts["damaged"]) {
     fmt::print("{}\n", problem.get<std::string>());

@@ -28,6 +28,7 @@ constexpr std::uint32_t letters(const char (&text)[5]) {
 enum class FrameKind : std::uint32_t {
   provenance = letters("PROV"),
   station = letters("STAT"),
+  disk = letters("DISK"),
   gap = letters("GAP "),
   index = letters("INDX")
 };
@@ -43,7 +44,7 @@ struct TrajectoryHeader {
 
 struct FrameHeader {
   FrameKind kind;
-  std::uint32_t number;          //!< of the station; 0 in other frames
+  std::uint32_t number;          //!< of the station, also that of disk layers; 0 in other frames
   std::uint64_t payload_bytes;   //!< in the file
   std::uint64_t unpacked_bytes;  //!< once decompressed; payload_bytes where nothing is compressed
   std::uint64_t checksum;

@@ -1,24 +1,16 @@
 #include "content/trajectory/station_codec.h"
 
-#include <zstd.h>
-
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "content/byte_planes.h"
-#include "kernels/metric/kerr.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr int compression_level = 9;
-constexpr std::uint32_t flag_mirrored = 1;
-constexpr std::uint32_t station_has_derivatives = 2;
-constexpr std::uint32_t most_root_cells = 1 << 16;
-
 //! Components of a node that are stored: three of each vector, and the first pad, which says that the node has a sky.
 constexpr int stored_components[] = {0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 13, 14};
+
 void write_nodes(ByteWriter& to, const std::vector<float>& nodes) {
   for (const int component : stored_components) {
     write_planes(to, nodes, static_cast<std::size_t>(component), floats_a_node);
@@ -32,99 +24,12 @@ void read_nodes(ByteReader& from, std::size_t count, std::vector<float>& nodes) 
   }
 }
 
-void write_vector(ByteWriter& to, const Vector3<float>& v) {
-  to.number(v.x);
-  to.number(v.y);
-  to.number(v.z);
-}
-
-Vector3<float> read_vector(ByteReader& from) {
-  const auto x = from.number<float>();
-  const auto y = from.number<float>();
-  return {x, y, from.number<float>()};
-}
-
-bool all_finite(const std::vector<float>& numbers) {
-  return std::ranges::all_of(numbers, [](float x) { return std::isfinite(x); });
-}
-
-bool is_place(const LensStation& s) {
-  return std::abs(s.spin) <= 1.0 && s.r > horizon_radius(s.spin) && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
-}
-
-//! The axes are a right or left-handed orthonormal frame, the edge an angle at every γ.
-bool is_chart(const LensStation& s) {
-  const auto near = [](float value, float wanted) { return std::abs(value - wanted) < 1e-3F; };
-  const bool orthonormal = near(dot(s.centre, s.centre), 1.0F) && near(dot(s.first, s.first), 1.0F) &&
-                           near(dot(s.second, s.second), 1.0F) && near(dot(s.centre, s.first), 0.0F) &&
-                           near(dot(s.centre, s.second), 0.0F) && near(dot(s.first, s.second), 0.0F);
-  const bool angles = std::ranges::all_of(s.edge, [](float angle) { return angle > 0.0F && angle < 3.1416F; });
-  return orthonormal && angles && s.range > 0.0F && s.range < 100.0F;
-}
-
-//! Children come after their parents, at most `deepest_cell` below a root; leaves and nodes that are named exist.
-bool is_tree(const LensStation& s) {
-  const std::size_t roots = static_cast<std::size_t>(s.columns) * static_cast<std::size_t>(s.rows);
-  if (s.tree.size() < roots) {
-    return false;
-  }
-  std::vector<int> depth(s.tree.size(), 0);
-  for (std::size_t i = 0; i < s.tree.size(); ++i) {
-    const int entry = s.tree[i];
-    if (entry < 0) {
-      if (static_cast<std::size_t>((-1 - entry) >> 1) >= s.leaf_count()) {
-        return false;
-      }
-      continue;
-    }
-    const auto child = static_cast<std::size_t>(entry >> 1);
-    if (child <= i || child < roots || child + 1 >= s.tree.size() || depth[i] == deepest_cell) {
-      return false;
-    }
-    depth[child] = depth[child + 1] = depth[i] + 1;
-  }
-  return std::ranges::all_of(s.leaves,
-                             [&](int node) { return node >= 0 && static_cast<std::size_t>(node) < s.node_count(); });
-}
-
-void require(bool good, const char* what, const std::string& place) {
-  if (!good) {
-    throw Error(place, std::string("is damaged (") + what + ")", "bake it again");
-  }
-}
-
-Bytes unpacked(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  require(ZSTD_getFrameContentSize(packed.data(), packed.size()) == unpacked_bytes, "its packed size", place);
-  Bytes raw(unpacked_bytes);
-  const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
-  require(ZSTD_isError(size) == 0 && size == raw.size(), "cannot be unpacked", place);
-  return raw;
-}
-
 }  // namespace
 
 Bytes station_layout(const LensStation& station) {
   ByteWriter to;
-  to.number(station.spin);
-  to.number(station.r);
-  to.number(station.theta);
-  write_vector(to, station.centre);
-  write_vector(to, station.first);
-  write_vector(to, station.second);
-  to.number(station.range);
   const bool derivatives = !station.nodes_along_r.empty();
-  to.number((station.mirrored ? flag_mirrored : 0U) | (derivatives ? station_has_derivatives : 0U));
-  for (const std::size_t size :
-       {static_cast<std::size_t>(station.columns), static_cast<std::size_t>(station.rows), station.edge.size(),
-        station.tree.size(), station.leaf_count(), station.node_count()}) {
-    to.number(static_cast<std::uint32_t>(size));
-  }
-  write_planes(to, station.edge, 0, 1);
-  write_planes(to, station.tree, 0, 1);
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    write_planes(to, station.leaves, corner, 4);
-  }
-  write_planes(to, station.leaf_error_px, 0, 1);
+  write_cells(to, station, derivatives ? station_has_derivatives : 0U, station.node_count());
   write_nodes(to, station.nodes);
   if (derivatives) {
     write_nodes(to, station.nodes_along_r);
@@ -133,68 +38,26 @@ Bytes station_layout(const LensStation& station) {
   return to.take();
 }
 
-PackedStation pack_station(const LensStation& station) {
-  const Bytes raw = station_layout(station);
-  Bytes packed(ZSTD_compressBound(raw.size()));
-  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), compression_level);
-  if (ZSTD_isError(size) != 0) {
-    throw Error("station", std::string("cannot be packed: ") + ZSTD_getErrorName(size));
-  }
-  packed.resize(size);
-  return {std::move(packed), raw.size()};
-}
+PackedBytes pack_station(const LensStation& station) { return pack_bytes(station_layout(station)); }
 
 LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& place) {
-  return parse_station_layout(unpacked(packed, unpacked_bytes, place), place);
+  return parse_station_layout(unpack_bytes(packed, unpacked_bytes, place), place);
 }
 
 LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& place) {
   ByteReader from(raw, place);
-  LensStation station;
-  station.spin = from.number<double>();
-  station.r = from.number<double>();
-  station.theta = from.number<double>();
-  station.centre = read_vector(from);
-  station.first = read_vector(from);
-  station.second = read_vector(from);
-  station.range = from.number<float>();
-  const auto flags = from.number<std::uint32_t>();
-  station.mirrored = (flags & flag_mirrored) != 0;
-  std::uint32_t sizes[6];
-  for (std::uint32_t& size : sizes) {
-    size = from.number<std::uint32_t>();
-  }
-  const auto [columns, rows, edge, tree, leaves, nodes] = sizes;
-  const std::size_t numbers = from.left() / bytes_a_number;
-  require(columns > 0 && rows > 0 && columns <= most_root_cells && rows <= most_root_cells / columns && edge >= 16 &&
-              edge <= numbers && tree <= numbers && leaves <= numbers / 5 &&
-              nodes <= numbers / std::size(stored_components),
-          "a size that cannot be", place);
-  station.columns = static_cast<int>(columns);
-  station.rows = static_cast<int>(rows);
-  station.edge.resize(edge);
-  station.tree.resize(tree);
-  station.leaves.resize(std::size_t{4} * leaves);
-  station.leaf_error_px.resize(leaves);
-  read_planes(from, station.edge, 0, 1);
-  read_planes(from, station.tree, 0, 1);
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    read_planes(from, station.leaves, corner, 4);
-  }
-  read_planes(from, station.leaf_error_px, 0, 1);
+  auto [station, flags, nodes] = read_cells(from, std::size(stored_components), place);
   read_nodes(from, nodes, station.nodes);
   if ((flags & station_has_derivatives) != 0) {
-    require(from.left() >= 2 * nodes * std::size(stored_components) * bytes_a_number, "derivatives missing", place);
+    require_whole(from.left() >= 2 * nodes * std::size(stored_components) * bytes_a_number, "derivatives missing",
+                  place);
     read_nodes(from, nodes, station.nodes_along_r);
     read_nodes(from, nodes, station.nodes_along_theta);
   }
-  require(from.left() == 0, "more than it should hold", place);
-  require(is_place(station), "its place", place);
-  require(is_chart(station), "its chart", place);
-  require(is_tree(station), "its cells", place);
-  require(all_finite(station.nodes) && all_finite(station.nodes_along_r) && all_finite(station.nodes_along_theta),
-          "a node that is no number", place);
-  return station;
+  require_whole(from.left() == 0, "more than it should hold", place);
+  require_whole(all_finite(station.nodes) && all_finite(station.nodes_along_r) && all_finite(station.nodes_along_theta),
+                "a node that is no number", place);
+  return std::move(station);
 }
 
 }  // namespace ergodome

@@ -6,15 +6,12 @@
 
 #include "content/bytes.h"
 #include "content/lens_station.h"
+#include "content/trajectory/station_cells.h"
 
 namespace ergodome {
 
-//! A station as the payload of its frame: compressed, every bit of it kept.
-struct PackedStation {
-  Bytes bytes;
-  std::uint64_t unpacked_bytes;
-};
-PackedStation pack_station(const LensStation& station);
+//! A station as the payload of its frame.
+PackedBytes pack_station(const LensStation& station);
 
 //! The station of a payload. Throws Error, naming the place, for anything that kernels could not read safely: it need not come from
 //! pack_station.

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "content/disk_station.h"
 #include "content/trajectory/trajectory.h"
 
 namespace ergodome {
@@ -19,11 +20,16 @@ struct StationSummary {
 //! A station's frame; `number` counts from 0.
 Bytes make_station_frame(std::uint32_t number, double time_s, const LensStation& station);
 
-//! The same frame under another number, its payload untouched.
+//! The frame of a station's disk layers.
+Bytes make_disk_frame(std::uint32_t number, double time_s, const DiskStation& disk);
+
+//! The same frame, a station's or of its disk layers, under another number, its payload untouched.
 Bytes renumbered(std::span<const std::byte> frame, std::uint32_t number, const std::string& place);
 
-//! Both throw Error, naming the place, where the frame is damaged. The summary does not look into the compressed part.
+//! All throw Error, naming the place, where the frame is damaged. The summary and the time do not look into the compressed part.
 StationSummary parse_summary(std::span<const std::byte> frame, const std::string& place);
 LensStation parse_station(std::span<const std::byte> frame, const std::string& place);
+double parse_disk_time(std::span<const std::byte> frame, const std::string& place);
+DiskStation parse_disk(std::span<const std::byte> frame, const std::string& place);
 
 }  // namespace ergodome

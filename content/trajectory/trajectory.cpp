@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t entry_bytes = 64;
 constexpr std::uint32_t flag_derivatives = 1;
+constexpr std::uint32_t flag_disk = 2;
 
 }  // namespace
 
@@ -22,7 +23,7 @@ Bytes to_bytes(const TrajectoryProvenance& provenance) {
   to.number(provenance.spin);
   to.number(provenance.pixel);
   to.number(provenance.budget_px);
-  to.number(provenance.derivatives ? flag_derivatives : 0U);
+  to.number((provenance.derivatives ? flag_derivatives : 0U) | (provenance.disk ? flag_disk : 0U));
   to.text(provenance.code_version);
   to.text(provenance.show_text);
   return to.take();
@@ -34,7 +35,9 @@ TrajectoryProvenance parse_provenance(std::span<const std::byte> payload, const 
   provenance.spin = from.number<double>();
   provenance.pixel = from.number<double>();
   provenance.budget_px = from.number<double>();
-  provenance.derivatives = (from.number<std::uint32_t>() & flag_derivatives) != 0;
+  const auto flags = from.number<std::uint32_t>();
+  provenance.derivatives = (flags & flag_derivatives) != 0;
+  provenance.disk = (flags & flag_disk) != 0;
   provenance.code_version = from.text();
   provenance.show_text = from.text();
   if (!(std::abs(provenance.spin) <= 1.0 && provenance.pixel > 0.0 && provenance.budget_px > 0.0)) {
@@ -48,7 +51,7 @@ Bytes to_bytes(const Gap& gap) {
   to.number(gap.begin_s);
   to.number(gap.end_s);
   to.number(gap.error_px);
-  to.number(std::uint32_t{0});
+  to.number(gap.disk_error_px);
   return to.take();
 }
 
@@ -56,7 +59,8 @@ Gap parse_gap(std::span<const std::byte> payload, const std::string& place) {
   ByteReader from(payload, place);
   const auto begin_s = from.number<double>();
   const auto end_s = from.number<double>();
-  return {begin_s, end_s, from.number<float>()};
+  const auto error_px = from.number<float>();
+  return {begin_s, end_s, error_px, from.number<float>()};
 }
 
 Bytes to_bytes(const std::vector<StationEntry>& index) {
@@ -70,8 +74,9 @@ Bytes to_bytes(const std::vector<StationEntry>& index) {
     to.number(entry.gap_error_px);
     to.number(entry.nodes);
     to.number(entry.leaves);
-    to.number(std::uint32_t{0});
-    to.number(std::uint64_t{0});
+    to.number(entry.disk_bytes);
+    to.number(entry.disk_memory_bytes);
+    to.number(entry.disk_gap_error_px);
   }
   return to.take();
 }
@@ -89,7 +94,9 @@ std::vector<StationEntry> parse_index(std::span<const std::byte> payload, const 
     entry.gap_error_px = from.number<float>();
     entry.nodes = from.number<std::uint32_t>();
     entry.leaves = from.number<std::uint32_t>();
-    from.take(12);
+    entry.disk_bytes = from.number<std::uint32_t>();
+    entry.disk_memory_bytes = from.number<std::uint32_t>();
+    entry.disk_gap_error_px = from.number<float>();
     if (!(entry.time_s > before_s && std::isfinite(entry.time_s) && entry.r > 0.0 && entry.r < 1e9 &&
           std::isfinite(entry.theta))) {
       throw Error(place, "is damaged (index)", "bake it again");

@@ -20,6 +20,7 @@ struct TrajectoryProvenance {
   double pixel = 0.0;        //!< angle of a pixel on the screen [rad]
   double budget_px = 0.0;    //!< displacement on the screen
   bool derivatives = false;  //!< stations hold their change along r and θ
+  bool disk = false;         //!< stations hold the layers of the show's disk
 
   bool operator==(const TrajectoryProvenance&) const = default;
 };
@@ -37,6 +38,9 @@ struct StationEntry {
   float gap_error_px = -1.0F;
   std::uint32_t nodes = 0;
   std::uint32_t leaves = 0;
+  std::uint32_t disk_bytes = 0;         //!< of the frame of its disk layers, which follows; 0: it has none
+  std::uint32_t disk_memory_bytes = 0;  //!< of these once unpacked
+  float disk_gap_error_px = 0.0F;       //!< as gap_error_px, of the disk alone and of what shows the disk
 };
 
 //! The stretch between two stations, found good enough (or as good as it can be made) for blending.
@@ -44,6 +48,7 @@ struct Gap {
   double begin_s = 0.0;
   double end_s = 0.0;
   float error_px = 0.0F;
+  float disk_error_px = 0.0F;  //!< of the disk's layers
 };
 
 //! How messages call a station of a trajectory file.

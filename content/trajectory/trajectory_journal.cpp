@@ -15,9 +15,16 @@ namespace ergodome {
 
 namespace {
 
-void write(std::ofstream& file, std::span<const std::byte> bytes) {
-  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-}
+//! A file that is written from its beginning to its end.
+struct GrowingFile {
+  std::ofstream file;
+  std::uint64_t bytes = 0;
+
+  void write(std::span<const std::byte> more) {
+    file.write(reinterpret_cast<const char*>(more.data()), static_cast<std::streamsize>(more.size()));
+    bytes += more.size();
+  }
+};
 
 }  // namespace
 
@@ -65,7 +72,9 @@ bool TrajectoryJournal::take_frame(std::uint64_t offset, std::uint64_t end, std:
     const Bytes frame = file_.read(offset, bytes, place);
     if (header.kind == FrameKind::gap) {
       const Gap gap = parse_gap(checked_payload(frame, FrameKind::gap, place), place);
-      gaps_.try_emplace({gap.begin_s, gap.end_s}, gap.error_px);
+      gaps_.try_emplace({gap.begin_s, gap.end_s}, gap);
+    } else if (header.kind == FrameKind::disk) {
+      disks_.try_emplace(parse_disk_time(frame, place), Place{offset, bytes});
     } else {
       stations_.try_emplace(parse_summary(frame, place).time_s, Place{offset, bytes});
     }
@@ -76,72 +85,110 @@ bool TrajectoryJournal::take_frame(std::uint64_t offset, std::uint64_t end, std:
   }
 }
 
-Bytes TrajectoryJournal::frame_at(double time_s) const {
-  const Place& place = stations_.at(time_s);
+std::string TrajectoryJournal::station_name(double time_s) const {
+  return fmt::format("{}: station at {} s", file_.path().string(), time_s);
+}
+
+Bytes TrajectoryJournal::frame_at(const Place& place) const {
   return file_.read(place.offset, place.bytes, file_.path().string());
 }
 
 LensStation TrajectoryJournal::read(double time_s) const {
-  return parse_station(frame_at(time_s), fmt::format("{}: station at {} s", file_.path().string(), time_s));
+  return parse_station(frame_at(stations_.at(time_s)), station_name(time_s));
+}
+
+DiskStation TrajectoryJournal::read_disk(double time_s) const {
+  return parse_disk(frame_at(disks_.at(time_s)), station_name(time_s));
+}
+
+void TrajectoryJournal::append_to(Places& places, double time_s, const Bytes& frame) {
+  const std::uint64_t offset = file_.size();
+  file_.append(frame);
+  places.try_emplace(time_s, Place{offset, frame.size()});
 }
 
 void TrajectoryJournal::add(double time_s, const LensStation& station) {
-  const Bytes frame = make_station_frame(0, time_s, station);
-  const std::uint64_t offset = file_.size();
-  file_.append(frame);
-  stations_.try_emplace(time_s, Place{offset, frame.size()});
+  append_to(stations_, time_s, make_station_frame(0, time_s, station));
 }
 
-const float* TrajectoryJournal::find_gap(double begin_s, double end_s) const {
+void TrajectoryJournal::add(double time_s, const DiskStation& disk) {
+  append_to(disks_, time_s, make_disk_frame(0, time_s, disk));
+}
+
+const Gap* TrajectoryJournal::find_gap(double begin_s, double end_s) const {
   const auto found = gaps_.find({begin_s, end_s});
   return found != gaps_.end() ? &found->second : nullptr;
 }
 
 void TrajectoryJournal::add(const Gap& gap) {
   file_.append(make_frame(FrameKind::gap, to_bytes(gap)));
-  gaps_.try_emplace({gap.begin_s, gap.end_s}, gap.error_px);
+  gaps_.try_emplace({gap.begin_s, gap.end_s}, gap);
 }
 
 void TrajectoryJournal::absorb(const TrajectoryJournal& other) {
-  for (const auto& [time_s, place] : other.stations_) {
-    if (!has_station(time_s)) {
-      const std::uint64_t offset = file_.size();
-      file_.append(other.frame_at(time_s));
-      stations_.try_emplace(time_s, Place{offset, place.bytes});
+  const auto take = [&](const Places& from, Places& to) {
+    for (const auto& [time_s, place] : from) {
+      if (!to.contains(time_s)) {
+        append_to(to, time_s, other.frame_at(place));
+      }
     }
-  }
-  for (const auto& [ends_s, error_px] : other.gaps_) {
+  };
+  take(other.stations_, stations_);
+  take(other.disks_, disks_);
+  for (const auto& [ends_s, gap] : other.gaps_) {
     if (!gaps_.contains(ends_s)) {
-      add(Gap{ends_s.first, ends_s.second, error_px});
+      add(gap);
     }
   }
+}
+
+StationEntry TrajectoryJournal::entry_at(double time_s, const double* next_s) const {
+  const std::string place = station_name(time_s);
+  const Bytes frame = frame_at(stations_.at(time_s));
+  const StationSummary summary = parse_summary(frame, place);
+  StationEntry entry;
+  entry.time_s = time_s;
+  entry.r = summary.r;
+  entry.theta = summary.theta;
+  entry.bytes = frame.size();
+  entry.nodes = summary.nodes;
+  entry.leaves = summary.leaves;
+  if (const Gap* gap = next_s != nullptr ? find_gap(time_s, *next_s) : nullptr) {
+    entry.gap_error_px = gap->error_px;
+    entry.disk_gap_error_px = gap->disk_error_px;
+  }
+  if (const auto disk = disks_.find(time_s); disk != disks_.end()) {
+    const Bytes layers = frame_at(disk->second);
+    entry.disk_bytes = static_cast<std::uint32_t>(layers.size());
+    entry.disk_memory_bytes = static_cast<std::uint32_t>(parse_frame_header(layers, place).unpacked_bytes);
+  }
+  return entry;
 }
 
 void TrajectoryJournal::seal(const std::filesystem::path& path, const std::vector<double>& times_s) const {
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    std::ofstream file(partial, std::ios::binary);
-    write(file, to_bytes(TrajectoryHeader{}));
-    const Bytes head = make_frame(FrameKind::provenance, to_bytes(provenance_));
-    write(file, head);
-    std::uint64_t offset = trajectory_header_bytes + head.size();
+    GrowingFile to{std::ofstream(partial, std::ios::binary)};
+    to.write(to_bytes(TrajectoryHeader{}));
+    to.write(make_frame(FrameKind::provenance, to_bytes(provenance_)));
     std::vector<StationEntry> index;
-    for (std::size_t i = 0; i < times_s.size() && file; ++i) {
-      const std::string place = fmt::format("{}: station at {} s", file_.path().string(), times_s[i]);
-      const Bytes frame = renumbered(frame_at(times_s[i]), static_cast<std::uint32_t>(i), place);
-      const StationSummary summary = parse_summary(frame, place);
-      const float* gap = i + 1 < times_s.size() ? find_gap(times_s[i], times_s[i + 1]) : nullptr;
-      index.push_back({times_s[i], summary.r, summary.theta, offset, frame.size(), gap != nullptr ? *gap : -1.0F,
-                       summary.nodes, summary.leaves});
-      write(file, frame);
-      offset += frame.size();
+    for (std::size_t i = 0; i < times_s.size() && to.file; ++i) {
+      StationEntry& entry =
+          index.emplace_back(entry_at(times_s[i], i + 1 < times_s.size() ? &times_s[i + 1] : nullptr));
+      entry.offset = to.bytes;
+      for (const Places* places : {&stations_, &disks_}) {
+        if (const auto found = places->find(times_s[i]); found != places->end()) {
+          to.write(renumbered(frame_at(found->second), static_cast<std::uint32_t>(i), station_name(times_s[i])));
+        }
+      }
     }
-    const Bytes last = make_frame(FrameKind::index, to_bytes(index));
-    write(file, last);
-    file.seekp(0);
-    write(file, to_bytes(TrajectoryHeader{true, offset + last.size(), offset, last.size(),
-                                          static_cast<std::uint32_t>(index.size())}));
-    file.close();
-    if (!file) {
+    const std::uint64_t index_offset = to.bytes;
+    to.write(make_frame(FrameKind::index, to_bytes(index)));
+    const std::uint64_t whole = to.bytes;
+    to.file.seekp(0);
+    to.write(to_bytes(
+        TrajectoryHeader{true, whole, index_offset, whole - index_offset, static_cast<std::uint32_t>(index.size())}));
+    to.file.close();
+    if (!to.file) {
       throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),
                   "free some space; what is baked is kept, and baking goes on from it");
     }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "content/disk_station.h"
 #include "content/trajectory/data_file.h"
 #include "content/trajectory/trajectory.h"
 
@@ -24,14 +25,19 @@ class TrajectoryJournal {
   [[nodiscard]] LensStation read(double time_s) const;
   void add(double time_s, const LensStation& station);
 
-  //! Error of a gap that was found good, or a null pointer.
-  [[nodiscard]] const float* find_gap(double begin_s, double end_s) const;
+  //! The same for a station's disk layers.
+  [[nodiscard]] bool has_disk(double time_s) const { return disks_.contains(time_s); }
+  [[nodiscard]] DiskStation read_disk(double time_s) const;
+  void add(double time_s, const DiskStation& disk);
+
+  //! A gap that was found good, or a null pointer.
+  [[nodiscard]] const Gap* find_gap(double begin_s, double end_s) const;
   void add(const Gap& gap);
 
   //! Takes over what another journal of the same bake has and this one has not.
   void absorb(const TrajectoryJournal& other);
 
-  //! Writes the finished file: the stations of these times, in order, and the gaps between them. Whole or not at all.
+  //! Writes the finished file: the stations of these times, in order, each followed by its disk layers, and the gaps between them. Whole or not at all.
   void seal(const std::filesystem::path& path, const std::vector<double>& times_s) const;
 
  private:
@@ -39,15 +45,20 @@ class TrajectoryJournal {
     std::uint64_t offset;
     std::uint64_t bytes;
   };
+  using Places = std::map<double, Place>;
 
   void scan();
   bool take_frame(std::uint64_t offset, std::uint64_t end, std::uint64_t& next);
-  [[nodiscard]] Bytes frame_at(double time_s) const;
+  [[nodiscard]] std::string station_name(double time_s) const;
+  [[nodiscard]] Bytes frame_at(const Place& place) const;
+  [[nodiscard]] StationEntry entry_at(double time_s, const double* next_s) const;
+  void append_to(Places& places, double time_s, const Bytes& frame);
 
   DataFile file_;
   TrajectoryProvenance provenance_;
-  std::map<double, Place> stations_;
-  std::map<std::pair<double, double>, float> gaps_;
+  Places stations_;
+  Places disks_;
+  std::map<std::pair<double, double>, Gap> gaps_;
 };
 
 }  // namespace ergodome

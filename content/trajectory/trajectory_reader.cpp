@@ -3,11 +3,14 @@
 #include <algorithm>
 
 #include "content/trajectory/frame.h"
+#include "content/trajectory/station_cells.h"
 #include "content/trajectory/station_frame.h"
 
 namespace ergodome {
 
 namespace {
+
+constexpr const char* not_there = "not where the index says";
 
 //! Reads a frame that starts at an offset, whole.
 Bytes read_frame(const DataFile& file, std::uint64_t offset, const std::string& place) {
@@ -44,20 +47,35 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& path) : file_(Da
   }
 }
 
+Bytes TrajectoryReader::frame_at(std::uint64_t offset, std::uint64_t bytes, const std::string& place) const {
+  require_whole(offset <= file_bytes_ && bytes <= file_bytes_ - offset && bytes >= frame_header_bytes &&
+                    bytes <= largest_frame_bytes,
+                not_there, place);
+  return file_.read(offset, bytes, place);
+}
+
 LensStation TrajectoryReader::read(std::size_t station) const {
   const StationEntry& entry = stations_.at(station);
   const std::string place = station_place(path(), station);
-  const auto damaged = [&] { return Error(place, "is damaged (not where the index says)", "bake it again"); };
-  if (entry.offset > file_bytes_ || entry.bytes > file_bytes_ - entry.offset || entry.bytes < frame_header_bytes ||
-      entry.bytes > largest_frame_bytes) {
-    throw damaged();
-  }
-  const Bytes frame = file_.read(entry.offset, entry.bytes, place);
+  const Bytes frame = frame_at(entry.offset, entry.bytes, place);
   LensStation read = parse_station(frame, place);
-  if (parse_frame_header(frame, place).number != station || read.r != entry.r || read.theta != entry.theta ||
-      read.spin != provenance_.spin || read.nodes_along_r.empty() == provenance_.derivatives) {
-    throw damaged();
-  }
+  require_whole(parse_frame_header(frame, place).number == station && read.r == entry.r && read.theta == entry.theta &&
+                    read.spin == provenance_.spin && read.nodes_along_r.empty() != provenance_.derivatives,
+                not_there, place);
+  return read;
+}
+
+DiskStation TrajectoryReader::read_disk(std::size_t station) const {
+  const StationEntry& entry = stations_.at(station);
+  const std::string place = station_place(path(), station) + ", disk";
+  // No sum of numbers from a file that has not been looked at.
+  require_whole(entry.offset <= file_bytes_ && entry.bytes <= file_bytes_ - entry.offset, not_there, place);
+  const Bytes frame = frame_at(entry.offset + entry.bytes, entry.disk_bytes, place);
+  DiskStation read = parse_disk(frame, place);
+  require_whole(parse_frame_header(frame, place).number == station && read.cells.r == entry.r &&
+                    read.cells.theta == entry.theta && read.cells.spin == provenance_.spin &&
+                    read.has_derivatives() == provenance_.derivatives,
+                not_there, place);
   return read;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "content/disk_station.h"
 #include "content/trajectory/data_file.h"
 #include "content/trajectory/trajectory.h"
 
@@ -23,7 +24,12 @@ class TrajectoryReader {
   //! Reads one station; any number of threads may. Throws Error naming the station where it is damaged.
   [[nodiscard]] LensStation read(std::size_t station) const;
 
+  //! The same for a station's disk layers, of one that has them (StationEntry::disk_bytes).
+  [[nodiscard]] DiskStation read_disk(std::size_t station) const;
+
  private:
+  [[nodiscard]] Bytes frame_at(std::uint64_t offset, std::uint64_t bytes, const std::string& place) const;
+
   DataFile file_;
   TrajectoryProvenance provenance_;
   std::vector<StationEntry> stations_;

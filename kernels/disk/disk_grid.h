@@ -60,6 +60,24 @@ struct DiskCheckBatch {
   float* width[layer_orders];  //!< how far it changes across a pixel there
 };
 
+//! An error of which no more is known than that it is one [px].
+inline constexpr float unknown_disk_error = 1e30F;
+
+//! Places of its chart at which a grid is compared with traced rays.
+struct DiskGridCheckBatch {
+  DiskGridCamera camera;
+  DiskGrid grid;
+  AberrationOf<float> observer;  //!< whose screen counts
+  float pixel;                   //!< angle of a pixel on that screen [rad]
+  DiskSpanOnScreen span;
+  int count;
+  const float* gamma_turns;
+  const float* s;
+  float*
+      error_px;  //!< as in DiskCheckBatch; 0 where the grid leaves the pixel to rays, unknown_disk_error where an image is not told of
+  float* area_px;  //!< area on the screen of a turn times a unit of s [px²]; 0 where no image of the disk is near
+};
+
 //! A block of rows of one image whose disk is read from a grid. Pixels of leaves that could not be made good are traced; those that show objects are left
 //! as they are.
 struct DiskLookUpBatch {

@@ -48,6 +48,13 @@ void require(const std::string& kernel, Backend backend, const char* channel, co
   }
 }
 
+//! What comparing a grid with rays writes.
+template <class Batch>
+void require_checks(const std::string& kernel, Backend backend, const Batch& batch) {
+  require_finite(kernel, backend, "error_px", batch.error_px, batch.count);
+  require_finite(kernel, backend, "area_px", batch.area_px, batch.count);
+}
+
 template <class S>
 void check_rays(const std::string& kernel, Backend backend, const RayBatch<S>& batch) {
   for (const S* sky : batch.sky) {
@@ -131,8 +138,11 @@ void check_outputs(const std::string& kernel, Backend backend, const DiskNodeBat
 }
 
 void check_outputs(const std::string& kernel, Backend backend, const DiskCheckBatch& batch) {
-  require_finite(kernel, backend, "error_px", batch.error_px, batch.count);
-  require_finite(kernel, backend, "area_px", batch.area_px, batch.count);
+  require_checks(kernel, backend, batch);
+}
+
+void check_outputs(const std::string& kernel, Backend backend, const DiskGridCheckBatch& batch) {
+  require_checks(kernel, backend, batch);
 }
 
 void check_outputs(const std::string& kernel, Backend backend, const NearFieldBatch& batch) {
@@ -144,8 +154,7 @@ void check_outputs(const std::string& kernel, Backend backend, const OverlayBatc
 }
 
 void check_outputs(const std::string& kernel, Backend backend, const BlendCheckBatch& batch) {
-  require_finite(kernel, backend, "error_px", batch.error_px, batch.count);
-  require_finite(kernel, backend, "area_px", batch.area_px, batch.count);
+  require_checks(kernel, backend, batch);
 }
 
 }  // namespace ergodome

@@ -34,6 +34,7 @@ void check_outputs(const std::string& kernel, Backend backend, const BlendCheckB
 
 void check_outputs(const std::string& kernel, Backend backend, const DiskNodeBatch& batch);
 void check_outputs(const std::string& kernel, Backend backend, const DiskCheckBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const DiskGridCheckBatch& batch);
 
 template <class S, class Camera>
 void check_outputs(const std::string& kernel, Backend backend, const NodeBatch<S, Camera>& batch) {

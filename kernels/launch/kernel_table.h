@@ -62,6 +62,7 @@ struct KernelTable {
   void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);
   void (*trace_disk_nodes)(const DiskNodeBatch& batch, int begin, int end);
   void (*check_disk_cells)(const DiskCheckBatch& batch, int begin, int end);
+  void (*check_disk_grid)(const DiskGridCheckBatch& batch, int begin, int end);
   void (*look_up_disk)(const DiskLookUpBatch& batch, int begin, int end);
   void (*mark_object_tiles)(const ObjectTileBatch& batch, int begin, int end);
   void (*look_at_objects)(const ObjectPixelBatch& batch, int begin, int end);

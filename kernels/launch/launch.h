@@ -91,6 +91,7 @@ void draw_near_field(Backend backend, const NearFieldBatch& batch);
 //! disk from them; see the batches. On the CPU alone.
 void trace_disk_nodes(const DiskNodeBatch& batch);
 void check_disk_cells(const DiskCheckBatch& batch);
+void check_disk_grid(const DiskGridCheckBatch& batch);
 void look_up_disk(const DiskLookUpBatch& batch);
 
 //! What drawing the disk from a grid is counted by.

@@ -17,6 +17,13 @@ void check_disk_cells(const DiskCheckBatch& batch) {
   finish(counter, Backend::cpu, batch);
 }
 
+void check_disk_grid(const DiskGridCheckBatch& batch) {
+  static WorkCounter counter("check_disk_grid");
+  const WorkScope work(counter, batch.count);
+  run_on_cpu(active_table().check_disk_grid, batch, batch.count, active_table().lanes_float, grid_grain);
+  finish(counter, Backend::cpu, batch);
+}
+
 const char* disk_look_up_name(DiskDrawing disk) {
   return disk == DiskDrawing::pattern ? "look_up_disk, pattern" : "look_up_disk";
 }

@@ -1,5 +1,6 @@
 #include "kernels/launch/own_disk_grid.h"
 
+#include "kernels/disk/check_disk_grid_kernel.h"
 #include "kernels/disk/disk_grid_kernel.h"
 #include "kernels/disk/look_up_disk_kernel.h"
 
@@ -30,6 +31,10 @@ void trace_disk_nodes(const DiskNodeBatch& batch, int begin, int end) {
 
 void check_disk_cells(const DiskCheckBatch& batch, int begin, int end) {
   run_on_disk<CheckDiskCells>(batch.camera.pattern, batch, begin, end);
+}
+
+void check_disk_grid(const DiskGridCheckBatch& batch, int begin, int end) {
+  run_on_disk<CheckDiskGrid>(batch.camera.pattern, batch, begin, end);
 }
 
 void look_up_disk(const DiskLookUpBatch& batch, int begin, int end) {

@@ -107,6 +107,7 @@ const KernelTable& own_kernel_table() {
       &draw_near_field,
       &trace_disk_nodes,
       &check_disk_cells,
+      &check_disk_grid,
       &look_up_disk,
       &mark_object_tiles,
       &look_at_objects,

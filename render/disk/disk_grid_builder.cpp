@@ -6,10 +6,8 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/disk/disk_grid_kernel.h"
-#include "kernels/metric/kerr.h"
-#include "kernels/shadow/critical_curve.h"
+#include "render/disk/disk_derivatives.h"
 #include "render/disk/plane_phase.h"
-#include "render/lens/edge_table.h"
 #include "render/lens/hanging_nodes.h"
 
 namespace ergodome {
@@ -21,7 +19,6 @@ constexpr int disk_rows = 16;
 constexpr int deepest_disk_side = 10;
 //! Errors are sampled; the worst between the samples is about a quarter larger.
 constexpr double disk_safety = 0.8;
-constexpr int layer_step_limit = 100;
 //! What a cubic misses by in its middle, over what it misses by at the inner checks.
 constexpr float inner_disk_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
 //! Cells are no wider than this in the phase of the swing through the plane [rad].
@@ -53,8 +50,9 @@ class DiskGridBuilder {
       : station_(station), cells_(station.cells), settings_(settings), tracer_(tracer), phase_(phase) {}
 
   DiskGridStatistics build(const DiskGridCamera& camera) {
-    tracer_.begin(camera, converted_aberration<float>(settings_.observer), settings_.pixel, span());
-    bounds_ = checked_bounds(span(), camera.limits);
+    const DiskSpanOnScreen span = disk_span_on_screen(settings_, cells_.r);
+    tracer_.begin(camera, converted_aberration<float>(settings_.observer), settings_.pixel, span);
+    bounds_ = checked_bounds(span, camera.limits);
     std::vector<OpenDiskCell> open = root_cells();
     while (!open.empty()) {
       place_corners(open);
@@ -70,15 +68,6 @@ class DiskGridBuilder {
   }
 
  private:
-  //! A tenth of what changes in a pixel of a disk that spans its apparent width evenly.
-  [[nodiscard]] DiskSpanOnScreen span() const {
-    const double outer_u = 1.0 / settings_.outer_r;
-    const double inner_u = 1.0 / settings_.inner_r;
-    const double pixels = std::min(pi, 2.0 * settings_.outer_r / cells_.r) / settings_.pixel;
-    return {static_cast<float>(outer_u), static_cast<float>(inner_u),
-            static_cast<float>(0.1 * (inner_u - outer_u) / pixels), static_cast<float>(0.2 / pixels)};
-  }
-
   std::vector<OpenDiskCell> root_cells() {
     cells_.columns = cells_.mirrored ? disk_columns / 2 : disk_columns;
     cells_.rows = disk_rows;
@@ -267,47 +256,29 @@ class DiskGridBuilder {
 
 }  // namespace
 
-LayerLimits<double> layer_limits(double spin, double inner_r, double outer_r) {
-  const double horizon = horizon_radius(spin);
-  // Light turns no nearer than the photon orbit that runs with the hole.
-  const double turning = photon_orbit_radius(std::abs(spin), 1.0);
-  const double near_r =
-      horizon + std::max(std::min(0.25 * (inner_r - horizon), 0.5 * (turning - horizon)), 1e-3 * horizon);
-  const double near_u = 1.0 / near_r;
-  const double far_u = 0.25 / outer_r;
-  const double room = near_u - far_u;
-  return {near_u, far_u, near_u + room, far_u - 0.5 * room, 0.0, layer_step_limit};
-}
-
 DiskStation build_disk_station(double spin, double r, double theta, const DiskGridSettings& settings,
                                DiskGridStatistics* statistics, DiskGridTracer* tracer) {
+  const DiskChartCamera camera(spin, {r, theta}, settings);
   DiskStation station;
   LensStation& cells = station.cells;
   cells.spin = spin;
   cells.r = r;
   cells.theta = theta;
-  cells.mirrored = std::abs(theta - 0.5 * pi) < 1e-9;
+  cells.mirrored = camera.mirrored;
+  cells.edge = camera.polar_angle;
+  cells.centre = camera.edge.centre;
+  cells.first = camera.edge.first;
+  cells.second = camera.edge.second;
   station.inner_r = settings.inner_r;
   station.outer_r = settings.outer_r;
   station.pattern = settings.pattern;
-  const CameraStation rain = make_camera_station(spin, r, theta, 0.0, ObserverMotion::rain);
-  const ShadowChart chart = make_shadow_chart(rain);
-  cells.edge = solve_edge(rain, chart, edge_points, cells.mirrored);
-  const EdgeCurve edge = edge_view(chart, cells.edge);
-  cells.centre = edge.centre;
-  cells.first = edge.first;
-  cells.second = edge.second;
-  const LayerLimits<double> limits = layer_limits(spin, settings.inner_r, settings.outer_r);
-  const double tolerance = std::clamp(0.005 * settings.budget_px * settings.pixel, 3e-7, 1e-5);
-  const DiskGridCamera camera = {
-      {converted_station<float>(rain), {edge, 1.0F}, {}},
-      {static_cast<float>(limits.near_u), static_cast<float>(limits.far_u), static_cast<float>(limits.highest_u),
-       static_cast<float>(limits.lowest_u), static_cast<float>(tolerance), limits.step_limit},
-      settings.pattern};
   DiskGridTracer own;
-  const PlanePhase phase(rain, edge, settings.outer_r);
+  const PlanePhase phase(camera.rain, camera.edge, settings.outer_r);
   const DiskGridStatistics done =
-      DiskGridBuilder(station, settings, tracer != nullptr ? *tracer : own, phase).build(camera);
+      DiskGridBuilder(station, settings, tracer != nullptr ? *tracer : own, phase).build(camera.camera);
+  if (settings.derivatives) {
+    add_disk_derivatives(station, settings);
+  }
   if (statistics != nullptr) {
     *statistics = done;
   }

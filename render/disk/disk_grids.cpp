@@ -41,27 +41,36 @@ bool can_have_disk_grid(const DiskLook& disk) {
   return disk.outer_r > disk.inner_r && disk.inner_r >= 0.999999F * disk.flow.stable_r;
 }
 
+bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskLook& disk) {
+  const auto wanted_r = static_cast<double>(disk.outer_r);
+  return inner_r == static_cast<double>(disk.inner_r) && outer_r >= wanted_r && outer_r <= 1.5 * wanted_r &&
+         pattern == has_pattern(disk);
+}
+
+DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, double pixel) {
+  DiskGridSettings settings;
+  settings.inner_r = static_cast<double>(disk.inner_r);
+  settings.outer_r = static_cast<double>(disk.outer_r);
+  settings.pattern = has_pattern(disk);
+  settings.pixel = pixel;
+  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  return settings;
+}
+
 bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   const EyeCamera& eye = request.eye;
-  const auto outer_r = static_cast<double>(request.disk.outer_r);
   // A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
   const Vector3<double> turn = grid.velocity - eye.velocity;
   return grid.spin == eye.spin && grid.r == eye.r && grid.theta == eye.theta &&
-         grid.inner_r == static_cast<double>(request.disk.inner_r) && grid.outer_r >= outer_r &&
-         grid.outer_r <= 1.5 * outer_r && grid.pattern == has_pattern(request.disk) &&
+         serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&
          grid.error <= 1.01 * error_of(request) && grid.error >= 0.5 * error_of(request) && grid.motion == eye.motion &&
          dot(turn, turn) < 1e-4;
 }
 
 DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
   const EyeCamera& eye = request.eye;
-  DiskGridSettings settings;
-  settings.inner_r = static_cast<double>(request.disk.inner_r);
-  settings.outer_r = static_cast<double>(request.disk.outer_r);
-  settings.pattern = has_pattern(request.disk);
-  settings.pixel = request.pixel;
+  DiskGridSettings settings = disk_grid_settings(eye, request.disk, request.pixel);
   settings.budget_px = request.budget_px;
-  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
   DiskGridStatistics statistics;
   const DiskStation station = build_disk_station(eye.spin, eye.r, eye.theta, settings, &statistics, &tracer_);
   ++built_;
@@ -69,9 +78,9 @@ DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
           error_of(request), eye.motion, eye.velocity, statistics.flagged_px, DiskGridBuffers(station)};
 }
 
-const DiskGridBuffers* DiskGrids::grid_for(const DiskGridRequest& request) {
+std::optional<DiskGrid> DiskGrids::grid_for(const DiskGridRequest& request) {
   if (!can_have_disk_grid(request.disk) || (!request.asked && !is_worth_a_disk_grid(Backend::cpu, request.pixels))) {
-    return nullptr;
+    return std::nullopt;
   }
   auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) { return serves(grid, request); });
   if (found == grids_.end()) {
@@ -83,7 +92,10 @@ const DiskGridBuffers* DiskGrids::grid_for(const DiskGridRequest& request) {
   } else {
     grids_.splice(grids_.begin(), grids_, found);
   }
-  return request.asked || found->traced_px < 0.25 * request.pixels ? &found->buffers : nullptr;
+  if (!request.asked && found->traced_px >= 0.25 * request.pixels) {
+    return std::nullopt;
+  }
+  return found->buffers.view();
 }
 
 }  // namespace ergodome

@@ -42,8 +42,8 @@ struct DiskGridRequest {
 //! axis needs no new one.
 class DiskGrids {
  public:
-  //! The grid of a picture; nullptr where rays are cheaper: in small pictures, and at places where most of a grid would be left to rays.
-  const DiskGridBuffers* grid_for(const DiskGridRequest& request);
+  //! The grid of a picture, kept here; nothing where rays are cheaper: in small pictures, and at places where most of a grid would be left to rays.
+  std::optional<DiskGrid> grid_for(const DiskGridRequest& request);
 
   //! Number of grids built so far.
   [[nodiscard]] int built() const { return built_; }
@@ -90,5 +90,11 @@ inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme sche
 //! Whether a disk's pictures can be read from grids at all. Matter inside the last stable orbit shines by where light is going, which grids do not
 //! hold.
 bool can_have_disk_grid(const DiskLook& disk);
+
+//! Whether a grid for a disk of these edges [M], with azimuth and time or without, serves a disk as it is seen now.
+bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskLook& disk);
+
+//! What a grid for an eye's picture of a disk is built for. Budgets are left as they are.
+DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskLook& disk, double pixel);
 
 }  // namespace ergodome

@@ -214,8 +214,12 @@ NearField EyeRenderer::near_field_of(const EyeCamera& eye, const Projection& pro
   if (own_lens && is_disk_without_shells(near_field) && may_read_disk_grid(backend_, settings.lens, settings.scheme)) {
     const DiskLook disk = near_field.disk->look_at(settings.time_s);
     const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
-    near_field.disk_grid = disk_grids_.grid_for(
-        {eye, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels, settings.lens == LensChoice::live});
+    const DiskGridRequest request = {
+        eye, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels, settings.lens == LensChoice::live};
+    near_field.disk_grid = streamed_disk_.layers_for(request, settings.lens, settings.moment.time_s);
+    if (!near_field.disk_grid) {
+      near_field.disk_grid = disk_grids_.grid_for(request);
+    }
   }
   return near_field;
 }

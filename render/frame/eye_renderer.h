@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "render/backend/buffer.h"
+#include "render/disk/disk_grids.h"
+#include "render/disk/streamed_disk.h"
 #include "render/lens/follow_lens.h"
 #include "render/lens/lens_chooser.h"
 #include "render/near_field/near_field.h"
@@ -70,10 +72,13 @@ class EyeRenderer {
  public:
   //! `stream`: baked stations of the show that the pictures are of, if there are any.
   explicit EyeRenderer(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
-      : backend_(backend), lenses_(backend, std::move(stream)) {}
+      : backend_(backend), lenses_(backend, stream), streamed_disk_(std::move(stream)) {}
 
   //! Streams from other stations from now on, or from none.
-  void set_stream(std::shared_ptr<StationStream> stream) { lenses_.set_stream(std::move(stream)); }
+  void set_stream(std::shared_ptr<StationStream> stream) {
+    lenses_.set_stream(stream);
+    streamed_disk_ = StreamedDisk(std::move(stream));
+  }
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
@@ -140,6 +145,7 @@ class EyeRenderer {
   Backend backend_;
   LensChooser lenses_;
   DiskGrids disk_grids_;
+  StreamedDisk streamed_disk_;
   NearField near_field_;  //!< of the picture in hand
   Buffer<float> lens_;
   Buffer<float> rgba_;

@@ -41,6 +41,16 @@ bool moves_alike(ObserverMotion motion, const Vector3<double>& velocity, const E
 
 }  // namespace
 
+bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error) {
+  const bool fine_enough = baked.budget_px * baked.pixel <= 1.01 * error;
+  return (choice == LensChoice::streamed || (choice == LensChoice::automatic && fine_enough)) &&
+         (baked.derivatives || !is_beside(eye));
+}
+
+double allowed_beside_px(const TrajectoryProvenance& baked, double budget_px, double pixel) {
+  return beside_slack * std::max(budget_px, baked.budget_px * baked.pixel / pixel);
+}
+
 const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
     return grid.spin == order.spin && grid.r == order.place.r && grid.theta == order.place.theta &&
@@ -130,11 +140,10 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
   const TrajectoryProvenance& baked = stream_->trajectory().provenance();
   const double pixel = pixel_angle(request.projection);
-  const bool fine_enough = baked.budget_px * baked.pixel <= 1.01 * request.accuracy.budget_px * pixel;
-  const bool beside = eye.r != eye.head_r || eye.theta != eye.head_theta;
+  const bool beside = is_beside(eye);
   // The check of an eye beside the path runs on the host.
-  if ((request.choice == LensChoice::automatic && !fine_enough) ||
-      (beside && (!baked.derivatives || backend_ != Backend::cpu))) {
+  if (!may_stream(baked, request.choice, eye, request.accuracy.budget_px * pixel) ||
+      (beside && backend_ != Backend::cpu)) {
     return nullptr;
   }
   const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
@@ -149,7 +158,7 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
     const LensView view = {eye.spin, place, aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
                            pixel};
     const double error_px = measure_screen_error(blend.view(), view, lattice_samples(32, 16)).p99_px;
-    if (error_px > beside_slack * std::max(request.accuracy.budget_px, baked.budget_px * baked.pixel / pixel)) {
+    if (error_px > allowed_beside_px(baked, request.accuracy.budget_px, pixel)) {
       return nullptr;
     }
   }

@@ -40,6 +40,15 @@ struct LensRequest {
   GridScheme scheme = GridScheme::conforming;
 };
 
+//! Whether an eye is beside the path of a show's camera: one of two.
+inline bool is_beside(const EyeCamera& eye) { return eye.r != eye.head_r || eye.theta != eye.head_theta; }
+
+//! Whether baked stations may serve an eye's pictures that have to be exact to `error` [rad].
+bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
+
+//! What an eye beside the path may be shown wrong by, in a picture with a budget and a pixel [rad].
+double allowed_beside_px(const TrajectoryProvenance& baked, double budget_px, double pixel);
+
 //! Makes the lens of each picture, from a stream of baked stations where there is one, and keeps the last grids of its own: a camera
 //! that turns, changes its motion or goes round the hole's axis needs no new one.
 class LensChooser {

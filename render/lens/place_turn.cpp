@@ -35,4 +35,14 @@ double place_weight(const LensPlace& first, const LensPlace& second, const LensP
   return square > 0.0 ? std::clamp(done / square, 0.0, 1.0) : 0.0;
 }
 
+CubicMix cubic_mix(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
+  const double w = place_weight(first, second, place);
+  const LensPlace whole = {second.r - first.r, second.theta - first.theta};
+  const LensPlace beside = {place.r - first.r - w * whole.r, place.theta - first.theta - w * whole.theta};
+  const auto moved = [&](double along) {
+    return LensPlace{beside.r + along * whole.r, beside.theta + along * whole.theta};
+  };
+  return {{moved(w / (1.0 + 2.0 * w)), moved((w - 1.0) / (3.0 - 2.0 * w))}, w * w * (3.0 - 2.0 * w)};
+}
+
 }  // namespace ergodome

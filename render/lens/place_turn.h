@@ -17,4 +17,14 @@ glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to);
 //! How far a place lies along the line from one to another in r and θ, in [0, 1].
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place);
 
+//! How two stations with derivatives are mixed at a place: each is moved by an offset, to first order, and the second has a weight.
+struct CubicMix {
+  LensPlace offsets[2];
+  double second_weight;
+};
+
+//! The mix that makes the cubic through values and derivatives of both, h00 A + h10 L A' + h01 B + h11 L B', as a mix by h01 of A + (h10 / h00) L A'
+//! and B + (h11 / h01) L B'. What the place lies beside the line between the stations goes to both.
+CubicMix cubic_mix(const LensPlace& first, const LensPlace& second, const LensPlace& place);
+
 }  // namespace ergodome

@@ -67,6 +67,13 @@ ChartSamples lattice_samples(int columns, int rows) {
   return samples;
 }
 
+ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px) {
+  std::vector<std::size_t> order(error_px.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return error_px[a] < error_px[b]; });
+  return {quantile(error_px, area_px, order, 0.99), quantile(error_px, area_px, order, 0.999)};
+}
+
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples) {
   const CameraStation rain = make_camera_station(view.spin, view.place.r, view.place.theta, 0.0, ObserverMotion::rain);
   const std::size_t count = samples.s.size();
@@ -84,10 +91,7 @@ ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, co
   for (std::size_t i = 0; i < count; ++i) {
     area_px[i] *= samples.extent[i];
   }
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return error_px[a] < error_px[b]; });
-  return {quantile(error_px, area_px, order, 0.99), quantile(error_px, area_px, order, 0.999)};
+  return bounds_of(error_px, area_px);
 }
 
 }  // namespace ergodome

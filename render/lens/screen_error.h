@@ -36,6 +36,9 @@ struct ScreenError {
   double p999_px;
 };
 
+//! Those bounds from errors [px] at places, and the areas on the screen that these stand for [px²].
+ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px);
+
 //! Compares a lens (its arrays on the host) with rays traced in double at the samples. What the lens leaves to rays counts as exact.
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples);
 

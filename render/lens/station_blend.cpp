@@ -84,14 +84,13 @@ StationBlend::StationBlend(Backend backend, std::shared_ptr<const StationBuffers
     : first_(std::move(first)), second_(std::move(second)) {
   const LensStation& a = first_->station();
   const LensStation& b = second_->station();
-  const double w = place_weight(place_of(a), place_of(b), place);
-  const auto weight = static_cast<float>(w);
+  const auto weight = static_cast<float>(place_weight(place_of(a), place_of(b), place));
   set_chart(backend, a.spin, place, a.range + weight * (b.range - a.range));
   set_turn(a, place, turn_[0]);
   set_turn(b, place, turn_[1]);
   second_weight_ = weight;
   if (first_->has_derivatives() && second_->has_derivatives()) {
-    take_derivatives(backend, w, place);
+    take_derivatives(backend, place);
   }
 }
 
@@ -101,19 +100,13 @@ void StationBlend::set_chart(Backend backend, double spin, const LensPlace& plac
   chart_ = {edge_->view(), range};
 }
 
-void StationBlend::take_derivatives(Backend backend, double w, const LensPlace& place) {
-  // The cubic with the stations' values and derivatives, h00 A + h10 L A' + h01 B + h11 L B', is a mix by h01 of A + (h10 / h00) L A' and
-  // B + (h11 / h01) L B'. What the place lies beside the line between the stations goes to both.
-  second_weight_ = static_cast<float>(w * w * (3.0 - 2.0 * w));
-  const LensPlace a = place_of(first_->station());
-  const LensPlace b = place_of(second_->station());
-  const LensPlace whole = {b.r - a.r, b.theta - a.theta};
-  const LensPlace beside = {place.r - a.r - w * whole.r, place.theta - a.theta - w * whole.theta};
-  const double along[2] = {w / (1.0 + 2.0 * w), (w - 1.0) / (3.0 - 2.0 * w)};
+void StationBlend::take_derivatives(Backend backend, const LensPlace& place) {
+  const CubicMix mix = cubic_mix(place_of(first_->station()), place_of(second_->station()), place);
+  second_weight_ = static_cast<float>(mix.second_weight);
   for (int i = 0; i < 2; ++i) {
-    const LensPlace offset = {beside.r + along[i] * whole.r, beside.theta + along[i] * whole.theta};
-    nodes_[i] = Buffer<float>(backend, moved_nodes((i == 0 ? first_ : second_)->station(), offset, glm::dmat3(1.0)),
-                              moved_grid_buffer);
+    nodes_[i] =
+        Buffer<float>(backend, moved_nodes((i == 0 ? first_ : second_)->station(), mix.offsets[i], glm::dmat3(1.0)),
+                      moved_grid_buffer);
   }
 }
 

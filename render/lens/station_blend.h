@@ -63,7 +63,7 @@ class StationBlend {
 
  private:
   void set_chart(Backend backend, double spin, const LensPlace& place, float range);
-  void take_derivatives(Backend backend, double w, const LensPlace& place);
+  void take_derivatives(Backend backend, const LensPlace& place);
 
   std::shared_ptr<const StationBuffers> first_;
   std::shared_ptr<const StationBuffers> second_;

@@ -7,6 +7,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "kernels/core/error.h"
+
 namespace ergodome {
 
 namespace {
@@ -39,11 +41,18 @@ StreamStatistics StationStream::statistics() const {
   return statistics_;
 }
 
+bool StationStream::reads_disk(std::size_t station) const {
+  return backend_ == Backend::cpu && trajectory_.stations()[station].disk_bytes > 0;
+}
+
 std::size_t StationStream::bytes_of(std::size_t station) const {
   const auto found = held_.find(station);
-  return found != held_.end()
-             ? found->second->bytes()
-             : StationBuffers::expected_bytes(trajectory_.stations()[station], trajectory_.provenance().derivatives);
+  if (found != held_.end()) {
+    return found->second.bytes;
+  }
+  const StationEntry& entry = trajectory_.stations()[station];
+  return StationBuffers::expected_bytes(entry, trajectory_.provenance().derivatives) +
+         (reads_disk(station) ? entry.disk_memory_bytes : 0);
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> StationStream::around(double time_s) const {
@@ -149,9 +158,25 @@ void StationStream::make_room(std::size_t bytes, const std::vector<std::size_t>&
     if (farthest == held_.end()) {
       return;
     }
-    statistics_.bytes_held -= farthest->second->bytes();
+    statistics_.bytes_held -= farthest->second.bytes;
     held_.erase(farthest);
   }
+}
+
+StationStream::Held StationStream::read_from_file(std::size_t station) const {
+  Held fresh;
+  fresh.lens = std::make_shared<const StationBuffers>(backend_, trajectory_.read(station));
+  fresh.bytes = fresh.lens->bytes();
+  if (reads_disk(station)) {
+    try {
+      fresh.disk = std::make_shared<const DiskStation>(trajectory_.read_disk(station));
+      fresh.bytes += trajectory_.stations()[station].disk_memory_bytes;
+    } catch (const Error& error) {
+      // The lens is good without it.
+      report_(error.what());
+    }
+  }
+  return fresh;
 }
 
 void StationStream::read(std::size_t station, std::unique_lock<std::mutex>& lock) {
@@ -159,14 +184,14 @@ void StationStream::read(std::size_t station, std::unique_lock<std::mutex>& lock
   Held fresh;
   std::string problem;
   try {
-    fresh = std::make_shared<const StationBuffers>(backend_, trajectory_.read(station));
+    fresh = read_from_file(station);
   } catch (const std::exception& error) {
     problem = error.what();
     report_(problem);
   }
   lock.lock();
-  if (fresh) {
-    statistics_.bytes_held += fresh->bytes();
+  if (fresh.lens) {
+    statistics_.bytes_held += fresh.bytes;
     statistics_.most_bytes_held = std::max(statistics_.most_bytes_held, statistics_.bytes_held);
     ++statistics_.read;
     held_[station] = std::move(fresh);
@@ -189,6 +214,25 @@ void StationStream::work(const std::stop_token& stop) {
   }
 }
 
+std::optional<StationPair> StationStream::held_pair(std::size_t first, std::size_t second) const {
+  const auto a = held_.find(first);
+  const auto b = held_.find(second);
+  if (a == held_.end() || b == held_.end()) {
+    return std::nullopt;
+  }
+  if (first == second) {
+    return StationPair{a->second.lens, nullptr, a->second.disk, nullptr, 0.0F};
+  }
+  const float error_px = second == first + 1 ? trajectory_.stations()[first].disk_gap_error_px : INFINITY;
+  return StationPair{a->second.lens, b->second.lens, a->second.disk, b->second.disk, error_px};
+}
+
+std::optional<StationPair> StationStream::at_hand(double time_s) const {
+  const std::lock_guard lock(mutex_);
+  const auto bracket = around(time_s);
+  return bracket ? held_pair(bracket->first, bracket->second) : std::nullopt;
+}
+
 std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   std::unique_lock lock(mutex_);
   ++statistics_.asked;
@@ -198,12 +242,7 @@ std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   // False when there is nothing to wait for any more.
   const auto look = [&] {
     const auto bracket = around(time_s);
-    const auto held = [&](std::size_t i) { return held_.contains(i) ? held_.at(i) : nullptr; };
-    const Held first = bracket ? held(bracket->first) : nullptr;
-    const Held second = bracket ? held(bracket->second) : nullptr;
-    if (first && second) {
-      pair = StationPair{first, bracket->first == bracket->second ? nullptr : second};
-    }
+    pair = bracket ? held_pair(bracket->first, bracket->second) : std::nullopt;
     return pair.has_value() || !bracket;
   };
   if (!look()) {

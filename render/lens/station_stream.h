@@ -20,6 +20,11 @@ namespace ergodome {
 struct StationPair {
   std::shared_ptr<const StationBuffers> first;
   std::shared_ptr<const StationBuffers> second;
+  std::shared_ptr<const DiskStation>
+      first_disk;  //!< their disk layers, in host memory; none on a GPU, and where the bake has none
+  std::shared_ptr<const DiskStation> second_disk;
+  //! What blending these misses by [px] (StationEntry::disk_gap_error_px); infinite where a station between them could not be read.
+  float disk_gap_error_px = 0.0F;
 };
 
 //! What a stream has done so far.
@@ -54,10 +59,18 @@ class StationStream {
   //! Nothing where they did not come within `patience_s`, or where none can be read.
   std::optional<StationPair> at(double time_s, double patience_s);
 
+  //! The same of what is in memory, without moving the play head.
+  [[nodiscard]] std::optional<StationPair> at_hand(double time_s) const;
+
   [[nodiscard]] StreamStatistics statistics() const;
 
  private:
-  using Held = std::shared_ptr<const StationBuffers>;
+  //! A station in memory.
+  struct Held {
+    std::shared_ptr<const StationBuffers> lens;
+    std::shared_ptr<const DiskStation> disk;
+    std::size_t bytes = 0;
+  };
 
   void work(const std::stop_token& stop);
   void move_head(double time_s);
@@ -65,7 +78,10 @@ class StationStream {
   std::optional<std::size_t> next_to_read();
   void make_room(std::size_t bytes, const std::vector<std::size_t>& order);
   [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> around(double time_s) const;
+  [[nodiscard]] bool reads_disk(std::size_t station) const;
   [[nodiscard]] std::size_t bytes_of(std::size_t station) const;
+  [[nodiscard]] Held read_from_file(std::size_t station) const;
+  [[nodiscard]] std::optional<StationPair> held_pair(std::size_t first, std::size_t second) const;
   void read(std::size_t station, std::unique_lock<std::mutex>& lock);
 
   Backend backend_;

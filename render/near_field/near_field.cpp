@@ -26,10 +26,10 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
       return lay_objects(backend, {batch.objects, batch.pixels.projection, rows.first, rows.count, rgba});
     }
   }
-  if (near_field.disk_grid != nullptr) {
+  if (near_field.disk_grid) {
     const EyeCamera& eye = view.camera();
     look_up_disk(
-        {batch, near_field.disk_grid->view(),
+        {batch, *near_field.disk_grid,
          converted_aberration<float>(aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity))});
     if (near_field.objects == nullptr) {
       return;

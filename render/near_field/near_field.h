@@ -1,6 +1,8 @@
 #pragma once
 
-#include "render/disk/disk_grids.h"
+#include <optional>
+
+#include "kernels/disk/disk_grid.h"
 #include "render/disk/disk_pass.h"
 #include "render/lens/picture_view.h"
 #include "render/objects/traced_objects.h"
@@ -13,8 +15,8 @@ struct NearField {
   const DiskPass* disk = nullptr;
   const ShellPass* shells = nullptr;
   TracedObjects* objects = nullptr;
-  const DiskGridBuffers* disk_grid =
-      nullptr;  //!< of the picture's place: the disk is read from it where no object is seen; not beside shells
+  //! Of the picture's place: the disk is read from it where no object is seen; not beside shells.
+  std::optional<DiskGrid> disk_grid{};
 
   [[nodiscard]] bool empty() const { return disk == nullptr && shells == nullptr && objects == nullptr; }
 };

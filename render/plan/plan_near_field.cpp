@@ -58,26 +58,44 @@ void Planner::plan_near_rays(bool shells) {
 void Planner::plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed) {
   const bool omni = plan_.eyes > 1 && show_.stereo.model == StereoModel::omni;
   const bool asked = request_.lens == LensChoice::live;
-  const bool by_grid = may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) && !omni &&
-                       (asked || is_worth_a_disk_grid(request_.backend, static_cast<double>(pixels_)));
-  if (!by_grid) {
+  const bool may_read = may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) && !omni;
+  const bool streamed = may_read && request_.streamed && !asked;
+  const bool may_make = may_read && (asked || is_worth_a_disk_grid(request_.backend, static_cast<double>(pixels_)));
+  if (!streamed && !may_make) {
     return pixel_pass(near_field_name(drawing, false), reason, if_needed);
   }
-  // Matter that falls from the last stable orbit has no grid; and others give most of some places' pixels back to rays.
-  const bool certain = asked && !show_.disk->plunging;
   const std::string with_budget = reason + ", " + why("quality.budget_px");
-  for (const char* const name : {"trace_disk_nodes", "check_disk_cells"}) {
-    pass(name, WorkMoment::place, 0, 0, with_budget, if_needed || show_.disk->plunging);
+  if (streamed) {
+    plan_streamed_disk(with_budget);
   }
-  for (const char* const name : {"disk grid while it is traced", "disk grid"}) {
-    buffer(name, WorkMoment::place, 0, with_budget);
+  if (may_make) {
+    plan_disk_grid(with_budget, if_needed || streamed || show_.disk->plunging);
   }
+  // Matter that falls from the last stable orbit has no grid; others give most of some places' pixels back to rays.
+  const bool certain = asked && !show_.disk->plunging;
   pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
   if (needs_.traced_objects) {
     return pixel_pass(near_field_name(drawing, false), reason + ", " + why("objects"), if_needed);
   }
   if (!certain) {
     pixel_pass(near_field_name(drawing, false), reason, true);
+  }
+}
+
+void Planner::plan_disk_grid(const std::string& reason, bool if_needed) {
+  for (const char* const name : {"trace_disk_nodes", "check_disk_cells"}) {
+    pass(name, WorkMoment::place, 0, 0, reason, if_needed);
+  }
+  for (const char* const name : {"disk grid while it is traced", "disk grid"}) {
+    buffer(name, WorkMoment::place, 0, reason);
+  }
+}
+
+void Planner::plan_streamed_disk(const std::string& reason) {
+  buffer("disk grid of a place between stations", WorkMoment::picture, 0, reason);
+  if (plan_.eyes > 1) {
+    // An eye beside the camera's path is served as long as rays confirm it.
+    pass("check_disk_grid", WorkMoment::picture, 0, 0, reason + ", " + why("stereo.model"), true);
   }
 }
 

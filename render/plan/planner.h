@@ -48,7 +48,9 @@ class Planner {
   void plan_near_field();
   //! A ray for each pixel that may see something, whatever the sky's lens is: with shells or without.
   void plan_near_rays(bool shells);
-  //! A disk without shells: from grids where they are worth their while, but for pixels that show traced objects.
+  void plan_disk_grid(const std::string& reason, bool if_needed);
+  void plan_streamed_disk(const std::string& reason);
+  //! A disk without shells: from baked layers, or grids where they are worth their while, but for pixels that show traced objects.
   void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);
   //! A ray for each tile, some for each pixel of those that may see objects.
   void plan_traced_objects(const std::string& objects);

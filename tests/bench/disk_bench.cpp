@@ -1,20 +1,23 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <optional>
 
 #include "content/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/disk/disk_grids.h"
+#include "render/disk/disk_layers.h"
 #include "render/frame/view_projection.h"
 #include "render/near_field/near_field.h"
 
 // A disk over pixels, memory to memory, without a sky: by a ray for each pixel that may see it (rays), read from a grid that is there already (kept),
-// or from one that each picture builds anew (live).
+// from one that each picture builds anew (live), or from baked layers that each picture blends anew (streamed).
 namespace {
 
 using namespace ergodome;
 
-enum class DiskLens { rays, kept_grid, live_grid };
+enum class DiskLens { rays, kept_grid, live_grid, streamed };
 
 //! What is beside the plain disk.
 enum class Beside { nothing, clouds, ball };
@@ -32,6 +35,20 @@ Show disk_show(Beside beside) {
                     "bench.toml");
 }
 
+//! Layers of two places as a bake has them, a gap of the built-in show apart.
+std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskLook& disk, double pixel) {
+  const auto station = [&](double r) {
+    CameraPose pose = camera_pose(show, 0.0);
+    pose.r = r;
+    const EyeCamera eye = eye_camera(show, pose, 0.0);
+    DiskGridSettings settings = disk_grid_settings(eye, disk, pixel);
+    settings.budget_px = 0.125;
+    settings.derivatives = true;
+    return build_disk_station(eye.spin, eye.r, eye.theta, settings);
+  };
+  return std::make_shared<const JoinedDisk>(join(station(60.0), station(57.0)));
+}
+
 void disk_picture(benchmark::State& state, DiskLens lens, Beside beside) {
   const Show show = disk_show(beside);
   const DiskPass pass(show, Backend::cpu);
@@ -41,11 +58,18 @@ void disk_picture(benchmark::State& state, DiskLens lens, Beside beside) {
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
   std::vector<float> rgba(4 * static_cast<std::size_t>(pixels));
   DiskGrids grids;
+  const bool streamed = lens == DiskLens::streamed;
+  const auto baked = streamed ? baked_pair(show, pass.look_at(0.0), pixel_angle(projection)) : nullptr;
+  std::optional<DiskLayers> layers;
+  pose.r -= streamed ? 1.5 : 0.0;
   for (auto _ : state) {
-    pose.r += lens == DiskLens::live_grid ? 1e-9 : 0.0;
+    pose.r += lens == DiskLens::live_grid || streamed ? 1e-9 : 0.0;
     const EyeCamera eye = eye_camera(show, pose, 0.0);
-    NearField near_field{&pass, nullptr, objects.get(), nullptr};
-    if (lens != DiskLens::rays) {
+    NearField near_field{&pass, nullptr, objects.get(), {}};
+    if (streamed) {
+      layers.emplace(baked, LensPlace{eye.r, eye.theta});
+      near_field.disk_grid = layers->view();
+    } else if (lens != DiskLens::rays) {
       near_field.disk_grid = grids.grid_for({eye, pass.look_at(0.0), pixel_angle(projection), 0.25, pixels, true});
     }
     draw_near_field(Backend::cpu, near_field, {eye, nullptr, projection, 0.05, 0.0}, {0, projection.height_px},
@@ -64,9 +88,11 @@ void disk_widths(benchmark::internal::Benchmark* benchmark) {
 BENCHMARK_CAPTURE(disk_picture, rays, DiskLens::rays, Beside::nothing)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, kept_grid, DiskLens::kept_grid, Beside::nothing)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, live_grid, DiskLens::live_grid, Beside::nothing)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, streamed, DiskLens::streamed, Beside::nothing)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, rays_clouds, DiskLens::rays, Beside::clouds)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, kept_grid_clouds, DiskLens::kept_grid, Beside::clouds)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, live_grid_clouds, DiskLens::live_grid, Beside::clouds)->Apply(disk_widths);
+BENCHMARK_CAPTURE(disk_picture, streamed_clouds, DiskLens::streamed, Beside::clouds)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, rays_ball, DiskLens::rays, Beside::ball)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, kept_grid_ball, DiskLens::kept_grid, Beside::ball)->Apply(disk_widths);
 BENCHMARK_CAPTURE(disk_picture, live_grid_ball, DiskLens::live_grid, Beside::ball)->Apply(disk_widths);

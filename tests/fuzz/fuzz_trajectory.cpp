@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "content/trajectory/disk_codec.h"
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_codec.h"
 #include "content/trajectory/trajectory_reader.h"
@@ -35,6 +36,21 @@ void read_all_over(const ergodome::LensStation& station) {
   ergodome::flagged_leaves(station);
 }
 
+//! The same of disk layers.
+void read_all_over(const ergodome::DiskStation& disk) {
+  const ergodome::DiskGrid grid = ergodome::disk_grid_view(disk);
+  for (int i = 0; i < 64; ++i) {
+    const float gamma_turns = (disk.cells.mirrored ? 0.5F : 1.0F) * static_cast<float>(i % 8) / 7.0F;
+    const float s = static_cast<float>(i / 8) / 7.0F;
+    const ergodome::Leaf leaf = ergodome::find_leaf(grid.cells, gamma_turns, s);
+    const ergodome::LeafPlace at = ergodome::place_in(leaf, gamma_turns, s);
+    for (int set = 0; set < disk.sets() && disk.orders[static_cast<std::size_t>(leaf.number)] != 0; ++set) {
+      ergodome::patch_value(grid.nodes[set], grid.cells.leaves + 4 * leaf.number, at.u, at.v, leaf.width_turns,
+                            leaf.height);
+    }
+  }
+}
+
 void try_station(Input input) { read_all_over(ergodome::parse_station_layout(input, "fuzz: station 1")); }
 
 void try_parts(Input input) {
@@ -51,6 +67,7 @@ void try_parts(Input input) {
   attempt([&] { ergodome::parse_index(input, "fuzz"); });
   attempt([&] { ergodome::checked_payload(input, ergodome::FrameKind::station, "fuzz"); });
   attempt([&] { ergodome::unpack_station(input, 4096, "fuzz"); });
+  attempt([&] { ergodome::unpack_disk(input, 4096, "fuzz"); });
 }
 
 void try_file(Input input) {
@@ -62,6 +79,9 @@ void try_file(Input input) {
   const ergodome::TrajectoryReader reader("/proc/self/fd/" + std::to_string(file));
   for (std::size_t i = 0; i < reader.stations().size(); ++i) {
     read_all_over(reader.read(i));
+    if (reader.stations()[i].disk_bytes > 0) {
+      read_all_over(reader.read_disk(i));
+    }
   }
 }
 
@@ -74,15 +94,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const Input input = std::as_bytes(std::span(data, size)).subspan(1);
   try {
-    switch (data[0] % 3) {
+    switch (data[0] % 4) {
       case 0:
         try_station(input);
         break;
       case 1:
         try_parts(input);
         break;
-      default:
+      case 2:
         try_file(input);
+        break;
+      default:
+        read_all_over(ergodome::parse_disk_layout(input, "fuzz: station 1, disk"));
         break;
     }
   } catch (const ergodome::Error&) {

@@ -68,7 +68,7 @@ LensStation built_station(const Place& place, Nodes nodes) {
 }
 
 std::shared_ptr<const StationBuffers> streamed(const LensStation& station) {
-  const PackedStation packed = pack_station(station);
+  const PackedBytes packed = pack_station(station);
   return std::make_shared<StationBuffers>(Backend::cpu,
                                           unpack_station(packed.bytes, packed.unpacked_bytes, "a station of a test"));
 }

@@ -4,8 +4,8 @@
 #include "content/animated_show.h"
 #include "content/show_reader.h"
 #include "kernels/launch/work_counter.h"
+#include "render/bake/trajectory_baker.h"
 #include "render/frame/show_renderer.h"
-#include "render/lens/trajectory_baker.h"
 #include "tests/support/errors.h"
 #include "tests/support/tiny_sky.h"
 

@@ -1,4 +1,4 @@
-#include "render/lens/trajectory_baker.h"
+#include "render/bake/trajectory_baker.h"
 
 #include <gtest/gtest.h>
 

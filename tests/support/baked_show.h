@@ -5,7 +5,7 @@
 
 #include "content/show_reader.h"
 #include "content/trajectory/trajectory_journal.h"
-#include "render/lens/trajectory_baker.h"
+#include "render/bake/trajectory_baker.h"
 
 namespace ergodome::test {
 
@@ -16,6 +16,17 @@ inline Show approaching_show() {
       "[[camera.key]]\nt_s = 10\nr = 7\ntheta_deg = 80\nphi_deg = 40\nyaw_deg = 30\n"
       "[sky]\nmap = \"grid\"\n[view]\nprojection = \"dome\"\nsize_px = 200\n",
       "show.toml");
+}
+
+//! The same with a disk beyond its orbits of stable matter, seen from outside.
+inline Show show_with_disk(bool clouds = false) {
+  Show show = parse_show(
+      "duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nt_s = 0\nr = 30\ntheta_deg = 70\n"
+      "[[camera.key]]\nt_s = 10\nr = 22\ntheta_deg = 80\nphi_deg = 40\n"
+      "[sky]\nmap = \"black\"\n[disk]\nouter = 15\n[view]\nfov_deg = 90\nsize_px = 200\n",
+      "show.toml");
+  show.disk->pattern = clouds ? DiskPattern::procedural : DiskPattern::none;
+  return show;
 }
 
 //! Bakes a show for pictures of a width to a finished file.

@@ -25,9 +25,12 @@ struct BakeResult {
   int built = 0;                //!< stations that were not in the journal yet
   int unmet = 0;                //!< gaps that stayed over the budget, however near their stations
   double worst_px = 0.0;        //!< greatest error of a gap
+  double live_disk_s =
+      0.0;  //!< of the show, where blending the disk's layers misses by more than the budget: they are made anew there
 };
 
-//! Places stations along a show's camera path and builds those that the journal lacks.
+//! Places stations along a show's camera path and builds those that the journal lacks; for a show with a disk, the disk's layers at each of them,
+//! too.
 //!
 //! Between two camera keys r and θ run monotonously; a stretch whose ends, blended, miss traced rays by more than the budget at a
 //! quarter or half of it, and by more than they do at their own places, is divided. With parts, every stretch that touches this part is

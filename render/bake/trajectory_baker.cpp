@@ -1,4 +1,4 @@
-#include "render/lens/trajectory_baker.h"
+#include "render/bake/trajectory_baker.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include "content/show_reader.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "kernels/core/error.h"
+#include "render/bake/disk_bake.h"
 #include "render/lens/eye_camera.h"
 #include "render/lens/grid_builder.h"
 #include "render/lens/screen_error.h"
@@ -21,21 +22,19 @@ namespace ergodome {
 
 namespace {
 
-//! Of the budget, for the grid of a station; what blending adds has to fit into the rest.
-constexpr double grid_share = 0.5;
-//! What is worse than the budget in a hundredth of the sky is worse than so many budgets in a thousandth at most.
-constexpr double far_off = 5.0;
 //! A gap is good enough when it misses by so much more than its stations do by themselves.
 constexpr double floor_slack = 1.1;
 //! A stretch is divided into so many parts at once at most.
 constexpr int most_parts = 16;
 constexpr int most_halvings = 12;
+//! Where a camera goes through the disk, its layers leap; so near to that it is worth baking.
+constexpr int most_halvings_for_the_disk = 4;
 
 class Baker {
  public:
   Baker(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,
         const std::function<bool(double)>& proceed)
-      : show_(show), settings_(settings), journal_(journal), proceed_(proceed) {
+      : show_(show), settings_(settings), journal_(journal), proceed_(proceed), disk_(show, settings, journal) {
     const double part_s = show.duration_s / settings.parts;
     begin_s_ = settings.part == 1 ? -INFINITY : part_s * (settings.part - 1);
     end_s_ = settings.part == settings.parts ? INFINITY : part_s * settings.part;
@@ -46,7 +45,7 @@ class Baker {
     const std::vector<double> ends = stretch_ends();
     Station first = touches(ends.front(), ends.front()) ? station(ends.front()) : nullptr;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      bake_stretch(ends[i], ends[i + 1], 0);
+      bake_stretch(ends[i], ends[i + 1], {0, 0});
     }
     result_.times_s.push_back(ends.back());
     return std::move(result_);
@@ -54,6 +53,12 @@ class Baker {
 
  private:
   using Station = std::shared_ptr<const LensStation>;
+
+  //! How often a stretch has been divided, for the lens and for the disk.
+  struct Depth {
+    int lens;
+    int disk;
+  };
 
   //! Between these times the camera runs monotonously.
   [[nodiscard]] std::vector<double> stretch_ends() const {
@@ -80,7 +85,7 @@ class Baker {
   GridSettings grid_settings(const LensView& view) const {
     GridSettings grid;
     grid.pixel = settings_.pixel;
-    grid.budget_px = grid_share * settings_.budget_px;
+    grid.budget_px = baked_grid_share * settings_.budget_px;
     grid.observer = view.observer;
     grid.derivatives = settings_.derivatives;
     grid.range = range_;
@@ -107,27 +112,32 @@ class Baker {
       journal_.add(time_s, build_lens_station(view.spin, view.place.r, view.place.theta, grid_settings(view)));
       ++result_.built;
     }
+    if (disk_.wanted()) {
+      disk_.add_if_missing(time_s);
+    }
     auto read = std::make_shared<const LensStation>(journal_.read(time_s));
     recent_[time_s] = read;
     return read;
   }
 
-  void note_gap(double begin_s, double end_s, double error_px) {
-    result_.times_s.push_back(begin_s);
+  void note_gap(const Gap& gap) {
+    const auto error_px = static_cast<double>(gap.error_px);
+    result_.times_s.push_back(gap.begin_s);
     result_.worst_px = std::max(result_.worst_px, error_px);
     result_.unmet += error_px > settings_.budget_px ? 1 : 0;
+    result_.live_disk_s += meets_budget(gap.disk_error_px) ? 0.0 : gap.end_s - gap.begin_s;
     std::erase_if(recent_, [](const auto& kept) { return kept.second.expired(); });
-    if (!proceed_(end_s)) {
-      throw Error("bake", fmt::format("stopped at {:.3f} s of the show", end_s), "run it again to go on");
+    if (!proceed_(gap.end_s)) {
+      throw Error("bake", fmt::format("stopped at {:.3f} s of the show", gap.end_s), "run it again to go on");
     }
   }
 
-  void bake_stretch(double begin_s, double end_s, int depth) {
+  void bake_stretch(double begin_s, double end_s, Depth depth) {
     if (!touches(begin_s, end_s)) {
       return;
     }
-    if (const float* known = journal_.find_gap(begin_s, end_s)) {
-      return note_gap(begin_s, end_s, static_cast<double>(*known));
+    if (const Gap* known = journal_.find_gap(begin_s, end_s)) {
+      return note_gap(*known);
     }
     const Station first = station(begin_s);
     const Station last = station(end_s);
@@ -136,21 +146,34 @@ class Baker {
     // Blends cannot be better than the grids that they are made of.
     const double floor_px =
         error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
-    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth < most_halvings) {
-      // Errors go with the square of the distance, with derivatives with its fourth power.
-      const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
-      const int parts = static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
-      double from_s = begin_s;
-      for (int i = 1; i <= parts; ++i) {
-        const double to_s = i < parts ? begin_s + (end_s - begin_s) * i / parts : end_s;
-        bake_stretch(from_s, to_s, depth + 1);
-        from_s = to_s;
-      }
-      return;
+    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth.lens < most_halvings) {
+      return divide(begin_s, end_s, wished_parts(error_px), {depth.lens + 1, depth.disk});
     }
-    journal_.add(Gap{begin_s, end_s, static_cast<float>(error_px)});
-    note_gap(begin_s, end_s, error_px);
+    const double disk_px = disk_.wanted() ? disk_.gap_error(begin_s, end_s) : 0.0;
+    if (disk_px > settings_.budget_px && depth.disk < most_halvings_for_the_disk) {
+      return divide(begin_s, end_s, 2, {depth.lens, depth.disk + 1});
+    }
+    const Gap gap = {begin_s, end_s, static_cast<float>(error_px), static_cast<float>(disk_px)};
+    journal_.add(gap);
+    note_gap(gap);
   }
+
+  //! Errors go with the square of the distance, with derivatives with its fourth power.
+  [[nodiscard]] int wished_parts(double error_px) const {
+    const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
+    return static_cast<int>(std::clamp(wished, 2.0, 1.0 * most_parts));
+  }
+
+  void divide(double begin_s, double end_s, int parts, Depth depth) {
+    double from_s = begin_s;
+    for (int i = 1; i <= parts; ++i) {
+      const double to_s = i < parts ? begin_s + (end_s - begin_s) * i / parts : end_s;
+      bake_stretch(from_s, to_s, depth);
+      from_s = to_s;
+    }
+  }
+
+  [[nodiscard]] bool meets_budget(float error_px) const { return static_cast<double>(error_px) <= settings_.budget_px; }
 
   //! What the blend of two stations misses by at a time between them [px]; 0 where the camera stands still.
   [[nodiscard]] double blending_error(const LensStation& first, const LensStation& last, double time_s) const {
@@ -173,8 +196,7 @@ class Baker {
   }
 
   static double error_of(const StationBlend& lens, const LensView& view, const LensStation& sampled) {
-    const ScreenError error = measure_screen_error(lens.view(), view, leaf_samples(sampled));
-    return std::max(error.p99_px, error.p999_px / far_off);
+    return gap_measure(measure_screen_error(lens.view(), view, leaf_samples(sampled)));
   }
 
   const Show& show_;
@@ -184,6 +206,7 @@ class Baker {
   double begin_s_;
   double end_s_;
   double range_ = 0.0;
+  DiskBake disk_;
   std::map<double, std::weak_ptr<const LensStation>> recent_;
   BakeResult result_;
 };
@@ -198,7 +221,13 @@ TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& setting
   // What changes words and tones needs no new lenses.
   Show baked = show;
   baked.timeline = {};
-  return {ERGODOME_VERSION, to_toml(baked), show.spin, settings.pixel, settings.budget_px, settings.derivatives};
+  return {ERGODOME_VERSION,
+          to_toml(baked),
+          show.spin,
+          settings.pixel,
+          settings.budget_px,
+          settings.derivatives,
+          disk_to_bake(show).has_value()};
 }
 
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,

@@ -1,0 +1,151 @@
+#pragma once
+
+#include "kernels/core/lanes.h"
+#include "kernels/disk/crossing_layers.h"
+#include "kernels/disk/disk_chart.h"
+#include "kernels/disk/disk_grid.h"
+#include "kernels/lens/lens_grid.h"
+#include "kernels/near_field/near_pixels.h"
+
+// What grids of a disk miss by on the screen, by traced rays.
+namespace ergodome::inline ERGO_TARGET {
+
+//! Bounds of 1/r.
+struct CheckedBounds {
+  float low;
+  float high;
+};
+
+//! Between these grids are held to be good: some way beyond the disk's edges, for the sake of cells of which little is within.
+ERGO_HD CheckedBounds checked_bounds(const DiskSpanOnScreen& span, const LayerLimits<float>& limits) {
+  return {0.6F * span.outer_u, span.inner_u + 0.25F * maximum(limits.near_u - span.inner_u, 0.0F)};
+}
+
+//! What leads from derivatives in a disk's chart to those on the screen.
+struct DiskScreen {
+  float scale;            //!< [px/rad]
+  float alpha_by_turn;    //!< dα/dγ
+  float s_per_alpha;      //!< [1/rad]
+  float turns_per_angle;  //!< across [1/rad]
+
+  //! The change across a pixel of what changes so along γ [turns] and s.
+  [[nodiscard]] ERGO_HD float across_pixel(float along_gamma, float along_s) const {
+    const float outwards = along_s * s_per_alpha;
+    const float across = (along_gamma - alpha_by_turn * outwards) * turns_per_angle;
+    return ::sqrtf(outwards * outwards + across * across) / scale;
+  }
+};
+
+namespace detail {
+
+//! Follows the ray of a direction of a grid's camera.
+template <NearParts Parts, class T>
+ERGO_HD MaskOf<RealOf<T>> trace_grid_layers(const DiskGridCamera& camera, const Vector3<T>& n,
+                                            CrossingLayer<T> (&layers)[crossing_orders]) {
+  const CameraStationOf<float>& rays = camera.grid.rays;
+  return trace_layers<near_order, Parts>(rays.spin, start_near_ray(rays, n), camera.limits, layers);
+}
+
+}  // namespace detail
+
+//! Rays at places of a disk's chart, and how large what is there looks to an observer.
+template <class T, bool WithPattern>
+struct RaysOfDiskChart {
+  CrossingLayer<T> layers[crossing_orders];
+  MaskOf<T> done;  //!< false where a ray met the step limit
+  MixedDual<T> alpha;
+  T scale;  //!< [px/rad]
+  T sine;   //!< of α
+
+  ERGO_HD RaysOfDiskChart(const DiskGridCamera& camera, const AberrationOf<float>& observer, float pixel,
+                          const T& gamma_turns, const T& s)
+      : alpha(disk_polar_angle(camera.grid.chart.edge, gamma_turns, s)) {
+    const Vector3<MixedDual<T>> n = chart_direction_at(camera.grid.chart, gamma_turns, alpha);
+    const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
+    scale = observed_scale(observer, direction) * (1.0F / pixel);
+    T cosine;
+    sine_cosine(alpha.value, sine, cosine);
+    done = detail::trace_grid_layers<detail::disk_parts(WithPattern)>(camera, direction, layers);
+    // At the chart's poles derivatives along γ are rounding, and mean nothing.
+    least_sine_ = 0.02F * camera.grid.chart.edge.smallest;
+  }
+
+  [[nodiscard]] ERGO_HD DiskScreen screen(int i) const {
+    return {lane(scale, i), lane(alpha.along_x, i), 1.0F / lane(alpha.along_y, i),
+            0.159154943F / maximum(::fabsf(lane(sine, i)), least_sine_)};
+  }
+
+  //! Area on the screen of a turn times a unit of s, by the stretch at a lane's place [px²].
+  [[nodiscard]] ERGO_HD float area_px(int i) const {
+    return 6.28318531F * ::fabsf(lane(sine, i) * lane(alpha.along_y, i)) * lane(scale, i) * lane(scale, i);
+  }
+
+ private:
+  float least_sine_;
+};
+
+//! Compares what a grid says of an order with what a ray does.
+template <bool WithPattern>
+struct DiskMiss {
+  const DiskGridCamera& camera;
+  const DiskSpanOnScreen& span;
+
+  //! The part of a patch that has an order's 1/r.
+  ERGO_HD static int part_of(int order) { return WithPattern ? 0 : order; }
+
+  //! How far 1/r of an order changes across a pixel.
+  [[nodiscard]] ERGO_HD float width(const PatchValue& read, int order, const DiskScreen& screen) const {
+    const int part = part_of(order);
+    return screen.across_pixel(quad_part(read.along_gamma, part), quad_part(read.along_s, part));
+  }
+
+  //! Displacement on the screen of lines of equal radius, and of the pattern's, at lane `i` [px]; 0 where neither is near the disk.
+  template <class T>
+  [[nodiscard]] ERGO_HD float of(const PatchValue& read, int order, const CrossingLayer<T>& layer, int i,
+                                 const DiskScreen& screen) const {
+    const float u = quad_part(read.sky, part_of(order));
+    const float traced = lane(layer.u, i);
+    const float across = width(read, order, screen);
+    const CheckedBounds bounds = checked_bounds(span, camera.limits);
+    const float low = bounds.low - across;
+    const float high = bounds.high + across;
+    if ((u < low && traced < low) || (u > high && traced > high)) {
+      return 0.0F;
+    }
+    float error = ::fabsf(u - traced) / maximum(across, span.least_change);
+    if constexpr (WithPattern) {
+      error = maximum(error, pattern_error(read, layer, i, screen));
+    }
+    // A number that is none is no less than any other.
+    return error >= 0.0F ? error : unknown_disk_error;
+  }
+
+ private:
+  //! How far the pattern is displaced along its own gradient: it is turned with the flow by as much as its light is late.
+  template <class T>
+  [[nodiscard]] ERGO_HD float pattern_error(const PatchValue& read, const CrossingLayer<T>& layer, int i,
+                                            const DiskScreen& screen) const {
+    const float spin = camera.grid.rays.spin;
+    const float u = minimum(maximum(lane(layer.u, i), span.outer_u), span.inner_u);
+    const float rotation = 1.0F / (1.0F / (u * ::sqrtf(u)) + spin);
+    const float cosine = quad_part(read.sky, 1);
+    const float sine = quad_part(read.sky, 2);
+    const float turned = ::atan2f(cosine * lane(layer.sine, i) - sine * lane(layer.cosine, i),
+                                  cosine * lane(layer.cosine, i) + sine * lane(layer.sine, i));
+    // Where the radius is wrong, so is what the horizon winds there.
+    const HorizonWinding<float> horizon = horizon_winding(spin);
+    const float wound = winding_turn(horizon) + rotation * winding_delay(horizon);
+    const float read_u = minimum(maximum(quad_part(read.sky, 0), span.outer_u), span.inner_u);
+    const float missed = ::fabsf(turned + rotation * (lane(layer.delay, i) - quad_part(read.sky, 3)) +
+                                 wound * (winding(horizon, u) - winding(horizon, read_u)));
+    const float inverse = 1.0F / (cosine * cosine + sine * sine);
+    const auto rate = [&](const Quad& along) {
+      return (cosine * quad_part(along, 2) - sine * quad_part(along, 1)) * inverse + rotation * quad_part(along, 3) +
+             wound * winding_rate(horizon, u) * quad_part(along, 0);
+    };
+    const float change = screen.across_pixel(rate(read.along_gamma), rate(read.along_s));
+    return missed / maximum(change, span.least_turn);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET
