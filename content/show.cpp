@@ -42,9 +42,6 @@ std::vector<std::string> missing_features(const Show& show) {
   if (stereo.model == StereoModel::flat && !show.shells.empty()) {
     missing.emplace_back("shells are not drawn in the stereo model flat (stereo.model, shells)");
   }
-  if (stereo.model == StereoModel::omni && has_objects(show, ObjectMethod::polygon)) {
-    missing.emplace_back("objects are not drawn as polygons in the stereo model omni (stereo.model, objects.method)");
-  }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;
   const auto& animations = show.timeline.animations;

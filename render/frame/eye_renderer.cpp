@@ -238,12 +238,12 @@ void EyeRenderer::draw_objects_in_place(const EyeCamera& eye, const Projection& 
     return;
   }
   if (backend_ == Backend::cpu) {
-    return settings.objects->draw(eye, projection, settings.time_s, rgba_.data());
+    return settings.objects->draw(eye, projection, settings.time_s, rgba_.data(), settings.turning_view.get());
   }
   std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
                              static_cast<std::size_t>(projection.height_px));
   rgba_.read(picture.data(), picture.size());
-  settings.objects->draw(eye, projection, settings.time_s, picture.data());
+  settings.objects->draw(eye, projection, settings.time_s, picture.data(), settings.turning_view.get());
   rgba_.write(picture.data(), picture.size());
 }
 
@@ -337,7 +337,7 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
     picture.unresolved_pixels += count_unresolved(shade.lens.error_estimate, width * static_cast<std::size_t>(rows));
   }
   if (settings.objects != nullptr) {
-    settings.objects->draw(eye, projection, settings.time_s, picture.rgba.data());
+    settings.objects->draw(eye, projection, settings.time_s, picture.rgba.data(), settings.turning_view.get());
   }
   finish(picture, projection, settings);
   return picture;

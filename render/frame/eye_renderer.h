@@ -34,15 +34,15 @@ struct PictureSettings {
   LensAccuracy accuracy{};
   ShowMoment moment{};
   GridScheme scheme = GridScheme::conforming;
-  StarPass* stars = nullptr;  //!< drawn where they are given, on the sky's own view
-  std::shared_ptr<const OmniEye>
-      turning;                     //!< what sees them and the near field, not `objects`, in place of the picture's eye
-  std::optional<Shutter> shutter;  //!< stars leave trails
-  NearField near_field;            //!< drawn over sky and stars
-  ObjectPass* objects = nullptr;   //!< drawn where they are given, over all that
-  double time_s = 0.0;             //!< of the show, for what moves in it
-  bool clear_outside = false;      //!< stars or bloom may spread light beyond the image
-  std::optional<BloomSettings> bloom;  //!< of whole pictures alone: render_in_place leaves it out
+  StarPass* stars = nullptr;                        //!< drawn where they are given, on the sky's own view
+  std::shared_ptr<const OmniEye> turning;           //!< what sees them and the near field in place of the picture's eye
+  std::shared_ptr<const TurningView> turning_view;  //!< the same for `objects`
+  std::optional<Shutter> shutter;                   //!< stars leave trails
+  NearField near_field;                             //!< drawn over sky and stars
+  ObjectPass* objects = nullptr;                    //!< drawn where they are given, over all that
+  double time_s = 0.0;                              //!< of the show, for what moves in it
+  bool clear_outside = false;                       //!< stars or bloom may spread light beyond the image
+  std::optional<BloomSettings> bloom;               //!< of whole pictures alone: render_in_place leaves it out
 };
 
 //! Rows of a picture that are worked on at a time: memory stays bounded at any size.

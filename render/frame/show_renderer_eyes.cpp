@@ -101,6 +101,9 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
     settings.given = lens.get();
     if (turns) {
       settings.turning = eye;
+      if (settings.objects != nullptr) {
+        settings.turning_view = std::make_shared<const TurningView>(turning_view(*eye, eye_at));
+      }
     }
     for (std::size_t i = 0; i < shutter.size(); ++i) {
       const auto there = [&](const Vector3<double>& offset) { return eye_camera(show_, shutter[i], offset); };

@@ -83,4 +83,25 @@ std::vector<double> DiskFit::fit(std::vector<double> values) const {
   return coefficients;
 }
 
+std::vector<double> fit_numbers(const DiskNumbers& numbers_at, int degree) {
+  const std::vector<DiskPoint> points = disk_points(degree + 1, 2 * degree + 3, 0.0);
+  std::vector<std::vector<double>> exact;
+  exact.reserve(points.size());
+  for (const DiskPoint& point : points) {
+    exact.push_back(numbers_at(point));
+  }
+  const DiskFit squares(points, degree);
+  std::vector<double> coefficients;
+  for (std::size_t i = 0; i < exact.front().size(); ++i) {
+    std::vector<double> values;
+    values.reserve(exact.size());
+    for (const std::vector<double>& numbers : exact) {
+      values.push_back(numbers[i]);
+    }
+    const std::vector<double> own = squares.fit(std::move(values));
+    coefficients.insert(coefficients.end(), own.begin(), own.end());
+  }
+  return coefficients;
+}
+
 }  // namespace ergodome

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 // Polynomials of two variables on the unit disk, fitted by least squares. Their terms come in the order 1, p, q, p², p q, q², ...
@@ -30,5 +31,11 @@ class DiskFit {
   std::vector<std::vector<double>> columns_;   //!< orthonormal, a number for each place
   std::vector<std::vector<double>> triangle_;  //!< leads from them back to the terms
 };
+
+//! Numbers at a place on the disk, always as many.
+using DiskNumbers = std::function<std::vector<double>(const DiskPoint& point)>;
+
+//! Polynomials of a degree of all numbers, one after the other.
+std::vector<double> fit_numbers(const DiskNumbers& numbers_at, int degree);
 
 }  // namespace ergodome

@@ -61,51 +61,32 @@ Numbers numbers_of(const EyeCamera& eye, double head_phi) {
   return numbers;
 }
 
-std::vector<Numbers> exact_numbers(const EyePlace& eye_at, const std::vector<DiskPoint>& points, double reach,
-                                   double head_phi) {
-  std::vector<Numbers> numbers;
-  numbers.reserve(points.size());
-  for (const DiskPoint& point : points) {
-    numbers.push_back(numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head_phi));
-  }
-  return numbers;
-}
-
-//! Polynomials of all numbers, one after the other.
-std::vector<double> fitted(const EyePlace& eye_at, double reach, double head_phi, int degree) {
-  const std::vector<DiskPoint> points = disk_points(degree + 1, 2 * degree + 3, 0.0);
-  const std::vector<Numbers> exact = exact_numbers(eye_at, points, reach, head_phi);
-  const DiskFit squares(points, degree);
-  std::vector<double> coefficients;
-  for (std::size_t i = 0; i < omni_numbers; ++i) {
-    std::vector<double> values;
-    values.reserve(exact.size());
-    for (const Numbers& numbers : exact) {
-      values.push_back(numbers[i]);
-    }
-    const std::vector<double> own = squares.fit(std::move(values));
-    coefficients.insert(coefficients.end(), own.begin(), own.end());
-  }
-  return coefficients;
+//! The numbers of the camera at a place of the disk of all places.
+DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, double head_phi) {
+  return [&eye_at, reach, head_phi](const DiskPoint& point) {
+    const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head_phi);
+    return std::vector<double>(numbers.begin(), numbers.end());
+  };
 }
 
 //! Largest error of a fit, each number beside the largest of its form.
 double fit_error(const EyePlace& eye_at, double reach, double head_phi, int degree,
                  const std::vector<double>& coefficients) {
   const std::vector<DiskPoint> points = disk_points(3, 13, 0.37);
-  const std::vector<Numbers> exact = exact_numbers(eye_at, points, reach, head_phi);
+  const DiskNumbers numbers_at = exact_numbers(eye_at, reach, head_phi);
   const auto terms = static_cast<std::size_t>(omni_terms(degree));
   double scale[8] = {};
   double error[8] = {};
   // u; m; and the six forms, of which those of dm/dλ are one vector.
   const auto group = [](std::size_t i) { return i < 1 ? 0U : i < 4 ? 1U : std::min<std::size_t>(2 + (i - 4) / 4, 5); };
-  for (std::size_t at = 0; at < points.size(); ++at) {
-    const std::vector<double> term = disk_terms(points[at], degree);
+  for (const DiskPoint& point : points) {
+    const std::vector<double> term = disk_terms(point, degree);
+    const std::vector<double> exact = numbers_at(point);
     for (std::size_t i = 0; i < omni_numbers; ++i) {
       const double value =
           std::inner_product(term.begin(), term.end(), coefficients.begin() + static_cast<long>(i * terms), 0.0);
-      scale[group(i)] = std::max(scale[group(i)], std::abs(exact[at][i]));
-      error[group(i)] = std::max(error[group(i)], std::abs(value - exact[at][i]));
+      scale[group(i)] = std::max(scale[group(i)], std::abs(exact[i]));
+      error[group(i)] = std::max(error[group(i)], std::abs(value - exact[i]));
     }
   }
   double largest = 0.0;
@@ -132,7 +113,7 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
   double error = 0.0;
   for (int degree = reach > 0.0 ? 1 : 0; degree <= omni_most_degree; ++degree) {
     camera_.degree = degree;
-    coefficients_ = fitted(eye_at, reach, head.phi, degree);
+    coefficients_ = fit_numbers(exact_numbers(eye_at, reach, head.phi), degree);
     error = fit_error(eye_at, reach, head.phi, degree, coefficients_);
     if (error <= tolerance) {
       break;

@@ -26,23 +26,24 @@ RadialRange table_range(const RadialRange& range) {
   return wider;
 }
 
-ConnectionTexture::ConnectionTexture(double r_observer, const RadialRange& range, int orders)
-    : r_observer_(r_observer), range_(range) {
+ConnectionTexture::ConnectionTexture(const RadialRange& observers, const RadialRange& range, int orders)
+    : observers_(observers), range_(range) {
   ConnectionTableSettings settings;
   settings.r_nearest = range.nearest;
   settings.r_farthest = range.farthest;
-  settings.r_observer_nearest = r_observer;
-  settings.r_observer_farthest = r_observer;
+  settings.r_observer_nearest = observers.nearest;
+  settings.r_observer_farthest = observers.farthest;
+  settings.layers = observers.farthest > observers.nearest ? 4 : 1;
   settings.orders = orders;
   const ConnectionTable table(settings);
   const ConnectionView view = table.view();
   grid_ = view.grid;
   const int width = grid_.columns + 1;
-  count_work("buffer: connecting rays", static_cast<long>(sizeof(ConnectionNode)) * width * grid_.rows);
-  glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
-  glTextureStorage2D(texture_, 1, GL_RGB32F, width, grid_.rows);
+  count_work("buffer: connecting rays", static_cast<long>(sizeof(ConnectionNode)) * width * grid_.rows * grid_.layers);
+  glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &texture_);
+  glTextureStorage3D(texture_, 1, GL_RGB32F, width, grid_.rows, grid_.layers);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTextureSubImage2D(texture_, 0, 0, 0, width, grid_.rows, GL_RGB, GL_FLOAT, view.nodes);
+  glTextureSubImage3D(texture_, 0, 0, 0, 0, width, grid_.rows, grid_.layers, GL_RGB, GL_FLOAT, view.nodes);
   glTextureParameteri(texture_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(texture_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -51,15 +52,15 @@ ConnectionTexture::ConnectionTexture(double r_observer, const RadialRange& range
 
 ConnectionTexture::~ConnectionTexture() { glDeleteTextures(1, &texture_); }
 
-bool ConnectionTexture::serves(double r_observer, const RadialRange& range, int orders) const {
-  return r_observer == r_observer_ && orders == grid_.orders && range.nearest == range_.nearest &&
-         range.farthest == range_.farthest;
+bool ConnectionTexture::serves(const RadialRange& observers, const RadialRange& range, int orders) const {
+  return observers == observers_ && range == range_ && orders == grid_.orders;
 }
 
-const ConnectionTexture& ConnectionTextures::table(double r_observer, const RadialRange& points, int orders) {
+const ConnectionTexture& ConnectionTextures::table(const RadialRange& observers, const RadialRange& points,
+                                                   int orders) {
   const RadialRange range = table_range(points);
   const auto found =
-      std::ranges::find_if(tables_, [&](const auto& each) { return each->serves(r_observer, range, orders); });
+      std::ranges::find_if(tables_, [&](const auto& each) { return each->serves(observers, range, orders); });
   if (found != tables_.end()) {
     std::rotate(found, found + 1, tables_.end());
     return *tables_.back();
@@ -67,7 +68,7 @@ const ConnectionTexture& ConnectionTextures::table(double r_observer, const Radi
   if (tables_.size() == most_tables) {
     tables_.erase(tables_.begin());
   }
-  tables_.push_back(std::make_unique<ConnectionTexture>(r_observer, range, orders));
+  tables_.push_back(std::make_unique<ConnectionTexture>(observers, range, orders));
   return *tables_.back();
 }
 

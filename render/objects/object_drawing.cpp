@@ -14,6 +14,8 @@ namespace {
 
 //! Half turns that a table has at the least: light of lamps comes by the first two ways.
 constexpr int least_orders = 2;
+constexpr GLsizeiptr eyes_bytes =
+    static_cast<GLsizeiptr>(sizeof(float)) * 4 * turning_groups * omni_terms(omni_most_degree);
 
 int orders_of(std::span<const PlacedObject> objects) {
   int orders = least_orders;
@@ -37,9 +39,8 @@ void set_matrix(int at, const Vector3<double> (&columns)[3], double factor) {
   glUniformMatrix3fv(at, 1, GL_FALSE, values);
 }
 
-void set_table(int unit, int at, const ConnectionTexture& table) {
+void set_table(int unit, int at, const ConnectionTexture& table, double r) {
   glBindTextureUnit(static_cast<GLuint>(unit), table.name());
-  const double r = table.r_observer();
   glUniform4f(at, static_cast<float>(table.grid().u_low), static_cast<float>(table.grid().u_high),
               static_cast<float>(r), static_cast<float>(std::sqrt((r - 2.0) / r)));
 }
@@ -66,19 +67,42 @@ ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes)
   for (const TriangleMesh& mesh : meshes) {
     meshes_.push_back(std::make_unique<GlMesh>(mesh));
   }
+  glCreateBuffers(1, &eyes_);
+  glNamedBufferStorage(eyes_, eyes_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
 }
 
-ObjectDrawing::~ObjectDrawing() { glDeleteProgram(program_); }
+ObjectDrawing::~ObjectDrawing() {
+  glDeleteBuffers(1, &eyes_);
+  glDeleteProgram(program_);
+}
+
+void ObjectDrawing::set_turning(const Scene& scene) {
+  glBindBufferBase(GL_UNIFORM_BUFFER, block_eyes, eyes_);
+  glUniform1i(uniform_degree, scene.turning != nullptr ? scene.turning->degree : 0);
+  if (scene.turning == nullptr) {
+    return;
+  }
+  const OmniCameraOf<float>& eye = scene.turning->eye;
+  glUniform4f(uniform_turning, eye.offset, eye.inverse_convergence, eye.fade_begin, eye.fade_scale);
+  glUniform1f(uniform_inverse_reach, eye.inverse_reach);
+  const std::vector<float>& numbers = scene.turning->coefficients;
+  glNamedBufferSubData(eyes_, 0, static_cast<GLsizeiptr>(numbers.size() * sizeof(float)), numbers.data());
+}
 
 void ObjectDrawing::set_tables(const Scene& scene) {
   const int orders = orders_of(scene.objects);
-  set_table(unit_table, uniform_table_range, tables_.table(scene.view.r, scene.range, orders));
+  const RadialRange observers =
+      scene.turning != nullptr ? scene.turning->radii : RadialRange{scene.view.r, scene.view.r};
+  const ConnectionTexture& table = tables_.table(observers, scene.range, orders);
+  set_table(unit_table, uniform_table_range, table, scene.view.r);
+  glUniform2f(uniform_table_observers, static_cast<float>(table.grid().u_observer_low),
+              static_cast<float>(table.grid().u_observer_high));
   glUniform1i(uniform_table_orders, orders);
   const bool lit =
       scene.light && std::ranges::any_of(scene.objects, [](const PlacedObject& o) { return o.settings->lit; });
   if (lit) {
-    set_table(unit_light_table, uniform_light_table_range,
-              tables_.table(length(scene.light->position), scene.range, least_orders));
+    const double r = length(scene.light->position);
+    set_table(unit_light_table, uniform_light_table_range, tables_.table({r, r}, scene.range, least_orders), r);
   }
 }
 
@@ -135,6 +159,7 @@ void ObjectDrawing::draw(const Scene& scene, const Projection& projection, const
   turn_to_face(flat, view);
   set_projection(flat);
   set_view(view);
+  set_turning(scene);
   set_tables(scene);
   for (const PlacedObject& object : scene.objects) {
     draw_object(scene, object);

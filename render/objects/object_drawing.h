@@ -10,6 +10,7 @@
 #include "render/objects/gl_mesh.h"
 #include "render/objects/object_target.h"
 #include "render/objects/object_view.h"
+#include "render/objects/turning_view.h"
 
 namespace ergodome {
 
@@ -39,7 +40,8 @@ class ObjectDrawing {
 
   //! What is drawn: objects as an eye sees them, all within a range of radii.
   struct Scene {
-    ObjectView view;
+    ObjectView view;             //!< of a turning eye, the head's
+    const TurningView* turning;  //!< nullptr: the eye stands still
     std::span<const PlacedObject> objects;
     std::optional<PointLight> light;
     RadialRange range;
@@ -53,7 +55,10 @@ class ObjectDrawing {
   void set_tables(const Scene& scene);
   void draw_object(const Scene& scene, const PlacedObject& object) const;
 
+  void set_turning(const Scene& scene);
+
   unsigned program_;
+  unsigned eyes_ = 0;  //!< buffer of the uniform block
   std::vector<std::unique_ptr<GlMesh>> meshes_;
   ConnectionTextures tables_;
   std::unique_ptr<ObjectTarget> target_;

@@ -21,7 +21,10 @@ class ObjectPass {
 
   //! Draws over a picture in host memory: four floats a pixel. Throws Error where an object reaches into the hole at that time of the show, or the eye is
   //! inside the photon sphere.
-  void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba);
+  //!
+  //! `turning`: what turns with the direction one looks at about that eye, which is then the head's; or nullptr.
+  void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
+            const TurningView* turning = nullptr);
 
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;

@@ -4,59 +4,143 @@ namespace ergodome {
 
 const char* const object_sight_source = R"(
 const float half_turn = 3.14159265358979323846;
-layout(binding = 0) uniform sampler2D table;
+layout(binding = 0) uniform sampler2DArray table;
 layout(location = 3) uniform int order;
 layout(location = 20) uniform int table_orders;
 layout(location = 4) uniform vec4 table_range;
 layout(location = 5) uniform mat3 view_from_frame;
 layout(location = 6) uniform vec4 boost;
+layout(location = 25) uniform mat3 face_from_view;
+layout(location = 21) uniform vec2 table_observers;
+layout(location = 22) uniform vec4 turning;
+layout(location = 23) uniform float inverse_reach;
+layout(location = 24) uniform int degree;
+layout(std140, binding = 0) uniform Eyes { vec4 eyes[330]; };
 // Lagrange's cubic through four nodes from `first` on.
 vec4 cubic_weights(float at, int first) {
   float t = at - float(first);
   return vec4(-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, 0.5 * t * (t - 2.0) * (t - 3.0),
               -0.5 * t * (t - 1.0) * (t - 3.0), t * (t - 1.0) * (t - 2.0) / 6.0);
 }
-vec3 read_table(float r, float angle) {
-  ivec2 last = textureSize(table, 0) - 1;
+vec3 read_layer(int layer, int first_column, int first_row, vec4 across, vec4 up) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      int at = first_column + j;
+      vec3 node = texelFetch(table, ivec3(abs(at), first_row + i, layer), 0).xyz;
+      sum += up[i] * across[j] * (at < 0 ? vec3(node.x, -node.y, node.z) : node);
+    }
+  }
+  return sum;
+}
+vec3 read_table(float r_observer, float r, float angle) {
+  ivec3 last = textureSize(table, 0) - 1;
   float column = angle / (half_turn * float(table_orders)) * float(last.x);
   float row = clamp((1.0 / r - table_range.x) / (table_range.y - table_range.x), 0.0, 1.0) * float(last.y);
   int first_column = clamp(int(floor(column)) - 1, -1, last.x - 3);
   int first_row = clamp(int(floor(row)) - 1, 0, last.y - 3);
   vec4 across = cubic_weights(column, first_column);
   vec4 up = cubic_weights(row, first_row);
+  vec4 deep = vec4(1.0, 0.0, 0.0, 0.0);
+  if (last.z > 0) {
+    deep = cubic_weights((1.0 / r_observer - table_observers.x) / (table_observers.y - table_observers.x) * float(last.z), 0);
+  }
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      int at = first_column + j;
-      vec3 node = texelFetch(table, ivec2(abs(at), first_row + i), 0).xyz;
-      sum += up[i] * across[j] * (at < 0 ? vec3(node.x, -node.y, node.z) : node);
-    }
+  for (int layer = 0; layer <= last.z; ++layer) {
+    sum += deep[layer] * read_layer(layer, first_column, first_row, across, up);
   }
   return sum;
 }
-void see(vec3 place, out vec3 direction, out float time) {
+// An eye, by its parts in the head's rest frame.
+struct Eye {
+  vec3 outward;
+  float r;
+  vec4 boost;
+  mat3 view;
+};
+Eye head() { return Eye(vec3(1.0, 0.0, 0.0), table_range.z, boost, view_from_frame); }
+// The eye at a place to the right and to the back of the head, both as parts of its reach.
+Eye eye_beside(float p, float q) {
+  vec4 outward = vec4(0.0);
+  vec4 velocity = vec4(0.0);
+  vec4 right = vec4(0.0);
+  vec4 up = vec4(0.0);
+  vec4 back = vec4(0.0);
+  float by_q = 1.0;
+  for (int i = 0; i <= degree; ++i) {
+    float term = by_q;
+    for (int d = i; d <= degree; ++d) {
+      // p^(d - i) q^i is term d (d + 1) / 2 + i.
+      int at = 5 * (d * (d + 1) / 2 + i);
+      outward += term * eyes[at];
+      velocity += term * eyes[at + 1];
+      right += term * eyes[at + 2];
+      up += term * eyes[at + 3];
+      back += term * eyes[at + 4];
+      term *= p;
+    }
+    by_q *= q;
+  }
+  float speed = length(velocity.xyz);
+  vec4 moved = speed > 0.0 ? vec4(velocity.xyz / speed, sqrt((1.0 - speed) / (1.0 + speed))) : vec4(1.0, 0.0, 0.0, 1.0);
+  return Eye(normalize(outward.xyz), outward.w, moved, transpose(mat3(right.xyz, up.xyz, back.xyz)));
+}
+void see(Eye eye, vec3 place, out vec3 direction, out float time) {
   float r = length(place);
-  float beside = length(place.yz);
-  float phi = atan(beside, place.x);
+  float along = dot(place, eye.outward);
+  vec3 aside = place - along * eye.outward;
+  float beside = length(aside);
+  float phi = atan(beside, along);
   bool odd = order % 2 == 1;
-  vec3 node = read_table(r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
+  vec3 node = read_table(eye.r, r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
   // In line with the hole every plane is right; one is taken.
-  vec2 across = beside > 0.0 ? place.yz / beside : vec2(1.0, 0.0);
+  vec3 across = beside > 0.0 ? aside / beside : vec3(0.0, 1.0, 0.0);
   float side = odd ? 1.0 : -1.0;
   float span = length(node.xy);
-  direction = vec3(node.x, side * node.y * across) / max(span, 1e-30);
-  time = r * table_range.z * span;
+  direction = (node.x * eye.outward + side * node.y * across) / max(span, 1e-30);
+  time = r * eye.r * span;
 }
 // Aberration as kernels/metric/frame_boost.h has it.
-vec3 view_direction(vec3 n) {
-  float along = dot(n, boost.xyz);
-  vec3 across = n - along * boost.xyz;
+vec3 view_direction(Eye eye, vec3 n) {
+  float along = dot(n, eye.boost.xyz);
+  vec3 across = n - along * eye.boost.xyz;
   float larger = 1.0 + abs(along);
   float smaller = dot(across, across) / larger;
-  float with_it = (along > 0.0 ? larger : smaller) / boost.w;
-  float against = (along > 0.0 ? smaller : larger) * boost.w;
+  float with_it = (along > 0.0 ? larger : smaller) / eye.boost.w;
+  float against = (along > 0.0 ? smaller : larger) * eye.boost.w;
   float energy = 0.5 * (with_it + against);
-  return view_from_frame * ((across + 0.5 * (with_it - against) * boost.xyz) / energy);
+  return eye.view * ((across + 0.5 * (with_it - against) * eye.boost.xyz) / energy);
+}
+// Where an eye is that looks in a direction of the view: omni_offset() of kernels/trace/omni_camera.h.
+vec2 eye_offset(vec3 view) {
+  float level = sqrt(dot(view.xz, view.xz) + 1e-20);
+  float part = clamp((level - turning.z) * turning.w, 0.0, 1.0);
+  return part * part * (3.0 - 2.0 * part) * turning.x / level * vec2(-view.z, view.x);
+}
+// A direction of the view that a place is seen in, and what it is in the frame of the eye that sees it there: outwards, and two more. An eye that
+// turns with that direction is found by turns.
+void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
+  Eye eye = head();
+  vec3 shift = vec3(0.0);
+  view = vec3(0.0);
+  for (int turn = 0; turn < 12; ++turn) {
+    see(eye, place, direction, time);
+    vec3 seen = view_direction(eye, direction);
+    // From a sphere about the head, where both eyes look at one place.
+    float along = dot(seen, shift);
+    vec3 next = shift + (sqrt(max(along * along + 1.0 - dot(shift, shift), 0.0)) - along) * seen;
+    bool found = degree < 1 || distance(next, view) < 3e-6;
+    view = next;
+    if (found) {
+      break;
+    }
+    vec2 offset = eye_offset(view);
+    shift = turning.y * vec3(offset.x, 0.0, offset.y);
+    eye = eye_beside(inverse_reach * offset.x, inverse_reach * offset.y);
+  }
+  float outwards = dot(direction, eye.outward);
+  direction = degree < 1 ? direction : vec3(outwards, (direction - outwards * eye.outward).yz);
+  view = face_from_view * view;
 }
 )";
 

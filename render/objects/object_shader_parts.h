@@ -3,8 +3,8 @@
 // Parts that several of the shaders for objects have (render/objects/object_shaders.h).
 namespace ergodome {
 
-//! Where a place is seen and how long its light takes, by the observer's table as look_up_connection() reads it: see(). What the moving
-//! observer makes of a direction, in view axes: view_direction().
+//! `look(place, direction, view, time)`: in which direction of the observer's rest frame and of the view a place is seen, and how long its light
+//! takes, by the observer's table as look_up_connection() reads it.
 extern const char* const object_sight_source;
 
 //! `clip_place(view, depth)`: where a view direction comes to lie in the picture, for the rasterizer; `horizontal_period()`: how far

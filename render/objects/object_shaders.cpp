@@ -35,28 +35,29 @@ in vec2 corner_texture[];
 out vec3 patch_place[];
 out vec3 patch_normal[];
 out vec2 patch_texture[];
-bool screen_place(vec3 place, out vec2 on_screen) {
-  vec3 direction;
-  float time;
-  see(place, direction, time);
-  vec4 clip = clip_place(view_direction(direction), 0.0);
-  on_screen = clip.xy / clip.w;
-  return clip.w > 0.0;
-}
-float level(vec3 first, vec3 last) {
-  vec2 from;
-  vec2 to;
-  vec2 between;
-  bool seen = screen_place(first, from);
-  seen = screen_place(last, to) && seen;
-  seen = screen_place(0.5 * (first + last), between) && seen;
-  float bow = distance(between, 0.5 * (from + to));
-  float len = distance(from, to);
-  if (!seen) {
+vec2 on_screen[6];
+bool is_seen[6];
+float level(int from, int to, int between) {
+  float bow = distance(on_screen[between], 0.5 * (on_screen[from] + on_screen[to]));
+  float len = distance(on_screen[from], on_screen[to]);
+  if (!(is_seen[from] && is_seen[to] && is_seen[between])) {
     return tessellation.x;
   }
   float share = len > 0.0 ? tessellation.y * pow(bow / len, tessellation.z) : 0.0;
   return max(1.0, tessellation.x * clamp(share, 0.0, 1.0));
+}
+// Corners, and the middles of the edges opposite to them.
+void see_ends_and_middles() {
+  for (int i = 0; i < 6; ++i) {
+    vec3 place = i < 3 ? corner_place[i] : 0.5 * (corner_place[(i + 1) % 3] + corner_place[(i + 2) % 3]);
+    vec3 direction;
+    vec3 view;
+    float time;
+    look(place, direction, view, time);
+    vec4 clip = clip_place(view, 0.0);
+    on_screen[i] = clip.xy / clip.w;
+    is_seen[i] = clip.w > 0.0;
+  }
 }
 void main() {
   patch_place[gl_InvocationID] = corner_place[gl_InvocationID];
@@ -65,8 +66,11 @@ void main() {
   if (gl_InvocationID == 0) {
     vec3 levels = vec3(1.0);
     if (tessellation.x > 1.0) {
-      levels = vec3(level(corner_place[1], corner_place[2]), level(corner_place[2], corner_place[0]),
-                    level(corner_place[0], corner_place[1]));
+      see_ends_and_middles();
+      // What is behind a flat screen altogether need not be fine: there are five such of a cube's.
+      if (is_seen[0] || is_seen[1] || is_seen[2] || is_seen[3] || is_seen[4] || is_seen[5]) {
+        levels = vec3(level(1, 2, 3), level(2, 0, 4), level(0, 1, 5));
+      }
     }
     gl_TessLevelOuter[0] = levels.x;
     gl_TessLevelOuter[1] = levels.y;
@@ -93,8 +97,7 @@ void main() {
   seen_normal = share.x * patch_normal[0] + share.y * patch_normal[1] + share.z * patch_normal[2];
   seen_texture = share.x * patch_texture[0] + share.y * patch_texture[1] + share.z * patch_texture[2];
   float time;
-  see(seen_place, seen_direction, time);
-  seen_view = view_direction(seen_direction);
+  look(seen_place, seen_direction, seen_view, time);
   flat_direction = normalize(seen_place - vec3(table_range.z, 0.0, 0.0));
   // Depth is the time that light takes, from 0 to 1.
   gl_Position = clip_place(seen_view, time / (time + table_range.z));
@@ -166,7 +169,7 @@ layout(location = 16) uniform vec3 checker;
 layout(location = 17) uniform int textured;
 layout(location = 18) uniform vec4 light;
 layout(location = 19) uniform vec4 light_table_range;
-layout(binding = 1) uniform sampler2D light_table;
+layout(binding = 1) uniform sampler2DArray light_table;
 layout(binding = 2) uniform sampler2D image;
 in vec3 place;
 in vec3 normal;
@@ -184,9 +187,9 @@ float illuminance(float side) {
   vec3 across = off_axis > 0.0 ? beside / off_axis : normalize(cross(outward, outward.yzx + vec3(1.0, 0.0, 0.0)));
   float phi = atan(off_axis, along);
   float angle = side > 0.0 ? phi : two_pi - phi;
-  vec2 size = vec2(textureSize(light_table, 0));
+  vec2 size = vec2(textureSize(light_table, 0).xy);
   vec2 at = vec2(angle / two_pi, (1.0 / r - light_table_range.x) / (light_table_range.y - light_table_range.x));
-  vec3 node = texture(light_table, (at * (size - 1.0) + 0.5) / size).xyz;
+  vec3 node = texture(light_table, vec3((at * (size - 1.0) + 0.5) / size, 0.0)).xyz;
   float time = max(r * r_light * length(node.xy), 1e-3);
   vec2 emission = normalize(vec2(node.z, node.y * lapse(r) * r_light / (light_table_range.w * r)));
   vec3 radial = place / r;

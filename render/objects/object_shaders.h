@@ -30,12 +30,21 @@ enum ObjectUniform : int {
   uniform_light = 18,           //!< vec4: place and strength; no strength: the surface shines by itself
   uniform_light_table_range = 19,  //!< vec4: as of the observer
   uniform_table_orders = 20,       //!< int: of the observer's table; that of the light has two
+  uniform_table_observers = 21,    //!< vec2: least and greatest 1/r of observers that the table is for
+  uniform_turning =
+      22,  //!< vec4: of eyes that turn, as OmniCameraOf: offset, inverse convergence, where the fade begins, its scale
+  uniform_inverse_reach = 23,   //!< float
+  uniform_degree = 24,          //!< int: of the polynomials; 0: an eye that does not turn
+  uniform_face_from_view = 25,  //!< mat3
 };
 
 //! Texture units: the observer's table, the light's, and the mesh's image.
 inline constexpr int unit_table = 0;
 inline constexpr int unit_light_table = 1;
 inline constexpr int unit_image = 2;
+
+//! Uniform block: polynomials of eyes that turn (TurningView).
+inline constexpr int block_eyes = 0;
 
 std::string object_vertex_source();
 std::string object_control_source();

@@ -18,6 +18,14 @@ void set_vec4(int at, double x, double y, double z, double w) {
   glUniform4f(at, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w));
 }
 
+void set_mat3(int at, const double (&rows)[3][3]) {
+  float columns[9];
+  for (int i = 0; i < 9; ++i) {
+    columns[i] = static_cast<float>(rows[i % 3][i / 3]);
+  }
+  glUniformMatrix3fv(at, 1, GL_FALSE, columns);
+}
+
 }  // namespace
 
 ObjectView object_view(const EyeCamera& eye) {
@@ -37,6 +45,7 @@ ObjectView object_view(const EyeCamera& eye) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       view.view_from_frame[i][j] = eye.frame_from_view[j][i];
+      view.face_from_view[i][j] = i == j ? 1.0 : 0.0;
     }
   }
   const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity));
@@ -53,23 +62,18 @@ void turn_to_face(Projection& projection, ObjectView& view) {
   const Vector3<double> forward = direction_from_cube(projection.cube, 0.0, 0.0);
   const Vector3<double> axes[3] = {root * direction_from_cube(projection.cube, 1.0, 0.0) - forward,
                                    root * direction_from_cube(projection.cube, 0.0, 1.0) - forward, -1.0 * forward};
-  const ObjectView before = view;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const auto& from = before.view_from_frame;
-      view.view_from_frame[i][j] = axes[i].x * from[0][j] + axes[i].y * from[1][j] + axes[i].z * from[2][j];
-    }
+    view.face_from_view[i][0] = axes[i].x;
+    view.face_from_view[i][1] = axes[i].y;
+    view.face_from_view[i][2] = axes[i].z;
   }
   projection.kind = ProjectionKind::pinhole;
   projection.pinhole = {1.0, 1.0, 0.0, 0.0};
 }
 
 void set_view(const ObjectView& view) {
-  float columns[9];
-  for (int i = 0; i < 9; ++i) {
-    columns[i] = static_cast<float>(view.view_from_frame[i % 3][i / 3]);
-  }
-  glUniformMatrix3fv(uniform_view_from_frame, 1, GL_FALSE, columns);
+  set_mat3(uniform_view_from_frame, view.view_from_frame);
+  set_mat3(uniform_face_from_view, view.face_from_view);
   set_vec4(uniform_boost, view.boost_axis.x, view.boost_axis.y, view.boost_axis.z, view.boost_stretch);
 }
 
