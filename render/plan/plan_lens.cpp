@@ -48,6 +48,10 @@ void Planner::plan_lens() {
   }
   if (streamed) {
     buffer("lens grid of a place between stations", WorkMoment::picture, 0, quality);
+    if (plan_.eyes > 1) {
+      // An eye beside the camera's path is served as long as rays confirm it.
+      pass("check_blend", WorkMoment::picture, 0, 0, quality + ", " + why("stereo.model"), true);
+    }
   }
   buffer("shadow edge", WorkMoment::picture, 0, quality);
 }

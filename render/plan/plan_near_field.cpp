@@ -94,7 +94,7 @@ void Planner::plan_disk_grid(const std::string& reason, bool if_needed) {
 void Planner::plan_streamed_disk(const std::string& reason) {
   buffer("disk grid of a place between stations", WorkMoment::picture, 0, reason);
   if (plan_.eyes > 1) {
-    // An eye beside the camera's path is served as long as rays confirm it.
+    // As for the lens: an eye beside the camera's path is served as long as rays confirm it.
     pass("check_disk_grid", WorkMoment::picture, 0, 0, reason + ", " + why("stereo.model"), true);
   }
 }

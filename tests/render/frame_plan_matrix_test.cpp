@@ -1,11 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
 #include <string_view>
+#include <thread>
 
 #include "content/animated_show.h"
 #include "content/show_reader.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/frame/view_projection.h"
 #include "tests/render/frame_plan_scenes.h"
+#include "tests/support/baked_show.h"
 
 namespace ergodome {
 namespace {
@@ -176,6 +182,38 @@ TEST_F(FramePlans, HoldForADiskInAGridRoundObjects) {
   const FramePlan plan = plan_frame(show, asked);
   EXPECT_TRUE(plans(plan, disk_look_up_name(DiskDrawing::plain)));
   EXPECT_TRUE(plans(plan, near_field_name(DiskDrawing::plain, false)));
+}
+
+TEST_F(FramePlans, HoldForADiskWhoseLayersAreStreamed) {
+  Show show = plain_show();
+  show.camera.keys[0].r = 30.0;
+  show.camera.keys[1].r = 29.0;
+  show.camera.keys[0].theta = show.camera.keys[1].theta = 1.3;
+  show.disk.emplace();
+  const Projection projection = make_projection(show.view, show.view.size_px, 0.0);
+  bake_to(show, folder_ / "t.trajectory", pixel_angle(projection));
+  for (const bool eyes : {false, true}) {
+    const auto stream = std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(folder_ / "t.trajectory"),
+                                                        StationStream::default_memory_bytes, [](const std::string&) {});
+    const long all = static_cast<long>(stream->trajectory().stations().size());
+    // What is read ahead would count as work of a picture.
+    for (int tries = 0; tries < 500 && stream->statistics().read < all; ++tries) {
+      stream->at(0.5, 1.0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_EQ(stream->statistics().read, all);
+    if (eyes) {
+      show.stereo.layout = StereoLayout::side_by_side;
+      show.stereo.baseline = 0.05;
+    }
+    FrameRequest asked = request();
+    asked.streamed = true;
+    expect_as_planned(show, asked, stream);
+    const FramePlan plan = plan_frame(show, asked);
+    EXPECT_TRUE(plans(plan, disk_look_up_name(DiskDrawing::plain)));
+    EXPECT_FALSE(plans(plan, "trace_disk_nodes"));
+    EXPECT_EQ(plans(plan, "check_disk_grid"), eyes);
+  }
 }
 
 TEST_F(FramePlans, HaveNoGridForADiskBesideAShellOrThatFalls) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -120,9 +121,10 @@ class FramePlans : public FolderTest {
   }
 
   //! What two pictures of the same moment take.
-  static std::pair<Work, Work> work_of(const Show& show, const FrameRequest& request) {
+  static std::pair<Work, Work> work_of(const Show& show, const FrameRequest& request,
+                                       std::shared_ptr<StationStream> stream) {
     const Work start = work_done();
-    ShowRenderer renderer(show, request.backend, request.lens);
+    ShowRenderer renderer(show, request.backend, request.lens, std::move(stream));
     const ViewChoice choice = {request.mode, request.size_px, request.method};
     renderer.render(0.5, choice);
     const Work first = work_done();
@@ -130,10 +132,11 @@ class FramePlans : public FolderTest {
     return {work_between(start, first), work_between(first, work_done())};
   }
 
-  //! Holds pictures of a show to their plan.
-  static void expect_as_planned(const Show& show, const FrameRequest& request) {
+  //! Holds pictures of a show to their plan; `stream`: of stations that have been read.
+  static void expect_as_planned(const Show& show, const FrameRequest& request,
+                                std::shared_ptr<StationStream> stream = nullptr) {
     const FramePlan plan = plan_frame(show, request);
-    const auto [first, second] = work_of(show, request);
+    const auto [first, second] = work_of(show, request, std::move(stream));
     expect_passes(plan, first, second);
     expect_buffers(plan, first);
     std::set<std::string> planned;

@@ -167,18 +167,17 @@ TEST(ObjectReader, SaysWhichPartsOfAShowDoNotGoWithObjects) {
   const std::string sphere = "[[objects]]\nshape = \"sphere\"\nposition = [9, 0, 0]\n";
   EXPECT_TRUE(missing_features(show_of(sphere)).empty());
   EXPECT_EQ(missing_features(show_of(sphere + "[disk]\n")).size(), 1U);
-  for (const char* const model : {"flat", "omni"}) {
-    EXPECT_EQ(missing_features(show_of(sphere + "[stereo]\nlayout = \"rows\"\nmodel = \"" + model + "\"\n")).size(),
-              1U);
-  }
+  EXPECT_EQ(missing_features(show_of(sphere + "[stereo]\nlayout = \"rows\"\nmodel = \"flat\"\n")).size(), 1U);
   EXPECT_TRUE(missing_features(show_of(sphere + "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\n")).empty());
 }
 
-TEST(ObjectReader, LetsEyesThatTurnWithTheDirectionSeeTracedObjects) {
+TEST(ObjectReader, LetsEyesThatTurnWithTheDirectionSeeObjects) {
   const std::string stereo = "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\nmodel = ";
-  const std::string sphere = "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nposition = [9, 0, 0]\n";
-  EXPECT_TRUE(missing_features(show_of(sphere + stereo + "\"omni\"\n")).empty());
-  EXPECT_EQ(missing_features(show_of(sphere + stereo + "\"flat\"\n")).size(), 1U);
+  for (const std::string method : {"trace", "polygon"}) {
+    const std::string sphere = "[[objects]]\nshape = \"sphere\"\nmethod = \"" + method + "\"\nposition = [9, 0, 0]\n";
+    EXPECT_TRUE(missing_features(show_of(sphere + stereo + "\"omni\"\n")).empty());
+    EXPECT_EQ(missing_features(show_of(sphere + stereo + "\"flat\"\n")).size(), 1U);
+  }
 }
 
 TEST(ObjectMotion, AnOrbitIsRunThroughOnceInKeplersPeriod) {
