@@ -26,6 +26,7 @@ struct DiskStation {
   //! Sets of nodes that it has.
   [[nodiscard]] int sets() const { return pattern ? layer_orders : 1; }
   [[nodiscard]] std::size_t node_count() const { return nodes[0].size() / floats_a_node; }
+  [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] bool has_derivatives() const { return !nodes_along_r[0].empty(); }
 };
 

@@ -60,6 +60,10 @@ bool is_tree(const LensStation& s, std::size_t nodes) {
     if (child <= i || child < roots || child + 1 >= s.tree.size() || depth[i] == deepest_cell) {
       return false;
     }
+    // A child of two parents would have the depth of the last.
+    if (depth[child] != 0 || depth[child + 1] != 0) {
+      return false;
+    }
     depth[child] = depth[child + 1] = depth[i] + 1;
   }
   return std::ranges::all_of(s.leaves, [&](int node) { return node >= 0 && static_cast<std::size_t>(node) < nodes; });

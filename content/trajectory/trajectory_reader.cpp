@@ -71,10 +71,11 @@ DiskStation TrajectoryReader::read_disk(std::size_t station) const {
   // No sum of numbers from a file that has not been looked at.
   require_whole(entry.offset <= file_bytes_ && entry.bytes <= file_bytes_ - entry.offset, not_there, place);
   const Bytes frame = frame_at(entry.offset + entry.bytes, entry.disk_bytes, place);
+  const FrameHeader header = parse_frame_header(frame, place);
+  require_whole(header.unpacked_bytes == entry.disk_memory_bytes, not_there, place);
   DiskStation read = parse_disk(frame, place);
-  require_whole(parse_frame_header(frame, place).number == station && read.cells.r == entry.r &&
-                    read.cells.theta == entry.theta && read.cells.spin == provenance_.spin &&
-                    read.has_derivatives() == provenance_.derivatives,
+  require_whole(header.number == station && read.cells.r == entry.r && read.cells.theta == entry.theta &&
+                    read.cells.spin == provenance_.spin && read.has_derivatives() == provenance_.derivatives,
                 not_there, place);
   return read;
 }

@@ -29,6 +29,9 @@ struct TraceDiskNodes {
           put(plain + order, layers[order].u, i, is_number(layers[order].u, i) ? 0.0F : batch.camera.limits.lowest_u);
         }
       }
+      if constexpr (!WithPattern) {
+        plain[3] = plain[7] = plain[11] = plain[15] = 0.0F;
+      }
     }
   }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "content/animated_show.h"
 #include "content/camera_path.h"
@@ -9,7 +11,6 @@
 #include "render/disk/disk_grid_error.h"
 #include "render/disk/disk_grids.h"
 #include "render/disk/disk_layers.h"
-#include "render/disk/disk_pass.h"
 
 namespace ergodome {
 
@@ -21,13 +22,13 @@ constexpr double far_off = 5.0;
 
 double gap_measure(const ScreenError& error) { return std::max(error.p99_px, error.p999_px / far_off); }
 
-std::optional<DiskLook> disk_to_bake(const Show& show) {
+std::unique_ptr<const DiskPass> disk_to_bake(const Show& show) {
   if (!show.disk) {
-    return std::nullopt;
+    return nullptr;
   }
   // An edge that moves is baked where it is farthest out; a grid serves a disk that is somewhat smaller.
-  const DiskLook look = DiskPass(show_at_most(show), Backend::cpu).look_at(0.0);
-  return can_have_disk_grid(look) ? std::optional(look) : std::nullopt;
+  auto disk = std::make_unique<const DiskPass>(show_at_most(show), Backend::cpu);
+  return can_have_disk_grid(disk->look_at(0.0)) ? std::move(disk) : nullptr;
 }
 
 DiskBake::DiskBake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal)
@@ -36,7 +37,7 @@ DiskBake::DiskBake(const Show& show, const BakeSettings& settings, TrajectoryJou
 EyeCamera DiskBake::eye_at(double time_s) const { return eye_camera(show_, camera_pose(show_, time_s), 0.0); }
 
 DiskGridSettings DiskBake::settings_at(const EyeCamera& eye) const {
-  DiskGridSettings settings = disk_grid_settings(eye, *disk_, settings_.pixel);
+  DiskGridSettings settings = disk_grid_settings(eye, disk_->look_at(0.0), settings_.pixel);
   settings.budget_px = baked_grid_share * settings_.budget_px;
   settings.derivatives = settings_.derivatives;
   return settings;
@@ -55,10 +56,11 @@ double DiskBake::gap_error(double begin_s, double end_s) const {
   if (first.cells.r == last.cells.r && first.cells.theta == last.cells.theta) {
     return 0.0;
   }
-  if (!can_join(first, last)) {
+  std::optional<JoinedDisk> both = join(first, last);
+  if (!both) {
     return static_cast<double>(unknown_disk_error);
   }
-  const auto joined = std::make_shared<const JoinedDisk>(join(first, last));
+  const auto joined = std::make_shared<const JoinedDisk>(std::move(*both));
   double worst_px = 0.0;
   for (const double part : {0.5, 0.25}) {
     const EyeCamera eye = eye_at(begin_s + part * (end_s - begin_s));

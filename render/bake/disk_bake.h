@@ -1,17 +1,18 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "content/trajectory/trajectory_journal.h"
 #include "render/bake/trajectory_baker.h"
 #include "render/disk/disk_camera.h"
+#include "render/disk/disk_pass.h"
 #include "render/lens/eye_camera.h"
 #include "render/lens/screen_error.h"
 
 namespace ergodome {
 
-//! The disk of a show whose layers grids can hold, as large as it ever is.
-std::optional<DiskLook> disk_to_bake(const Show& show);
+//! The disk of a show, as large as it ever is; nothing where it has none whose layers grids can hold.
+std::unique_ptr<const DiskPass> disk_to_bake(const Show& show);
 
 //! Bakes the layers of a show's disk beside its lenses.
 class DiskBake {
@@ -19,7 +20,7 @@ class DiskBake {
   DiskBake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal);
 
   //! Whether the show has such a disk; without, nothing else may be called.
-  [[nodiscard]] bool wanted() const { return disk_.has_value(); }
+  [[nodiscard]] bool wanted() const { return disk_ != nullptr; }
 
   //! Builds the layers at a show time that the journal lacks.
   void add_if_missing(double time_s);
@@ -34,7 +35,7 @@ class DiskBake {
   const Show& show_;
   const BakeSettings& settings_;
   TrajectoryJournal& journal_;
-  std::optional<DiskLook> disk_;
+  std::unique_ptr<const DiskPass> disk_;
 };
 
 //! Of the bake's budget, for the grid of a station; what blending adds has to fit into the rest.

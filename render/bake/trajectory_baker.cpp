@@ -227,7 +227,7 @@ TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& setting
           settings.pixel,
           settings.budget_px,
           settings.derivatives,
-          disk_to_bake(show).has_value()};
+          disk_to_bake(show) != nullptr};
 }
 
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,

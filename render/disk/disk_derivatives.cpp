@@ -12,7 +12,7 @@ namespace ergodome {
 namespace {
 
 constexpr double longest_disk_step = 0.01;
-//! Below this, differences of floats say nothing [rad].
+//! Below this differences of floats say nothing [rad].
 constexpr double shortest_disk_step = 1e-4;
 
 //! Where a grid's nodes lie in its chart.
@@ -73,13 +73,13 @@ void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings
   DiskDifference difference(station, settings);
   const double dr = longest_disk_step * (cells.r - horizon_radius(cells.spin));
   difference.take({cells.r - dr, cells.theta}, {cells.r + dr, cells.theta}, 2.0 * dr, station.nodes_along_r);
-  if (cells.mirrored) {
+  const double step = std::min(0.5 * std::abs(cells.theta - 0.5 * pi), longest_disk_step);
+  if (step < shortest_disk_step) {
     for (int set = 0; set < station.sets(); ++set) {
       station.nodes_along_theta[set].assign(station.nodes[set].size(), 0.0F);
     }
     return;
   }
-  const double step = std::clamp(0.5 * std::abs(cells.theta - 0.5 * pi), shortest_disk_step, longest_disk_step);
   const double north = std::max(cells.theta - step, 0.0);
   const double south = std::min(cells.theta + step, pi);
   difference.take({cells.r, north}, {cells.r, south}, south - north, station.nodes_along_theta);

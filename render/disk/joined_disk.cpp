@@ -98,6 +98,9 @@ class PatchNode {
   float along_v_[2][4];
 };
 
+//! Bakes have some thousands of cells; what would come to so many is no bake's.
+constexpr std::size_t most_joined_entries = std::size_t{1} << 19U;
+
 //! Joins two stations.
 class Joiner {
  public:
@@ -106,7 +109,7 @@ class Joiner {
     joined_.second = described(second);
   }
 
-  JoinedDisk join() {
+  std::optional<JoinedDisk> join() {
     LensStation& cells = joined_.first.cells;
     const LensStation& like = stations_[0]->cells;
     cells.centre = like.centre;
@@ -132,6 +135,9 @@ class Joiner {
         split(cell, axis, open);
       } else {
         make_leaf(cell);
+      }
+      if (cells.tree.size() > most_joined_entries) {
+        return std::nullopt;
       }
     }
     return std::move(joined_);
@@ -257,8 +263,6 @@ class Joiner {
       sources_;  //!< of each node: the area of the leaf that it was read from, 0 where it is the station's own
 };
 
-}  // namespace
-
 bool can_join(const DiskStation& first, const DiskStation& second) {
   const LensStation& a = first.cells;
   const LensStation& b = second.cells;
@@ -267,6 +271,10 @@ bool can_join(const DiskStation& first, const DiskStation& second) {
          first.has_derivatives() == second.has_derivatives();
 }
 
-JoinedDisk join(const DiskStation& first, const DiskStation& second) { return Joiner(first, second).join(); }
+}  // namespace
+
+std::optional<JoinedDisk> join(const DiskStation& first, const DiskStation& second) {
+  return can_join(first, second) ? Joiner(first, second).join() : std::nullopt;
+}
 
 }  // namespace ergodome

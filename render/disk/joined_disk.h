@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "content/disk_station.h"
 
@@ -13,10 +13,8 @@ struct JoinedDisk {
   DiskStation second;  //!< its place and its nodes alone
 };
 
-//! Whether the layers of two stations can be joined: they are of one disk, and no camera is on the equator, or both are.
-bool can_join(const DiskStation& first, const DiskStation& second);
-
-//! Joins them. Images are told where either tells them, and left to rays where either leaves them.
-JoinedDisk join(const DiskStation& first, const DiskStation& second);
+//! Joins the layers of two stations. Images are told where either tells them, and left to rays where either leaves them. Nothing where the stations are
+//! not of one disk, where one camera alone is on the equator, and where their cells have so little in common that there would be too many.
+std::optional<JoinedDisk> join(const DiskStation& first, const DiskStation& second);
 
 }  // namespace ergodome

@@ -1,5 +1,8 @@
 #include "render/disk/streamed_disk.h"
 
+#include <cmath>
+#include <utility>
+
 #include "render/disk/disk_grid_error.h"
 
 namespace ergodome {
@@ -12,7 +15,13 @@ bool serve(const StationPair& pair, double budget_px, const DiskLook& disk) {
     return station && serves_disk(station->inner_r, station->outer_r, station->pattern, disk);
   };
   return serves(pair.first_disk) && static_cast<double>(pair.disk_gap_error_px) <= budget_px &&
-         (!pair.second || (serves(pair.second_disk) && can_join(*pair.first_disk, *pair.second_disk)));
+         (!pair.second || serves(pair.second_disk));
+}
+
+//! Whether a station without a second is where the head is: it may stand in for one that could not be read.
+bool is_at(const DiskStation& station, const EyeCamera& eye) {
+  return std::abs(station.cells.r - eye.head_r) <= 1e-9 * eye.head_r &&
+         std::abs(station.cells.theta - eye.head_theta) <= 1e-9;
 }
 
 }  // namespace
@@ -27,11 +36,14 @@ std::optional<DiskGrid> StreamedDisk::layers_for(const DiskGridRequest& request,
   }
   const TrajectoryProvenance& baked = stream_->trajectory().provenance();
   const std::optional<StationPair> pair = stream_->at_hand(*time_s);
-  if (!pair || !serve(*pair, baked.budget_px, request.disk)) {
+  if (!pair || !serve(*pair, baked.budget_px, request.disk) || (!pair->second && !is_at(*pair->first_disk, eye))) {
     return std::nullopt;
   }
   const LensPlace place = {eye.r, eye.theta};
   blend(*pair, place);
+  if (!layers_) {
+    return std::nullopt;
+  }
   if (is_beside(eye)) {
     const DiskGridSettings settings = disk_grid_settings(eye, request.disk, request.pixel);
     const ScreenError error = measure_disk_error(layers_->view(), eye.spin, place, settings, lattice_samples(32, 16));
@@ -47,11 +59,15 @@ void StreamedDisk::blend(const StationPair& pair, const LensPlace& place) {
     layers_.emplace(pair.first_disk, place);
     return;
   }
-  if (pair.first_disk != pair_.first_disk || pair.second_disk != pair_.second_disk) {
-    pair_ = pair;
-    joined_ = std::make_shared<const JoinedDisk>(join(*pair.first_disk, *pair.second_disk));
+  if (pair.first_disk != first_ || pair.second_disk != second_) {
+    first_ = pair.first_disk;
+    second_ = pair.second_disk;
+    std::optional<JoinedDisk> both = join(*first_, *second_);
+    joined_ = both ? std::make_shared<const JoinedDisk>(std::move(*both)) : nullptr;
   }
-  layers_.emplace(joined_, place);
+  if (joined_) {
+    layers_.emplace(joined_, place);
+  }
 }
 
 }  // namespace ergodome

@@ -22,8 +22,9 @@ class StreamedDisk {
   void blend(const StationPair& pair, const LensPlace& place);
 
   std::shared_ptr<StationStream> stream_;
-  StationPair pair_;  //!< whose layers are joined
-  std::shared_ptr<const JoinedDisk> joined_;
+  std::shared_ptr<const DiskStation> first_;  //!< whose layers are joined
+  std::shared_ptr<const DiskStation> second_;
+  std::shared_ptr<const JoinedDisk> joined_;  //!< nullptr where they cannot be
   std::optional<DiskLayers> layers_;
 };
 

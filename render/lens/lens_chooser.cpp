@@ -91,8 +91,7 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
   if (const Grid* kept = find(order, eye)) {
     return *kept;
   }
-  const bool one_eye = eye.r == eye.head_r && eye.theta == eye.head_theta;
-  if (backend_ == Backend::cpu && one_eye && request.moment.patience_s < ShowMoment::forever_s) {
+  if (backend_ == Backend::cpu && !is_beside(eye) && request.moment.patience_s < ShowMoment::forever_s) {
     if (!worker_) {
       worker_ = std::make_unique<GridWorker>();
     }

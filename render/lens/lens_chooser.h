@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <list>
 #include <memory>
 #include <optional>
@@ -40,8 +41,10 @@ struct LensRequest {
   GridScheme scheme = GridScheme::conforming;
 };
 
-//! Whether an eye is beside the path of a show's camera: one of two.
-inline bool is_beside(const EyeCamera& eye) { return eye.r != eye.head_r || eye.theta != eye.head_theta; }
+//! Whether an eye is beside the path of a show's camera: one of two. A single eye is on it but for rounding.
+inline bool is_beside(const EyeCamera& eye) {
+  return std::abs(eye.r - eye.head_r) > 1e-12 * eye.head_r || std::abs(eye.theta - eye.head_theta) > 1e-12;
+}
 
 //! Whether baked stations may serve an eye's pictures that have to be exact to `error` [rad].
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);

@@ -7,8 +7,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "kernels/core/error.h"
-
 namespace ergodome {
 
 namespace {
@@ -170,8 +168,8 @@ StationStream::Held StationStream::read_from_file(std::size_t station) const {
   if (reads_disk(station)) {
     try {
       fresh.disk = std::make_shared<const DiskStation>(trajectory_.read_disk(station));
-      fresh.bytes += trajectory_.stations()[station].disk_memory_bytes;
-    } catch (const Error& error) {
+      fresh.bytes += fresh.disk->bytes();
+    } catch (const std::exception& error) {
       // The lens is good without it.
       report_(error.what());
     }

@@ -20,7 +20,7 @@ struct TurningView {
 };
 
 //! The same of an eye about a head, where `eye_at` says how eyes stand there. Throws Error where no polynomial is exact enough: the baseline is too
-//! large for this place; and where an eye comes inside the photon sphere, or the hole spins.
+//! large for this place; and where an eye comes inside the photon sphere.
 TurningView turning_view(const OmniEye& eye, const EyePlace& eye_at);
 
 }  // namespace ergodome

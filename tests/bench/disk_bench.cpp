@@ -46,7 +46,7 @@ std::shared_ptr<const JoinedDisk> baked_pair(const Show& show, const DiskLook& d
     settings.derivatives = true;
     return build_disk_station(eye.spin, eye.r, eye.theta, settings);
   };
-  return std::make_shared<const JoinedDisk>(join(station(60.0), station(57.0)));
+  return std::make_shared<const JoinedDisk>(join(station(60.0), station(57.0)).value());
 }
 
 void disk_picture(benchmark::State& state, DiskLens lens, Beside beside) {

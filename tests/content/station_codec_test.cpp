@@ -73,6 +73,11 @@ INSTANTIATE_TEST_SUITE_P(Damage, StationCodecRefuses,
                                                     s.tree.insert(s.tree.end(), 2, -1);
                                                   }
                                                 }},
+                                         Damage{"its cells",
+                                                [](LensStation& s) {
+                                                  // Both halves of a root have the same halves.
+                                                  s.tree = {2 * 2 + 1, -1, 2 * 4, 2 * 4, -1, -1};
+                                                }},
                                          Damage{"no number", [](LensStation& s) { s.nodes[17] = INFINITY; }}),
                          [](const testing::TestParamInfo<Damage>& each) {
                            return "Case" + std::to_string(each.index);

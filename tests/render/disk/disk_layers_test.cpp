@@ -35,7 +35,7 @@ std::shared_ptr<const DiskStation> station_at(const LensPlace& place, bool patte
 std::shared_ptr<const JoinedDisk> joined(const LensPlace& first, const LensPlace& second, bool pattern = false,
                                          bool derivatives = true) {
   return std::make_shared<const JoinedDisk>(
-      join(*station_at(first, pattern, derivatives), *station_at(second, pattern, derivatives)));
+      join(*station_at(first, pattern, derivatives), *station_at(second, pattern, derivatives)).value());
 }
 
 //! What a grid misses by at a place, for all but a hundredth of what shows the disk [px].
@@ -58,7 +58,7 @@ PatchValue value_at(const DiskGrid& grid, int set, float gamma_turns, float s) {
 TEST(JoinedDisk, HasThePatchesOfBothStations) {
   const auto first = station_at({20.0, 1.2}, true);
   const auto second = station_at({26.0, 1.0}, true);
-  const JoinedDisk both = join(*first, *second);
+  const JoinedDisk both = join(*first, *second).value();
   EXPECT_GE(both.first.cells.leaf_count(), std::max(first->cells.leaf_count(), second->cells.leaf_count()));
   DiskStation second_nodes = both.first;
   for (int set = 0; set < layer_orders; ++set) {
@@ -96,7 +96,7 @@ TEST(JoinedDisk, HasThePatchesOfBothStations) {
 TEST(JoinedDisk, TellsImagesOfEitherStationAndLeavesToRaysWhatEitherLeaves) {
   const auto first = station_at({20.0, 1.2});
   const auto second = station_at({26.0, 1.0});
-  const JoinedDisk both = join(*first, *second);
+  const JoinedDisk both = join(*first, *second).value();
   std::mt19937 random(2);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
   int told_by_one = 0;
@@ -114,10 +114,35 @@ TEST(JoinedDisk, TellsImagesOfEitherStationAndLeavesToRaysWhatEitherLeaves) {
 
 TEST(JoinedDisk, IsOnlyOfOneDiskAndOfCamerasOnOneSideOfThePlane) {
   const auto any = station_at({20.0, 1.2});
-  EXPECT_TRUE(can_join(*any, *station_at({26.0, 1.0})));
-  EXPECT_FALSE(can_join(*any, *station_at({26.0, 1.0}, true)));
-  EXPECT_FALSE(can_join(*any, *station_at({26.0, 1.0}, false, false)));
-  EXPECT_FALSE(can_join(*any, *station_at({20.0, 0.5 * pi})));
+  EXPECT_TRUE(join(*any, *station_at({26.0, 1.0})).has_value());
+  EXPECT_FALSE(join(*any, *station_at({26.0, 1.0}, true)).has_value());
+  EXPECT_FALSE(join(*any, *station_at({26.0, 1.0}, false, false)).has_value());
+  EXPECT_FALSE(join(*any, *station_at({20.0, 0.5 * pi})).has_value());
+}
+
+//! Layers of one root cell that is halved along one axis alone, again and again.
+DiskStation strips(int axis, int halvings) {
+  DiskStation station;
+  station.cells.columns = 1;
+  station.cells.rows = 1;
+  station.cells.edge.assign(16, 0.3F);
+  station.nodes[0].assign(4UL * floats_a_node, 0.0F);
+  std::vector<int>& tree = station.cells.tree;
+  const int inner = (1 << halvings) - 1;
+  for (int i = 0; i < inner; ++i) {
+    tree.push_back(2 * (2 * i + 1) + axis);
+  }
+  for (int leaf = 0; leaf <= inner; ++leaf) {
+    tree.push_back(-1 - 2 * leaf);
+    station.cells.leaves.insert(station.cells.leaves.end(), {0, 1, 2, 3});
+    station.orders.push_back(1);
+  }
+  return station;
+}
+
+TEST(JoinedDisk, OfStationsWithNothingInCommonIsRefusedBeforeItFillsMemory) {
+  EXPECT_EQ(join(strips(0, 4), strips(1, 4)).value().first.cells.leaf_count(), 256U);
+  EXPECT_FALSE(join(strips(0, 12), strips(1, 12)).has_value());
 }
 
 TEST(DiskLayers, AtAStationAreItsOwnNodes) {

@@ -88,8 +88,9 @@ TEST_F(StreamedDiskPictures, AreThoseOfRaysAtAnyTimeAndForBothEyes) {
   for (const bool clouds : {false, true}) {
     bake(test::show_with_disk(clouds));
     EyeRenderer streamed(Backend::cpu, stream());
-    for (const double time_s : {0.0, 3.7, 9.1}) {
+    for (const double time_s : test::sanitized ? std::vector{2.3} : std::vector{0.0, 0.3, 1.1, 2.3, 3.7, 9.1}) {
       expect_like_rays(streamed, time_s, {});
+      EXPECT_FALSE(did("check_disk_grid"));
     }
     expect_like_rays(streamed, 3.7, {0.05, 0.02, 0.0});
     EXPECT_TRUE(did("check_disk_grid"));
@@ -149,6 +150,21 @@ TEST_F(StreamedDiskPictures, AreMadeWithoutLayersThatAreDamaged) {
   EyeRenderer direct(Backend::cpu);
   const std::vector<float> by_rays = picture(direct, 0.1, {}, LensChoice::direct);
   expect_alike(made, by_rays);
+}
+
+TEST_F(StreamedDiskPictures, AreNotReadFromTheNextStationInPlaceOfOneThatIsDamaged) {
+  bake(test::show_with_disk());
+  {
+    const TrajectoryReader reader(file());
+    std::fstream raw(file(), std::ios::binary | std::ios::in | std::ios::out);
+    const StationEntry& first = reader.stations()[0];
+    raw.seekp(static_cast<std::streamoff>(first.offset + first.bytes / 2));
+    raw.put('x');
+    raw.put('y');
+  }
+  EyeRenderer streamed(Backend::cpu, stream());
+  picture(streamed, 0.1, {}, LensChoice::automatic);
+  EXPECT_FALSE(did("look_up_disk"));
 }
 
 TEST_F(StreamedDiskPictures, OfShowsWithoutADiskHaveNoLayersBaked) {
