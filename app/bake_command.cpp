@@ -109,8 +109,9 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
              file.string(), trajectory.stations().size(), result.built,
              1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, result.worst_px);
   if (result.live_disk_s > 0.0) {
-    fmt::print("the disk's grid is made anew in {:.1f} s of the show, where blending would miss more (next to its plane)\n",
-               result.live_disk_s);
+    fmt::print(
+        "the disk's grid is made anew in {:.1f} s of the show, where blending would miss more (next to its plane)\n",
+        result.live_disk_s);
   }
   if (result.unmet > 0) {
     fmt::print(stderr, "ergodome: {} gaps between stations stay over the budget of {} px\n", result.unmet,
