@@ -111,14 +111,6 @@ class Joiner {
 
   std::optional<JoinedDisk> join() {
     LensStation& cells = joined_.first.cells;
-    const LensStation& like = stations_[0]->cells;
-    cells.centre = like.centre;
-    cells.first = like.first;
-    cells.second = like.second;
-    cells.edge = like.edge;
-    cells.mirrored = like.mirrored;
-    cells.columns = like.columns;
-    cells.rows = like.rows;
     std::vector<Open> open;
     for (int slot = 0; slot < cells.columns * cells.rows; ++slot) {
       const CellBox box = {slot % cells.columns * finest_a_root, slot / cells.columns * finest_a_root, finest_a_root,
@@ -151,12 +143,13 @@ class Joiner {
     std::array<TreeCursor, 2> at;
   };
 
-  //! A station's place and disk, without cells and nodes.
+  //! A station without cells and nodes.
   static DiskStation described(const DiskStation& station) {
     DiskStation like;
-    like.cells.spin = station.cells.spin;
-    like.cells.r = station.cells.r;
-    like.cells.theta = station.cells.theta;
+    like.cells = station.cells;
+    like.cells.tree.clear();
+    like.cells.leaves.clear();
+    like.cells.leaf_error_px.clear();
     like.inner_r = station.inner_r;
     like.outer_r = station.outer_r;
     like.pattern = station.pattern;

@@ -10,7 +10,7 @@ namespace ergodome {
 //! read one grid. Cubic patches stay what they are where cells are divided.
 struct JoinedDisk {
   DiskStation first;   //!< with the cells, and their images of either
-  DiskStation second;  //!< its place and its nodes alone
+  DiskStation second;  //!< for its place and its nodes; it has no cells
 };
 
 //! Joins the layers of two stations. Images are told where either tells them, and left to rays where either leaves them. Nothing where the stations are

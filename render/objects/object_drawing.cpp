@@ -56,32 +56,41 @@ void set_look(const ObjectSettings& object) {
               static_cast<float>(checker.dark));
 }
 
+unsigned object_program(bool turning) {
+  return linked_program({{GL_VERTEX_SHADER, object_vertex_source()},
+                         {GL_TESS_CONTROL_SHADER, object_control_source(turning)},
+                         {GL_TESS_EVALUATION_SHADER, object_evaluation_source(turning)},
+                         {GL_GEOMETRY_SHADER, object_geometry_source()},
+                         {GL_FRAGMENT_SHADER, object_fragment_source()}});
+}
+
 }  // namespace
 
-ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes)
-    : program_(linked_program({{GL_VERTEX_SHADER, object_vertex_source()},
-                               {GL_TESS_CONTROL_SHADER, object_control_source()},
-                               {GL_TESS_EVALUATION_SHADER, object_evaluation_source()},
-                               {GL_GEOMETRY_SHADER, object_geometry_source()},
-                               {GL_FRAGMENT_SHADER, object_fragment_source()}})) {
+ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes) : program_(object_program(false)) {
   for (const TriangleMesh& mesh : meshes) {
     meshes_.push_back(std::make_unique<GlMesh>(mesh));
   }
-  glCreateBuffers(1, &eyes_);
-  glNamedBufferStorage(eyes_, eyes_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
 }
 
 ObjectDrawing::~ObjectDrawing() {
   glDeleteBuffers(1, &eyes_);
+  glDeleteProgram(turning_program_);
   glDeleteProgram(program_);
 }
 
-void ObjectDrawing::set_turning(const Scene& scene) {
-  glBindBufferBase(GL_UNIFORM_BUFFER, block_eyes, eyes_);
-  glUniform1i(uniform_degree, scene.turning != nullptr ? scene.turning->degree : 0);
+void ObjectDrawing::use_program(const Scene& scene) {
   if (scene.turning == nullptr) {
+    glUseProgram(program_);
     return;
   }
+  if (turning_program_ == 0) {
+    turning_program_ = object_program(true);
+    glCreateBuffers(1, &eyes_);
+    glNamedBufferStorage(eyes_, eyes_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+  }
+  glUseProgram(turning_program_);
+  glBindBufferBase(GL_UNIFORM_BUFFER, block_eyes, eyes_);
+  glUniform1i(uniform_degree, scene.turning->degree);
   const OmniCameraOf<float>& eye = scene.turning->eye;
   glUniform4f(uniform_turning, eye.offset, eye.inverse_convergence, eye.fade_begin, eye.fade_scale);
   glUniform1f(uniform_inverse_reach, eye.inverse_reach);
@@ -95,8 +104,10 @@ void ObjectDrawing::set_tables(const Scene& scene) {
       scene.turning != nullptr ? scene.turning->radii : RadialRange{scene.view.r, scene.view.r};
   const ConnectionTexture& table = tables_.table(observers, scene.range, orders);
   set_table(unit_table, uniform_table_range, table, scene.view.r);
-  glUniform2f(uniform_table_observers, static_cast<float>(table.grid().u_observer_low),
-              static_cast<float>(table.grid().u_observer_high));
+  if (scene.turning != nullptr) {
+    glUniform2f(uniform_table_observers, static_cast<float>(table.grid().u_observer_low),
+                static_cast<float>(table.grid().u_observer_high));
+  }
   glUniform1i(uniform_table_orders, orders);
   const bool lit =
       scene.light && std::ranges::any_of(scene.objects, [](const PlacedObject& o) { return o.settings->lit; });
@@ -153,13 +164,12 @@ void ObjectDrawing::draw(const Scene& scene, const Projection& projection, const
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glUseProgram(program_);
+  use_program(scene);
   Projection flat = projection;
   ObjectView view = scene.view;
   turn_to_face(flat, view);
   set_projection(flat);
   set_view(view);
-  set_turning(scene);
   set_tables(scene);
   for (const PlacedObject& object : scene.objects) {
     draw_object(scene, object);

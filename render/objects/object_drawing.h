@@ -55,10 +55,11 @@ class ObjectDrawing {
   void set_tables(const Scene& scene);
   void draw_object(const Scene& scene, const PlacedObject& object) const;
 
-  void set_turning(const Scene& scene);
+  void use_program(const Scene& scene);
 
   unsigned program_;
-  unsigned eyes_ = 0;  //!< buffer of the uniform block
+  unsigned turning_program_ = 0;  //!< made when first needed
+  unsigned eyes_ = 0;             //!< buffer of its uniform block
   std::vector<std::unique_ptr<GlMesh>> meshes_;
   ConnectionTextures tables_;
   std::unique_ptr<ObjectTarget> target_;

@@ -11,11 +11,13 @@ layout(location = 4) uniform vec4 table_range;
 layout(location = 5) uniform mat3 view_from_frame;
 layout(location = 6) uniform vec4 boost;
 layout(location = 25) uniform mat3 face_from_view;
+#ifdef TURNING
 layout(location = 21) uniform vec2 table_observers;
 layout(location = 22) uniform vec4 turning;
 layout(location = 23) uniform float inverse_reach;
 layout(location = 24) uniform int degree;
 layout(std140, binding = 0) uniform Eyes { vec4 eyes[330]; };
+#endif
 // Lagrange's cubic through four nodes from `first` on.
 vec4 cubic_weights(float at, int first) {
   float t = at - float(first);
@@ -41,15 +43,16 @@ vec3 read_table(float r_observer, float r, float angle) {
   int first_row = clamp(int(floor(row)) - 1, 0, last.y - 3);
   vec4 across = cubic_weights(column, first_column);
   vec4 up = cubic_weights(row, first_row);
-  vec4 deep = vec4(1.0, 0.0, 0.0, 0.0);
-  if (last.z > 0) {
-    deep = cubic_weights((1.0 / r_observer - table_observers.x) / (table_observers.y - table_observers.x) * float(last.z), 0);
-  }
+#ifdef TURNING
+  vec4 deep = cubic_weights((1.0 / r_observer - table_observers.x) / (table_observers.y - table_observers.x) * float(last.z), 0);
   vec3 sum = vec3(0.0);
   for (int layer = 0; layer <= last.z; ++layer) {
     sum += deep[layer] * read_layer(layer, first_column, first_row, across, up);
   }
   return sum;
+#else
+  return read_layer(0, first_column, first_row, across, up);
+#endif
 }
 // An eye, by its parts in the head's rest frame.
 struct Eye {
@@ -59,6 +62,7 @@ struct Eye {
   mat3 view;
 };
 Eye head() { return Eye(vec3(1.0, 0.0, 0.0), table_range.z, boost, view_from_frame); }
+#ifdef TURNING
 // The eye at a place to the right and to the back of the head, both as parts of its reach.
 Eye eye_beside(float p, float q) {
   vec4 outward = vec4(0.0);
@@ -85,6 +89,7 @@ Eye eye_beside(float p, float q) {
   vec4 moved = speed > 0.0 ? vec4(velocity.xyz / speed, sqrt((1.0 - speed) / (1.0 + speed))) : vec4(1.0, 0.0, 0.0, 1.0);
   return Eye(normalize(outward.xyz), outward.w, moved, transpose(mat3(right.xyz, up.xyz, back.xyz)));
 }
+#endif
 void see(Eye eye, vec3 place, out vec3 direction, out float time) {
   float r = length(place);
   float along = dot(place, eye.outward);
@@ -111,6 +116,7 @@ vec3 view_direction(Eye eye, vec3 n) {
   float energy = 0.5 * (with_it + against);
   return eye.view * ((across + 0.5 * (with_it - against) * eye.boost.xyz) / energy);
 }
+#ifdef TURNING
 // Where an eye is that looks in a direction of the view: omni_offset() of kernels/trace/omni_camera.h.
 vec2 eye_offset(vec3 view) {
   float level = sqrt(dot(view.xz, view.xz) + 1e-20);
@@ -129,7 +135,7 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
     // From a sphere about the head, where both eyes look at one place.
     float along = dot(seen, shift);
     vec3 next = shift + (sqrt(max(along * along + 1.0 - dot(shift, shift), 0.0)) - along) * seen;
-    bool found = degree < 1 || distance(next, view) < 3e-6;
+    bool found = distance(next, view) < 3e-6;
     view = next;
     if (found) {
       break;
@@ -139,9 +145,16 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
     eye = eye_beside(inverse_reach * offset.x, inverse_reach * offset.y);
   }
   float outwards = dot(direction, eye.outward);
-  direction = degree < 1 ? direction : vec3(outwards, (direction - outwards * eye.outward).yz);
+  direction = vec3(outwards, (direction - outwards * eye.outward).yz);
   view = face_from_view * view;
 }
+#else
+void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
+  Eye eye = head();
+  see(eye, place, direction, time);
+  view = face_from_view * view_direction(eye, direction);
+}
+#endif
 )";
 
 const char* const object_projection_source = R"(

@@ -4,7 +4,8 @@
 namespace ergodome {
 
 //! `look(place, direction, view, time)`: in which direction of the observer's rest frame and of the view a place is seen, and how long its light
-//! takes, by the observer's table as look_up_connection() reads it.
+//! takes, by the observer's table as look_up_connection() reads it. With TURNING for eyes that turn (TurningView), without for one that does not, which
+//! pays nothing for them.
 extern const char* const object_sight_source;
 
 //! `clip_place(view, depth)`: where a view direction comes to lie in the picture, for the rasterizer; `horizontal_period()`: how far

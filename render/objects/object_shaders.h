@@ -34,7 +34,7 @@ enum ObjectUniform : int {
   uniform_turning =
       22,  //!< vec4: of eyes that turn, as OmniCameraOf: offset, inverse convergence, where the fade begins, its scale
   uniform_inverse_reach = 23,   //!< float
-  uniform_degree = 24,          //!< int: of the polynomials; 0: an eye that does not turn
+  uniform_degree = 24,          //!< int: of the polynomials
   uniform_face_from_view = 25,  //!< mat3
 };
 
@@ -47,8 +47,9 @@ inline constexpr int unit_image = 2;
 inline constexpr int block_eyes = 0;
 
 std::string object_vertex_source();
-std::string object_control_source();
-std::string object_evaluation_source();
+//! `turning`: for eyes that turn with the direction one looks at; the others have no uniforms of these.
+std::string object_control_source(bool turning);
+std::string object_evaluation_source(bool turning);
 std::string object_geometry_source();
 std::string object_fragment_source();
 

@@ -7,174 +7,25 @@
 #include <vector>
 
 #include "kernels/core/angles.h"
-#include "kernels/projection/make_projection.h"
 #include "kernels/schwarzschild/apparent_place.h"
-#include "render/near_field/near_field.h"
 #include "render/objects/object_rays.h"
 #include "tests/render/eye_at.h"
+#include "tests/render/objects/traced_scene.h"
 #include "tests/support/sanitized.h"
 
-// Objects drawn by rays: where they are seen, what hides them, and how bright they are.
+// Objects drawn by rays: what hides them, and how bright they are. Where they are seen: traced_coverage_test.cpp.
 namespace ergodome {
 namespace {
 
+using test::ball;
+using test::draw;
+using test::Drawn;
 using test::eye_at;
-
-constexpr int traced_size_px = test::sanitized ? 64 : 128;
-constexpr double tolerance_px = 0.05;
-
-ObjectSettings ball(const Vector3<double>& position, double size, const Vector3<double>& color = {1.0, 1.0, 1.0}) {
-  ObjectSettings object;
-  object.form = ObjectForm::sphere;
-  object.method = ObjectMethod::trace;
-  object.position = position;
-  object.size = size;
-  object.color = color;
-  return object;
-}
-
-Show show_of(double spin, std::vector<ObjectSettings> objects) {
-  Show show;
-  show.name = "scene";
-  show.spin = spin;
-  show.objects = std::move(objects);
-  return show;
-}
-
-struct Drawn {
-  Projection projection;
-  std::vector<float> rgba;
-
-  [[nodiscard]] float at(int x, int y, int part) const {
-    return rgba[4 * static_cast<std::size_t>(y * projection.width_px + x) + static_cast<std::size_t>(part)];
-  }
-  [[nodiscard]] float covered(int x, int y) const { return at(x, y, 3); }
-};
-
-//! Over black, in blocks of so many rows.
-Drawn draw(const Show& show, const EyeCamera& eye, const Projection& projection, int rows = 1 << 20,
-           double time_s = 0.0) {
-  Drawn drawn{projection,
-              std::vector<float>(4UL * static_cast<std::size_t>(projection.width_px * projection.height_px))};
-  TracedObjects objects(show, Backend::cpu);
-  const ShellPass shells(show, Backend::cpu);
-  const std::unique_ptr<DiskPass> disk = show.disk ? std::make_unique<DiskPass>(show, Backend::cpu) : nullptr;
-  for (int row = 0; row < projection.height_px; row += rows) {
-    draw_near_field(Backend::cpu, {disk.get(), show.shells.empty() ? nullptr : &shells, &objects},
-                    {eye, nullptr, projection, tolerance_px, time_s}, {row, std::min(rows, projection.height_px - row)},
-                    drawn.rgba.data() + 4L * row * projection.width_px);
-  }
-  return drawn;
-}
-
-Projection screen(double field_of_view) {
-  return make_pinhole_projection(traced_size_px, traced_size_px, field_of_view);
-}
-
-Vector3<double> observed(const EyeCamera& eye, const Projection& projection, double x, double y) {
-  const Vector3<double> v = direction_from_pixel(projection, x, y);
-  const auto part = [&](int i) {
-    return eye.frame_from_view[i][0] * v.x + eye.frame_from_view[i][1] * v.y + eye.frame_from_view[i][2] * v.z;
-  };
-  return {part(0), part(1), part(2)};
-}
-
-CameraStation station(const EyeCamera& eye) {
-  return make_camera_station(eye.spin, eye.r, eye.theta, eye.phi, eye.motion, eye.velocity);
-}
-
-//! Holds every pixel to exact rays through sixteen places of it.
-void expect_exact_coverage(const Show& show, const EyeCamera& eye, const Projection& projection) {
-  const Drawn drawn = draw(show, eye, projection);
-  const ObjectRays rays(show, 0.0);
-  const CameraStation camera = station(eye);
-  int seen = 0;
-  int unlike = 0;
-  for (int y = 0; y < projection.height_px; ++y) {
-    for (int x = 0; x < projection.width_px; ++x) {
-      int hits = 0;
-      for (int i = 0; i < 16; ++i) {
-        const int row = i / 4;
-        const double along = x + (i % 4 + 0.5) / 4.0;
-        const double down = y + (row + 0.5) / 4.0;
-        const auto hit = rays.look(camera, observed(eye, projection, along, down), 1e-10);
-        hits += hit && hit->mesh >= 0 ? 1 : 0;
-      }
-      seen += hits > 0 ? 1 : 0;
-      const double off = std::abs(static_cast<double>(drawn.covered(x, y)) - hits / 16.0);
-      // Of sixteen places one may lie on an outline; of what is thinner than half a pixel four may see nothing.
-      EXPECT_LT(off, hits > 0 && hits < 16 ? 0.45 : 0.07) << x << ", " << y;
-      unlike += off > 0.07 ? 1 : 0;
-    }
-  }
-  EXPECT_GT(seen, 40);
-  EXPECT_LE(unlike, seen / 25);
-}
-
-constexpr int exact_px = test::sanitized ? 24 : 48;
-
-TEST(TracedObjects, CoverTheVeryPartsOfPixelsThatExactRaysMeet) {
-  for (const double spin : {0.0, 0.95, -1.0}) {
-    SCOPED_TRACE(spin);
-    const Show show = show_of(spin, {ball({-4.0, 3.0, 1.0}, 1.2), ball({3.0, -5.0, -2.0}, 1.5)});
-    expect_exact_coverage(show, eye_at(spin, 25.0, 1.2), make_pinhole_projection(exact_px, exact_px, 0.75));
-  }
-}
-
-TEST(TracedObjects, ExactlyBehindTheHoleAreARing) {
-  const Show show = show_of(0.0, {ball({-12.0, 0.0, 0.0}, 0.6)});
-  const EyeCamera eye = eye_at(0.0, 25.0, 0.5 * pi, ObserverMotion::fixed);
-  expect_exact_coverage(show, eye, make_pinhole_projection(exact_px, exact_px, 0.9));
-}
-
-TEST(TracedObjects, OnTheAxisAndAcrossItAreSeenFromTheAxis) {
-  const Show show = show_of(0.99, {ball({0.0, 0.0, 5.0}, 0.7), ball({0.0, 0.3, -6.0}, 1.0)});
-  expect_exact_coverage(show, eye_at(0.99, 20.0, 0.0), make_pinhole_projection(exact_px, exact_px, 1.0));
-}
-
-TEST(TracedObjects, AboutTheCameraFillThePictureButForTheHole) {
-  const Show show = show_of(0.5, {ball({0.0, 0.0, 0.0}, 14.0)});
-  expect_exact_coverage(show, eye_at(0.5, 8.0, 1.0), make_pinhole_projection(exact_px, exact_px, 2.0));
-}
-
-// Of tiles that are marked: the rays that tell look for triangles as the pixels' own do.
-TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
-  struct Scene {
-    double spin;
-    double r;
-    double field_of_view;
-    ObjectSettings object;
-  };
-  constexpr int dense_px = test::sanitized ? 80 : 240;
-  for (const Scene& at :
-       {Scene{0.999, 60.0, 0.7, ball({22.0, -8.0, 1.0}, 2.2)}, Scene{0.999, 60.0, 0.3, ball({-22.0, 3.0, 1.0}, 0.8)},
-        Scene{0.0, 25.0, 0.8, ball({-8.0, 1.0, 0.5}, 0.5)}, Scene{-1.0, 15.0, 1.2, ball({5.0, 6.0, -1.0}, 0.4)}}) {
-    SCOPED_TRACE(testing::Message() << at.spin << " " << at.object.position.x);
-    const Show show = show_of(at.spin, {at.object});
-    const EyeCamera eye = eye_at(at.spin, at.r, 1.4);
-    const Projection projection = make_pinhole_projection(dense_px, dense_px, at.field_of_view);
-    const Drawn drawn = draw(show, eye, projection);
-    const ObjectRays rays(show, 0.0);
-    const auto sees = [&](double x, double y) {
-      const auto hit = rays.look(station(eye), observed(eye, projection, x, y), 1e-9);
-      return hit && hit->mesh >= 0;
-    };
-    int seen = 0;
-    int missed = 0;
-    for (int y = 0; y < dense_px; ++y) {
-      for (int x = 0; x < dense_px; ++x) {
-        // The middle, and the middles of the quarters: images finer than a quarter may lie between samples.
-        if (sees(x + 0.5, y + 0.5) && sees(x + 0.25, y + 0.25) && sees(x + 0.75, y + 0.25) &&
-            sees(x + 0.25, y + 0.75) && sees(x + 0.75, y + 0.75)) {
-          ++seen;
-          missed += drawn.covered(x, y) > 0.0F ? 0 : 1;
-        }
-      }
-    }
-    EXPECT_GT(seen, test::sanitized ? 5 : 20);
-    EXPECT_EQ(missed, 0);
-  }
-}
+using test::observed;
+using test::screen;
+using test::show_of;
+using test::station;
+using test::traced_size_px;
 
 TEST(TracedObjects, AreTheSameInBlocksOfRowsAsInOne) {
   const Show show = show_of(0.9, {ball({-4.0, 3.0, 1.0}, 1.2)});
