@@ -22,6 +22,7 @@ struct DiskStation {
   NodeSets nodes_along_r;
   NodeSets nodes_along_theta;
   std::vector<unsigned char> orders;
+  std::vector<float> nearness;  //!< DiskGrid::nearness; empty where nobody asked for it, and in files
 
   //! Sets of nodes that it has.
   [[nodiscard]] int sets() const { return pattern ? layer_orders : 1; }

@@ -33,14 +33,8 @@ std::vector<std::string> missing_features(const Show& show) {
   if (eye_count(stereo) < 2) {
     return missing;
   }
-  if (stereo.model == StereoModel::flat && show.disk) {
-    missing.emplace_back("a disk is not drawn in the stereo model flat (stereo.model, disk)");
-  }
-  if (stereo.model == StereoModel::flat && !show.objects.empty()) {
-    missing.emplace_back("objects are not drawn in the stereo model flat (stereo.model, objects)");
-  }
-  if (stereo.model == StereoModel::flat && !show.shells.empty()) {
-    missing.emplace_back("shells are not drawn in the stereo model flat (stereo.model, shells)");
+  if (stereo.model == StereoModel::flat && has_objects(show, ObjectMethod::trace)) {
+    missing.emplace_back("objects are drawn as polygons in the stereo model flat (stereo.model, objects.method)");
   }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;

@@ -19,7 +19,9 @@ struct CrossingLayer {
   T u;       //!< 1 / r [1/M]
   T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, less the horizon's winding at u; with the pattern alone
   T sine;
-  T delay;  //!< coordinate time from emission to the camera, less the winding's [M]; with the pattern alone
+  T delay;           //!< coordinate time from emission to the camera, less the winding's [M]; with the pattern alone
+  T distance;        //!< affine distance from the camera [M]; where it is asked for
+  RealOf<T> u_rate;  //!< du/dλ, backwards: positive for light that was emitted outwards; with the distance alone
 };
 
 namespace detail {
@@ -29,6 +31,7 @@ template <class T>
 struct StraightRates {
   T drag;
   T delay;
+  T distance;
 };
 
 //! Takes the force out of the series of the lanes that go on straight.
@@ -45,6 +48,12 @@ ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T
     for (int k = 1; k <= Order; ++k) {
       s.drag[k] = select(straight, k == 1 ? rates.drag : none, s.drag[k]);
       s.delay[k] = select(straight, k == 1 ? rates.delay : none, s.delay[k]);
+    }
+  }
+  if constexpr (has_distance(Parts)) {
+    ERGO_UNROLL
+    for (int k = 1; k <= Order; ++k) {
+      s.distance[k] = select(straight, k == 1 ? rates.distance : none, s.distance[k]);
     }
   }
 }
@@ -79,6 +88,17 @@ ERGO_HD void move_series_exactly(NearSeries<Order, T, Parts>& s, const T& h) {
   if constexpr (has_delay(Parts)) {
     s.delay[0] = series_value(s.delay, h);
   }
+  if constexpr (has_distance(Parts)) {
+    s.distance[0] = series_value(s.distance, h);
+  }
+}
+
+//! A layer of a 1/r alone.
+template <class T>
+ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
+  const RealOf<T> zero(ScalarOf<T>(0));
+  const T none(zero);
+  return {u, none, none, none, none, zero};
 }
 
 //! Reads a layer from the series where the light is in the plane. What goes on straight has lost its winding where it began to.
@@ -86,7 +106,7 @@ template <int Order, class T, NearParts Parts>
 ERGO_HD CrossingLayer<T> layer_at(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& straight,
                                   const NearSeries<Order, T, Parts>& s, const T& h) {
   const T none(RealOf<T>(ScalarOf<T>(0)));
-  CrossingLayer<T> layer = {series_value(s.u, h), none, none, none};
+  CrossingLayer<T> layer = empty_layer(series_value(s.u, h));
   if constexpr (has_delay(Parts)) {
     const T x = series_value(s.x, h);
     const T y = series_value(s.y, h);
@@ -98,13 +118,21 @@ ERGO_HD CrossingLayer<T> layer_at(const HorizonWinding<ScalarOf<T>>& horizon, co
     layer.sine = x * sine + y * cosine;
     layer.delay = series_value(s.delay, h) - winding_delay(horizon) * wound;
   }
+  if constexpr (has_distance(Parts)) {
+    layer.distance = series_value(s.distance, h);
+    layer.u_rate = value_of(series_rate(s.u, h));
+  }
   return layer;
 }
 
 template <class Mask, class T>
 ERGO_HD void keep_layer(const Mask& mask, const CrossingLayer<T>& from, CrossingLayer<T>& to) {
-  to = {select(mask, from.u, to.u), select(mask, from.cosine, to.cosine), select(mask, from.sine, to.sine),
-        select(mask, from.delay, to.delay)};
+  to = {select(mask, from.u, to.u),
+        select(mask, from.cosine, to.cosine),
+        select(mask, from.sine, to.sine),
+        select(mask, from.delay, to.delay),
+        select(mask, from.distance, to.distance),
+        select(mask, from.u_rate, to.u_rate)};
 }
 
 //! Light in the plane of a camera that is in it crosses it where its neighbours do: its height has a size that does not matter, and a sign.
@@ -197,34 +225,34 @@ ERGO_HD void meet_plane(const HorizonWinding<ScalarOf<T>>& horizon, const NearSe
   state.side = side;
 }
 
-//! Ends lanes that have all their crossings, or are so far off the disk that the rest do not matter.
+//! Ends lanes that have `orders` crossings, or are so far off the disk that the rest do not matter.
 template <class T>
-ERGO_HD void end_layers(const T& u, const LayerLimits<ScalarOf<T>>& limits, LayerState<T>& state,
-                        CrossingLayer<T> (&layers)[crossing_orders]) {
+ERGO_HD void end_layers(const T& u, const T& distance, const LayerLimits<ScalarOf<T>>& limits, int orders,
+                        LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
-  const T none(Real(S(0)));
   const auto high = value_of(u) > Real(limits.highest_u);
   const auto done = state.active & state.straight & (high | (value_of(u) < Real(limits.lowest_u)));
   if (any(done)) {
-    const T end = select(high, T(Real(limits.highest_u)), T(Real(limits.lowest_u)));
+    CrossingLayer<T> beyond = empty_layer(select(high, T(Real(limits.highest_u)), T(Real(limits.lowest_u))));
+    beyond.distance = distance;
     for (int order = 0; order < crossing_orders; ++order) {
       const auto missing = done & (state.count < Real(S(order + 0.5)));
-      keep_layer(missing, CrossingLayer<T>{end, none, none, none}, layers[order]);
+      keep_layer(missing, beyond, layers[order]);
     }
   }
-  state.active = state.active & (!done) & (state.count < Real(S(crossing_orders - 0.5)));
+  state.active = state.active & (!done) & (state.count < Real(static_cast<S>(orders) - S(0.5)));
 }
 
 }  // namespace detail
 
-//! Follows a ray to its first crossings of the equatorial plane, wherever they are. With Parts beyond NearParts::place_alone, azimuth and time too.
+//! Follows a ray to its first `orders` crossings of the equatorial plane, wherever they are. With Parts beyond NearParts::place_alone, azimuth and time too.
 //!
 //! False where a ray met the step limit. With MixedDual numbers all derivatives are exact ones.
 template <int Order, NearParts Parts, class T>
 ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start,
                                        const LayerLimits<ScalarOf<T>>& limits,
-                                       CrossingLayer<T> (&layers)[crossing_orders]) {
+                                       CrossingLayer<T> (&layers)[crossing_orders], int orders = crossing_orders) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const Real zero(S(0));
@@ -232,7 +260,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const NearRay<T> ray = detail::off_the_plane(start);
   const HorizonWinding<S> horizon = horizon_winding(spin);
   for (CrossingLayer<T>& layer : layers) {
-    layer = {T(Real(limits.lowest_u)), none, none, none};
+    layer = detail::empty_layer(T(Real(limits.lowest_u)));
   }
   const Real scale =
       safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(S(1)));
@@ -241,7 +269,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
   const Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), Real(S(1))));
-  detail::LayerState<T> state = {zero<Real(S(1)), zero> zero, side, zero, {none, none}};
+  detail::LayerState<T> state = {zero<Real(S(1)), zero> zero, side, zero, {none, none, none}};
   for (int step = 0; step < limits.step_limit && any(state.active); ++step) {
     detail::expand_near(spin, ray, coefficients, s);
     detail::straighten(state.straight, state.rates, s);
@@ -249,9 +277,12 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
     MaskOf<Real> leaves = zero > zero;
     const T h = detail::end_of_step(s, limits, length, state, leaves);
     detail::meet_plane(horizon, s, value_of(h), state, layers);
-    detail::StraightRates<T> rates = {none, none};
+    detail::StraightRates<T> rates = {none, none, none};
     if constexpr (has_delay(Parts)) {
-      rates = {series_rate(s.drag, h), series_rate(s.delay, h)};
+      rates = {series_rate(s.drag, h), series_rate(s.delay, h), none};
+    }
+    if constexpr (has_distance(Parts)) {
+      state.rates.distance = select(leaves, series_rate(s.distance, h), state.rates.distance);
     }
     detail::move_series_exactly(s, h);
     if constexpr (has_delay(Parts)) {
@@ -260,7 +291,11 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
       }
     }
     state.straight = state.straight | leaves;
-    detail::end_layers(s.u[0], limits, state, layers);
+    if constexpr (has_distance(Parts)) {
+      detail::end_layers(s.u[0], s.distance[0], limits, orders, state, layers);
+    } else {
+      detail::end_layers(s.u[0], none, limits, orders, state, layers);
+    }
   }
   return !state.active;
 }

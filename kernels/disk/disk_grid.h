@@ -18,6 +18,8 @@ struct DiskGrid {
   LensGrid cells;  //!< its `nodes` are not used
   const float* nodes[layer_orders];
   const unsigned char* orders;  //!< for each leaf: bit n says that the disk's n-th image may be seen there
+  //! 1 over the affine distance of each order in the rain frame, (q_0, q_1, q_2, 0) and their derivatives; nullptr where nobody asked for them.
+  const float* nearness;
 };
 
 //! The part of the plane that a grid is for, in 1/r, and what its errors are measured by.
@@ -42,6 +44,7 @@ struct DiskNodeBatch {
   const float* gamma_turns;
   const float* s;
   float* nodes[layer_orders];
+  float* nearness;  //!< as in DiskGrid; nullptr where nobody asks for them
 };
 
 //! Cells to check by traced rays, as CheckBatch does.

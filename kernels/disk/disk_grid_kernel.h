@@ -33,9 +33,29 @@ struct TraceDiskNodes {
         plain[3] = plain[7] = plain[11] = plain[15] = 0.0F;
       }
     }
+    if (batch.nearness != nullptr) {
+      trace_nearness(n, first);
+    }
   }
 
  private:
+  //! The nodes' second set, by a ray that carries the affine distance and no more.
+  ERGO_HD void trace_nearness(const Vector3<M>& n, int first) const {
+    CrossingLayer<M> layers[crossing_orders];
+    detail::trace_grid_layers<NearParts::distance>(batch.camera, n, layers);
+    for (int i = 0; i < RealTraits<T>::lane_count && first + i < batch.count; ++i) {
+      float* const node = batch.nearness + floats_a_node * static_cast<long>(first + i);
+      for (int order = 0; order < crossing_orders; ++order) {
+        const M& distance = layers[order].distance;
+        const auto far = distance.value > T(0.0F);
+        const M one(T(1.0F));
+        const M q = select(far, one / select(far, distance, one), M(T(0.0F)));
+        put(node + order, is_number(q, i) ? q : M(T(0.0F)), i, 0.0F);
+      }
+      node[3] = node[7] = node[11] = node[15] = 0.0F;
+    }
+  }
+
   ERGO_HD static bool is_number(const M& a, int i) {
     return ::fabsf(lane(a.value, i)) + ::fabsf(lane(a.along_x, i)) + ::fabsf(lane(a.along_y, i)) +
                ::fabsf(lane(a.mixed, i)) <

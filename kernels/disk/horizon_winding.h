@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/dual.h"
 #include "kernels/core/mixed_dual.h"
 #include "kernels/core/transcendental.h"
 
@@ -37,6 +38,12 @@ namespace detail {
 template <class T>
 ERGO_HD T logarithm_of(const T& a) {
   return natural_logarithm(a);
+}
+
+template <class T>
+ERGO_HD Dual<T> logarithm_of(const Dual<T>& a) {
+  const T inverse = ScalarOf<T>(1) / a.value;
+  return {natural_logarithm(a.value), a.along_x * inverse, a.along_y * inverse};
 }
 
 template <class T>

@@ -2,8 +2,9 @@
 
 #include "kernels/disk/disk_chart.h"
 #include "kernels/disk/disk_grid.h"
+#include "kernels/disk/disk_lane_place.h"
 #include "kernels/disk/disk_sight.h"
-#include "kernels/disk/horizon_winding.h"
+#include "kernels/disk/layer_light.h"
 #include "kernels/near_field/layer_sight.h"
 #include "kernels/near_field/pixel_samples.h"
 #include "kernels/trace/pixel_geometry.h"
@@ -70,7 +71,7 @@ struct LookUpDisk {
       if (!mask_lane(wanted, i)) {
         continue;
       }
-      const LanePlace at = place_of(place, i);
+      const DiskLanePlace at = disk_lane_place(batch.grid.cells, place, i);
       if (!holds(leaf, at.gamma_turns, at.s)) {
         leaf = find_leaf(batch.grid.cells, at.gamma_turns, at.s);
       }
@@ -90,27 +91,6 @@ struct LookUpDisk {
     return seen;
   }
 
-  //! A lane's place in the grid's cells, and how it changes along the image's rows and columns.
-  struct LanePlace {
-    float gamma_turns;
-    float s;
-    float gamma_along_x, gamma_along_y;
-    float s_along_x, s_along_y;
-  };
-
-  //! A grid of half the sky is read at -γ for the other half.
-  ERGO_HD LanePlace place_of(const DiskPlace<T>& place, int i) const {
-    const float turns = lane(place.gamma_turns.value, i);
-    const bool over = batch.grid.cells.mirrored != 0 && turns > 0.5F;
-    const float side = over ? -1.0F : 1.0F;
-    return {over ? 1.0F - turns : turns,
-            lane(place.s.value, i),
-            side * lane(place.gamma_turns.along_x, i),
-            side * lane(place.gamma_turns.along_y, i),
-            lane(place.s.along_x, i),
-            lane(place.s.along_y, i)};
-  }
-
   //! A pixel, or a part of one: its width as a part of a pixel's, and its lane.
   struct Look {
     float pixel;
@@ -118,7 +98,7 @@ struct LookUpDisk {
   };
 
   //! Composes what a lane sees by a leaf; tells whether there may be more than its middle tells.
-  ERGO_HD bool read(const Leaf& leaf, const LanePlace& at, unsigned orders, const Look& look, const NearRay<T>& ray,
+  ERGO_HD bool read(const Leaf& leaf, const DiskLanePlace& at, unsigned orders, const Look& look, const NearRay<T>& ray,
                     SeenLanes<T>& seen) const {
     const LeafPlace within = place_in(leaf, at.gamma_turns, at.s);
     const int* const corners = batch.grid.cells.leaves + 4 * leaf.number;
@@ -140,8 +120,8 @@ struct LookUpDisk {
       const int part = WithPattern ? 0 : order;
       const float along_gamma = quad_part(value.along_gamma, part);
       const float along_s = quad_part(value.along_s, part);
-      const float x = along_gamma * at.gamma_along_x + along_s * at.s_along_x;
-      const float y = along_gamma * at.gamma_along_y + along_s * at.s_along_y;
+      const float x = at.along_x(along_gamma, along_s);
+      const float y = at.along_y(along_gamma, along_s);
       const float change = ::sqrtf(x * x + y * y);
       fine = fine || holds_finer(batch.near_field.disk, change);
       compose(quad_part(value.sky, part), look.pixel * change, value, look.lane, ray, seen);
@@ -152,25 +132,14 @@ struct LookUpDisk {
   //! Puts a crossing behind what lane `i` has seen.
   ERGO_HD void compose(float u, float width, const PatchValue& value, int i, const NearRay<T>& ray,
                        SeenLanes<T>& seen) const {
-    const DiskLook& look = batch.near_field.disk;
-    const detail::DiskSpan span = detail::disk_span(look.inner_r, look.outer_r, u, width);
-    const float opacity = look.opacity * span.coverage;
-    // A number that is not one covers nothing.
-    if (!(opacity > 0.0F)) {
-      return;
-    }
-    SeenCrossing at = {span.coverage, span.r, width * span.r, false, 0.0F, 0.0F};
+    SeenLayer layer = {u, width, 1.0F, 0.0F, 0.0F, false};
     if constexpr (WithPattern) {
-      const CameraStationOf<float>& camera = batch.near_field.pixels.camera;
-      const HorizonWinding<float> horizon = horizon_winding(camera.spin);
-      const float wound = winding(horizon, 1.0F / span.r);
-      at.phi = ::atan2f(quad_part(value.sky, 2), quad_part(value.sky, 1)) + winding_turn(horizon) * wound +
-               ::atan2f(camera.sine_phi, camera.cosine_phi);
-      at.delay = quad_part(value.sky, 3) + winding_delay(horizon) * wound;
+      layer.cosine = quad_part(value.sky, 1);
+      layer.sine = quad_part(value.sky, 2);
+      layer.delay = quad_part(value.sky, 3);
     }
-    const PhotonConstants photon = {lane(ray.energy, i), lane(ray.axial_angular_momentum, i),
-                                    lane(ray.shear_constant, i), lane(ray.carter, i)};
-    put_behind(opacity * disk_light(look, photon, at), opacity, i, seen);
+    put_layer_behind<WithPattern>(batch.near_field.pixels.camera, batch.near_field.disk, layer,
+                                  photon_constants(ray, i), i, seen);
   }
 
   //! Looks along rays for the lanes of a mask.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/disk/disk_grid.h"
+#include "kernels/flat_eyes/draw_flat_eyes.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/warp_pixels.h"
 #include "kernels/launch/instruction_set.h"
@@ -60,6 +61,8 @@ struct KernelTable {
   void (*shade_sky)(const ShadeBatch& batch, int begin, int end);
   void (*shade_heat_map)(const ShadeBatch& batch, int begin, int end);  //!< one element an index
   void (*draw_near_field)(const NearFieldBatch& batch, int begin, int end);
+  void (*draw_flat_eyes)(const FlatEyeBatch& batch, int begin, int end);
+  void (*look_up_flat_eyes)(const FlatEyeLookUpBatch& batch, int begin, int end);
   void (*trace_disk_nodes)(const DiskNodeBatch& batch, int begin, int end);
   void (*check_disk_cells)(const DiskCheckBatch& batch, int begin, int end);
   void (*check_disk_grid)(const DiskGridCheckBatch& batch, int begin, int end);

@@ -87,6 +87,14 @@ const char* near_field_name(DiskDrawing disk, bool shells);
 //! Draws disk and shells over a picture of the sky, by a ray for each pixel that may see them; see NearFieldBatch.
 void draw_near_field(Backend backend, const NearFieldBatch& batch);
 
+//! The same for eyes of the stereo model `flat`.
+const char* flat_eyes_name(DiskDrawing disk, bool shells);
+void draw_flat_eyes(Backend backend, const FlatEyeBatch& batch);
+
+//! By a grid; on the CPU alone.
+const char* flat_look_up_name(DiskDrawing disk);
+void look_up_flat_eyes(const FlatEyeLookUpBatch& batch);
+
 //! What grids of a camera's sky that hold the disk's images need: tracing their nodes, comparing their cells with traced rays, drawing the
 //! disk from them; see the batches. On the CPU alone.
 void trace_disk_nodes(const DiskNodeBatch& batch);

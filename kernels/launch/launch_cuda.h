@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "kernels/flat_eyes/draw_flat_eyes.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
@@ -29,6 +30,7 @@ void look_up_rays_cuda(const LookUpRaysBatch<double>& batch);
 void read_quadtree_rays_cuda(const QuadtreeRaysBatch& batch);
 void shade_pixels_cuda(const ShadeBatch& batch);
 void draw_near_field_cuda(const NearFieldBatch& batch);
+void draw_flat_eyes_cuda(const FlatEyeBatch& batch);
 void mark_object_tiles_cuda(const ObjectTileBatch& batch);
 void look_at_objects_cuda(const ObjectPixelBatch& batch);
 void lay_objects_cuda(const LayObjectsBatch& batch);

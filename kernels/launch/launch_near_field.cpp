@@ -27,6 +27,42 @@ void draw_near_field(Backend backend, const NearFieldBatch& batch) {
   finish(counter, backend, batch);
 }
 
+const char* flat_eyes_name(DiskDrawing disk, bool shells) {
+  constexpr const char* names[2][2] = {{nullptr, "draw_flat_eyes, shells"},
+                                       {"draw_flat_eyes, disk", "draw_flat_eyes, disk, shells"}};
+  return names[disk == DiskDrawing::none ? 0 : 1][shells ? 1 : 0];
+}
+
+void draw_flat_eyes(Backend backend, const FlatEyeBatch& batch) {
+  const NearFieldBatch& scene = batch.near_field;
+  const char* const name = flat_eyes_name(scene.drawing, scene.shells.count > 0);
+  if (name == nullptr) {
+    return;
+  }
+  const int pixels = scene.pixels.row_count * scene.pixels.projection.width_px;
+  WorkCounter& counter = work_counter(name);
+  const WorkScope work(counter, pixels);
+  if (backend == Backend::cuda) {
+    draw_flat_eyes_cuda(batch);
+  } else {
+    run_on_cpu(active_table().draw_flat_eyes, batch, pixels, active_table().lanes_float);
+  }
+  finish(counter, backend, scene);
+}
+
+const char* flat_look_up_name(DiskDrawing disk) {
+  return disk == DiskDrawing::pattern ? "look_up_flat_eyes, pattern" : "look_up_flat_eyes";
+}
+
+void look_up_flat_eyes(const FlatEyeLookUpBatch& batch) {
+  const NearFieldBatch& scene = batch.eye.near_field;
+  const int pixels = scene.pixels.row_count * scene.pixels.projection.width_px;
+  WorkCounter& counter = work_counter(flat_look_up_name(scene.drawing));
+  const WorkScope work(counter, pixels);
+  run_on_cpu(active_table().look_up_flat_eyes, batch, pixels, active_table().lanes_float);
+  finish(counter, Backend::cpu, scene);
+}
+
 void mark_object_tiles(Backend backend, const ObjectTileBatch& batch) {
   static WorkCounter counter("mark_object_tiles");
   const WorkScope work(counter, batch.count);

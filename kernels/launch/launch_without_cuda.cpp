@@ -33,6 +33,8 @@ void shade_pixels_cuda(const ShadeBatch&) { refuse(); }
 
 void draw_near_field_cuda(const NearFieldBatch&) { refuse(); }
 
+void draw_flat_eyes_cuda(const FlatEyeBatch&) { refuse(); }
+
 void mark_object_tiles_cuda(const ObjectTileBatch&) { refuse(); }
 
 void look_at_objects_cuda(const ObjectPixelBatch&) { refuse(); }

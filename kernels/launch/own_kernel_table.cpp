@@ -2,6 +2,7 @@
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/own_disk_grid.h"
+#include "kernels/launch/own_flat_eyes.h"
 #include "kernels/launch/own_near_field.h"
 #include "kernels/launch/own_objects.h"
 #include "kernels/launch/own_shading.h"
@@ -105,6 +106,8 @@ const KernelTable& own_kernel_table() {
       &shade_sky,
       &run<ShadeHeatMap, ShadeBatch>,
       &draw_near_field,
+      &draw_flat_eyes,
+      &look_up_flat_eyes,
       &trace_disk_nodes,
       &check_disk_cells,
       &check_disk_grid,

@@ -85,11 +85,21 @@ ERGO_HD AberrationOf<S> converted_aberration(const Aberration& a) {
   return {converted_boost<S>(a.zamo_from_observer), converted_boost<S>(a.rain_from_zamo)};
 }
 
-//! A direction in the observer's frame, seen in the rain frame.
+//! A direction in the observer's frame, seen in the rain frame. `energy` receives the photon's energy there over what the observer measures.
+template <class T>
+ERGO_HD Vector3<T> rain_direction(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n, T& energy) {
+  T to_zamo;
+  T to_rain;
+  const Vector3<T> seen =
+      aberrated(aberration.rain_from_zamo, aberrated(aberration.zamo_from_observer, n, to_zamo), to_rain);
+  energy = to_zamo * to_rain;
+  return seen;
+}
+
 template <class T>
 ERGO_HD Vector3<T> rain_direction(const AberrationOf<ScalarOf<T>>& aberration, const Vector3<T>& n) {
   T energy;
-  return aberrated(aberration.rain_from_zamo, aberrated(aberration.zamo_from_observer, n, energy), energy);
+  return rain_direction(aberration, n, energy);
 }
 
 //! And back: a direction in the rain frame, seen in the observer's.

@@ -8,10 +8,14 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! What is carried along a ray beside 1/r and the height m_z.
-enum class NearParts { place_alone, azimuth, azimuth_and_delay };
+enum class NearParts { place_alone, distance, azimuth, azimuth_and_delay, azimuth_and_distance };
 
-constexpr bool has_azimuth(NearParts parts) { return parts != NearParts::place_alone; }
+constexpr bool has_azimuth(NearParts parts) { return parts >= NearParts::azimuth; }
 constexpr bool has_delay(NearParts parts) { return parts == NearParts::azimuth_and_delay; }
+//! The affine distance of kernels/geodesic/affine_distance.h.
+constexpr bool has_distance(NearParts parts) {
+  return parts == NearParts::distance || parts == NearParts::azimuth_and_distance;
+}
 
 namespace detail {
 
@@ -24,6 +28,7 @@ struct NearSeries {
   T y[has_azimuth(Parts) ? Order + 1 : 1];
   T drag[has_azimuth(Parts) ? Order + 1 : 1];
   T delay[has_delay(Parts) ? Order + 1 : 1];
+  T distance[has_distance(Parts) ? Order + 1 : 1];
 };
 
 //! Constants of a ray as the recurrences use them, in time scaled by 1 / s.
@@ -100,6 +105,27 @@ ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T
   }
 }
 
+//! The affine distance: its rate is r² + a² z².
+template <int Order, NearParts Parts, class T>
+ERGO_HD void expand_distance(ScalarOf<T> spin, const RealOf<T>& inverse_scale, const T* z_square,
+                             NearSeries<Order, T, Parts>& s) {
+  using S = ScalarOf<T>;
+  const S a2 = spin * spin;
+  T radius[Order];  // r = 1/u
+  const T inverse_u = S(1) / s.u[0];
+  ERGO_UNROLL
+  for (int k = 0; k < Order; ++k) {
+    T reciprocal(S(k == 0 ? 1 : 0));
+    ERGO_UNROLL
+    for (int i = 1; i <= k; ++i) {
+      reciprocal = reciprocal - s.u[i] * radius[k - i];
+    }
+    radius[k] = reciprocal * inverse_u;
+    const RealOf<T> share = inverse_scale * S(1.0 / (k + 1));
+    s.distance[k + 1] = (square_coefficient(radius, k) + a2 * z_square[k]) * share;
+  }
+}
+
 //! Fills the series from their coefficients 0 and, of the places, 1.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void expand_near(ScalarOf<T> spin, const NearRay<T>& ray, const NearCoefficients<T>& c,
@@ -140,6 +166,9 @@ ERGO_HD void expand_near(ScalarOf<T> spin, const NearRay<T>& ray, const NearCoef
   if constexpr (has_azimuth(Parts)) {
     expand_drag(spin, ray, c.inverse_scale, square, z_square, s);
   }
+  if constexpr (has_distance(Parts)) {
+    expand_distance(spin, c.inverse_scale, z_square, s);
+  }
 }
 
 template <class T>
@@ -174,6 +203,9 @@ ERGO_HD void start_series(const NearRay<T>& ray, const RealOf<T>& inverse_scale,
   if constexpr (has_delay(Parts)) {
     s.delay[0] = zero;
   }
+  if constexpr (has_distance(Parts)) {
+    s.distance[0] = zero;
+  }
 }
 
 //! Coefficients 0 and 1 of the series about h.
@@ -193,6 +225,9 @@ ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const RealOf<T>& h) {
   }
   if constexpr (has_delay(Parts)) {
     s.delay[0] = series_value(s.delay, h);
+  }
+  if constexpr (has_distance(Parts)) {
+    s.distance[0] = series_value(s.distance, h);
   }
 }
 

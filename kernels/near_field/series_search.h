@@ -52,6 +52,9 @@ ERGO_HD RealOf<T> near_term(const NearSeries<Order, T, Parts>& s, int k, const R
   if constexpr (has_delay(Parts)) {
     sum = sum + size(s.delay[k]) * absolute(value_of(s.u[0]));
   }
+  if constexpr (has_distance(Parts)) {
+    sum = sum + size(s.distance[k]) * absolute(value_of(s.u[0]));
+  }
   return sum;
 }
 

@@ -11,8 +11,10 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! A light ray in the plane of a Schwarzschild hole from a point to an observer; M = 1.
 struct ConnectingRay {
-  double xi;                //!< at a static observer, between where the light seems to come from and outward [rad]
-  double travel_time;       //!< coordinate time [M]
+  double xi;           //!< at a static observer, between where the light seems to come from and outward [rad]
+  double travel_time;  //!< coordinate time [M]
+  double
+      affine_distance;  //!< for a photon of energy 1 at infinity [M]; times √(1 - 2/r) at the observer for one that is seen with energy 1 there
   double impact_parameter;  //!< [M]
   double emission_angle;    //!< at a static emitter at the point, between where the light leaves to and outward [rad]
   double rate_at_observer;  //!< du/dφ there, φ counted from the observer to the point [1/M]
@@ -28,6 +30,7 @@ struct Endpoints {
   double v_far, v_near;  //!< u - 1/3
   double gap;            //!< u_near - u_far
   double log_gap;        //!< r*_far - r*_near [M]
+  double r_gap;          //!< r_far - r_near [M]
   bool observer_is_near;
 };
 
@@ -42,6 +45,7 @@ ERGO_HD Endpoints make_endpoints(double r_observer, double r) {
   ends.v_far = (3.0 - ends.r_far) * ends.u_far / 3.0;
   const double apart = ends.r_far - ends.r_near;
   ends.gap = apart * ends.u_near * ends.u_far;
+  ends.r_gap = apart;
   ends.log_gap = apart + 2.0 * ::log1p(apart / (ends.r_near - 2.0));
   return ends;
 }
@@ -90,15 +94,22 @@ struct PlungingMismatch {
   }
 };
 
-//! Rates at both ends, their signs and the time, put in terms of observer and point.
+//! How long a ray is.
+struct RayLength {
+  double time;
+  double affine_distance;
+};
+
+//! Rates at both ends, their signs and the length, put in terms of observer and point.
 ERGO_HD ConnectingRay ray_of(const Endpoints& ends, double inverse_b, double rate_far, double rate_near, bool turns,
-                             double turn_side, double time) {
+                             double turn_side, const RayLength& length) {
   // du/dφ on the way from far to near: inward all the way, or away from the turn at the end.
   const double start = turns ? turn_side * rate_far : rate_far;
   const double end = turns ? -turn_side * rate_near : rate_near;
   ConnectingRay ray{};
   ray.impact_parameter = 1.0 / inverse_b;
-  ray.travel_time = time;
+  ray.travel_time = length.time;
+  ray.affine_distance = length.affine_distance;
   ray.rate_at_observer = ends.observer_is_near ? -end : start;
   ray.rate_at_point = ends.observer_is_near ? -start : end;
   const double at_far = ::atan2(ends.u_far * lapse(ends.r_far), -start);
@@ -114,6 +125,7 @@ ERGO_HD ConnectingRay radial_ray(const Endpoints& ends, double angle) {
   ConnectingRay ray{};
   ray.impact_parameter = b;
   ray.travel_time = ends.log_gap + 0.5 * b * angle;
+  ray.affine_distance = ends.r_gap + 0.5 * b * angle * (1.0 - ends.u_near - ends.u_far);
   const double at_far = pi - ::asin(b * ends.u_far * lapse(ends.r_far));
   const double at_near = ::asin(b * ends.u_near * lapse(ends.r_near));
   ray.xi = ends.observer_is_near ? at_near : at_far;
@@ -137,7 +149,7 @@ ERGO_HD ConnectingRay plunging_ray(const Endpoints& ends, double angle) {
   const PlungingOrbit orbit = plunging_orbit(::exp(y));
   const OrbitLeg leg = plunging_leg(orbit, ends.v_far, ends.v_near, ends.gap);
   return ray_of(ends, ::sqrt(orbit.inverse_b_squared), radial_rate(orbit, ends.v_far), radial_rate(orbit, ends.v_near),
-                false, 0.0, ends.log_gap + leg.delay);
+                false, 0.0, {ends.log_gap + leg.delay, ends.r_gap + leg.stretch});
 }
 
 ERGO_HD ConnectingRay turning_ray(const Endpoints& ends, const TurningFamily& family, double angle) {
@@ -156,7 +168,7 @@ ERGO_HD ConnectingRay turning_ray(const Endpoints& ends, const TurningFamily& fa
   const OrbitLeg rest = leg_from_turn(orbit, distance);
   const double rate_pivot = radial_rate(orbit, distance);
   const double rate_other = radial_rate(orbit, distance + family.gap);
-  double time = ends.log_gap + whole.delay - rest.delay;
+  RayLength length{ends.log_gap + whole.delay - rest.delay, ends.r_gap + whole.stretch - rest.stretch};
   if (z > 0.0) {
     // Both legs, the shorter one twice: once in log_gap's stead, once for the way back.
     const double r_pivot = 1.0 / family.u_pivot;
@@ -164,12 +176,13 @@ ERGO_HD ConnectingRay turning_ray(const Endpoints& ends, const TurningFamily& fa
     const double above = 2.0 * family.from_half * r_pivot;  // r - 2
     const double above_turn = 2.0 * (family.from_half - family.side * distance) * r_turn;
     const double out = distance * r_pivot * r_turn;
-    time = ends.log_gap + 2.0 * (out + 2.0 * ::log1p(out / (family.side > 0.0 ? above_turn : above))) + whole.delay +
-           rest.delay;
+    length.time = ends.log_gap + 2.0 * (out + 2.0 * ::log1p(out / (family.side > 0.0 ? above_turn : above))) +
+                  whole.delay + rest.delay;
+    length.affine_distance = ends.r_gap + 2.0 * out + whole.stretch + rest.stretch;
   }
   const bool pivot_is_near = family.side > 0.0;
   return ray_of(ends, ::sqrt(orbit.inverse_b_squared), pivot_is_near ? rate_other : rate_pivot,
-                pivot_is_near ? rate_pivot : rate_other, z > 0.0, family.side, time);
+                pivot_is_near ? rate_pivot : rate_other, z > 0.0, family.side, length);
 }
 
 //! Azimuth between two places on one side of the photon sphere along the critical orbit: with f² = 2u + 1/3, dφ = 2 df / (1 - f²).
@@ -210,7 +223,7 @@ ERGO_HD_CALLED ConnectingRay connecting_ray(double r_observer, double r, double 
   if (ends.gap == 0.0 && r == 3.0) {
     // Light runs round the photon sphere.
     const double b = ::sqrt(27.0);
-    return detail::ray_of(ends, 1.0 / b, 0.0, 0.0, false, 0.0, b * angle);
+    return detail::ray_of(ends, 1.0 / b, 0.0, 0.0, false, 0.0, {b * angle, 9.0 / b * angle});
   }
   const bool same_side = outside || ends.r_far < 3.0;
   if (!same_side || angle <= detail::critical_angle(ends)) {

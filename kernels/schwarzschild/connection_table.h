@@ -10,7 +10,7 @@
 // It holds where a point seems to be: x = t cos ξ, y = t sin ξ, and z = t cos ζ with the emission angle ζ, all divided by r and the
 // observer's radius. These are normal coordinates of light's geometry, smooth wherever there is light, the observer's own place included,
 // where ξ itself takes every value; and in flat space x = u_obs cos φ - u, y = u_obs sin φ, z = u cos φ - u_obs, which interpolation
-// reproduces. x and z are even in φ, y is odd.
+// reproduces. x and z are even in φ, y is odd. Beside them is the affine distance over t: smooth and even, too, and 1 - 2u at the observer's own place.
 //
 // The rays of a fan are solved at few u (Chebyshev's points) and few φ, evenly spaced; high-order interpolation carries them to the nodes.
 // A node is a float: its rounding moves ξ by some 1e-7 rad.
@@ -29,11 +29,20 @@ struct ConnectionGrid {
 
 struct ConnectionNode {
   float x, y, z;
+  float distance;
 };
 
 //! The same before it is rounded.
 struct ConnectionPlace {
   double x, y, z;
+  double distance;
+
+  ERGO_HD void add(double weight, const ConnectionPlace& other) {
+    x += weight * other.x;
+    y += weight * other.y;
+    z += weight * other.z;
+    distance += weight * other.distance;
+  }
 };
 
 //! A table that is being made.
@@ -56,9 +65,10 @@ inline constexpr int fan_stencil = 10;
 
 //! What a table says of a point.
 struct SeenPoint {
-  double xi;              //!< as ConnectingRay has it [rad]
-  double travel_time;     //!< [M]
-  double emission_angle;  //!< as ConnectingRay has it [rad]
+  double xi;               //!< as ConnectingRay has it [rad]
+  double travel_time;      //!< [M]
+  double emission_angle;   //!< as ConnectingRay has it [rad]
+  double affine_distance;  //!< as ConnectingRay has it [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -108,7 +118,7 @@ ERGO_HD CubicStencil cubic_stencil(double at, int least, int last) {
 //! Interpolates one layer in u and φ.
 ERGO_HD ConnectionPlace read_layer(const ConnectionView& view, int layer, const CubicStencil& row,
                                    const CubicStencil& column) {
-  ConnectionPlace sum{0.0, 0.0, 0.0};
+  ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
   const long width = view.grid.columns + 1;
   for (int i = 0; i < 4; ++i) {
     const ConnectionNode* const line = view.nodes + (static_cast<long>(layer) * view.grid.rows + row.first + i) * width;
@@ -116,9 +126,9 @@ ERGO_HD ConnectionPlace read_layer(const ConnectionView& view, int layer, const 
       const int at = column.first + j;
       const ConnectionNode& node = line[at < 0 ? -at : at];
       const double weight = row.weight[i] * column.weight[j];
-      sum.x += weight * static_cast<double>(node.x);
-      sum.y += at < 0 ? -weight * static_cast<double>(node.y) : weight * static_cast<double>(node.y);
-      sum.z += weight * static_cast<double>(node.z);
+      const double side = at < 0 ? -1.0 : 1.0;
+      sum.add(weight, {static_cast<double>(node.x), side * static_cast<double>(node.y), static_cast<double>(node.z),
+                       static_cast<double>(node.distance)});
     }
   }
   return sum;
@@ -138,17 +148,15 @@ ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observ
   if (grid.layers > 1) {
     const double share = (1.0 / r_observer - grid.u_observer_low) / (grid.u_observer_high - grid.u_observer_low);
     const detail::CubicStencil layer = detail::cubic_stencil(share * (grid.layers - 1), 0, grid.layers - 1);
-    place = {0.0, 0.0, 0.0};
+    place = {0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < 4; ++i) {
-      const ConnectionPlace part = detail::read_layer(view, layer.first + i, row, column);
-      place.x += layer.weight[i] * part.x;
-      place.y += layer.weight[i] * part.y;
-      place.z += layer.weight[i] * part.z;
+      place.add(layer.weight[i], detail::read_layer(view, layer.first + i, row, column));
     }
   }
   // b is one: sin ζ √(1 - 2/r)^-1 r = sin ξ √(1 - 2/r_obs)^-1 r_obs.
   const double emitted_y = place.y * detail::lapse(r) * r_observer / (detail::lapse(r_observer) * r);
-  return {::atan2(place.y, place.x), r * r_observer * ::hypot(place.x, place.y), ::atan2(emitted_y, place.z)};
+  const double time = r * r_observer * ::hypot(place.x, place.y);
+  return {::atan2(place.y, place.x), time, ::atan2(emitted_y, place.z), place.distance * time};
 }
 
 }  // namespace ERGO_TARGET

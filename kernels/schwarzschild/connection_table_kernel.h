@@ -18,12 +18,13 @@ struct SolveConnectionFan {
     const double u_observer = observer_u(grid, line / grid.fan_rows);
     const double angle = pi * column / fan_steps_to_pi;
     if (u == u_observer && column == 0) {
-      batch.fan[index] = {0.0, 0.0, 0.0};
+      batch.fan[index] = {0.0, 0.0, 0.0, 1.0 - 2.0 * u};
       return;
     }
     const ConnectingRay ray = connecting_ray(1.0 / u_observer, 1.0 / u, angle);
     const double scaled = ray.travel_time * u * u_observer;
-    batch.fan[index] = {scaled * ::cos(ray.xi), scaled * ::sin(ray.xi), scaled * ::cos(ray.emission_angle)};
+    batch.fan[index] = {scaled * ::cos(ray.xi), scaled * ::sin(ray.xi), scaled * ::cos(ray.emission_angle),
+                        ray.affine_distance / ray.travel_time};
   }
 };
 
@@ -42,7 +43,7 @@ struct SpreadConnectionRows {
     const ConnectionPlace* const fan =
         batch.fan + static_cast<long>(layer) * grid.fan_rows * fan_columns(grid) + column;
     double weights = 0.0;
-    ConnectionPlace sum{0.0, 0.0, 0.0};
+    ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < grid.fan_rows; ++i) {
       const ConnectionPlace& place = fan[static_cast<long>(i) * fan_columns(grid)];
       const double apart = u - fan_u(grid, i);
@@ -53,11 +54,9 @@ struct SpreadConnectionRows {
       }
       const double weight = (i % 2 == 0 ? 1.0 : -1.0) * (i == 0 || i == grid.fan_rows - 1 ? 0.5 : 1.0) / apart;
       weights += weight;
-      sum.x += weight * place.x;
-      sum.y += weight * place.y;
-      sum.z += weight * place.z;
+      sum.add(weight, place);
     }
-    batch.spread[index] = {sum.x / weights, sum.y / weights, sum.z / weights};
+    batch.spread[index] = {sum.x / weights, sum.y / weights, sum.z / weights, sum.distance / weights};
   }
 };
 
@@ -71,28 +70,26 @@ struct FillConnectionNodes {
     const ConnectionPlace* const row = batch.spread + static_cast<long>(index / (grid.columns + 1)) * fan_columns(grid);
     const double at = static_cast<double>(grid.orders) * fan_steps_to_pi * column / grid.columns;
     const int first = static_cast<int>(at) - fan_stencil / 2 + 1;
-    ConnectionPlace sum{0.0, 0.0, 0.0};
+    ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
     double weights = 0.0;
     for (int i = 0; i < fan_stencil; ++i) {
       // Evenly spaced points weigh as binomial coefficients, with alternating signs.
       constexpr double binomial[fan_stencil] = {1.0, -9.0, 36.0, -84.0, 126.0, -126.0, 84.0, -36.0, 9.0, -1.0};
       const int from = first + i;
       const double apart = at - from;
-      const ConnectionPlace& place = row[from < 0 ? -from : from];
-      const double side = from < 0 ? -1.0 : 1.0;
+      ConnectionPlace place = row[from < 0 ? -from : from];
+      place.y = from < 0 ? -place.y : place.y;
       if (apart == 0.0) {
-        sum = {place.x, side * place.y, place.z};
+        sum = place;
         weights = 1.0;
         break;
       }
       const double weight = binomial[i] / apart;
       weights += weight;
-      sum.x += weight * place.x;
-      sum.y += weight * side * place.y;
-      sum.z += weight * place.z;
+      sum.add(weight, place);
     }
-    sum = {sum.x / weights, sum.y / weights, sum.z / weights};
-    batch.nodes[index] = {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
+    batch.nodes[index] = {static_cast<float>(sum.x / weights), static_cast<float>(sum.y / weights),
+                          static_cast<float>(sum.z / weights), static_cast<float>(sum.distance / weights)};
   }
 };
 

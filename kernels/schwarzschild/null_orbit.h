@@ -13,13 +13,16 @@
 //
 // Coordinate time along an orbit, dt = b^-1 dφ / (u² (1 - 2u)), is taken apart: with 1/b² - P = u² (1 - 2u),
 //   t = |Δr*| + ∫ dφ / (1/b + √P),
-// where r* = r + 2 ln(r/2 - 1) holds all that diverges at the horizon and at infinity, and the integral is small and smooth.
+// where r* = r + 2 ln(r/2 - 1) holds all that diverges at the horizon and at infinity, and the integral is small and smooth. Affine distance for energy 1
+// at infinity, dλ = b^-1 dφ / u², likewise:
+//   λ = |Δr| + ∫ (1 - 2u) dφ / (1/b + √P).
 namespace ergodome::inline ERGO_TARGET {
 
-//! What is between an orbit's two places: the azimuth that it sweeps, and its coordinate time beyond |Δr*|.
+//! What is between an orbit's two places: the azimuth that it sweeps, its coordinate time beyond |Δr*|, and its affine distance beyond |Δr|.
 struct OrbitLeg {
-  double angle;  //!< [rad]
-  double delay;  //!< [M]
+  double angle;    //!< [rad]
+  double delay;    //!< [M]
+  double stretch;  //!< [M]
 };
 
 //! An orbit that turns, b >= √27.
@@ -77,9 +80,20 @@ ERGO_HD double radial_rate(const PlungingOrbit& orbit, double v) {
 
 namespace detail {
 
-//! Integral over [low, high] by Gauss's rule of 16 points on panels no longer than `longest`.
+//! Two integrals over the same range, or their integrands.
+struct TwoIntegrals {
+  double delay;
+  double stretch;
+
+  ERGO_HD void add(double weight, const TwoIntegrals& other) {
+    delay += weight * other.delay;
+    stretch += weight * other.stretch;
+  }
+};
+
+//! Integrals over [low, high] by Gauss's rule of 16 points on panels no longer than `longest`.
 template <class Integrand>
-ERGO_HD double gauss_16(double low, double high, double longest, const Integrand& integrand) {
+ERGO_HD TwoIntegrals gauss_16(double low, double high, double longest, const Integrand& integrand) {
   constexpr double place[8] = {0.0950125098376374402, 0.281603550779258913, 0.458016777657227386, 0.617876244402643748,
                                0.755404408355003034,  0.865631202387831744, 0.944575023073232576, 0.989400934991649933};
   constexpr double weight[8] = {0.189450610455068496,  0.182603415044923589, 0.169156519395002538,
@@ -87,42 +101,47 @@ ERGO_HD double gauss_16(double low, double high, double longest, const Integrand
                                 0.0622535239386478929, 0.0271524594117540949};
   const int panels = 1 + static_cast<int>(::fmin(::fabs(high - low) / longest, 1e4));
   const double half = 0.5 * (high - low) / panels;
-  double sum = 0.0;
+  TwoIntegrals sum{0.0, 0.0};
   for (int panel = 0; panel < panels; ++panel) {
     const double middle = low + half * (2.0 * panel + 1.0);
     for (int i = 0; i < 8; ++i) {
-      sum += weight[i] * (integrand(middle - half * place[i]) + integrand(middle + half * place[i]));
+      sum.add(half * weight[i], integrand(middle - half * place[i]));
+      sum.add(half * weight[i], integrand(middle + half * place[i]));
     }
   }
-  return half * sum;
+  return sum;
 }
 
-//! dφ / (1/b + √P) over dy, where |u - turn| = width sinh² y. The nearest singularity, -g, stays 0.2 away from all that is outside the
+//! dφ / (1/b + √P) over dy, and the same times 1 - 2u, where |u - turn| = width sinh² y. The nearest singularity, -g, stays 0.2 away from all that is outside the
 //! horizon, so half a unit of y is a panel's length.
 struct TurningDelay {
   TurningOrbit orbit;
   double inverse_b;
 
-  ERGO_HD double operator()(double y) const {
+  ERGO_HD TwoIntegrals operator()(double y) const {
     const double growth = ::exp(y);
     const double sine = 0.5 * (growth - 1.0 / growth);
     const double cosine = 0.5 * (growth + 1.0 / growth);
-    const double root = ::sqrt(2.0 * (orbit.turn + orbit.lowest - orbit.side * orbit.width * sine * sine));
-    return 2.0 / (root * (inverse_b + root * orbit.width * sine * cosine));
+    const double from_turn = orbit.side * orbit.width * sine * sine;
+    const double root = ::sqrt(2.0 * (orbit.turn + orbit.lowest - from_turn));
+    const double delay = 2.0 / (root * (inverse_b + root * orbit.width * sine * cosine));
+    return {delay, (1.0 - 2.0 * (orbit.turn - from_turn)) * delay};
   }
 };
 
-//! dφ / (1/b + √P) over dx, where v = middle + spread sinh x. Here the singularity stays 0.4 away.
+//! The same over dx, where v = middle + spread sinh x. Here the singularity stays 0.4 away.
 struct PlungingDelay {
   PlungingOrbit orbit;
   double inverse_b;
 
-  ERGO_HD double operator()(double x) const {
+  ERGO_HD TwoIntegrals operator()(double x) const {
     const double growth = ::exp(x);
     const double sine = 0.5 * (growth - 1.0 / growth);
     const double cosine = 0.5 * (growth + 1.0 / growth);
-    const double root = ::sqrt(2.0 * (orbit.middle + orbit.lowest + orbit.spread * sine));
-    return 1.0 / (root * (inverse_b + root * orbit.spread * cosine));
+    const double v = orbit.middle + orbit.spread * sine;
+    const double root = ::sqrt(2.0 * (v + orbit.lowest));
+    const double delay = 1.0 / (root * (inverse_b + root * orbit.spread * cosine));
+    return {delay, (1.0 / 3.0 - 2.0 * v) * delay};
   }
 };
 
@@ -136,11 +155,12 @@ ERGO_HD double swept_angle(const TurningOrbit& orbit, double distance) {
                                                   at_turn * orbit.width, (distance + orbit.width) * at_turn);
 }
 
-//! The same with the delay, by Gauss's rule in a variable that makes it smooth at the turn and near the critical orbit.
+//! The same with delay and stretch, by Gauss's rule in a variable that makes it smooth at the turn and near the critical orbit.
 ERGO_HD_CALLED OrbitLeg leg_from_turn(const TurningOrbit& orbit, double distance) {
   const double end = ::asinh(::sqrt(distance / orbit.width));
   const detail::TurningDelay integrand{orbit, ::sqrt(orbit.inverse_b_squared)};
-  return {swept_angle(orbit, distance), detail::gauss_16(0.0, end, 0.5, integrand)};
+  const detail::TwoIntegrals integrals = detail::gauss_16(0.0, end, 0.5, integrand);
+  return {swept_angle(orbit, distance), integrals.delay, integrals.stretch};
 }
 
 //! Azimuth from v = `far` to v = `near`, which is `gap` = near - far > 0 farther in; DLMF 19.29.4 with a complex pair of roots.
@@ -157,12 +177,13 @@ ERGO_HD_CALLED double swept_angle(const PlungingOrbit& orbit, double far, double
   return ::sqrt(2.0) * gap * carlson_rf(u12 * u12, u13 * u13, u23 * u23).re;
 }
 
-//! The same with the delay.
+//! The same with delay and stretch.
 ERGO_HD_CALLED OrbitLeg plunging_leg(const PlungingOrbit& orbit, double far, double near, double gap) {
   const double low = ::asinh((far - orbit.middle) / orbit.spread);
   const double high = ::asinh((near - orbit.middle) / orbit.spread);
   const detail::PlungingDelay integrand{orbit, ::sqrt(orbit.inverse_b_squared)};
-  return {swept_angle(orbit, far, near, gap), detail::gauss_16(low, high, 1.0, integrand)};
+  const detail::TwoIntegrals integrals = detail::gauss_16(low, high, 1.0, integrand);
+  return {swept_angle(orbit, far, near, gap), integrals.delay, integrals.stretch};
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -20,7 +20,8 @@ struct NearPlace {
   T u_rate;      //!< du/dλ, backwards: positive for light that was emitted outwards
   Vector3<T> m;  //!< polar position without frame dragging
   T drag;        //!< turn m about the spin axis by this [rad]: that is the place, with φ = 0 at the camera or the head
-  T delay;       //!< coordinate time from there to the camera [M]; with azimuth_and_delay alone
+  T delay;       //!< coordinate time from there to the camera [M]; with the delay alone
+  T distance;    //!< affine distance from the camera [M]; where it is asked for
   RealOf<T> time;  //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
 };
 
@@ -34,9 +35,13 @@ ERGO_HD NearPlace<T> place_at(const NearSeries<Order, T, Parts>& s, const T& h, 
                         {series_value(s.x, h), series_value(s.y, h), series_value(s.z, h)},
                         series_value(s.drag, h),
                         T(ScalarOf<T>(0)),
+                        T(ScalarOf<T>(0)),
                         start + value_of(h) / scale};
   if constexpr (has_delay(Parts)) {
     place.delay = series_value(s.delay, h);
+  }
+  if constexpr (has_distance(Parts)) {
+    place.distance = series_value(s.distance, h);
   }
   return place;
 }

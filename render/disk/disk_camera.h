@@ -21,6 +21,7 @@ struct DiskGridSettings {
   double least_area_px = 3.0;  //!< a cell smaller than this is not split: tracing its pixels is cheaper than its nodes
   int most_nodes = 1 << 16;    //!< what is bad still when there are so many is left to rays
   bool derivatives = false;    //!< the nodes' change along r and θ, too
+  bool nearness = false;       //!< 1 over the affine distance, too, for the stereo model `flat`
 };
 
 //! A camera of a disk's grid at Boyer-Lindquist (r, θ) [M, rad], with its chart; `camera` points into it.

@@ -51,7 +51,7 @@ class DiskGridBuilder {
 
   DiskGridStatistics build(const DiskGridCamera& camera) {
     const DiskSpanOnScreen span = disk_span_on_screen(settings_, cells_.r);
-    tracer_.begin(camera, converted_aberration<float>(settings_.observer), settings_.pixel, span);
+    tracer_.begin(camera, converted_aberration<float>(settings_.observer), settings_.pixel, span, settings_.nearness);
     bounds_ = checked_bounds(span, camera.limits);
     std::vector<OpenDiskCell> open = root_cells();
     while (!open.empty()) {
@@ -62,6 +62,7 @@ class DiskGridBuilder {
     for (int set = 0; set < station_.sets(); ++set) {
       station_.nodes[set] = tracer_.nodes(set);
     }
+    station_.nearness = tracer_.nearness();
     statistics_.nodes = tracer_.node_count();
     statistics_.leaves = static_cast<int>(cells_.leaf_count());
     return statistics_;

@@ -23,22 +23,29 @@ void put_on_disk_grid(Buffer<T>& buffer, const std::vector<T>& from) {
 }  // namespace
 
 void DiskGridTracer::begin(const DiskGridCamera& camera, const AberrationOf<float>& observer, double pixel,
-                           const DiskSpanOnScreen& span) {
+                           const DiskSpanOnScreen& span, bool nearness) {
   camera_ = camera;
   observer_ = observer;
   pixel_ = static_cast<float>(pixel);
   span_ = span;
+  has_nearness_ = nearness;
   node_count_ = 0;
 }
 
 void DiskGridTracer::reserve_nodes(int count) {
   const std::size_t floats = floats_a_node * static_cast<std::size_t>(count);
-  for (int set = 0; set < sets(); ++set) {
-    if (nodes_[set].size() < floats) {
-      const std::vector<float> kept = nodes(set);
-      nodes_[set] = Buffer<float>(Backend::cpu, 2 * floats, disk_grid_in_the_making);
-      nodes_[set].write(kept.data(), kept.size());
+  const auto reserve = [&](Buffer<float>& set) {
+    if (set.size() < floats) {
+      const std::vector<float> kept = copied(set);
+      set = Buffer<float>(Backend::cpu, 2 * floats, disk_grid_in_the_making);
+      set.write(kept.data(), kept.size());
     }
+  };
+  for (int set = 0; set < sets(); ++set) {
+    reserve(nodes_[set]);
+  }
+  if (has_nearness_) {
+    reserve(nearness_);
   }
 }
 
@@ -47,17 +54,19 @@ void DiskGridTracer::add_nodes(const std::vector<float>& gamma_turns, const std:
   reserve_nodes(node_count_ + count);
   put_on_disk_grid(gamma_turns_, gamma_turns);
   put_on_disk_grid(s_, s);
-  DiskNodeBatch batch{camera_, count, gamma_turns_.data(), s_.data(), {}};
+  DiskNodeBatch batch{camera_, count, gamma_turns_.data(), s_.data(), {}, nullptr};
+  const std::size_t first = floats_a_node * static_cast<std::size_t>(node_count_);
   for (int set = 0; set < sets(); ++set) {
-    batch.nodes[set] = nodes_[set].data() + floats_a_node * static_cast<std::size_t>(node_count_);
+    batch.nodes[set] = nodes_[set].data() + first;
   }
+  batch.nearness = has_nearness_ ? nearness_.data() + first : nullptr;
   trace_disk_nodes(batch);
   node_count_ += count;
 }
 
-std::vector<float> DiskGridTracer::nodes(int set) const {
+std::vector<float> DiskGridTracer::copied(const Buffer<float>& set) const {
   std::vector<float> copy(floats_a_node * static_cast<std::size_t>(node_count_));
-  nodes_[set].read(copy.data(), copy.size());
+  set.read(copy.data(), copy.size());
   return copy;
 }
 

@@ -11,8 +11,9 @@ namespace ergodome {
 class DiskGridTracer {
  public:
   //! Begins a grid without nodes; the camera's edge table has to outlive its making. `pixel`: angle of a pixel on the observer's screen [rad].
+  //! `nearness`: nodes have DiskGrid::nearness, too.
   void begin(const DiskGridCamera& camera, const AberrationOf<float>& observer, double pixel,
-             const DiskSpanOnScreen& span);
+             const DiskSpanOnScreen& span, bool nearness = false);
 
   //! Traces nodes at (γ [turns], s) and appends them.
   void add_nodes(const std::vector<float>& gamma_turns, const std::vector<float>& s);
@@ -21,7 +22,10 @@ class DiskGridTracer {
   [[nodiscard]] int sets() const { return camera_.pattern ? layer_orders : 1; }
 
   //! A set of the nodes so far, floats_a_node each.
-  [[nodiscard]] std::vector<float> nodes(int set) const;
+  [[nodiscard]] std::vector<float> nodes(int set) const { return copied(nodes_[set]); }
+
+  //! The nearness of the nodes so far; empty where it was not asked for.
+  [[nodiscard]] std::vector<float> nearness() const { return has_nearness_ ? copied(nearness_) : std::vector<float>(); }
 
   //! 1/r of an order at a node.
   [[nodiscard]] float u_at(int order, int node) const;
@@ -36,16 +40,19 @@ class DiskGridTracer {
   [[nodiscard]] const float* width(int order) const { return width_[order].data(); }
 
  private:
+  [[nodiscard]] std::vector<float> copied(const Buffer<float>& set) const;
   void reserve_nodes(int count);
 
   DiskGridCamera camera_{};
   AberrationOf<float> observer_{};
   float pixel_ = 0.0F;
   DiskSpanOnScreen span_{};
+  bool has_nearness_ = false;
   int node_count_ = 0;
   Buffer<float> gamma_turns_;
   Buffer<float> s_;
   Buffer<float> nodes_[layer_orders];
+  Buffer<float> nearness_;
   Buffer<GridCell> cells_;
   Buffer<float> error_px_;
   Buffer<float> area_px_;

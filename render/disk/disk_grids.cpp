@@ -26,10 +26,16 @@ DiskGridBuffers::DiskGridBuffers(const DiskStation& station)
   for (int set = 0; set < station.sets(); ++set) {
     nodes_[set] = Buffer<float>(Backend::cpu, station.nodes[set], disk_grid_buffer);
   }
+  if (!station.nearness.empty()) {
+    nearness_ = Buffer<float>(Backend::cpu, station.nearness, disk_grid_buffer);
+  }
 }
 
 DiskGrid DiskGridBuffers::view() const {
-  DiskGrid grid{cells_, {nodes_[0].data(), nodes_[1].data(), nodes_[2].data()}, orders_.data()};
+  DiskGrid grid{cells_,
+                {nodes_[0].data(), nodes_[1].data(), nodes_[2].data()},
+                orders_.data(),
+                nearness_.size() > 0 ? nearness_.data() : nullptr};
   grid.cells.chart.edge.polar_angle = edge_.data();
   grid.cells.tree = tree_.data();
   grid.cells.leaves = leaves_.data();
@@ -64,18 +70,20 @@ bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   return grid.spin == eye.spin && grid.r == eye.r && grid.theta == eye.theta &&
          serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&
          grid.error <= 1.01 * error_of(request) && grid.error >= 0.5 * error_of(request) && grid.motion == eye.motion &&
-         dot(turn, turn) < 1e-4;
+         grid.nearness == request.nearness && dot(turn, turn) < 1e-4;
 }
 
 DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
   const EyeCamera& eye = request.eye;
   DiskGridSettings settings = disk_grid_settings(eye, request.disk, request.pixel);
   settings.budget_px = request.budget_px;
+  settings.nearness = request.nearness;
   DiskGridStatistics statistics;
   const DiskStation station = build_disk_station(eye.spin, eye.r, eye.theta, settings, &statistics, &tracer_);
   ++built_;
-  return {eye.spin,          eye.r,      eye.theta,    settings.inner_r,      settings.outer_r,        settings.pattern,
-          error_of(request), eye.motion, eye.velocity, statistics.flagged_px, DiskGridBuffers(station)};
+  return {
+      eye.spin,          eye.r,      eye.theta,    settings.inner_r, settings.outer_r,      settings.pattern,
+      error_of(request), eye.motion, eye.velocity, request.nearness, statistics.flagged_px, DiskGridBuffers(station)};
 }
 
 std::optional<DiskGrid> DiskGrids::grid_for(const DiskGridRequest& request) {

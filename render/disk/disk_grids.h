@@ -25,6 +25,7 @@ class DiskGridBuffers {
   Buffer<int> tree_;
   Buffer<int> leaves_;
   Buffer<float> nodes_[layer_orders];
+  Buffer<float> nearness_;
   Buffer<unsigned char> orders_;
 };
 
@@ -32,10 +33,11 @@ class DiskGridBuffers {
 struct DiskGridRequest {
   const EyeCamera& eye;
   const DiskLook& disk;
-  double pixel;      //!< angle of a pixel on the screen [rad]
-  double budget_px;  //!< greatest displacement on the screen
-  double pixels;     //!< of the picture
-  bool asked;        //!< for a grid, however small the picture
+  double pixel;           //!< angle of a pixel on the screen [rad]
+  double budget_px;       //!< greatest displacement on the screen
+  double pixels;          //!< of the picture
+  bool asked;             //!< for a grid, however small the picture
+  bool nearness = false;  //!< with DiskGrid::nearness
 };
 
 //! Makes the grids that pictures of a disk are drawn from, and keeps the last ones: a camera that turns, changes its motion or goes round the hole's
@@ -60,6 +62,7 @@ class DiskGrids {
     double error;  //!< budget in radians
     ObserverMotion motion;
     Vector3<double> velocity;
+    bool nearness;
     double traced_px;  //!< pixels that it leaves to rays
     DiskGridBuffers buffers;
   };

@@ -38,12 +38,12 @@ double temperature(const DiskSettings& disk, double spin, double r, double great
 //! A cloud lives for so many turns of the matter at twice the inner edge's radius.
 constexpr double life_in_turns = 2.0;
 
+}  // namespace
+
 double inner_edge(const DiskSettings& disk, double spin) {
   const double first = disk.plunging ? horizon_radius(spin) : innermost_stable_radius(spin, 1.0);
   return std::max(disk.inner.value_or(first), first);
 }
-
-}  // namespace
 
 double disk_temperature(const DiskSettings& disk, double spin, double r) {
   return temperature(disk, spin, r, greatest_flux(spin));

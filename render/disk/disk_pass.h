@@ -38,6 +38,9 @@ class DiskPass {
   DiskLook look_{};
 };
 
+//! The inner edge of a disk [M]: where it begins by its own number, and by where matter can be.
+double inner_edge(const DiskSettings& disk, double spin);
+
 //! The temperature of a disk at radius r [K], as its own matter measures it; 0 where it does not shine.
 double disk_temperature(const DiskSettings& disk, double spin, double r);
 

@@ -5,7 +5,9 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/geodesic/taylor.h"
+#include "kernels/projection/flat_parallax.h"
 #include "kernels/shadow/critical_curve.h"
+#include "render/frame/near_distances.h"
 #include "render/frame/view_projection.h"
 #include "render/lens/eye_camera.h"
 
@@ -192,6 +194,28 @@ void edge_sides(const Eye& eye, Vector3<double> (&sides)[2]) {
   }
 }
 
+//! Adds what stands near the hole where flat space has it for both eyes of one lens.
+void add_near_things(const Show& show, const CameraPose& pose, const Projection& projection, DisparityMeter& meter) {
+  if (!show.disk && show.shells.empty()) {
+    return;
+  }
+  const EyeCamera head = eye_camera(show, pose, 0.0);
+  const Vector3<double> right = {0.5 * show.stereo.baseline, 0.0, 0.0};
+  for (int row = 0; row < lattice; ++row) {
+    for (int column = 0; column < lattice; ++column) {
+      const double x = (column + 0.5) / lattice * projection.width_px;
+      const double y = (row + 0.5) / lattice * projection.height_px;
+      if (!(image_coverage(projection, x, y) > 0.0)) {
+        continue;
+      }
+      const Vector3<double> view = direction_from_pixel(projection, x, y);
+      for (const double distance : near_distances(show, head, view)) {
+        meter.add(seen_by_eye(view, distance, -1.0 * right), seen_by_eye(view, distance, right));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection) {
@@ -216,6 +240,9 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
         meter.add(view, other);
       }
     }
+  }
+  if (show.stereo.model == StereoModel::flat) {
+    add_near_things(show, pose, projection, meter);
   }
   if (show.stereo.model == StereoModel::physical) {
     Vector3<double> sides[2][2];

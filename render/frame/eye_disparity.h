@@ -23,7 +23,7 @@ struct Disparity {
 //! eye sees the same star; and of the shadow's edge to both sides. Double rays, about a millisecond. Nothing for one eye, or where no direction
 //! is seen by both.
 //!
-//! In the model `flat` the sky has none but what convergence gives it.
+//! In the model `flat` the sky has none but what convergence gives it; there disk and shells are looked at in the same directions. Objects are left out.
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection);
 
 }  // namespace ergodome

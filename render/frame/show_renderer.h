@@ -129,6 +129,9 @@ class ShowRenderer {
   //! Both eyes from one lens, the head's: what is infinitely far is where the head has it, and the shadow where flat space would.
   std::vector<Picture> render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                         const ShowMoment& moment);
+  //! The grid that a disk is read from in pictures of such eyes, where that is worth its while.
+  std::optional<DiskGrid> flat_disk(const EyeCamera& head, const Projection& projection,
+                                    const PictureSettings& settings);
   //! Both eyes, each direction of the view from a camera of its own.
   std::vector<Picture> render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                         const ShowMoment& moment);
@@ -162,6 +165,7 @@ class ShowRenderer {
   std::unique_ptr<ObjectPass> objects_;            //!< where it has any that are polygons
   EyeRenderer renderer_;
   OmniChooser omni_lenses_;
+  DiskGrids flat_disks_;  //!< of heads whose eyes see through one lens
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;

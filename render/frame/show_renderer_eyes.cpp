@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -7,10 +8,26 @@
 #include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/flat_shadow.h"
+#include "render/near_field/flat_near_field.h"
 #include "render/output/stereo_layout.h"
 
 // How a show's renderer draws two eyes, by the models of stereo.
 namespace ergodome {
+
+namespace {
+
+//! Draws what stands near the hole over an eye's picture, a block of rows at a time.
+void draw_flat_rows(Backend backend, FlatNearField& near_field, const FlatNearField::Eye& eye, const PictureView& view,
+                    Picture& picture) {
+  const int block = rows_of_a_block(backend, picture.width, picture.height);
+  for (int row = 0; row < picture.height; row += block) {
+    const int rows = std::min(block, picture.height - row);
+    const std::size_t first = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(row);
+    near_field.draw(eye, view, {row, rows}, picture.rgba.data() + first);
+  }
+}
+
+}  // namespace
 
 std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                const ShowMoment& moment) {
@@ -36,13 +53,29 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   return eyes;
 }
 
+std::optional<DiskGrid> ShowRenderer::flat_disk(const EyeCamera& head, const Projection& projection,
+                                                const PictureSettings& settings) {
+  if (!is_disk_without_shells(settings.near_field) || !may_read_disk_grid(backend(), settings.lens, settings.scheme)) {
+    return std::nullopt;
+  }
+  const DiskLook disk = settings.near_field.disk->look_at(settings.time_s);
+  const double pixels = 2.0 * projection.width_px * projection.height_px;
+  return flat_disks_.grid_for({head, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels,
+                               settings.lens == LensChoice::live, true});
+}
+
 std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                     const ShowMoment& moment) {
   const StereoSettings& stereo = show_.stereo;
   const EyeCamera head = eye_camera(show_, pose, 0.0);
-  const PictureSettings settings = picture_settings(mode, moment, 0.0);
-  // Light is spread when the shadow is before it.
+  PictureSettings settings = picture_settings(mode, moment, 0.0);
+  const bool apart = stereo.baseline > 0.0;
+  // Light is spread when the shadow, and what has a parallax of its own, is before it.
   PictureSettings sharp = settings;
+  if (apart) {
+    sharp.near_field = {};
+    sharp.objects = nullptr;
+  }
   sharp.bloom.reset();
   sharp.clear_outside = false;
   std::vector<Picture> eyes;
@@ -55,8 +88,13 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
     }
   }
   std::optional<FlatShadow> shadow;
-  if (stereo.baseline > 0.0) {
+  std::optional<FlatNearField> near_field;
+  if (apart) {
     shadow.emplace(head);
+    if (!settings.near_field.empty()) {
+      settings.near_field.disk_grid = flat_disk(head, projection, settings);
+      near_field.emplace(backend(), settings.near_field, head, *shadow);
+    }
   }
   for (std::size_t i = 0; i < 2; ++i) {
     const double offset = (i == 0 ? -0.5 : 0.5) * stereo.baseline;
@@ -64,6 +102,13 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
     if (shadow) {
       const std::vector<float> edge = shadow->eye_edge(offset);
       mask_shadow(eyes[i], own, edge_view(shadow->chart(), shadow->head_edge()), edge_view(shadow->chart(), edge));
+      if (near_field) {
+        draw_flat_rows(backend(), *near_field, {offset, edge},
+                       {head, nullptr, own, settings.accuracy.tolerance_px, settings.time_s}, eyes[i]);
+      }
+      if (settings.objects != nullptr) {
+        settings.objects->draw(head, own, settings.time_s, eyes[i].rgba.data(), nullptr, offset);
+      }
     }
     EyeRenderer::finish(eyes[i], own, settings);
   }

@@ -18,17 +18,11 @@ namespace ergodome {
 
 namespace {
 
-//! Of distances: position angles, and depths towards the edge, where they grow by the same for each.
-constexpr int spokes = 48;
-constexpr int depths = 49;
-constexpr double deepest = 16.0;
 //! Of the way to the horizon: an eye farther off has it beside itself.
 constexpr double farthest_eye = 0.5;
 
 //! Of the edge's points every fourth is solved: how far the crescent comes out changes slower than the edge itself.
 constexpr int solved_step = 4;
-
-constexpr double depth_step = deepest / (depths - 1);
 
 //! Catmull and Rom's cubic through four neighbours.
 double cubic(double p0, double p1, double p2, double p3, double t) {
@@ -49,7 +43,8 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
   static WorkCounter counter("trace_affine_distances");
   const WorkScope work(counter, static_cast<long>(spokes) * depths);
   const CameraStation camera = make_camera_station(head.spin, head.r, head.theta, 0.0, head.motion, head.velocity);
-  const ShadowChart chart = make_shadow_chart(camera);
+  frame_chart_ = make_shadow_chart(camera);
+  const ShadowChart& chart = frame_chart_;
   view_chart_ = {in_view(head, chart.centre), in_view(head, chart.first), in_view(head, chart.second)};
   right_ = {view_chart_.centre.x, view_chart_.first.x, view_chart_.second.x};
   edge_ = solve_edge(camera, chart, edge_points);
@@ -70,6 +65,7 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
     }
   });
   nearest_ = *std::ranges::min_element(distances_);
+  table_.assign(distances_.begin(), distances_.end());
 }
 
 double FlatShadow::distance(double gamma, double depth) const {

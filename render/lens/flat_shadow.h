@@ -20,9 +20,20 @@ class FlatShadow {
   //! Traces the distances of a head's dark directions.
   explicit FlatShadow(const EyeCamera& head);
 
+  //! Position angles of the traced distances, and depths towards the edge, where they grow by the same for each: FlatHorizon.
+  static constexpr int spokes = 48;
+  static constexpr int depths = 49;
+  static constexpr double deepest = 16.0;
+  static constexpr double depth_step = deepest / (depths - 1);
+
   //! The chart of the head's shadow, in the view's axes, and its edge there [rad].
   [[nodiscard]] const ShadowChart& chart() const { return view_chart_; }
   [[nodiscard]] const std::vector<float>& head_edge() const { return edge_; }
+  //! The same chart in the observer's frame.
+  [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
+  //! Traced distances, a row of `depths` for each spoke, and the least of them [M].
+  [[nodiscard]] const std::vector<float>& distances() const { return table_; }
+  [[nodiscard]] double nearest() const { return nearest_; }
 
   //! The edge that an eye sees, about the same chart at the same position angles; `offset` is to the right of the head [M]. Throws Error for
   //! an eye so far off that the horizon is not well before it.
@@ -41,11 +52,13 @@ class FlatShadow {
   [[nodiscard]] double edge_at(double gamma) const;
   [[nodiscard]] double farthest_out(const Vector3<double>& eye, double gamma) const;
 
+  ShadowChart frame_chart_{};
   ShadowChart view_chart_{};
   Vector3<double> right_{};  //!< the view's right in the chart's axes
   std::vector<float> edge_;
   EdgeCurve curve_{};  //!< of it, but for where its angles lie
   std::vector<double> distances_;
+  std::vector<float> table_;
   double nearest_ = 0.0;
 };
 

@@ -41,9 +41,9 @@ ConnectionTexture::ConnectionTexture(const RadialRange& observers, const RadialR
   const int width = grid_.columns + 1;
   count_work("buffer: connecting rays", static_cast<long>(sizeof(ConnectionNode)) * width * grid_.rows * grid_.layers);
   glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &texture_);
-  glTextureStorage3D(texture_, 1, GL_RGB32F, width, grid_.rows, grid_.layers);
+  glTextureStorage3D(texture_, 1, GL_RGBA32F, width, grid_.rows, grid_.layers);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTextureSubImage3D(texture_, 0, 0, 0, 0, width, grid_.rows, grid_.layers, GL_RGB, GL_FLOAT, view.nodes);
+  glTextureSubImage3D(texture_, 0, 0, 0, 0, width, grid_.rows, grid_.layers, GL_RGBA, GL_FLOAT, view.nodes);
   glTextureParameteri(texture_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(texture_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -56,17 +56,24 @@ void set_look(const ObjectSettings& object) {
               static_cast<float>(checker.dark));
 }
 
-unsigned object_program(bool turning) {
+ObjectSight sight_of(const ObjectDrawing::Scene& scene) {
+  if (scene.turning != nullptr) {
+    return ObjectSight::turning;
+  }
+  return scene.beside < 0.0 || scene.beside > 0.0 ? ObjectSight::beside : ObjectSight::camera;
+}
+
+unsigned object_program(ObjectSight sight) {
   return linked_program({{GL_VERTEX_SHADER, object_vertex_source()},
-                         {GL_TESS_CONTROL_SHADER, object_control_source(turning)},
-                         {GL_TESS_EVALUATION_SHADER, object_evaluation_source(turning)},
+                         {GL_TESS_CONTROL_SHADER, object_control_source(sight)},
+                         {GL_TESS_EVALUATION_SHADER, object_evaluation_source(sight)},
                          {GL_GEOMETRY_SHADER, object_geometry_source()},
                          {GL_FRAGMENT_SHADER, object_fragment_source()}});
 }
 
 }  // namespace
 
-ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes) : program_(object_program(false)) {
+ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes) {
   for (const TriangleMesh& mesh : meshes) {
     meshes_.push_back(std::make_unique<GlMesh>(mesh));
   }
@@ -74,27 +81,36 @@ ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes) : program_
 
 ObjectDrawing::~ObjectDrawing() {
   glDeleteBuffers(1, &eyes_);
-  glDeleteProgram(turning_program_);
-  glDeleteProgram(program_);
+  for (const unsigned program : programs_) {
+    glDeleteProgram(program);
+  }
 }
 
 void ObjectDrawing::use_program(const Scene& scene) {
-  if (scene.turning == nullptr) {
-    glUseProgram(program_);
-    return;
+  const ObjectSight sight = sight_of(scene);
+  unsigned& program = programs_[static_cast<std::size_t>(sight)];
+  if (program == 0) {
+    program = object_program(sight);
   }
-  if (turning_program_ == 0) {
-    turning_program_ = object_program(true);
+  glUseProgram(program);
+  if (sight == ObjectSight::turning) {
+    set_turning(*scene.turning);
+  } else if (sight == ObjectSight::beside) {
+    glUniform1f(uniform_beside, static_cast<float>(scene.beside));
+  }
+}
+
+void ObjectDrawing::set_turning(const TurningView& turning) {
+  if (eyes_ == 0) {
     glCreateBuffers(1, &eyes_);
     glNamedBufferStorage(eyes_, eyes_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
-  glUseProgram(turning_program_);
   glBindBufferBase(GL_UNIFORM_BUFFER, block_eyes, eyes_);
-  glUniform1i(uniform_degree, scene.turning->degree);
-  const OmniCameraOf<float>& eye = scene.turning->eye;
+  glUniform1i(uniform_degree, turning.degree);
+  const OmniCameraOf<float>& eye = turning.eye;
   glUniform4f(uniform_turning, eye.offset, eye.inverse_convergence, eye.fade_begin, eye.fade_scale);
   glUniform1f(uniform_inverse_reach, eye.inverse_reach);
-  const std::vector<float>& numbers = scene.turning->coefficients;
+  const std::vector<float>& numbers = turning.coefficients;
   glNamedBufferSubData(eyes_, 0, static_cast<GLsizeiptr>(numbers.size() * sizeof(float)), numbers.data());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,6 +43,7 @@ class ObjectDrawing {
   struct Scene {
     ObjectView view;             //!< of a turning eye, the head's
     const TurningView* turning;  //!< nullptr: the eye stands still
+    double beside;               //!< how far to the right of the head it is in the model `flat` [M]; else 0
     std::span<const PlacedObject> objects;
     std::optional<PointLight> light;
     RadialRange range;
@@ -56,10 +58,10 @@ class ObjectDrawing {
   void draw_object(const Scene& scene, const PlacedObject& object) const;
 
   void use_program(const Scene& scene);
+  void set_turning(const TurningView& turning);
 
-  unsigned program_;
-  unsigned turning_program_ = 0;  //!< made when first needed
-  unsigned eyes_ = 0;             //!< buffer of its uniform block
+  std::array<unsigned, 3> programs_{};  //!< by ObjectSight; each made when first needed
+  unsigned eyes_ = 0;                   //!< buffer of the uniform block of eyes that turn
   std::vector<std::unique_ptr<GlMesh>> meshes_;
   ConnectionTextures tables_;
   std::unique_ptr<ObjectTarget> target_;

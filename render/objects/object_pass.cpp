@@ -103,11 +103,11 @@ RadialRange ObjectPass::place_objects(double time_s) {
 }
 
 void ObjectPass::draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
-                      const TurningView* turning) {
+                      const TurningView* turning, double beside) {
   static WorkCounter counter("draw_objects");
   const WorkScope scope(counter, static_cast<long>(projection.width_px) * projection.height_px);
   const RadialRange range = place_objects(time_s);
-  const ObjectDrawing::Scene scene{object_view(eye), turning, placed_, light_, range};
+  const ObjectDrawing::Scene scene{object_view(eye), turning, beside, placed_, light_, range};
   std::vector<float> drawn;
   for (const PictureSheet& sheet : picture_sheets(projection)) {
     const Projection& own = sheet.projection;

@@ -22,9 +22,10 @@ class ObjectPass {
   //! Draws over a picture in host memory: four floats a pixel. Throws Error where an object reaches into the hole at that time of the show, or the eye is
   //! inside the photon sphere.
   //!
-  //! `turning`: what turns with the direction one looks at about that eye, which is then the head's; or nullptr.
+  //! `turning`: what turns with the direction one looks at about that eye, which is then the head's; or nullptr. `beside`: how far to the right of that
+  //! head an eye of the model `flat` is [M], else 0.
   void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
-            const TurningView* turning = nullptr);
+            const TurningView* turning = nullptr, double beside = 0.0);
 
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;

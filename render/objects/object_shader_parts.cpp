@@ -18,24 +18,27 @@ layout(location = 23) uniform float inverse_reach;
 layout(location = 24) uniform int degree;
 layout(std140, binding = 0) uniform Eyes { vec4 eyes[330]; };
 #endif
+#ifdef BESIDE
+layout(location = 26) uniform float beside;
+#endif
 // Lagrange's cubic through four nodes from `first` on.
 vec4 cubic_weights(float at, int first) {
   float t = at - float(first);
   return vec4(-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, 0.5 * t * (t - 2.0) * (t - 3.0),
               -0.5 * t * (t - 1.0) * (t - 3.0), t * (t - 1.0) * (t - 2.0) / 6.0);
 }
-vec3 read_layer(int layer, int first_column, int first_row, vec4 across, vec4 up) {
-  vec3 sum = vec3(0.0);
+vec4 read_layer(int layer, int first_column, int first_row, vec4 across, vec4 up) {
+  vec4 sum = vec4(0.0);
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
       int at = first_column + j;
-      vec3 node = texelFetch(table, ivec3(abs(at), first_row + i, layer), 0).xyz;
-      sum += up[i] * across[j] * (at < 0 ? vec3(node.x, -node.y, node.z) : node);
+      vec4 node = texelFetch(table, ivec3(abs(at), first_row + i, layer), 0);
+      sum += up[i] * across[j] * (at < 0 ? vec4(node.x, -node.y, node.zw) : node);
     }
   }
   return sum;
 }
-vec3 read_table(float r_observer, float r, float angle) {
+vec4 read_table(float r_observer, float r, float angle) {
   ivec3 last = textureSize(table, 0) - 1;
   float column = angle / (half_turn * float(table_orders)) * float(last.x);
   float row = clamp((1.0 / r - table_range.x) / (table_range.y - table_range.x), 0.0, 1.0) * float(last.y);
@@ -45,7 +48,7 @@ vec3 read_table(float r_observer, float r, float angle) {
   vec4 up = cubic_weights(row, first_row);
 #ifdef TURNING
   vec4 deep = cubic_weights((1.0 / r_observer - table_observers.x) / (table_observers.y - table_observers.x) * float(last.z), 0);
-  vec3 sum = vec3(0.0);
+  vec4 sum = vec4(0.0);
   for (int layer = 0; layer <= last.z; ++layer) {
     sum += deep[layer] * read_layer(layer, first_column, first_row, across, up);
   }
@@ -90,30 +93,32 @@ Eye eye_beside(float p, float q) {
   return Eye(normalize(outward.xyz), outward.w, moved, transpose(mat3(right.xyz, up.xyz, back.xyz)));
 }
 #endif
-void see(Eye eye, vec3 place, out vec3 direction, out float time) {
+// `distance` is the affine one, for a photon of energy 1 at infinity.
+void see(Eye eye, vec3 place, out vec3 direction, out float time, out float distance) {
   float r = length(place);
   float along = dot(place, eye.outward);
   vec3 aside = place - along * eye.outward;
   float beside = length(aside);
   float phi = atan(beside, along);
   bool odd = order % 2 == 1;
-  vec3 node = read_table(eye.r, r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
+  vec4 node = read_table(eye.r, r, odd ? half_turn * float(order - 1) + phi : half_turn * float(order) - phi);
   // In line with the hole every plane is right; one is taken.
   vec3 across = beside > 0.0 ? aside / beside : vec3(0.0, 1.0, 0.0);
   float side = odd ? 1.0 : -1.0;
   float span = length(node.xy);
   direction = (node.x * eye.outward + side * node.y * across) / max(span, 1e-30);
   time = r * eye.r * span;
+  distance = node.w * time;
 }
-// Aberration as kernels/metric/frame_boost.h has it.
-vec3 view_direction(Eye eye, vec3 n) {
+// Aberration as kernels/metric/frame_boost.h has it, with the photon's energy there over its energy at rest.
+vec3 view_direction(Eye eye, vec3 n, out float energy) {
   float along = dot(n, eye.boost.xyz);
   vec3 across = n - along * eye.boost.xyz;
   float larger = 1.0 + abs(along);
   float smaller = dot(across, across) / larger;
   float with_it = (along > 0.0 ? larger : smaller) / eye.boost.w;
   float against = (along > 0.0 ? smaller : larger) * eye.boost.w;
-  float energy = 0.5 * (with_it + against);
+  energy = 0.5 * (with_it + against);
   return eye.view * ((across + 0.5 * (with_it - against) * eye.boost.xyz) / energy);
 }
 #ifdef TURNING
@@ -130,8 +135,10 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
   vec3 shift = vec3(0.0);
   view = vec3(0.0);
   for (int turn = 0; turn < 12; ++turn) {
-    see(eye, place, direction, time);
-    vec3 seen = view_direction(eye, direction);
+    float distance_of_it;
+    float energy;
+    see(eye, place, direction, time, distance_of_it);
+    vec3 seen = view_direction(eye, direction, energy);
     // From a sphere about the head, where both eyes look at one place.
     float along = dot(seen, shift);
     vec3 next = shift + (sqrt(max(along * along + 1.0 - dot(shift, shift), 0.0)) - along) * seen;
@@ -151,8 +158,17 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
 #else
 void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
   Eye eye = head();
-  see(eye, place, direction, time);
-  view = face_from_view * view_direction(eye, direction);
+  float affine;
+  float energy;
+  see(eye, place, direction, time, affine);
+  view = view_direction(eye, direction, energy);
+#ifdef BESIDE
+  // It stands at d n in the head's flat space, and what hides is what is nearer to the eye there: kernels/projection/flat_parallax.h.
+  vec3 seen = affine / table_range.w * energy * view - vec3(beside, 0.0, 0.0);
+  time = length(seen);
+  view = seen / max(time, 1e-30);
+#endif
+  view = face_from_view * view;
 }
 #endif
 )";

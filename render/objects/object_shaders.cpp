@@ -216,18 +216,23 @@ void main() {
 }
 )";
 
-std::string sight_version(bool turning) { return std::string(version) + (turning ? "#define TURNING\n" : ""); }
+std::string sight_version(ObjectSight sight) {
+  const char* const defined = sight == ObjectSight::turning  ? "#define TURNING\n"
+                              : sight == ObjectSight::beside ? "#define BESIDE\n"
+                                                             : "";
+  return std::string(version) + defined;
+}
 
 }  // namespace
 
 std::string object_vertex_source() { return std::string(version) + vertex_main; }
 
-std::string object_control_source(bool turning) {
-  return sight_version(turning) + object_sight_source + object_projection_source + control_main;
+std::string object_control_source(ObjectSight sight) {
+  return sight_version(sight) + object_sight_source + object_projection_source + control_main;
 }
 
-std::string object_evaluation_source(bool turning) {
-  return sight_version(turning) + object_sight_source + object_projection_source + evaluation_main;
+std::string object_evaluation_source(ObjectSight sight) {
+  return sight_version(sight) + object_sight_source + object_projection_source + evaluation_main;
 }
 
 std::string object_geometry_source() { return std::string(version) + object_projection_source + geometry_main; }

@@ -36,6 +36,7 @@ enum ObjectUniform : int {
   uniform_inverse_reach = 23,   //!< float
   uniform_degree = 24,          //!< int: of the polynomials
   uniform_face_from_view = 25,  //!< mat3
+  uniform_beside = 26,          //!< float: how far to the right of the head an eye of the model `flat` is [M]
 };
 
 //! Texture units: the observer's table, the light's, and the mesh's image.
@@ -46,10 +47,13 @@ inline constexpr int unit_image = 2;
 //! Uniform block: polynomials of eyes that turn (TurningView).
 inline constexpr int block_eyes = 0;
 
+//! How places are seen; each is compiled apart, with no uniforms of the others: by a camera, by eyes that turn with the direction one looks at,
+//! by an eye beside a head through whose lens both see.
+enum class ObjectSight { camera, turning, beside };
+
 std::string object_vertex_source();
-//! `turning`: for eyes that turn with the direction one looks at; the others have no uniforms of these.
-std::string object_control_source(bool turning);
-std::string object_evaluation_source(bool turning);
+std::string object_control_source(ObjectSight sight);
+std::string object_evaluation_source(ObjectSight sight);
 std::string object_geometry_source();
 std::string object_fragment_source();
 

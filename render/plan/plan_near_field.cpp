@@ -22,6 +22,14 @@ void Planner::plan_near_field() {
       buffer("shell texture", WorkMoment::start, 0, why("shells"));
     }
   }
+  if (eyes_are_flat()) {
+    if (needs_.disk || needs_.shells) {
+      plan_flat_near_field();
+    }
+    if (!eyes_are_together_at_times()) {
+      return;
+    }
+  }
   // What one part is without at some times, the other has to itself.
   for (const bool shells : {true, false}) {
     if (shells ? needs_.shells : !always_.shells) {
@@ -30,9 +38,12 @@ void Planner::plan_near_field() {
   }
 }
 
+bool Planner::disk_edges_move() const {
+  return find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
+}
+
 void Planner::plan_near_rays(bool shells) {
-  const bool edges_move =
-      find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
+  const bool edges_move = disk_edges_move();
   const bool shells_go = needs_.shells != always_.shells;
   const std::string with = ", " + why("shells");
   const auto disk_pass = [&](DiskDrawing drawing, const std::string& reason, bool if_needed) {
@@ -45,13 +56,13 @@ void Planner::plan_near_rays(bool shells) {
   if (needs_.disk) {
     const bool pattern = needs_.disk_pattern;
     disk_pass(pattern ? DiskDrawing::pattern : DiskDrawing::plain, why(pattern ? "disk.pattern" : "disk"),
-              edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern);
+              edges_move || shells_go || !always_.disk || pattern != always_.disk_pattern || eyes_are_flat());
   }
   if (needs_.disk_pattern && !always_.disk_pattern) {
     disk_pass(DiskDrawing::plain, why("disk.contrast"), true);
   }
   if (shells && (!always_.disk || edges_move)) {
-    pixel_pass(near_field_name(DiskDrawing::none, true), why("shells"), needs_.disk || shells_go);
+    pixel_pass(near_field_name(DiskDrawing::none, true), why("shells"), needs_.disk || shells_go || eyes_are_flat());
   }
 }
 
@@ -136,7 +147,10 @@ void Planner::plan_objects() {
   const std::string tables = lit ? objects + ", " + why("light") : objects;
   pass("make_connection_table", WorkMoment::place, 0, 0, tables);
   buffer("connecting rays", WorkMoment::place, 0, tables);
-  pass("draw_objects", WorkMoment::picture, plan_.eyes, plan_.eyes * pixels_, objects);
+  // Eyes that see through one lens have one picture, but see objects from their own places.
+  const long eyes = eyes_are_flat() ? shown_ : plan_.eyes;
+  const bool known = !eyes_are_flat() || !eyes_are_together_at_times();
+  pass("draw_objects", WorkMoment::picture, known ? eyes : 0, known ? eyes * pixels_ : 0, objects);
   buffer("objects' picture", WorkMoment::start, 0, objects);
 }
 

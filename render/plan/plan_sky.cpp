@@ -85,8 +85,8 @@ void Planner::plan_stars() {
 }
 
 void Planner::plan_light() {
-  if (shown_ > 1 && show_.stereo.model == StereoModel::flat && show_.stereo.baseline > 0.0) {
-    const bool at_times = !(least_.stereo.baseline > 0.0);
+  if (eyes_are_flat()) {
+    const bool at_times = eyes_are_together_at_times();
     pass("trace_affine_distances", WorkMoment::picture, 1, 0, why("stereo.model"), at_times);
     pass("mask_shadow", WorkMoment::picture, shown_, shown_ * pixels_, why("stereo.baseline"), at_times);
   }

@@ -49,9 +49,19 @@ class Planner {
   //! A ray for each pixel that may see something, whatever the sky's lens is: with shells or without.
   void plan_near_rays(bool shells);
   void plan_disk_grid(const std::string& reason, bool if_needed);
+  //! Whether there may be nothing of the disk between its edges at times.
+  [[nodiscard]] bool disk_edges_move() const;
   void plan_streamed_disk(const std::string& reason);
   //! A disk without shells: from baked layers, or grids where they are worth their while, but for pixels that show traced objects.
   void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);
+  //! Whether both eyes see through one lens, the head's, from places of their own.
+  [[nodiscard]] bool eyes_are_flat() const;
+  //! And whether they are at one place at times: what they see is the head's then.
+  [[nodiscard]] bool eyes_are_together_at_times() const;
+  //! A pass over all pixels of both such eyes.
+  void flat_pass(const std::string& name, const std::string& reason, bool if_needed);
+  void plan_flat_near_field();
+  void plan_flat_disk(bool if_needed);
   //! A ray for each tile, some for each pixel of those that may see objects.
   void plan_traced_objects(const std::string& objects);
   //! Meshes are read, and OpenGL is opened, whatever is shown: a window goes from view to view.

@@ -93,6 +93,14 @@ void ShellPass::set_numbers(const Show& show) {
   count_ = static_cast<int>(order.size());
 }
 
+double ShellPass::outermost_r() const {
+  double r = 0.0;
+  for (const ShellSettings& shell : shells_) {
+    r = std::max(r, is_visible(shell) ? shell.radius : 0.0);
+  }
+  return r;
+}
+
 ShellTable ShellPass::table() const { return {u_.data(), looks_.data(), count_, shifted_}; }
 
 bool same_shell_textures(const Show& a, const Show& b) {

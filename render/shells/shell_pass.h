@@ -22,6 +22,9 @@ class ShellPass {
   //! Those that are seen at all, the outermost first.
   [[nodiscard]] ShellTable table() const;
 
+  //! The radius of the outermost of these; 0 where there is none [M].
+  [[nodiscard]] double outermost_r() const;
+
   //! Memory that a shell takes, beside its texture.
   static constexpr long shell_bytes = static_cast<long>(sizeof(float) + sizeof(ShellLook));
 

@@ -16,18 +16,19 @@ double lapse_squared(double r) { return 1.0 - 2.0 / r; }
 
 double tortoise(double r) { return r + 2.0 * std::log(0.5 * r - 1.0); }
 
-//! A ray followed by Runge and Kutta's method in coordinate time, from the observer's direction alone: r, cosine to outward, φ at its end.
-std::array<double, 3> followed(double r_observer, double xi, double time) {
+//! A ray followed by Runge and Kutta's method in coordinate time, from the observer's direction alone: r, cosine to outward, φ and the affine distance at its
+//! end, dλ/dt = 1 - 2/r.
+std::array<double, 4> followed(double r_observer, double xi, double time) {
   const double b = r_observer * std::sin(xi) / std::sqrt(lapse_squared(r_observer));
-  const auto change = [b](const std::array<double, 3>& s) {
+  const auto change = [b](const std::array<double, 4>& s) {
     const double f = lapse_squared(s[0]);
-    return std::array<double, 3>{f * s[1], b * b * f * (1.0 - 3.0 / s[0]) / (s[0] * s[0] * s[0]),
-                                 b * f / (s[0] * s[0])};
+    return std::array<double, 4>{f * s[1], b * b * f * (1.0 - 3.0 / s[0]) / (s[0] * s[0] * s[0]), b * f / (s[0] * s[0]),
+                                 f};
   };
-  const auto moved = [](const std::array<double, 3>& s, const std::array<double, 3>& d, double h) {
-    return std::array<double, 3>{s[0] + h * d[0], s[1] + h * d[1], s[2] + h * d[2]};
+  const auto moved = [](const std::array<double, 4>& s, const std::array<double, 4>& d, double h) {
+    return std::array<double, 4>{s[0] + h * d[0], s[1] + h * d[1], s[2] + h * d[2], s[3] + h * d[3]};
   };
-  std::array<double, 3> state{r_observer, std::cos(xi), 0.0};
+  std::array<double, 4> state{r_observer, std::cos(xi), 0.0, 0.0};
   constexpr int steps = 20'000;
   const double h = time / steps;
   for (int i = 0; i < steps; ++i) {
@@ -77,7 +78,8 @@ TEST(ConnectingRay, RaysFollowedFromTheObserverArriveAtThePoint) {
                              {4.0, 3.5, 0.3},   {3.5, 4.0, 5.5}};
   for (const auto& [r_observer, r, phi] : pairs) {
     const ConnectingRay ray = connecting_ray(r_observer, r, phi);
-    const auto [r_end, cosine_end, phi_end] = followed(r_observer, ray.xi, ray.travel_time);
+    const auto [r_end, cosine_end, phi_end, distance] = followed(r_observer, ray.xi, ray.travel_time);
+    EXPECT_NEAR(ray.affine_distance, distance, 1e-8 * distance) << r_observer << " " << r << " " << phi;
     EXPECT_NEAR(r_end, r, 1e-8 * r) << r_observer << " " << r << " " << phi;
     EXPECT_NEAR(phi_end, phi, 1e-8) << r_observer << " " << r << " " << phi;
     EXPECT_NEAR(std::cos(ray.emission_angle), -cosine_end, 1e-8) << r_observer << " " << r << " " << phi;

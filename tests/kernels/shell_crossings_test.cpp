@@ -310,7 +310,8 @@ TEST(ShellCrossings, AreWhereThePicturesFloatSeesThem) {
       }
       for (std::size_t k = 0; k < exact.size(); ++k) {
         const NearPlace<float>& at = collector.found[k].place;
-        const NearPlace<double> wide = {at.u, at.u_rate, {at.m.x, at.m.y, at.m.z}, at.drag, at.delay, at.time};
+        const NearPlace<double> wide = {at.u,        at.u_rate, {at.m.x, at.m.y, at.m.z}, at.drag, at.delay,
+                                        at.distance, at.time};
         const double slow = std::abs(exact[k].place.u_rate / exact[k].place.u);
         if (exact[k].place.time < 0.6 && slow > 1.0) {
           EXPECT_LT(length(direction_of(wide) - direction_of(exact[k].place)), 5e-4) << spin << " " << i;

@@ -181,6 +181,20 @@ TEST_F(TracedObjectPlans, WithoutObjectsNoMeshIsReadNoTableIsMadeAndNoOpenGlIsOp
   }
 }
 
+TEST_F(ObjectPlans, OfEyesThatSeeThroughOneLensDrawThemForEach) {
+  Show show = show_with({test::small_sphere({10.0, 0.0, 0.0}, 1.0)});
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  for (const double baseline : {0.0, 0.2}) {
+    show.stereo.baseline = baseline;
+    const FramePlan plan = plan_frame(show, {});
+    const auto pass = std::ranges::find(plan.passes, "draw_objects", &PlannedPass::name);
+    ASSERT_NE(pass, plan.passes.end());
+    EXPECT_EQ(pass->runs, baseline > 0.0 ? 2 : 1);
+    EXPECT_EQ(work_of(show, ViewMode::sky).second.at("draw_objects").runs, pass->runs) << baseline;
+  }
+}
+
 TEST_F(ObjectPlans, AHeatMapShowsNoObjects) {
   const Show show = show_with({test::small_sphere({10.0, 0.0, 0.0}, 1.0)});
   FrameRequest request;

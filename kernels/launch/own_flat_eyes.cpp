@@ -1,0 +1,28 @@
+#include "kernels/launch/own_flat_eyes.h"
+
+#include "kernels/flat_eyes/draw_flat_eyes_kernel.h"
+
+// Compiled once per instruction set; ERGO_TARGET names it.
+namespace ergodome::inline ERGO_TARGET {
+
+void draw_flat_eyes(const FlatEyeBatch& batch, int begin, int end) {
+  const DrawFlatEyes<WidePack<float>> draw{batch};
+  for (int index = begin; index < end; ++index) {
+    draw(index);
+  }
+}
+
+void look_up_flat_eyes(const FlatEyeLookUpBatch& batch, int begin, int end) {
+  const auto run = [begin, end](const auto& look_up) {
+    for (int index = begin; index < end; ++index) {
+      look_up(index);
+    }
+  };
+  if (batch.eye.near_field.drawing == DiskDrawing::pattern) {
+    run(LookUpFlatEyes<WidePack<float>, true>{batch});
+  } else {
+    run(LookUpFlatEyes<WidePack<float>, false>{batch});
+  }
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

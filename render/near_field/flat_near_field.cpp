@@ -1,0 +1,119 @@
+#include "render/near_field/flat_near_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/disk/disk_camera.h"
+#include "render/lens/direct_lens.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Eyes that are nearer to a thing than this part of their way to the head do not see it.
+constexpr double nearest_part = 0.9;
+//! Light comes nearer to the hole by no more than so much of r for each of the affine distance, and of its energy at infinity.
+constexpr double fastest_approach = 2.0;
+
+//! The greatest energy at infinity of light that the observer sees with energy 1.
+double greatest_energy(const CameraStation& station) {
+  return station.energy.constant + std::sqrt(dot(station.energy.along, station.energy.along));
+}
+
+}  // namespace
+
+FlatNearField::FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head,
+                             const FlatShadow& shadow)
+    : backend_(backend),
+      near_field_(near_field),
+      station_(station_of(head)),
+      chart_(shadow.frame_chart()),
+      edge_(backend, shadow.head_edge(), "flat shadow"),
+      eye_edge_(backend, shadow.head_edge().size(), "flat shadow"),
+      distances_(backend, shadow.distances(), "flat shadow") {
+  horizon_.edge = edge_view(chart_, shadow.head_edge());
+  horizon_.edge.polar_angle = edge_.data();
+  horizon_.distance = distances_.data();
+  horizon_.spokes = FlatShadow::spokes;
+  horizon_.depths = FlatShadow::depths;
+  horizon_.depth_step = static_cast<float>(FlatShadow::depth_step);
+  horizon_.most_w = static_cast<float>(1.0 / shadow.nearest());
+}
+
+double FlatNearField::farthest_r() const {
+  double r = 0.0;
+  if (near_field_.disk != nullptr) {
+    r = static_cast<double>(near_field_.disk->look_at(0.0).outer_r);
+  }
+  if (near_field_.shells != nullptr) {
+    r = std::max(r, near_field_.shells->outermost_r());
+  }
+  return r;
+}
+
+FlatEyeBatch FlatNearField::batch_for(const Eye& eye, const PictureView& view) {
+  const double offset = eye.offset;
+  eye_edge_.write(eye.edge.data(), eye.edge.size());
+  horizon_.eye_edge = edge_view(chart_, eye.edge);
+  horizon_.eye_edge.polar_angle = eye_edge_.data();
+  horizon_.cosine_largest = std::cos(horizon_.eye_edge.largest);
+  FlatEyeBatch batch{
+      {pixel_batch(view.eye, view.projection, view.tolerance_px), DiskDrawing::none, {}, {}, nullptr, {}, false, {}},
+      {},
+      0.0F,
+      {},
+      horizon_};
+  NearFieldBatch& scene = batch.near_field;
+  if (near_field_.disk != nullptr && near_field_.disk->is_visible()) {
+    scene.disk = near_field_.disk->look_at(view.time_s);
+    scene.drawing = has_pattern(scene.disk) ? DiskDrawing::pattern : DiskDrawing::plain;
+    const LayerLimits<double> limits =
+        layer_limits(view.eye.spin, static_cast<double>(scene.disk.inner_r), static_cast<double>(scene.disk.outer_r));
+    batch.limits = {static_cast<float>(limits.near_u),
+                    static_cast<float>(limits.far_u),
+                    static_cast<float>(limits.highest_u),
+                    static_cast<float>(limits.lowest_u),
+                    static_cast<float>(scene.pixels.settings.tolerance),
+                    limits.step_limit};
+  }
+  if (near_field_.shells != nullptr) {
+    scene.shells = near_field_.shells->table();
+  }
+  const double(&m)[3][3] = view.eye.frame_from_view;
+  batch.eye = {static_cast<float>(offset * m[0][0]), static_cast<float>(offset * m[1][0]),
+               static_cast<float>(offset * m[2][0])};
+  double most_w = nearest_part / std::abs(offset);
+  const double way = view.eye.r - farthest_r();
+  if (way > 0.0) {
+    most_w = std::min(most_w, fastest_approach * greatest_energy(station_) / way);
+  }
+  batch.most_w = static_cast<float>(most_w);
+  return batch;
+}
+
+void FlatNearField::draw(const Eye& eye, const PictureView& view, const RowBlock& rows, float* rgba) {
+  FlatEyeBatch batch = batch_for(eye, view);
+  batch.near_field.pixels.first_row = rows.first;
+  batch.near_field.pixels.row_count = rows.count;
+  batch.near_field.rgba = rgba;
+  if (near_field_.disk_grid) {
+    const EyeCamera& head = view.eye;
+    return look_up_flat_eyes(
+        {batch, *near_field_.disk_grid,
+         converted_aberration<float>(aberration_to_rain(head.spin, head.r, head.theta, head.motion, head.velocity))});
+  }
+  if (backend_ == Backend::cpu) {
+    return draw_flat_eyes(backend_, batch);
+  }
+  const std::size_t floats =
+      4 * static_cast<std::size_t>(view.projection.width_px) * static_cast<std::size_t>(rows.count);
+  if (rows_.size() < floats) {
+    rows_ = Buffer<float>(backend_, floats, "picture");
+  }
+  rows_.write(rgba, floats);
+  batch.near_field.rgba = rows_.data();
+  draw_flat_eyes(backend_, batch);
+  rows_.read(rgba, floats);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "kernels/flat_eyes/draw_flat_eyes.h"
+#include "render/lens/flat_shadow.h"
+#include "render/near_field/near_field.h"
+
+namespace ergodome {
+
+//! What stands near the hole as eyes of the stereo model `flat` see it, all through one lens: a thing at the affine distance d in the head's direction n
+//! stands at d n (kernels/flat_eyes/eye_line.h).
+class FlatNearField {
+ public:
+  //! For the eyes of a head whose shadow is given; disk and shells alone. The disk is read from NearField::disk_grid where there is one: the head's,
+  //! with its nearness.
+  FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow);
+
+  //! An eye `offset` M to the right of the head, and the shadow's edge as it sees it: FlatShadow::eye_edge.
+  struct Eye {
+    double offset;
+    const std::vector<float>& edge;
+  };
+
+  //! Draws it over rows of an eye's picture in host memory: four floats a pixel. The view is the head's, through the eye's own projection.
+  void draw(const Eye& eye, const PictureView& view, const RowBlock& rows, float* rgba);
+
+ private:
+  [[nodiscard]] FlatEyeBatch batch_for(const Eye& eye, const PictureView& view);
+  [[nodiscard]] double farthest_r() const;
+
+  Backend backend_;
+  const NearField& near_field_;
+  CameraStation station_;
+  ShadowChart chart_;
+  FlatHorizon horizon_{};
+  Buffer<float> edge_;
+  Buffer<float> eye_edge_;
+  Buffer<float> distances_;
+  Buffer<float> rows_;  //!< of a picture on its way through a GPU
+};
+
+}  // namespace ergodome
