@@ -8,8 +8,24 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
+//! Samples of a register's pixels that a grid leaves to rays: they are put off until there are as many as a register has lanes.
+template <class T>
+struct LeftSamples {
+  static constexpr int most = RealTraits<T>::lane_count * near_samples * near_samples;
+
+  struct Sample {
+    float x_px;
+    float y_px;
+    float guess[crossing_orders];  //!< of the sheets' nearness
+    int lane;
+  };
+
+  Sample samples[most];
+  int count = 0;
+};
+
 //! What a register of pixels does, whatever it draws by: Derived has look_near(line, search, pixel, lanes, seen), which tells the lanes that hold more
-//! than their middle does.
+//! than their middle does, and average(pixels, x_px, y_px, lanes), the sum of what all their samples see.
 template <class T, class Derived>
 struct FlatEyePixels {
   using D = Dual<T>;
@@ -30,42 +46,34 @@ struct FlatEyePixels {
     Mask fine = inside > T(S(0));
     SeenLanes<T> seen = look(x_px, y_px, S(1), fine);
     if (any(fine)) {
-      average(x_px, y_px, fine, seen);
+      const T zero(S(0));
+      SeenLanes<T> sum = {zero, zero, zero, zero};
+      derived.average(*this, x_px, y_px, fine, sum);
+      take_mean(fine, sum, seen);
     }
     lay_over(seen, inside, first, pixel_count(pixels), batch.near_field.rgba);
   }
 
- private:
-  //! The last step to a sheet is no longer, as it is seen [px].
-  static constexpr S precision_px = S(0.1);
-
-  //! Looks at many places within the pixels of the mask.
-  ERGO_HD void average(const T& x_px, const T& y_px, const Mask& fine, SeenLanes<T>& seen) const {
-    const T zero(S(0));
-    SeenLanes<T> sum = {zero, zero, zero, zero};
-    for (int i = 0; i < near_samples * near_samples; ++i) {
-      const NearSample<S> at = near_sample<S>(i);
-      Mask wanted = fine;
-      sum = sum + look(x_px + at.along, y_px + at.down, at.width, wanted);
-    }
-    take_mean(fine, sum, seen);
-  }
-
   //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
-  //! be finer than that.
-  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Mask& lanes) const {
-    const EyeLine<T> line = {observed_direction(batch.near_field.pixels, x_px, y_px), batch.eye};
+  //! be finer than that. `more` are what look_near is to be told.
+  template <class... More>
+  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Mask& lanes, More&... more) const {
+    const EyeLine<T> line = line_at(x_px, y_px);
     SeenLanes<T> seen = nothing_seen<T>();
     const SheetSearch<S> search = search_for(line);
     const Mask wanted = lanes & may_see(line, search.most_w);
     lanes = lanes & !lanes;
     if (any(wanted)) {
-      lanes = derived.look_near(line, search, pixel, wanted, seen);
+      lanes = derived.look_near(line, search, pixel, wanted, seen, more...);
     }
     return seen;
   }
 
-  ERGO_HD SheetSearch<S> search_for(const EyeLine<T>& line) const {
+  [[nodiscard]] ERGO_HD EyeLine<T> line_at(const T& x_px, const T& y_px) const {
+    return {observed_direction(batch.near_field.pixels, x_px, y_px), batch.eye};
+  }
+
+  [[nodiscard]] ERGO_HD SheetSearch<S> search_for(const EyeLine<T>& line) const {
     const Vector3<S>& eye = batch.eye;
     const S offset = sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z);
     const auto square = [&line](T D::*part) {
@@ -77,6 +85,10 @@ struct FlatEyePixels {
     const S pixel = sqrt(maximum(square(&D::along_x), square(&D::along_y)));
     return {batch.most_w, precision_px * pixel / offset};
   }
+
+ private:
+  //! The last step to a sheet is no longer, as it is seen [px].
+  static constexpr S precision_px = S(0.1);
 
   //! Lanes that may see anything: of any place on their lines. A line that spans a small angle leaves what is large on one of its ends' sides.
   ERGO_HD Mask may_see(const EyeLine<T>& line, S most_w) const {
@@ -112,7 +124,17 @@ struct DrawFlatEyes {
 
   FlatEyeBatch batch;
 
-  ERGO_HD void operator()(int index) const { FlatEyePixels<T, DrawFlatEyes>{batch, *this}.draw(index); }
+  using Pixels = FlatEyePixels<T, DrawFlatEyes>;
+
+  ERGO_HD void operator()(int index) const { Pixels{batch, *this}.draw(index); }
+
+  ERGO_HD void average(const Pixels& pixels, const T& x_px, const T& y_px, const Mask& lanes, SeenLanes<T>& sum) const {
+    for (int i = 0; i < near_samples * near_samples; ++i) {
+      const NearSample<S> at = near_sample<S>(i);
+      Mask wanted = lanes;
+      sum = sum + pixels.look(x_px + at.along, y_px + at.down, at.width, wanted);
+    }
+  }
 
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<S>& search, S pixel, const Mask& wanted,
                          SeenLanes<T>& seen) const {
@@ -144,32 +166,117 @@ struct DrawFlatEyes {
   }
 };
 
-//! The same for a disk that is read from a grid; lanes that the grid leaves to rays have them.
+//! The same for a disk that is read from a grid; what the grid leaves to rays has them.
 template <class T, bool WithPattern>
 struct LookUpFlatEyes {
   using Mask = MaskOf<T>;
+  using Grid = FlatDisk<T, GridSheets<T, WithPattern>>;
+  using Traced = FlatDisk<T, RaySheets<T>>;
 
   FlatEyeLookUpBatch batch;
 
-  ERGO_HD void operator()(int index) const { FlatEyePixels<T, LookUpFlatEyes>{batch.eye, *this}.draw(index); }
+  using Pixels = FlatEyePixels<T, LookUpFlatEyes>;
+
+  ERGO_HD void operator()(int index) const { Pixels{batch.eye, *this}.draw(index); }
+
+  //! Few lanes at a time are left to rays, but many of all samples.
+  ERGO_HD void average(const Pixels& pixels, const T& x_px, const T& y_px, const Mask& lanes, SeenLanes<T>& sum) const {
+    LeftSamples<T> left;
+    for (int i = 0; i < near_samples * near_samples; ++i) {
+      const NearSample<float> at = near_sample<float>(i);
+      const T x = x_px + at.along;
+      const T y = y_px + at.down;
+      Mask wanted = lanes;
+      Waiting waiting = {left, x, y};
+      sum = sum + pixels.look(x, y, at.width, wanted, waiting);
+    }
+    for (int first = 0; first < left.count; first += RealTraits<T>::lane_count) {
+      trace(pixels, left, first, sum);
+    }
+  }
 
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
                          SeenLanes<T>& seen) const {
     GridSheets<T, WithPattern> sheets(batch);
-    FlatDisk<T, GridSheets<T, WithPattern>> disk(batch.eye, sheets, line, search, pixel);
+    Grid disk(batch.eye, sheets, line, search, pixel);
     const Mask left = disk.meet(wanted);
     T fine(0.0F);
     compose(disk, wanted & !left, seen, fine);
     if (any(left)) {
       RaySheets<T> rays(batch.eye);
-      FlatDisk<T, RaySheets<T>> traced(batch.eye, rays, line, search, pixel);
+      Traced traced(batch.eye, rays, line, search, pixel);
       traced.meet_near(disk, left);
       compose(traced, left, seen, fine);
     }
     return fine > T(0.0F);
   }
 
+  //! Where samples wait, and where in the image they are.
+  struct Waiting {
+    LeftSamples<T>& left;
+    const T& x_px;
+    const T& y_px;
+  };
+
+  //! The same, but that what the grid leaves to rays waits, as if nothing were seen there: not even through.
+  ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
+                         SeenLanes<T>& seen, Waiting& waiting) const {
+    GridSheets<T, WithPattern> sheets(batch);
+    Grid disk(batch.eye, sheets, line, search, pixel);
+    const Mask left = disk.meet(wanted);
+    T fine(0.0F);
+    compose(disk, wanted & !left, seen, fine);
+    for (int i = 0; any(left) && i < RealTraits<T>::lane_count; ++i) {
+      if (mask_lane(left, i)) {
+        auto& sample = waiting.left.samples[waiting.left.count++];
+        sample.x_px = lane(waiting.x_px, i);
+        sample.y_px = lane(waiting.y_px, i);
+        sample.lane = i;
+        for (int order = 0; order < crossing_orders; ++order) {
+          sample.guess[order] = lane(disk.guess(order), i);
+        }
+        set_lane(seen.clear, i, 0.0F);
+      }
+    }
+    return fine > T(0.0F);
+  }
+
  private:
+  //! Traces samples that have waited, a register of them, and adds what they see to their lanes.
+  ERGO_HD void trace(const Pixels& pixels, const LeftSamples<T>& left, int first, SeenLanes<T>& sum) const {
+    constexpr int lanes = RealTraits<T>::lane_count;
+    const auto sample = [&](int i) -> const auto& {
+      return left.samples[first + i < left.count ? first + i : left.count - 1];
+    };
+    T x(0.0F);
+    T y(0.0F);
+    T wanted(0.0F);
+    T guesses[crossing_orders] = {x, x, x};
+    for (int i = 0; i < lanes; ++i) {
+      set_lane(x, i, sample(i).x_px);
+      set_lane(y, i, sample(i).y_px);
+      set_lane(wanted, i, first + i < left.count ? 1.0F : 0.0F);
+      for (int order = 0; order < crossing_orders; ++order) {
+        set_lane(guesses[order], i, sample(i).guess[order]);
+      }
+    }
+    const EyeLine<T> line = pixels.line_at(x, y);
+    RaySheets<T> rays(batch.eye);
+    Traced traced(batch.eye, rays, line, pixels.search_for(line), 1.0F / near_samples);
+    traced.meet_near(guesses, wanted > T(0.0F));
+    SeenLanes<T> seen = nothing_seen<T>();
+    T fine(0.0F);
+    compose(traced, wanted > T(0.0F), seen, fine);
+    for (int i = 0; i < lanes && first + i < left.count; ++i) {
+      const int to = sample(i).lane;
+      const auto add = [i, to](T& total, const T& part) { set_lane(total, to, lane(total, to) + lane(part, i)); };
+      add(sum.red, seen.red);
+      add(sum.green, seen.green);
+      add(sum.blue, seen.blue);
+      add(sum.clear, seen.clear);
+    }
+  }
+
   template <class Disk>
   ERGO_HD static void compose(const Disk& disk, const Mask& lanes, SeenLanes<T>& seen, T& fine) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {

@@ -35,8 +35,11 @@ class FlatDisk {
   //! The same near to where another source has found the sheets.
   template <class OtherSheets>
   ERGO_HD Mask meet_near(const FlatDisk<T, OtherSheets>& other, const Mask& lanes) {
+    return meet_near(other.guess_, lanes);
+  }
+  ERGO_HD Mask meet_near(const T (&guesses)[crossing_orders], const Mask& lanes) {
     for (int order = 0; order < crossing_orders; ++order) {
-      guess_[order] = other.guess(order);
+      guess_[order] = guesses[order];
     }
     return meet_near_guesses(lanes);
   }
@@ -79,6 +82,9 @@ class FlatDisk {
   }
 
  private:
+  template <class, class>
+  friend class FlatDisk;
+
   //! Lanes whose line may meet the disk, by what the head sees in the direction of m and how that changes on the way to where the sheet is.
   ERGO_HD Mask may_show(const EyePoint<T>& start, const T& nearness, const D& u) const {
     const DiskLook& disk = batch_.near_field.disk;
@@ -125,7 +131,7 @@ class FlatDisk {
   ERGO_HD void hide(int order, const Mask& lanes) {
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (mask_lane(lanes, i) && nearness(order, i) > S(0) &&
-          is_behind_horizon(batch_.horizon, line_.direction(i), batch_.eye, nearness(order, i))) {
+          is_behind_horizon(batch_.horizon, line_.direction(i), nearness(order, i))) {
         set_lane(nearness_[order], i, S(-1));
       }
     }

@@ -115,8 +115,7 @@ class FlatShells {
     const MetSheet<T> met = meet_sheet(line_, T(S(0)), search_, lanes, trace);
     Mask seen = met.met & sheet.found() & (met.nearness() > T(S(0)));
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-      if (mask_lane(seen, i) &&
-          is_behind_horizon(batch_.horizon, line_.direction(i), batch_.eye, lane(met.nearness(), i))) {
+      if (mask_lane(seen, i) && is_behind_horizon(batch_.horizon, line_.direction(i), lane(met.nearness(), i))) {
         T flags = select(seen, T(S(1)), T(S(0)));
         set_lane(flags, i, S(0));
         seen = flags > T(S(0));

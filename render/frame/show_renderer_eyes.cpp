@@ -17,13 +17,12 @@ namespace ergodome {
 namespace {
 
 //! Draws what stands near the hole over an eye's picture, a block of rows at a time.
-void draw_flat_rows(Backend backend, FlatNearField& near_field, const FlatNearField::Eye& eye, const PictureView& view,
-                    Picture& picture) {
+void draw_flat_rows(Backend backend, FlatNearField& near_field, const PictureView& view, Picture& picture) {
   const int block = rows_of_a_block(backend, picture.width, picture.height);
   for (int row = 0; row < picture.height; row += block) {
     const int rows = std::min(block, picture.height - row);
     const std::size_t first = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(row);
-    near_field.draw(eye, view, {row, rows}, picture.rgba.data() + first);
+    near_field.draw(view, {row, rows}, picture.rgba.data() + first);
   }
 }
 
@@ -103,8 +102,9 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
       const std::vector<float> edge = shadow->eye_edge(offset);
       mask_shadow(eyes[i], own, edge_view(shadow->chart(), shadow->head_edge()), edge_view(shadow->chart(), edge));
       if (near_field) {
-        draw_flat_rows(backend(), *near_field, {offset, edge},
-                       {head, nullptr, own, settings.accuracy.tolerance_px, settings.time_s}, eyes[i]);
+        near_field->set_eye(offset, edge);
+        draw_flat_rows(backend(), *near_field, {head, nullptr, own, settings.accuracy.tolerance_px, settings.time_s},
+                       eyes[i]);
       }
       if (settings.objects != nullptr) {
         settings.objects->draw(head, own, settings.time_s, eyes[i].rgba.data(), nullptr, offset);

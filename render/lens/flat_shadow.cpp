@@ -65,7 +65,6 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
     }
   });
   nearest_ = *std::ranges::min_element(distances_);
-  table_.assign(distances_.begin(), distances_.end());
 }
 
 double FlatShadow::distance(double gamma, double depth) const {
@@ -129,6 +128,52 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
     (at_first > at_second ? high : low) = at_first > at_second ? second : first;
   }
   return most;
+}
+
+double FlatShadow::head_nearness(const Vector3<double>& n) const {
+  const double alpha = std::atan2(std::hypot(n.y, n.z), n.x);
+  const double gamma = std::atan2(n.z, n.y);
+  const double edge = edge_at(gamma);
+  return alpha < edge ? 1.0 / distance(gamma, -std::log1p(-alpha / edge)) : 0.0;
+}
+
+std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<float>& edge) const {
+  const Vector3<double> eye = offset * right_;
+  const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
+  std::vector<float> nearness(static_cast<std::size_t>(spokes) * depths);
+  const auto solve = [&](const Vector3<double>& m) {
+    // How far beyond the horizon the line is at a nearness; the first such place that an eye meets is the one that is nearest to it.
+    const auto beyond = [&](double w) {
+      const Vector3<double> v = m + w * eye;
+      const double length = std::sqrt(dot(v, v));
+      return length * head_nearness((1.0 / length) * v) - w;
+    };
+    constexpr int samples = 24;
+    double low = most_w;
+    for (int i = samples - 1; i > 0 && beyond(low) < 0.0; --i) {
+      low = most_w * i / samples;
+    }
+    if (beyond(low) < 0.0) {
+      return 0.0;
+    }
+    double high = std::min(low + most_w / samples, most_w);
+    for (int round = 0; round < 16; ++round) {
+      const double middle = 0.5 * (low + high);
+      (beyond(middle) < 0.0 ? high : low) = middle;
+    }
+    return low;
+  };
+  parallel_for(spokes, 1, [&](int begin, int end) {
+    for (int spoke = begin; spoke < end; ++spoke) {
+      const double gamma = full_turn * spoke / spokes;
+      const double alpha = static_cast<double>(edge[edge.size() * static_cast<std::size_t>(spoke) / spokes]);
+      for (int i = 0; i < depths; ++i) {
+        nearness[static_cast<std::size_t>(spoke * depths + i)] =
+            static_cast<float>(solve(chart_point(-alpha * std::expm1(-depth_step * i), gamma)));
+      }
+    }
+  });
+  return nearness;
 }
 
 std::vector<float> FlatShadow::eye_edge(double offset) const {

@@ -20,7 +20,7 @@ class FlatShadow {
   //! Traces the distances of a head's dark directions.
   explicit FlatShadow(const EyeCamera& head);
 
-  //! Position angles of the traced distances, and depths towards the edge, where they grow by the same for each: FlatHorizon.
+  //! Position angles of the traced distances, and depths towards the edge, where they grow by the same for each.
   static constexpr int spokes = 48;
   static constexpr int depths = 49;
   static constexpr double deepest = 16.0;
@@ -31,13 +31,13 @@ class FlatShadow {
   [[nodiscard]] const std::vector<float>& head_edge() const { return edge_; }
   //! The same chart in the observer's frame.
   [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
-  //! Traced distances, a row of `depths` for each spoke, and the least of them [M].
-  [[nodiscard]] const std::vector<float>& distances() const { return table_; }
-  [[nodiscard]] double nearest() const { return nearest_; }
 
   //! The edge that an eye sees, about the same chart at the same position angles; `offset` is to the right of the head [M]. Throws Error for
   //! an eye so far off that the horizon is not well before it.
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;
+
+  //! FlatHorizon::nearness of that eye, whose edge is given: of `spokes` and `depths`.
+  [[nodiscard]] std::vector<float> eye_nearness(double offset, const std::vector<float>& edge) const;
 
   //! Affine distance to the horizon [M]: at a position angle, and at exp(-depth) of the way from the edge to the chart's middle. Cubic between
   //! traced rays.
@@ -50,6 +50,7 @@ class FlatShadow {
     return curve;
   }
   [[nodiscard]] double edge_at(double gamma) const;
+  [[nodiscard]] double head_nearness(const Vector3<double>& n) const;
   [[nodiscard]] double farthest_out(const Vector3<double>& eye, double gamma) const;
 
   ShadowChart frame_chart_{};
@@ -58,7 +59,6 @@ class FlatShadow {
   std::vector<float> edge_;
   EdgeCurve curve_{};  //!< of it, but for where its angles lie
   std::vector<double> distances_;
-  std::vector<float> table_;
   double nearest_ = 0.0;
 };
 

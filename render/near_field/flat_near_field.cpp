@@ -26,18 +26,23 @@ FlatNearField::FlatNearField(Backend backend, const NearField& near_field, const
                              const FlatShadow& shadow)
     : backend_(backend),
       near_field_(near_field),
+      shadow_(shadow),
       station_(station_of(head)),
-      chart_(shadow.frame_chart()),
-      edge_(backend, shadow.head_edge(), "flat shadow"),
-      eye_edge_(backend, shadow.head_edge().size(), "flat shadow"),
-      distances_(backend, shadow.distances(), "flat shadow") {
-  horizon_.edge = edge_view(chart_, shadow.head_edge());
+      edge_(backend, shadow.head_edge().size(), "flat shadow"),
+      nearness_(backend, static_cast<std::size_t>(FlatShadow::spokes) * FlatShadow::depths, "flat shadow") {}
+
+void FlatNearField::set_eye(double offset, const std::vector<float>& edge) {
+  offset_ = offset;
+  const std::vector<float> nearness = shadow_.eye_nearness(offset, edge);
+  edge_.write(edge.data(), edge.size());
+  nearness_.write(nearness.data(), nearness.size());
+  horizon_.edge = edge_view(shadow_.frame_chart(), edge);
+  horizon_.cosine_largest = std::cos(horizon_.edge.largest);
   horizon_.edge.polar_angle = edge_.data();
-  horizon_.distance = distances_.data();
+  horizon_.nearness = nearness_.data();
   horizon_.spokes = FlatShadow::spokes;
   horizon_.depths = FlatShadow::depths;
   horizon_.depth_step = static_cast<float>(FlatShadow::depth_step);
-  horizon_.most_w = static_cast<float>(1.0 / shadow.nearest());
 }
 
 double FlatNearField::farthest_r() const {
@@ -51,12 +56,7 @@ double FlatNearField::farthest_r() const {
   return r;
 }
 
-FlatEyeBatch FlatNearField::batch_for(const Eye& eye, const PictureView& view) {
-  const double offset = eye.offset;
-  eye_edge_.write(eye.edge.data(), eye.edge.size());
-  horizon_.eye_edge = edge_view(chart_, eye.edge);
-  horizon_.eye_edge.polar_angle = eye_edge_.data();
-  horizon_.cosine_largest = std::cos(horizon_.eye_edge.largest);
+FlatEyeBatch FlatNearField::batch_for(const PictureView& view) const {
   FlatEyeBatch batch{
       {pixel_batch(view.eye, view.projection, view.tolerance_px), DiskDrawing::none, {}, {}, nullptr, {}, false, {}},
       {},
@@ -80,9 +80,9 @@ FlatEyeBatch FlatNearField::batch_for(const Eye& eye, const PictureView& view) {
     scene.shells = near_field_.shells->table();
   }
   const double(&m)[3][3] = view.eye.frame_from_view;
-  batch.eye = {static_cast<float>(offset * m[0][0]), static_cast<float>(offset * m[1][0]),
-               static_cast<float>(offset * m[2][0])};
-  double most_w = nearest_part / std::abs(offset);
+  batch.eye = {static_cast<float>(offset_ * m[0][0]), static_cast<float>(offset_ * m[1][0]),
+               static_cast<float>(offset_ * m[2][0])};
+  double most_w = nearest_part / std::abs(offset_);
   const double way = view.eye.r - farthest_r();
   if (way > 0.0) {
     most_w = std::min(most_w, fastest_approach * greatest_energy(station_) / way);
@@ -91,8 +91,8 @@ FlatEyeBatch FlatNearField::batch_for(const Eye& eye, const PictureView& view) {
   return batch;
 }
 
-void FlatNearField::draw(const Eye& eye, const PictureView& view, const RowBlock& rows, float* rgba) {
-  FlatEyeBatch batch = batch_for(eye, view);
+void FlatNearField::draw(const PictureView& view, const RowBlock& rows, float* rgba) {
+  FlatEyeBatch batch = batch_for(view);
   batch.near_field.pixels.first_row = rows.first;
   batch.near_field.pixels.row_count = rows.count;
   batch.near_field.rgba = rgba;

@@ -14,27 +14,24 @@ class FlatNearField {
   //! with its nearness.
   FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow);
 
-  //! An eye `offset` M to the right of the head, and the shadow's edge as it sees it: FlatShadow::eye_edge.
-  struct Eye {
-    double offset;
-    const std::vector<float>& edge;
-  };
+  //! Turns to an eye `offset` M to the right of the head, which sees the shadow's edge where FlatShadow::eye_edge has it.
+  void set_eye(double offset, const std::vector<float>& edge);
 
-  //! Draws it over rows of an eye's picture in host memory: four floats a pixel. The view is the head's, through the eye's own projection.
-  void draw(const Eye& eye, const PictureView& view, const RowBlock& rows, float* rgba);
+  //! Draws it over rows of that eye's picture in host memory: four floats a pixel. The view is the head's, through the eye's own projection.
+  void draw(const PictureView& view, const RowBlock& rows, float* rgba);
 
  private:
-  [[nodiscard]] FlatEyeBatch batch_for(const Eye& eye, const PictureView& view);
+  [[nodiscard]] FlatEyeBatch batch_for(const PictureView& view) const;
   [[nodiscard]] double farthest_r() const;
 
   Backend backend_;
   const NearField& near_field_;
+  const FlatShadow& shadow_;
   CameraStation station_;
-  ShadowChart chart_;
+  double offset_ = 0.0;
   FlatHorizon horizon_{};
   Buffer<float> edge_;
-  Buffer<float> eye_edge_;
-  Buffer<float> distances_;
+  Buffer<float> nearness_;
   Buffer<float> rows_;  //!< of a picture on its way through a GPU
 };
 

@@ -19,7 +19,7 @@ void Planner::flat_pass(const std::string& name, const std::string& reason, bool
 }
 
 void Planner::plan_flat_near_field() {
-  constexpr long floats = 2L * edge_points + FlatShadow::spokes * FlatShadow::depths;
+  constexpr long floats = long{edge_points} + FlatShadow::spokes * FlatShadow::depths;
   buffer("flat shadow", WorkMoment::picture, eyes_are_together_at_times() ? 0 : floats * long{sizeof(float)},
          why("stereo.model"));
   const bool disk_goes = needs_.disk && (!always_.disk || disk_edges_move());

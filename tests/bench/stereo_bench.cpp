@@ -50,6 +50,36 @@ BENCHMARK_CAPTURE(stereo_frame, physical, physical_eyes)->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_frame, flat, flat_eyes)->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_frame, omni, omni_eyes)->Apply(stereo_sizes);
 
+//! Both eyes of the built-in disk's show, with the camera at rest: grids are kept.
+void stereo_disk(benchmark::State& state, const char* stereo, const char* pattern) {
+  const Show show = parse_show(
+      std::string("[hole]\nspin = 0.999\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 60\ntheta_deg = 83\n"
+                  "[sky]\nmap = \"milky_way\"\n[effects]\nredshift = true\n[disk]\nouter = 18\ntemperature_K = 20000\n"
+                  "limb_darkening = true\n") +
+          pattern + "[view]\nprojection = \"pinhole\"\nfov_deg = 40\naspect = 1.7777778\n[stereo]\n" + stereo,
+      "bench.toml");
+  ShowRenderer renderer(show, Backend::cpu, LensChoice::live);
+  const Projection projection = make_projection(show.view, static_cast<int>(state.range(0)), 0.0);
+  const CameraPose pose = camera_pose(show, 0.0);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(renderer.render_window_parts(pose, projection, ViewMode::sky).front().rgba.data());
+  }
+  state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
+}
+
+constexpr const char* clouds = "pattern = \"procedural\"\n";
+
+void disk_pair_width(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(960)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(stereo_disk, mono, "", "")->Apply(disk_pair_width);
+BENCHMARK_CAPTURE(stereo_disk, physical, physical_eyes, "")->Apply(disk_pair_width);
+BENCHMARK_CAPTURE(stereo_disk, flat, flat_eyes, "")->Apply(disk_pair_width);
+BENCHMARK_CAPTURE(stereo_disk, mono_clouds, "", clouds)->Apply(disk_pair_width);
+BENCHMARK_CAPTURE(stereo_disk, physical_clouds, physical_eyes, clouds)->Apply(disk_pair_width);
+BENCHMARK_CAPTURE(stereo_disk, flat_clouds, flat_eyes, clouds)->Apply(disk_pair_width);
+
 //! Seconds of processor time that all threads have taken: other programs do not count.
 double processor_s() {
   std::timespec now{};
