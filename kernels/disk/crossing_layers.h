@@ -246,7 +246,7 @@ ERGO_HD void end_layers(const T& u, const T& distance, const LayerLimits<ScalarO
 
 }  // namespace detail
 
-//! Follows a ray to its first `orders` crossings of the equatorial plane, wherever they are. With Parts beyond NearParts::place_alone, azimuth and time too.
+//! Follows a ray to its first `orders` crossings of the equatorial plane, wherever they are; Parts says with what beside their places.
 //!
 //! False where a ray met the step limit. With MixedDual numbers all derivatives are exact ones.
 template <int Order, NearParts Parts, class T>
@@ -291,11 +291,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
       }
     }
     state.straight = state.straight | leaves;
-    if constexpr (has_distance(Parts)) {
-      detail::end_layers(s.u[0], s.distance[0], limits, orders, state, layers);
-    } else {
-      detail::end_layers(s.u[0], none, limits, orders, state, layers);
-    }
+    detail::end_layers(s.u[0], detail::distance_so_far(s), limits, orders, state, layers);
   }
   return !state.active;
 }

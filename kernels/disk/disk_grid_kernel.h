@@ -50,10 +50,20 @@ struct TraceDiskNodes {
         const auto far = distance.value > T(0.0F);
         const M one(T(1.0F));
         const M q = select(far, one / select(far, distance, one), M(T(0.0F)));
-        put(node + order, is_number(q, i) ? q : M(T(0.0F)), i, 0.0F);
+        const bool good = is_number(q, i);
+        put(node + order, good ? q : M(T(0.0F)), i, 0.0F);
+        if (!good) {
+          forget(first + i, order);
+        }
       }
       node[3] = node[7] = node[11] = node[15] = 0.0F;
     }
+  }
+
+  //! A node of whose distance nothing is known says nothing of its place either: checks find that out.
+  ERGO_HD void forget(int node, int order) const {
+    float* const place = batch.nodes[WithPattern ? order : 0] + floats_a_node * static_cast<long>(node);
+    put(place + (WithPattern ? 0 : order), M(T(0.0F)), 0, batch.camera.limits.lowest_u);
   }
 
   ERGO_HD static bool is_number(const M& a, int i) {

@@ -91,6 +91,23 @@ struct MetSheet {
   }
 };
 
+//! One or the other, lane by lane.
+template <class T, class Mask>
+ERGO_HD MetSheet<T> chosen(const Mask& mask, const MetSheet<T>& yes, const MetSheet<T>& no) {
+  const auto pick = [&](const auto& a, const auto& b) { return select(mask, a, b); };
+  const MaskOf<T> met = (mask & yes.met) | ((!mask) & no.met);
+  return {{{pick(yes.point.n.x, no.point.n.x), pick(yes.point.n.y, no.point.n.y), pick(yes.point.n.z, no.point.n.z)},
+           pick(yes.point.length, no.point.length),
+           pick(yes.point.closing, no.point.closing),
+           pick(yes.point.along_x, no.point.along_x),
+           pick(yes.point.along_y, no.point.along_y)},
+          pick(yes.w, no.w),
+          pick(yes.step, no.step),
+          pick(yes.step_along_x, no.step_along_x),
+          pick(yes.step_along_y, no.step_along_y),
+          met};
+}
+
 //! How a sheet is looked for.
 template <class S>
 struct SheetSearch {
@@ -127,8 +144,12 @@ ERGO_HD MetSheet<T> meet_sheet(const EyeLine<T>& line, const T& first, const She
     met.step = next - met.w;
     met.step_along_x = -(miss.along_x * inverse);
     met.step_along_y = -(miss.along_y * inverse);
-    met.met = lanes & (absolute(met.step) < T(search.precision));
-    if (!any(lanes & !met.met) || round + 1 == sheet_rounds) {
+    // Where bounds close on a leap, or on the nearest that is looked for, nothing is met.
+    const auto before_all = before & (met.w >= T(search.most_w));
+    const auto exact = (absolute(met.step) < T(search.precision)) & (absolute(miss.value) < T(S(4) * search.precision));
+    met.met = lanes & exact & (!before_all);
+    const auto closed = absolute(met.step) < T(S(0.01) * search.precision);
+    if (!any(lanes & !(met.met | closed)) || round + 1 == sheet_rounds) {
       break;
     }
     met.w = next;

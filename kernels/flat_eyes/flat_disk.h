@@ -23,10 +23,12 @@ class FlatDisk {
   ERGO_HD Mask meet(const Mask& lanes) {
     const EyePoint<T> start = line_.at(T(S(0)));
     sheets_.look(start.n, crossing_orders, lanes);
+    // Of what is not known here all may be seen.
+    const Mask unknown = sheets_.left(lanes);
     for (int order = 0; order < crossing_orders; ++order) {
       const D q = sheets_.nearness(order);
       const T slope = S(1) - start.by_nearness(q) - q.value * start.closing;
-      guess_[order] = select(lanes & may_show(start, q.value, sheets_.point(order).u),
+      guess_[order] = select(lanes & (unknown | may_show(start, q.value, sheets_.point(order).u)),
                              q.value / maximum(slope, T(S(0.25))), T(S(-1)));
     }
     return meet_near_guesses(lanes);
@@ -55,8 +57,13 @@ class FlatDisk {
     const CrossingLayer<T>& carried = carried_[order];
     const SeenLayer at = {lane(u_[order].value, i), pixel_ * change(order, i), lane(carried.cosine, i),
                           lane(carried.sine, i),    lane(carried.delay, i),    lane(carried.u_rate, i) > S(0)};
-    put_layer_behind<true>(batch_.near_field.pixels.camera, batch_.near_field.disk, at,
-                           photon_constants(rays_[order], i), i, seen);
+    const NearFieldBatch& scene = batch_.near_field;
+    const PhotonConstants photon = photon_constants(rays_[order], i);
+    if (scene.drawing == DiskDrawing::pattern) {
+      put_layer_behind<true>(scene.pixels.camera, scene.disk, at, photon, i, seen);
+    } else {
+      put_layer_behind<false>(scene.pixels.camera, scene.disk, at, photon, i, seen);
+    }
   }
 
   //! Puts all that are nearer than `nearness`, from number `next` on, behind what lane `i` has seen.
@@ -91,7 +98,9 @@ class FlatDisk {
     const T way = nearness * absolute(start.by_nearness(u));
     const T width = absolute(u.along_x) + absolute(u.along_y);
     const T margin = S(2) * (way + width) + T(S(0.2) / disk.inner_r);
-    return (u.value < T(S(1) / disk.inner_r) + margin) & (u.value > T(S(1) / disk.outer_r) - margin);
+    // What is so near may be anywhere by the time that the line is there.
+    const auto near = nearness * sqrt(dot(line_.eye, line_.eye)) > T(S(0.1));
+    return near | ((u.value < T(S(1) / disk.inner_r) + margin) & (u.value > T(S(1) / disk.outer_r) - margin));
   }
 
   ERGO_HD Mask meet_near_guesses(const Mask& lanes) {

@@ -37,6 +37,16 @@ class SheetOfShell {
 
   [[nodiscard]] ERGO_HD Mask done() const { return found_ > T(S(0)); }
 
+  //! Lanes whose light neither comes to the shell on this side nor turns.
+  [[nodiscard]] ERGO_HD Mask fallen() const { return (!(found_ > T(S(0)))) & !(turned_ > T(S(0))); }
+
+  //! Takes another's lanes where a mask does not hold.
+  ERGO_HD void keep_others(const Mask& own, const SheetOfShell& other) {
+    keep(!own, other.place_);
+    found_ = select(own, found_, other.found_);
+    turned_ = select(own, turned_, other.turned_);
+  }
+
   //! Lanes that meet the shell on this side.
   [[nodiscard]] ERGO_HD Mask found() const { return found_ > T(S(0)); }
 
@@ -112,7 +122,15 @@ class FlatShells {
                                                                 limits, wanted, sheet);
       return sheet.nearness(search_.most_w);
     };
-    const MetSheet<T> met = meet_sheet(line_, T(S(0)), search_, lanes, trace);
+    MetSheet<T> met = meet_sheet(line_, T(S(0)), search_, lanes, trace);
+    const Mask fallen = lanes & sheet.fallen();
+    if (any(fallen)) {
+      // Light from the far side may pass the shadow's edge nearer to the eye: the line is looked along from there, too.
+      const detail::SheetOfShell<T> far_sheet = sheet;
+      const MetSheet<T> again = meet_sheet(line_, T(search_.most_w), search_, fallen, trace);
+      const Mask other = again.met & sheet.found();
+      keep_sheet(other, far_sheet, met, sheet, again);
+    }
     Mask seen = met.met & sheet.found() & (met.nearness() > T(S(0)));
     for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
       if (mask_lane(seen, i) && is_behind_horizon(batch_.horizon, line_.direction(i), lane(met.nearness(), i))) {
@@ -122,6 +140,13 @@ class FlatShells {
       }
     }
     return compose(shell, met, sheet, seen);
+  }
+
+  //! Takes what was met at last in the lanes of a mask, and what was met before in the others.
+  ERGO_HD static void keep_sheet(const Mask& last, const detail::SheetOfShell<T>& before, MetSheet<T>& met,
+                                 detail::SheetOfShell<T>& sheet, const MetSheet<T>& again) {
+    sheet.keep_others(last, before);
+    met = chosen(last, again, met);
   }
 
   ERGO_HD Mask compose(int shell, const MetSheet<T>& met, const detail::SheetOfShell<T>& sheet,

@@ -5,8 +5,8 @@
 namespace ergodome {
 
 void draw_flat_eyes_cuda(const FlatEyeBatch& batch) {
-  const PixelBatch& pixels = batch.near_field.pixels;
-  launch_cuda("draw_flat_eyes", pixels.row_count * pixels.projection.width_px, DrawFlatEyes<float>{batch});
+  const int count = batch.near_field.pixels.row_count * batch.near_field.pixels.projection.width_px;
+  dispatch_flat_eyes<float>(batch, [&](const auto& draw) { launch_cuda("draw_flat_eyes", count, draw); });
 }
 
 }  // namespace ergodome

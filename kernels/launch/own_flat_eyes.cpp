@@ -1,15 +1,17 @@
 #include "kernels/launch/own_flat_eyes.h"
 
 #include "kernels/flat_eyes/draw_flat_eyes_kernel.h"
+#include "kernels/flat_eyes/look_up_flat_eyes_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {
 
 void draw_flat_eyes(const FlatEyeBatch& batch, int begin, int end) {
-  const DrawFlatEyes<WidePack<float>> draw{batch};
-  for (int index = begin; index < end; ++index) {
-    draw(index);
-  }
+  dispatch_flat_eyes<WidePack<float>>(batch, [begin, end](const auto& draw) {
+    for (int index = begin; index < end; ++index) {
+      draw(index);
+    }
+  });
 }
 
 void look_up_flat_eyes(const FlatEyeLookUpBatch& batch, int begin, int end) {

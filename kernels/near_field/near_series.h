@@ -208,6 +208,16 @@ ERGO_HD void start_series(const NearRay<T>& ray, const RealOf<T>& inverse_scale,
   }
 }
 
+//! The affine distance that a series has come to, where it carries that; else 0.
+template <int Order, class T, NearParts Parts>
+ERGO_HD T distance_so_far(const NearSeries<Order, T, Parts>& s) {
+  if constexpr (has_distance(Parts)) {
+    return s.distance[0];
+  } else {
+    return T(RealOf<T>(ScalarOf<T>(0)));
+  }
+}
+
 //! Coefficients 0 and 1 of the series about h.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const RealOf<T>& h) {

@@ -13,8 +13,8 @@ namespace ergodome::inline ERGO_TARGET {
 struct ConnectingRay {
   double xi;           //!< at a static observer, between where the light seems to come from and outward [rad]
   double travel_time;  //!< coordinate time [M]
-  double
-      affine_distance;  //!< for a photon of energy 1 at infinity [M]; times √(1 - 2/r) at the observer for one that is seen with energy 1 there
+  //! For a photon of energy 1 at infinity [M]; over √(1 - 2/r_obs) for one that is seen with energy 1 at rest.
+  double affine_distance;
   double impact_parameter;  //!< [M]
   double emission_angle;    //!< at a static emitter at the point, between where the light leaves to and outward [rad]
   double rate_at_observer;  //!< du/dφ there, φ counted from the observer to the point [1/M]

@@ -165,7 +165,8 @@ class ShowRenderer {
   std::unique_ptr<ObjectPass> objects_;            //!< where it has any that are polygons
   EyeRenderer renderer_;
   OmniChooser omni_lenses_;
-  DiskGrids flat_disks_;  //!< of heads whose eyes see through one lens
+  DiskGrids flat_disks_;     //!< of heads whose eyes see through one lens
+  Buffer<float> flat_rows_;  //!< of pictures of such eyes on their way through a GPU
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;

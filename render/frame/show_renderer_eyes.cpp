@@ -58,7 +58,7 @@ std::optional<DiskGrid> ShowRenderer::flat_disk(const EyeCamera& head, const Pro
     return std::nullopt;
   }
   const DiskLook disk = settings.near_field.disk->look_at(settings.time_s);
-  const double pixels = 2.0 * projection.width_px * projection.height_px;
+  const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
   return flat_disks_.grid_for({head, disk, pixel_angle(projection), settings.accuracy.budget_px, pixels,
                                settings.lens == LensChoice::live, true});
 }
@@ -92,7 +92,7 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
     shadow.emplace(head);
     if (!settings.near_field.empty()) {
       settings.near_field.disk_grid = flat_disk(head, projection, settings);
-      near_field.emplace(backend(), settings.near_field, head, *shadow);
+      near_field.emplace(backend(), settings.near_field, head, *shadow, flat_rows_);
     }
   }
   for (std::size_t i = 0; i < 2; ++i) {

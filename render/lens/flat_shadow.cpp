@@ -138,7 +138,10 @@ double FlatShadow::head_nearness(const Vector3<double>& n) const {
 }
 
 std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<float>& edge) const {
+  static WorkCounter counter("see_horizon");
+  const WorkScope work(counter, static_cast<long>(spokes) * depths);
   const Vector3<double> eye = offset * right_;
+  const EdgeCurve curve = edge_view(view_chart_, edge);
   const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
   std::vector<float> nearness(static_cast<std::size_t>(spokes) * depths);
   const auto solve = [&](const Vector3<double>& m) {
@@ -166,10 +169,12 @@ std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<flo
   parallel_for(spokes, 1, [&](int begin, int end) {
     for (int spoke = begin; spoke < end; ++spoke) {
       const double gamma = full_turn * spoke / spokes;
-      const double alpha = static_cast<double>(edge[edge.size() * static_cast<std::size_t>(spoke) / spokes]);
+      float alpha = 0.0F;
+      float slope = 0.0F;
+      ergodome::edge_at(curve, static_cast<float>(gamma), alpha, slope);
       for (int i = 0; i < depths; ++i) {
         nearness[static_cast<std::size_t>(spoke * depths + i)] =
-            static_cast<float>(solve(chart_point(-alpha * std::expm1(-depth_step * i), gamma)));
+            static_cast<float>(solve(chart_point(-static_cast<double>(alpha) * std::expm1(-depth_step * i), gamma)));
       }
     }
   });

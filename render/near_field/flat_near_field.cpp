@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Eyes that are nearer to a thing than this part of their way to the head do not see it.
+//! Things that are nearer to an eye than its way to the head over this are not seen.
 constexpr double nearest_part = 0.9;
 //! Light comes nearer to the hole by no more than so much of r for each of the affine distance, and of its energy at infinity.
 constexpr double fastest_approach = 2.0;
@@ -23,13 +23,14 @@ double greatest_energy(const CameraStation& station) {
 }  // namespace
 
 FlatNearField::FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head,
-                             const FlatShadow& shadow)
+                             const FlatShadow& shadow, Buffer<float>& rows)
     : backend_(backend),
       near_field_(near_field),
       shadow_(shadow),
       station_(station_of(head)),
       edge_(backend, shadow.head_edge().size(), "flat shadow"),
-      nearness_(backend, static_cast<std::size_t>(FlatShadow::spokes) * FlatShadow::depths, "flat shadow") {}
+      nearness_(backend, static_cast<std::size_t>(FlatShadow::spokes) * FlatShadow::depths, "flat shadow"),
+      rows_(rows) {}
 
 void FlatNearField::set_eye(double offset, const std::vector<float>& edge) {
   offset_ = offset;
@@ -108,7 +109,7 @@ void FlatNearField::draw(const PictureView& view, const RowBlock& rows, float* r
   const std::size_t floats =
       4 * static_cast<std::size_t>(view.projection.width_px) * static_cast<std::size_t>(rows.count);
   if (rows_.size() < floats) {
-    rows_ = Buffer<float>(backend_, floats, "picture");
+    rows_ = Buffer<float>(backend_, floats, "flat eye's picture");
   }
   rows_.write(rgba, floats);
   batch.near_field.rgba = rows_.data();

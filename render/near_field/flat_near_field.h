@@ -12,7 +12,9 @@ class FlatNearField {
  public:
   //! For the eyes of a head whose shadow is given; disk and shells alone. The disk is read from NearField::disk_grid where there is one: the head's,
   //! with its nearness.
-  FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow);
+  //! `rows` is kept from picture to picture: what rows on their way through a GPU take.
+  FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow,
+                Buffer<float>& rows);
 
   //! Turns to an eye `offset` M to the right of the head, which sees the shadow's edge where FlatShadow::eye_edge has it.
   void set_eye(double offset, const std::vector<float>& edge);
@@ -32,7 +34,7 @@ class FlatNearField {
   FlatHorizon horizon_{};
   Buffer<float> edge_;
   Buffer<float> nearness_;
-  Buffer<float> rows_;  //!< of a picture on its way through a GPU
+  Buffer<float>& rows_;
 };
 
 }  // namespace ergodome

@@ -73,7 +73,7 @@ unsigned object_program(ObjectSight sight) {
 
 }  // namespace
 
-ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes) {
+ObjectDrawing::ObjectDrawing(const std::vector<TriangleMesh>& meshes) : programs_{object_program(ObjectSight::camera)} {
   for (const TriangleMesh& mesh : meshes) {
     meshes_.push_back(std::make_unique<GlMesh>(mesh));
   }

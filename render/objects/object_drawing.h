@@ -60,8 +60,9 @@ class ObjectDrawing {
   void use_program(const Scene& scene);
   void set_turning(const TurningView& turning);
 
-  std::array<unsigned, 3> programs_{};  //!< by ObjectSight; each made when first needed
-  unsigned eyes_ = 0;                   //!< buffer of the uniform block of eyes that turn
+  std::array<unsigned, 3>
+      programs_{};     //!< by ObjectSight; the camera's made at once, so that a driver that refuses does so then
+  unsigned eyes_ = 0;  //!< buffer of the uniform block of eyes that turn
   std::vector<std::unique_ptr<GlMesh>> meshes_;
   ConnectionTextures tables_;
   std::unique_ptr<ObjectTarget> target_;

@@ -19,9 +19,15 @@ void Planner::flat_pass(const std::string& name, const std::string& reason, bool
 }
 
 void Planner::plan_flat_near_field() {
-  constexpr long floats = long{edge_points} + FlatShadow::spokes * FlatShadow::depths;
-  buffer("flat shadow", WorkMoment::picture, eyes_are_together_at_times() ? 0 : floats * long{sizeof(float)},
+  constexpr long places = FlatShadow::spokes * FlatShadow::depths;
+  const bool certain = (always_.disk || always_.shells) && !eyes_are_together_at_times();
+  buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + places) * long{sizeof(float)} : 0,
          why("stereo.model"));
+  if (request_.backend != Backend::cpu) {
+    buffer("flat eye's picture", WorkMoment::start, 0, why("stereo.model"));
+  }
+  pass("see_horizon", WorkMoment::picture, certain ? shown_ : 0, certain ? shown_ * places : 0, why("stereo.model"),
+       !certain);
   const bool disk_goes = needs_.disk && (!always_.disk || disk_edges_move());
   const bool changes = disk_goes || needs_.shells != always_.shells;
   const std::string with_shells = needs_.disk ? why("disk") + ", " + why("shells") : why("shells");
@@ -38,7 +44,7 @@ void Planner::plan_flat_near_field() {
 
 void Planner::plan_flat_disk(bool if_needed) {
   const bool asked = request_.lens == LensChoice::live;
-  const double pixels = static_cast<double>(shown_ * pixels_);
+  const auto pixels = static_cast<double>(pixels_);
   const bool may_make = may_read_disk_grid(request_.backend, request_.lens, show_.grid_scheme) &&
                         (asked || is_worth_a_disk_grid(request_.backend, pixels));
   // As of other disks: some have no grid, and others give most of some places' pixels back to rays.

@@ -169,19 +169,29 @@ TEST(FlatSheets, AreMetWhereParallaxHasThem) {
   }
 }
 
-TEST(FlatSheets, AreFoundThroughLeapsOfTheirDistance) {
-  // Far in one half of the sky, near in the other: an eye whose line passes from one to the other sees the near edge or past it, never nothing
-  // that is a number.
+TEST(FlatSheets, AreNotMetWhereTheirDistanceLeaps) {
+  // Far in one half of the sky, near in the other.
   const auto nearness = [](const EyePoint<double>& point, bool) { return point.n.y.value > 0.1 ? D(1.0) : D(0.01); };
   const Vector3<double> eye = {0.0, 0.5, 0.0};
+  int sheets[2] = {0, 0};
+  int leaps = 0;
   for (int i = 0; i <= 200; ++i) {
     const Vector3<double> m = unit({1.0, -0.6 + 0.005 * i, 0.0});
     const MetSheet<double> met = meet_sheet(EyeLine<double>{direction_with_derivatives(m), eye}, 0.0,
                                             SheetSearch<double>{1.8, 1e-9}, true, nearness);
-    EXPECT_TRUE(std::isfinite(met.nearness()));
-    EXPECT_GE(met.nearness(), 0.0);
-    EXPECT_LE(met.nearness(), 1.8);
+    // What is met is there.
+    if (met.met) {
+      const EyePoint<double> there = EyeLine<double>{direction_with_derivatives(m), eye}.at(met.nearness());
+      EXPECT_NEAR(met.nearness(), there.length.value * nearness(there, true).value, 1e-8) << i;
+      ++sheets[there.n.y.value > 0.1 ? 1 : 0];
+    } else {
+      ++leaps;
+    }
   }
+  EXPECT_GT(sheets[0], 50);
+  EXPECT_GT(sheets[1], 50);
+  // Lines that pass between both parts of the sheet meet neither.
+  EXPECT_LT(leaps, 80);
 }
 
 }  // namespace

@@ -78,6 +78,19 @@ TEST_F(FramePlans, HoldForEyesOfOneLensThatMoveApart) {
   expect_as_planned(show, request());
 }
 
+TEST_F(FramePlans, HoldForADiskThatComesAndGoesInEyesOfOneLens) {
+  Show show = plain_show();
+  show.disk.emplace();
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  show.stereo.baseline = 0.1;
+  show.lines["animate.disk.opacity"] = 99;
+  for (const double opacity : {0.0, 1.0}) {
+    show.timeline.animations = {{"disk.opacity", {{0.0, opacity}, {0.6, opacity}, {1.0, 1.0 - opacity}}}};
+    expect_as_planned(show, request());
+  }
+}
+
 TEST_F(FramePlans, HoldForADiskInAGrid) {
   for (const LensChoice lens : {LensChoice::live, LensChoice::direct}) {
     for (const bool clouds : {false, true}) {

@@ -2,214 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "content/show_reader.h"
-#include "kernels/core/angles.h"
-#include "kernels/disk/crossing_layers.h"
-#include "kernels/disk/disk_light.h"
-#include "kernels/geodesic/affine_distance.h"
-#include "kernels/near_field/near_pixels.h"
-#include "kernels/projection/make_projection.h"
-#include "kernels/sky/blackbody_shift.h"
-#include "render/disk/disk_camera.h"
-#include "render/disk/disk_pass.h"
 #include "render/frame/eye_disparity.h"
-#include "render/frame/show_renderer.h"
-#include "render/lens/direct_lens.h"
+#include "tests/render/disk/flat_walk.h"
 #include "tests/support/sanitized.h"
 
 // What stands near the hole, as eyes of the model `flat` see it.
 namespace ergodome {
 namespace {
 
-constexpr int flat_px = 300;
-
-Show flat_show(const std::string& scene, const std::string& camera, double baseline,
-               const std::string& view = "projection = \"pinhole\"\nfov_deg = 60\naspect = 1.5\n") {
-  return parse_show("[camera]\n" + camera + "[sky]\nmap = \"black\"\n" + scene + "[view]\nsize_px = " +
-                        std::to_string(flat_px) + "\n" + view + "[stereo]\nmodel = \"flat\"\nlayout = \"separate\"\n" +
-                        "baseline = " + std::to_string(baseline) + "\n",
-                    "flat.toml");
-}
-
-const std::string plain_disk = "[disk]\nouter = 16\nexposure = 1\n";
-
-std::vector<Picture> eyes_of(const Show& show, LensChoice lens) {
-  ShowRenderer renderer(show, Backend::cpu, lens);
-  return renderer.render_window_parts(camera_pose(show, 0.0), make_projection(show.view, show.view.size_px, 0.0),
-                                      ViewMode::sky);
-}
-
-Vector3<float> light_at(const Picture& picture, int x, int y) {
-  const float* const at =
-      picture.rgba.data() +
-      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-  return {at[0], at[1], at[2]};
-}
-
-//! Walks along an eye's line of sight through the head's flat tangent space, in double precision: what it meets first.
-class FlatWalk {
- public:
-  FlatWalk(const Show& show, double offset)
-      : show_(show),
-        head_(eye_camera(show, camera_pose(show, 0.0), 0.0)),
-        camera_(station_of(head_)),
-        projection_(make_projection(show.view, flat_px, 0.0)) {
-    const double(&m)[3][3] = head_.frame_from_view;
-    eye_ = {offset * m[0][0], offset * m[1][0], offset * m[2][0]};
-    if (show.disk) {
-      disk_.emplace(show, Backend::cpu);
-      look_ = disk_->look_at(0.0);
-      limits_ = layer_limits(show.spin, static_cast<double>(look_.inner_r), static_cast<double>(look_.outer_r));
-      limits_.tolerance = 1e-9;
-    }
-  }
-
-  enum class Met { nothing, horizon, disk, shell };
-  struct Seen {
-    Met met;
-    double r;  //!< of the disk [M]
-  };
-
-  //! At a place of the image [px].
-  [[nodiscard]] Seen look(double x, double y) const {
-    const Vector3<double> view = direction_from_pixel(projection_, x, y);
-    const double(&f)[3][3] = head_.frame_from_view;
-    const auto row = [&](int i) { return f[i][0] * view.x + f[i][1] * view.y + f[i][2] * view.z; };
-    const Vector3<double> m = {row(0), row(1), row(2)};
-    Place before = place_at(m, nearest);
-    for (double s = nearest * step; s < farthest; s *= step) {
-      const Place now = place_at(m, s);
-      Seen seen = between(m, before, now);
-      if (seen.met != Met::nothing) {
-        return seen;
-      }
-      before = now;
-    }
-    return {Met::nothing, 0.0};
-  }
-
-  //! The disk's light at a radius, without shift.
-  [[nodiscard]] Vector3<float> light(double r) const {
-    return disk_light(look_, {1.0F, 0.0F, 1.0F, 1.0F}, {1.0F, static_cast<float>(r), 0.0F, false, 0.0F, 0.0F});
-  }
-
- private:
-  static constexpr double nearest = 1.0;
-  static constexpr double farthest = 400.0;
-  static constexpr double step = 1.02;
-
-  //! A place on the line, and how far beyond each sheet it is: negative before it.
-  struct Place {
-    double s;
-    double beyond[crossing_orders];
-    double u[crossing_orders];
-    bool in_horizon;
-    bool in_shell;
-  };
-
-  [[nodiscard]] Place place_at(const Vector3<double>& m, double s) const {
-    const Vector3<double> at = eye_ + s * m;
-    const double distance = std::sqrt(dot(at, at));
-    const Vector3<double> n = (1.0 / distance) * at;
-    Place place{};
-    place.s = s;
-    if (disk_) {
-      CrossingLayer<double> layers[crossing_orders];
-      trace_layers<14, NearParts::distance>(show_.spin, start_near_ray(camera_, n), limits_, layers);
-      for (int k = 0; k < crossing_orders; ++k) {
-        place.beyond[k] = distance - layers[k].distance;
-        place.u[k] = layers[k].u;
-      }
-    }
-    place.in_horizon = !direction_is_bright(camera_, n) && distance >= affine_distance(camera_, n, camera_.horizon_r);
-    for (const ShellSettings& shell : show_.shells) {
-      place.in_shell = place.in_shell || distance >= affine_distance(camera_, n, shell.radius);
-    }
-    return place;
-  }
-
-  //! What lies between two places, to a thousandth of the step.
-  [[nodiscard]] Seen between(const Vector3<double>& m, Place low, Place high) const {
-    if (first_of(low, high).met == Met::nothing) {
-      return {Met::nothing, 0.0};
-    }
-    for (int round = 0; round < 12; ++round) {
-      const Place middle = place_at(m, std::sqrt(low.s * high.s));
-      (first_of(low, middle).met != Met::nothing ? high : low) = middle;
-    }
-    return first_of(low, high);
-  }
-
-  [[nodiscard]] Seen first_of(const Place& low, const Place& high) const {
-    if (high.in_shell && !low.in_shell) {
-      return {Met::shell, 0.0};
-    }
-    for (int k = 0; disk_ && k < crossing_orders; ++k) {
-      const double u = 0.5 * (low.u[k] + high.u[k]);
-      if (low.beyond[k] * high.beyond[k] <= 0.0 && u >= 1.0 / show_.disk->outer &&
-          u <= 1.0 / static_cast<double>(look_.inner_r)) {
-        return {Met::disk, 1.0 / u};
-      }
-    }
-    return {high.in_horizon && !low.in_horizon ? Met::horizon : Met::nothing, 0.0};
-  }
-
-  const Show& show_;
-  EyeCamera head_;
-  CameraStation camera_;
-  Projection projection_;
-  Vector3<double> eye_{};
-  std::optional<DiskPass> disk_;
-  DiskLook look_{};
-  LayerLimits<double> limits_{};
-};
-
-//! Holds both eyes' pictures to the walk, at random pixels that do not lie next to an edge.
-void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
-  const auto eyes = eyes_of(show, lens);
-  ASSERT_EQ(eyes.size(), 2U);
-  std::mt19937 random(3);
-  int things = 0;
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    const FlatWalk walk(show, (eye == 0 ? -0.5 : 0.5) * show.stereo.baseline);
-    const Picture& picture = eyes[eye];
-    for (int i = 0; i < pixels; ++i) {
-      const int x = static_cast<int>(random() % static_cast<unsigned>(picture.width));
-      const int y = static_cast<int>(random() % static_cast<unsigned>(picture.height));
-      const FlatWalk::Seen seen = walk.look(x + 0.5, y + 0.5);
-      bool inside = true;
-      double widest = 0.0;
-      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-        const FlatWalk::Seen beside = walk.look(x + 0.5 + dx, y + 0.5 + dy);
-        inside = inside && beside.met == seen.met;
-        widest = std::max(widest, std::abs(beside.r - seen.r));
-      }
-      // Images that are some pixels wide alone are one radius a pixel.
-      if (!inside || widest > 0.1 * seen.r) {
-        continue;
-      }
-      const bool lit = seen.met == FlatWalk::Met::disk || seen.met == FlatWalk::Met::shell;
-      const Vector3<float> expected = seen.met == FlatWalk::Met::disk ? walk.light(seen.r) : Vector3<float>{1, 1, 1};
-      const Vector3<float> drawn = light_at(picture, x, y);
-      const float size = lit ? luminance_of(expected) : 0.0F;
-      EXPECT_NEAR(luminance_of(drawn), size, 0.05F * size + 1e-4F)
-          << (eye == 0 ? "left " : "right ") << x << ", " << y << ": " << static_cast<int>(seen.met) << " " << seen.r;
-      things += lit ? 1 : 0;
-    }
-  }
-  EXPECT_GT(things, pixels / 8);
-}
+using namespace test;  // NOLINT(google-build-using-namespace): scenes of tests
 
 const std::string above_the_plane = "[[camera.key]]\nr = 24\ntheta_deg = 75\nphi_deg = 20\n[hole]\nspin = 0.9\n";
 
 TEST(FlatNearField, OfADiskIsWhatLinesOfSightMeetInFlatSpace) {
-  const int pixels = test::sanitized ? 8 : 80;
+  const int pixels = sanitized ? 8 : 80;
   for (const double baseline : {0.5, 2.0}) {
     SCOPED_TRACE(baseline);
     compare_with_walk(flat_show(plain_disk, above_the_plane, baseline), LensChoice::direct, pixels);
@@ -217,7 +26,7 @@ TEST(FlatNearField, OfADiskIsWhatLinesOfSightMeetInFlatSpace) {
 }
 
 TEST(FlatNearField, OfADiskInAGridIsWhatLinesOfSightMeetInFlatSpace) {
-  compare_with_walk(flat_show(plain_disk, above_the_plane, 1.0), LensChoice::live, test::sanitized ? 8 : 100);
+  compare_with_walk(flat_show(plain_disk, above_the_plane, 1.0), LensChoice::live, sanitized ? 8 : 100);
 }
 
 TEST(FlatNearField, OfAMovingHeadIsWhatItsOwnFlatSpaceHas) {
@@ -225,19 +34,32 @@ TEST(FlatNearField, OfAMovingHeadIsWhatItsOwnFlatSpaceHas) {
       "observer = \"geodesic\"\n[[camera.key]]\nr = 12\ntheta_deg = 60\nphi_deg = 20\nroll_deg = 30\n[hole]\nspin = "
       "-0.7\n";
   for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
-    compare_with_walk(flat_show(plain_disk, moving, 0.6), lens, test::sanitized ? 6 : 60);
+    compare_with_walk(flat_show(plain_disk, moving, 0.6), lens, sanitized ? 6 : 60);
   }
 }
 
 TEST(FlatNearField, OfAShellIsWhatLinesOfSightMeetInFlatSpace) {
   const std::string shell = "[[shells]]\nradius = 5\nfill_opacity = 1\nfill_color = [1, 1, 1]\nline_opacity = 0\n";
-  compare_with_walk(flat_show(shell, above_the_plane, 1.0), LensChoice::direct, test::sanitized ? 6 : 40);
+  compare_with_walk(flat_show(shell, above_the_plane, 1.0), LensChoice::direct, sanitized ? 6 : 40);
+}
+
+TEST(FlatNearField, OfAShellAboutTheCameraIsWhatLinesOfSightMeetInFlatSpace) {
+  // Beside the hole its far side is met by lines that begin in the shadow.
+  const std::string shell = "[[shells]]\nradius = 40\nfill_opacity = 1\nfill_color = [1, 1, 1]\nline_opacity = 0\n";
+  const std::string hole_alone = "projection = \"pinhole\"\nfov_deg = 36\n";
+  compare_with_walk(flat_show(shell, above_the_plane, 3.0, hole_alone), LensChoice::direct, sanitized ? 6 : 40);
+}
+
+TEST(FlatNearField, OfEyesFartherApartThanWhatTheySeeIsThatToo) {
+  const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
+  const std::string near_the_hole = "projection = \"pinhole\"\nfov_deg = 5.5\n";
+  compare_with_walk(flat_show(plain_disk, far, 60.0, near_the_hole), LensChoice::direct, sanitized ? 60 : 200);
 }
 
 TEST(FlatNearField, PutsDiskAndShellsInTheOrderOfTheirDistance) {
   const std::string both =
       "[[shells]]\nradius = 5\nfill_opacity = 1\nfill_color = [1, 1, 1]\nline_opacity = 0\n" + plain_disk;
-  compare_with_walk(flat_show(both, above_the_plane, 1.0), LensChoice::direct, test::sanitized ? 6 : 40);
+  compare_with_walk(flat_show(both, above_the_plane, 1.0), LensChoice::direct, sanitized ? 6 : 40);
 }
 
 //! How many of the pixels of two pictures differ by more than a part of their light.
@@ -276,7 +98,7 @@ TEST(FlatNearField, IsTheHeadsToTheBitWithoutABaseline) {
 }
 
 TEST(FlatNearField, HasItsParallaxWhereEyesConvergeAndOnDomes) {
-  // A shell far before the hole's: its disparity is that of the distance, less that of the convergence.
+  // Eyes that look at the hole's place have it in one place.
   for (const char* const view :
        {"projection = \"pinhole\"\nfov_deg = 60\n", "projection = \"dome\"\nfov_deg = 180\n"}) {
     Show show = flat_show(plain_disk, above_the_plane, 1.0, view);

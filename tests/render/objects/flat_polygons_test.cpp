@@ -135,15 +135,29 @@ TEST_F(FlatPolygons, AreWhereFlatSpacePutsThemForEachEye) {
 }
 
 TEST_F(FlatPolygons, HideEachOtherAsTheyStandForEachEye) {
-  // A small ball right before a larger one for the head: an eye far to the side sees past it.
-  Show show = flat_ball({"", {8, 3, 2}, "static", "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 300\n", 2.0});
+  // A black ball right before a white one for the head: an eye far to the side sees past it.
+  Show show = flat_ball({"", {8, 3, 2}, "static", "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 300\n", 4.0});
   ObjectSettings black = show.objects[0];
   black.color = {0.0, 0.0, 0.0};
-  black.position = {6.0, 2.7, 1.6};
+  black.position = {9.5, 3.6, 2.6};
+  black.size = 0.3;
   show.objects.push_back(black);
   ShowRenderer renderer(show, Backend::cpu);
   const Projection projection = make_projection(show.view, 300, 0.0);
   const auto eyes = renderer.render_window_parts(camera_pose(show, 0.0), projection, ViewMode::sky);
+  StereoSettings together = show.stereo;
+  together.baseline = 0.0;
+  renderer.set_stereo(together);
+  const auto heads = renderer.render_window_parts(camera_pose(show, 0.0), projection, ViewMode::sky);
+  const auto light = [](const Picture& picture) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      sum += static_cast<double>(picture.rgba[i]);
+    }
+    return sum;
+  };
+  // The second image beside the hole is seen by all.
+  EXPECT_GT(light(eyes[0]) + light(eyes[1]), 2.0 * light(heads[0]) + 5.0);
   Show swapped = show;
   std::swap(swapped.objects[0], swapped.objects[1]);
   const auto others =

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "kernels/flat_eyes/draw_flat_eyes.h"
+#include "kernels/flat_eyes/eye_line.h"
+#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_field/pixel_samples.h"
+#include "kernels/trace/pixel_geometry.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! What a register of pixels does, whatever it draws by: Derived has look_near(line, search, pixel, lanes, seen), which tells the lanes that hold more
+//! than their middle does, and average(pixels, x_px, y_px, lanes), the sum of what all their samples see.
+template <class T, class Derived>
+struct FlatEyePixels {
+  using D = Dual<T>;
+  using S = ScalarOf<T>;
+  using Mask = MaskOf<T>;
+
+  const FlatEyeBatch& batch;
+  const Derived& derived;
+
+  //! Draws the pixels index * lanes, index * lanes + 1, ... of the block.
+  ERGO_HD void draw(int index) const {
+    const PixelBatch& pixels = batch.near_field.pixels;
+    const int first = index * RealTraits<T>::lane_count;
+    T x_px;
+    T y_px;
+    pixel_middles(pixels, first, x_px, y_px);
+    const T inside = image_coverage(pixels.projection, x_px, y_px);
+    Mask fine = inside > T(S(0));
+    SeenLanes<T> seen = look(x_px, y_px, S(1), fine);
+    if (any(fine)) {
+      const T zero(S(0));
+      SeenLanes<T> sum = {zero, zero, zero, zero};
+      derived.average(*this, x_px, y_px, fine, sum);
+      take_mean(fine, sum, seen);
+    }
+    lay_over(seen, inside, first, pixel_count(pixels), batch.near_field.rgba);
+  }
+
+  //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
+  //! be finer than that. `more` are what look_near is to be told.
+  template <class... More>
+  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Mask& lanes, More&... more) const {
+    const EyeLine<T> line = line_at(x_px, y_px);
+    SeenLanes<T> seen = nothing_seen<T>();
+    const SheetSearch<S> search = search_for(line);
+    const Mask wanted = lanes & may_see(line, search.most_w);
+    lanes = lanes & !lanes;
+    if (any(wanted)) {
+      lanes = derived.look_near(line, search, pixel, wanted, seen, more...);
+    }
+    return seen;
+  }
+
+  [[nodiscard]] ERGO_HD EyeLine<T> line_at(const T& x_px, const T& y_px) const {
+    return {observed_direction(batch.near_field.pixels, x_px, y_px), batch.eye};
+  }
+
+  [[nodiscard]] ERGO_HD SheetSearch<S> search_for(const EyeLine<T>& line) const {
+    const Vector3<S>& eye = batch.eye;
+    const S offset = sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z);
+    const auto square = [&line](T D::*part) {
+      const S x = lane(line.m.x.*part, 0);
+      const S y = lane(line.m.y.*part, 0);
+      const S z = lane(line.m.z.*part, 0);
+      return x * x + y * y + z * z;
+    };
+    const S pixel = sqrt(maximum(square(&D::along_x), square(&D::along_y)));
+    return {batch.most_w, precision_px * pixel / offset};
+  }
+
+ private:
+  //! The last step to a sheet is no longer, as it is seen [px].
+  static constexpr S precision_px = S(0.1);
+
+  //! Lanes that may see anything: of any place on their lines, in steps that are small beside what is there.
+  ERGO_HD Mask may_see(const EyeLine<T>& line, S most_w) const {
+    const CameraStationOf<S>& camera = batch.near_field.pixels.camera;
+    constexpr S most_places = S(32);
+    const Vector3<S>& eye = batch.eye;
+    const S span = most_w * sqrt(dot(eye, eye)) / (S(0.5) * farthest_r() * camera.u);
+    const int places = 1 + static_cast<int>(minimum(span, most_places));
+    const Vector3<T> m = {line.m.x.value, line.m.y.value, line.m.z.value};
+    Mask may = m.x < m.x;
+    for (int i = 0; i <= places; ++i) {
+      const S w = most_w * static_cast<S>(i) / static_cast<S>(places);
+      const Vector3<T> v = {m.x + w * eye.x, m.y + w * eye.y, m.z + w * eye.z};
+      const T inverse = S(1) / sqrt(dot(v, v));
+      may = may | may_reach(camera.spin, start_near_ray(camera, inverse * v), farthest_r());
+    }
+    return may;
+  }
+
+  //! The radius within which everything is [M].
+  [[nodiscard]] ERGO_HD S farthest_r() const {
+    const NearFieldBatch& scene = batch.near_field;
+    const S disk = scene.drawing == DiskDrawing::none ? S(0) : scene.disk.outer_r;
+    return scene.shells.count > 0 ? maximum(disk, S(1) / scene.shells.u[0]) : disk;
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET
