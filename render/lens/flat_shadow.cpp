@@ -172,8 +172,9 @@ std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<flo
       float alpha = 0.0F;
       float slope = 0.0F;
       ergodome::edge_at(curve, static_cast<float>(gamma), alpha, slope);
+      float* const row = nearness.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
       for (int i = 0; i < depths; ++i) {
-        nearness[static_cast<std::size_t>(spoke * depths + i)] =
+        row[i] =
             static_cast<float>(solve(chart_point(-static_cast<double>(alpha) * std::expm1(-depth_step * i), gamma)));
       }
     }
