@@ -115,7 +115,7 @@ struct SheetSearch {
   S precision;  //!< the last step in w may be as long [1/M]
 };
 
-//! Rounds in which a sheet is looked for: three do, but where its distance leaps.
+//! Rounds in which a sheet is looked for: few do, but where its distance leaps.
 inline constexpr int sheet_rounds = 10;
 
 //! Finds where a line meets a sheet, from a first w. nearness(point, lanes) tells q in a direction, and keeps for its caller whatever else is seen

@@ -137,35 +137,36 @@ double FlatShadow::head_nearness(const Vector3<double>& n) const {
   return alpha < edge ? 1.0 / distance(gamma, -std::log1p(-alpha / edge)) : 0.0;
 }
 
+double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const {
+  const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
+  // How far beyond the horizon the line is at a nearness; the first such place that an eye meets is the one that is nearest to it.
+  const auto beyond = [&](double w) {
+    const Vector3<double> v = m + w * eye;
+    const double length = std::sqrt(dot(v, v));
+    return length * head_nearness((1.0 / length) * v) - w;
+  };
+  constexpr int samples = 24;
+  double low = most_w;
+  for (int i = samples - 1; i > 0 && beyond(low) < 0.0; --i) {
+    low = most_w * i / samples;
+  }
+  if (beyond(low) < 0.0) {
+    return 0.0;
+  }
+  double high = std::min(low + most_w / samples, most_w);
+  for (int round = 0; round < 16; ++round) {
+    const double middle = 0.5 * (low + high);
+    (beyond(middle) < 0.0 ? high : low) = middle;
+  }
+  return low;
+}
+
 std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<float>& edge) const {
   static WorkCounter counter("see_horizon");
   const WorkScope work(counter, static_cast<long>(spokes) * depths);
   const Vector3<double> eye = offset * right_;
   const EdgeCurve curve = edge_view(view_chart_, edge);
-  const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
   std::vector<float> nearness(static_cast<std::size_t>(spokes) * depths);
-  const auto solve = [&](const Vector3<double>& m) {
-    // How far beyond the horizon the line is at a nearness; the first such place that an eye meets is the one that is nearest to it.
-    const auto beyond = [&](double w) {
-      const Vector3<double> v = m + w * eye;
-      const double length = std::sqrt(dot(v, v));
-      return length * head_nearness((1.0 / length) * v) - w;
-    };
-    constexpr int samples = 24;
-    double low = most_w;
-    for (int i = samples - 1; i > 0 && beyond(low) < 0.0; --i) {
-      low = most_w * i / samples;
-    }
-    if (beyond(low) < 0.0) {
-      return 0.0;
-    }
-    double high = std::min(low + most_w / samples, most_w);
-    for (int round = 0; round < 16; ++round) {
-      const double middle = 0.5 * (low + high);
-      (beyond(middle) < 0.0 ? high : low) = middle;
-    }
-    return low;
-  };
   parallel_for(spokes, 1, [&](int begin, int end) {
     for (int spoke = begin; spoke < end; ++spoke) {
       const double gamma = full_turn * spoke / spokes;
@@ -174,8 +175,8 @@ std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<flo
       ergodome::edge_at(curve, static_cast<float>(gamma), alpha, slope);
       float* const row = nearness.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
       for (int i = 0; i < depths; ++i) {
-        row[i] =
-            static_cast<float>(solve(chart_point(-static_cast<double>(alpha) * std::expm1(-depth_step * i), gamma)));
+        row[i] = static_cast<float>(
+            nearness_along(chart_point(-static_cast<double>(alpha) * std::expm1(-depth_step * i), gamma), eye));
       }
     }
   });

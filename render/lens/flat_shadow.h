@@ -51,6 +51,7 @@ class FlatShadow {
   }
   [[nodiscard]] double edge_at(double gamma) const;
   [[nodiscard]] double head_nearness(const Vector3<double>& n) const;
+  [[nodiscard]] double nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const;
   [[nodiscard]] double farthest_out(const Vector3<double>& eye, double gamma) const;
 
   ShadowChart frame_chart_{};
