@@ -3,6 +3,7 @@
 #include <string>
 
 #include "kernels/launch/kernel_table.h"
+#include "kernels/stars/draw_stars.h"
 
 namespace ergodome {
 
@@ -111,6 +112,9 @@ void look_at_objects(Backend backend, const ObjectPixelBatch& batch);
 
 //! Lays them over a picture that has neither disk nor shells.
 void lay_objects(Backend backend, const LayObjectsBatch& batch);
+
+//! Adds the light of stars to a picture in the backend's memory; see StarLightBatch. `points`: how many there are.
+void draw_stars(Backend backend, const StarLightBatch& batch, long points);
 
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);

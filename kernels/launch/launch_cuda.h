@@ -10,6 +10,7 @@
 #include "kernels/mesh/draw_objects.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
+#include "kernels/stars/draw_stars.h"
 #include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -34,6 +35,7 @@ void draw_flat_eyes_cuda(const FlatEyeBatch& batch);
 void mark_object_tiles_cuda(const ObjectTileBatch& batch);
 void look_at_objects_cuda(const ObjectPixelBatch& batch);
 void lay_objects_cuda(const LayObjectsBatch& batch);
+void draw_stars_cuda(const StarLightBatch& batch);
 void draw_overlay_cuda(const OverlayBatch& batch);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;

@@ -2,6 +2,7 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/overlay/draw_overlay_kernel.h"
+#include "kernels/stars/draw_stars_kernel.h"
 
 // The ways to shade pixels, in a file of their own: they are many.
 namespace ergodome {
@@ -12,6 +13,8 @@ void shade_pixels_cuda(const ShadeBatch& batch) {
   }
   dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
 }
+
+void draw_stars_cuda(const StarLightBatch& batch) { launch_cuda("draw_stars", batch.count, DrawStars{batch}); }
 
 void draw_overlay_cuda(const OverlayBatch& batch) {
   launch_cuda("draw_overlay", batch.count, DrawOverlay<float>{batch});

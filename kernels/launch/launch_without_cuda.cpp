@@ -41,6 +41,8 @@ void look_at_objects_cuda(const ObjectPixelBatch&) { refuse(); }
 
 void lay_objects_cuda(const LayObjectsBatch&) { refuse(); }
 
+void draw_stars_cuda(const StarLightBatch&) { refuse(); }
+
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
 
 void* allocate_cuda(std::size_t) { refuse(); }

@@ -168,13 +168,15 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
   return shade;
 }
 
-std::vector<StarPoint> EyeRenderer::find_stars(const EyeCamera& eye, const Projection& projection,
-                                               const PictureSettings& settings) {
-  if (settings.stars == nullptr) {
-    return {};
-  }
-  const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
-  return settings.stars->find(seen_by, projection, settings.shutter);
+std::future<std::vector<StarPoint>> EyeRenderer::seek_stars(const EyeCamera& eye, const Projection& projection,
+                                                            const PictureSettings& settings) const {
+  // Stars are found on the processor: meanwhile a device makes the rest.
+  const bool meanwhile = settings.stars != nullptr && backend_ != Backend::cpu;
+  return std::async(meanwhile ? std::launch::async : std::launch::deferred, [&eye, &projection, &settings] {
+    const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
+    return settings.stars != nullptr ? settings.stars->find(seen_by, projection, settings.shutter)
+                                     : std::vector<StarPoint>();
+  });
 }
 
 std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Projection& projection,
@@ -192,12 +194,14 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
   shade.rgba = room_for(pixels);
+  std::future<std::vector<StarPoint>> seeking = seek_stars(eye, projection, settings);
   const auto source = lens_for(eye, projection, settings);
   near_field_ = near_field_of(eye, projection, settings);
   render_rows(*source, shade, settings.polygons, 0, projection.height_px);
-  const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
+  const std::vector<StarPoint> stars = seeking.get();
+  place_stars(stars, projection, settings);
   if (!stars.empty()) {
-    draw_stars_in_place(stars, projection, *settings.stars);
+    tiled_stars_.draw(0, projection.height_px, shade.rgba);
   }
   draw_near_rows(eye, projection, settings, {0, projection.height_px}, shade.rgba);
   draw_objects_in_place(eye, projection, settings);
@@ -247,16 +251,11 @@ void EyeRenderer::draw_objects_in_place(const EyeCamera& eye, const Projection& 
   rgba_.write(picture.data(), picture.size());
 }
 
-void EyeRenderer::draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection,
-                                      const StarPass& pass) {
-  if (backend_ == Backend::cpu) {
-    return pass.draw(stars, projection, 0, projection.height_px, rgba_.data());
+void EyeRenderer::place_stars(const std::vector<StarPoint>& stars, const Projection& projection,
+                              const PictureSettings& settings) {
+  if (!stars.empty()) {
+    tiled_stars_.set(stars, projection, settings.stars->splat_for(projection), settings.stars->spikes());
   }
-  std::vector<float> picture(4 * static_cast<std::size_t>(projection.width_px) *
-                             static_cast<std::size_t>(projection.height_px));
-  rgba_.read(picture.data(), picture.size());
-  pass.draw(stars, projection, 0, projection.height_px, picture.data());
-  rgba_.write(picture.data(), picture.size());
 }
 
 void EyeRenderer::finish(Picture& picture, const Projection& projection, const PictureSettings& settings) {
@@ -270,31 +269,18 @@ void EyeRenderer::finish(Picture& picture, const Projection& projection, const P
 
 void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
                                  const std::vector<StarPoint>& stars, const RowBlock& rows, float* light) {
-  const std::size_t floats = 4 * static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(rows.count);
-  // On the processor the rows are made in the picture itself.
-  const bool apart = backend_ != Backend::cpu;
-  float* const made = apart ? rgba_.data() : light;
-  if (stars.empty()) {
-    draw_near_rows(eye, projection, settings, rows, made);
+  if (backend_ == Backend::cpu) {
+    // The rows are made in the picture itself.
+    if (!stars.empty()) {
+      settings.stars->draw(stars, projection, rows.first, rows.count, light);
+    }
+    return draw_near_rows(eye, projection, settings, rows, light);
   }
-  if (apart) {
-    rgba_.read(light, floats);
+  if (!stars.empty()) {
+    tiled_stars_.draw(rows.first, rows.count, rgba_.data());
   }
-  if (stars.empty()) {
-    return;
-  }
-  settings.stars->draw(stars, projection, rows.first, rows.count, light);
-  if (near_field_.empty()) {
-    return;
-  }
-  // What stands near the hole hides stars too.
-  if (apart) {
-    rgba_.write(light, floats);
-  }
-  draw_near_rows(eye, projection, settings, rows, made);
-  if (apart) {
-    rgba_.read(light, floats);
-  }
+  draw_near_rows(eye, projection, settings, rows, rgba_.data());
+  rgba_.read(light, 4 * static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(rows.count));
 }
 
 long EyeRenderer::count_unresolved(const float* estimates, std::size_t pixels) const {
@@ -321,18 +307,25 @@ Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, 
   const int block_rows = rows_of_a_block(backend_, projection.width_px, projection.height_px);
   const std::size_t most = width * static_cast<std::size_t>(block_rows);
   ShadeBatch shade = prepare(projection, sky, settings, most);
+  std::future<std::vector<StarPoint>> seeking = seek_stars(eye, projection, settings);
   const auto chosen = settings.given == nullptr ? lens_for(eye, projection, settings) : nullptr;
   const LensSource* const source = settings.given != nullptr ? settings.given : chosen.get();
   near_field_ = near_field_of(eye, projection, settings);
   picture.lens = source->name();
   picture.behind = source->behind();
-  const std::vector<StarPoint> stars = find_stars(eye, projection, settings);
+  std::vector<StarPoint> stars;
   float* const apart = backend_ != Backend::cpu ? room_for(most) : nullptr;
   for (int row = 0; row < projection.height_px; row += block_rows) {
     const int rows = std::min(block_rows, projection.height_px - row);
     float* const light = picture.rgba.data() + 4 * width * static_cast<std::size_t>(row);
     shade.rgba = apart != nullptr ? apart : light;
     render_rows(*source, shade, settings.polygons, row, rows);
+    if (seeking.valid()) {
+      stars = seeking.get();
+      if (apart != nullptr) {
+        place_stars(stars, projection, settings);
+      }
+    }
     draw_over_rows(eye, projection, settings, stars, {row, rows}, light);
     picture.unresolved_pixels += count_unresolved(shade.lens.error_estimate, width * static_cast<std::size_t>(rows));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "render/sky/polygon_filter.h"
 #include "render/sky/sky_cube.h"
 #include "render/stars/star_pass.h"
+#include "render/stars/tiled_stars.h"
 
 namespace ergodome {
 
@@ -72,7 +74,7 @@ class EyeRenderer {
  public:
   //! `stream`: baked stations of the show that the pictures are of, if there are any.
   explicit EyeRenderer(Backend backend, std::shared_ptr<StationStream> stream = nullptr)
-      : backend_(backend), lenses_(backend, stream), streamed_disk_(std::move(stream)) {}
+      : backend_(backend), lenses_(backend, stream), streamed_disk_(std::move(stream)), tiled_stars_(backend) {}
 
   //! Streams from other stations from now on, or from none.
   void set_stream(std::shared_ptr<StationStream> stream) {
@@ -112,12 +114,12 @@ class EyeRenderer {
   //! Renders rows [row, row + rows) of the image. `polygons`: where the sky is filtered by them.
   void render_rows(const LensSource& source, ShadeBatch& shade, const PolygonFilter* polygons, int row, int rows);
 
-  //! The images of stars that a picture shows.
-  static std::vector<StarPoint> find_stars(const EyeCamera& eye, const Projection& projection,
-                                           const PictureSettings& settings);
+  //! Seeks the images of stars that a picture shows. What is given has to outlive the search.
+  std::future<std::vector<StarPoint>> seek_stars(const EyeCamera& eye, const Projection& projection,
+                                                 const PictureSettings& settings) const;
 
-  //! Adds stars to rgba_. They are drawn on the processor: a picture on a GPU comes over and goes back.
-  void draw_stars_in_place(const std::vector<StarPoint>& stars, const Projection& projection, const StarPass& pass);
+  //! Brings stars to where the picture is made.
+  void place_stars(const std::vector<StarPoint>& stars, const Projection& projection, const PictureSettings& settings);
 
   //! What stands near the hole in a picture, with the grid that its disk is read from where that is worth its while.
   NearField near_field_of(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);
@@ -147,6 +149,7 @@ class EyeRenderer {
   DiskGrids disk_grids_;
   StreamedDisk streamed_disk_;
   NearField near_field_;  //!< of the picture in hand
+  TiledStars tiled_stars_;
   Buffer<float> lens_;
   Buffer<float> rgba_;
 };

@@ -88,7 +88,7 @@ class ShowRenderer {
   //! What the stream of baked stations has done; nothing without one.
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;
 
-  //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom, spikes.
+  //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom.
   [[nodiscard]] bool finishes_pictures() const { return frame_needs(show_, ViewMode::sky).finishes_pictures(); }
 
   //! What a person may turn while the show plays, until apply() animates it. Throws Error for what cannot be drawn, and keeps the old.

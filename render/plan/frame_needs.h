@@ -57,7 +57,7 @@ struct FrameNeeds {
   bool clear_outside;  //!< light may be spread beyond the image
 
   //! Whether a picture needs more than its own pixels: it can then not stay in the backend's memory.
-  [[nodiscard]] bool finishes_pictures() const { return auto_exposure || clear_outside; }
+  [[nodiscard]] bool finishes_pictures() const { return auto_exposure || bloom; }
 };
 
 inline FrameNeeds frame_needs(const Show& show, ViewMode mode) {

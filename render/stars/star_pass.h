@@ -29,7 +29,11 @@ class StarPass {
   //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter);
 
-  //! Adds them to rows of a picture in host memory.
+  //! How they are drawn on a picture's pixels, and what spikes look like: nullptr where the show has none.
+  [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
+  [[nodiscard]] const DiffractionPattern* spikes() const { return spikes_ ? &*spikes_ : nullptr; }
+
+  //! Adds them to rows of a picture in host memory; TiledStars draws them elsewhere.
   void draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
             float* rgba) const;
 

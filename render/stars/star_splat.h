@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
+#include "kernels/stars/star_point.h"
 #include "render/lens/eye_camera.h"
 #include "render/stars/star_trails.h"
 
@@ -25,15 +26,6 @@ struct SplatSettings {
 //! The same for a picture: a spot of a dome or a whole sky is given in pixels of 4k ones, and keeps its angle in finer ones, where it
 //! would shrink below what an eye in the dome can tell from nothing.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
-
-//! Light on the screen, at a point.
-struct StarPoint {
-  double x_px;
-  double y_px;
-  Vector3<float> light;   //!< picture value times pixels
-  Vector3<float> spikes;  //!< light of the spikes, of the same measure
-  int sheet = 0;          //!< which of picture_sheets it is drawn on
-};
 
 //! The images that lie in a picture or beside it, row by row from the top.
 //!

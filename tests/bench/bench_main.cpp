@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "render/backend/kept_memory.h"
+#include "tests/bench/cuda_bench.h"
 
 //! Benchmarks run with memory as the program does.
 int main(int argc, char** argv) {
@@ -9,6 +10,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
     return 1;
   }
+  ergodome::add_cuda_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -23,8 +23,9 @@ struct LookThroughPixels {
     to[0] = view.x;
     to[1] = view.y;
     to[2] = view.z;
-    to[3] = inverse_square * pixel_solid_angle(projection, x_px, y_px);
     to[4] = image_coverage(projection, x_px, y_px);
+    // On the rim of a lens that sees all of the sky directions turn about faster than float can tell, and beside it they mean nothing.
+    to[3] = to[4] < 1.0F ? 0.0F : inverse_square * pixel_solid_angle(projection, x_px, y_px);
   }
 };
 

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/host_device.h"
+#include "kernels/stars/draw_stars.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Adds the light of stars to a pixel of a tile; the pixels of a tile are counted row by row.
+struct DrawStars {
+  StarLightBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    constexpr int pixels = star_tile_px * star_tile_px;
+    const int place = index / pixels;
+    const int tile = batch.tiles[place];
+    const int x = tile % batch.tile_columns * star_tile_px + index % star_tile_px;
+    const int y = tile / batch.tile_columns * star_tile_px + index % pixels / star_tile_px;
+    const int width = batch.projection.width_px;
+    if (x >= width || y < batch.first_row || y >= batch.end_row) {
+      return;
+    }
+    float light[3] = {};
+    for (int i = batch.first[place]; i < batch.first[place + 1]; ++i) {
+      add(batch.points[batch.members[i]], x, y, light);
+    }
+    const float covered = image_coverage(batch.projection, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+    // Spikes do not know where the image ends.
+    const float inside = batch.pattern == nullptr ? covered : covered > 0.0F ? 1.0F : 0.0F;
+    float* const to = batch.rgba + 4 * (static_cast<long>(y - batch.first_row) * width + x);
+    for (int channel = 0; channel < 3; ++channel) {
+      to[channel] += inside * light[channel];
+    }
+  }
+
+ private:
+  //! The part of a Gaussian about 0 that lies in [x, x + 1], or of a point.
+  [[nodiscard]] ERGO_HD float part_of(float x) const {
+    if (!(batch.narrower > 0.0F)) {
+      return x <= 0.0F && x > -1.0F ? 1.0F : 0.0F;
+    }
+    const float from = minimum(maximum(x, -batch.reach_px), batch.reach_px);
+    const float to = minimum(maximum(x + 1.0F, -batch.reach_px), batch.reach_px);
+    return from < to ? batch.share * (erff(to * batch.narrower) - erff(from * batch.narrower)) : 0.0F;
+  }
+
+  //! What of a pattern, placed bilinearly between pixels, falls on the one that lies so far from its first.
+  [[nodiscard]] ERGO_HD Vector3<float> pattern_at(float x, float y) const {
+    const float left = floorf(x);
+    const float top = floorf(y);
+    Vector3<float> sum{};
+    for (int corner = 0; corner < 4; ++corner) {
+      const float across = left + static_cast<float>(corner % 2);
+      const float down = top + static_cast<float>(corner / 2);
+      const float part = (1.0F - fabsf(x - across)) * (1.0F - fabsf(y - down));
+      const auto size = static_cast<float>(batch.pattern_px);
+      if (across >= 0.0F && across < size && down >= 0.0F && down < size) {
+        const float* const from =
+            batch.pattern + 3 * (static_cast<long>(down) * batch.pattern_px + static_cast<long>(across));
+        sum = sum + part * Vector3<float>{from[0], from[1], from[2]};
+      }
+    }
+    return sum;
+  }
+
+  ERGO_HD void add(const StarPoint& point, int x, int y, float (&light)[3]) const {
+    const PixelCell& cell = batch.cells[point.sheet];
+    if (x < cell.left_px || x >= cell.left_px + cell.width_px || y < cell.top_px || y >= cell.top_px + cell.height_px) {
+      return;
+    }
+    const int turns = wraps_around(batch.projection) ? 1 : 0;
+    const auto down = static_cast<float>(y - point.y_px);
+    for (int turn = -turns; turn <= turns; ++turn) {
+      const auto across = static_cast<float>(x + turn * batch.projection.width_px - point.x_px);
+      Vector3<float> part{};
+      if (batch.pattern != nullptr) {
+        const float half = 0.5F * static_cast<float>(batch.pattern_px);
+        const Vector3<float> pattern = pattern_at(across + half, down + half);
+        part = {pattern.x * point.spikes.x, pattern.y * point.spikes.y, pattern.z * point.spikes.z};
+      } else {
+        part = (part_of(across) * part_of(down)) * point.light;
+      }
+      light[0] += part.x;
+      light[1] += part.y;
+      light[2] += part.z;
+    }
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

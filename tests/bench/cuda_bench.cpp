@@ -1,0 +1,114 @@
+#include "tests/bench/cuda_bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "content/show_reader.h"
+#include "content/sky_map.h"
+#include "kernels/launch/launch.h"
+#include "render/frame/show_renderer.h"
+
+// Whole frames on a GPU, as a window shows them: the picture stays on the device. Nothing is registered where there is none.
+namespace {
+
+using namespace ergodome;
+
+//! How a frame's lens comes about, and whether its camera goes on.
+struct FrameWay {
+  LensChoice lens;
+  bool moving;
+};
+
+Show built_in(const char* name) {
+  return read_show(built_in_content_folder() / "shows" / (std::string(name) + ".toml"));
+}
+
+void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) {
+  const int size = static_cast<int>(state.range(0));
+  ShowRenderer renderer(show, Backend::cuda, way.lens);
+  const double time_s = 0.31 * show.duration_s;
+  renderer.apply(time_s);
+  const Projection projection = make_projection(renderer.show().view, size, 0.0);
+  CameraPose pose = camera_pose(renderer.show(), time_s);
+  const char* lens = "";
+  for (auto _ : state) {
+    pose.r += way.moving ? 1e-9 : 0.0;
+    benchmark::DoNotOptimize(renderer.render_eye_in_place(pose, 0.0, projection, ViewMode::sky, {time_s}, &lens));
+  }
+  state.SetLabel(lens);
+}
+
+//! The same, brought back to the processor.
+void cuda_picture(benchmark::State& state, const Show& show) {
+  const int size = static_cast<int>(state.range(0));
+  ShowRenderer renderer(show, Backend::cuda, LensChoice::automatic);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        renderer.render(0.31 * show.duration_s, {ViewMode::sky, size}).front().picture.rgba.data());
+  }
+}
+
+//! A dome five M from a fast hole.
+Show dome(const std::string& sky, const std::string& effects = {}) {
+  return parse_show(
+      "[hole]\nspin = 0.999\n[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 5\npitch_deg = -25\n[view]\n"
+      "projection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n" +
+          sky + "[effects]\n" + effects,
+      "bench.toml");
+}
+
+//! The set-up of Verbraeck & Eisemann's table 1: a whole sky of 1920 x 960 px, stars of which there are some 5,000, redshift, lensing,
+//! diffraction.
+Show published() {
+  return parse_show(
+      "[hole]\nspin = 0.999\n[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 5\n[view]\nprojection = "
+      "\"equirect\"\n"
+      "[sky]\nmap = \"milky_way\"\nstars = \"bright_stars\"\nfaintest_mag = 10\n[effects]\nredshift = true\n"
+      "magnification = true\npsf = { sigma_px = 0.5 }\ndiffraction = { brighter_than_mag = 2.0 }\n",
+      "bench.toml");
+}
+
+void add(const std::string& name, const Show& show, const FrameWay& way, std::initializer_list<int> sizes) {
+  auto* const made = benchmark::RegisterBenchmark(
+      ("cuda_frame/" + name).c_str(), [show, way](benchmark::State& state) { cuda_frame(state, show, way); });
+  made->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int size : sizes) {
+    made->Arg(size);
+  }
+}
+
+void add_picture(const std::string& name, const Show& show, int size) {
+  benchmark::RegisterBenchmark(("cuda_picture/" + name).c_str(),
+                               [show](benchmark::State& state) { cuda_picture(state, show); })
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime()
+      ->Arg(size);
+}
+
+const char* const every_effect =
+    "redshift = true\nmagnification = true\npsf = { sigma_px = 0.5 }\ndiffraction = { brighter_than_mag = 2.0 }\n";
+
+}  // namespace
+
+void ergodome::add_cuda_benchmarks() {
+  if (cuda_unavailable_reason() != nullptr) {
+    return;
+  }
+  const FrameWay direct = {LensChoice::direct, false};
+  const FrameWay kept = {LensChoice::live, false};
+  const FrameWay live = {LensChoice::live, true};
+  add("sky/direct", dome(""), direct, {1024, 4096});
+  add("sky/kept_grid", dome(""), kept, {1024, 4096});
+  add("sky/live_grid", dome(""), live, {1024, 4096});
+  add("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), direct, {1024, 4096});
+  add("all_stars", dome("stars = \"all_stars\"\nfaintest_mag = 10\n", every_effect), direct, {4096});
+  add("bright_stars_moving", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect),
+      {LensChoice::direct, true}, {1024});
+  add("published", published(), direct, {1920});
+  for (const char* const name : {"disk", "shells", "planet"}) {
+    add(name, built_in(name), direct, {1920});
+  }
+  add_picture("sky", dome(""), 4096);
+  add_picture("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), 4096);
+}

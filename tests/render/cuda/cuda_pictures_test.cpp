@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "content/show_reader.h"
+#include "content/sky_map.h"
+#include "kernels/launch/launch.h"
+#include "render/frame/show_renderer.h"
+#include "tests/support/tiny_sky.h"
+
+// The pictures of a GPU are those of the processor: the kernels are one source, but two compilers make of it what they like, and who
+// hands buffers to and fro may forget one.
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): skies of tests
+
+//! A scene, and how it is looked at.
+struct Scene {
+  std::string name;
+  std::string show;  //!< built in
+  ViewMode mode = ViewMode::sky;
+  LensChoice lens = LensChoice::direct;
+  std::function<void(Show&)> change = [](Show&) {};
+};
+
+void PrintTo(const Scene& scene, std::ostream* stream) { *stream << scene.name; }
+
+Show show_of(const Scene& scene) {
+  Show show = read_show(built_in_content_folder() / "shows" / (scene.show + ".toml"));
+  show.sky.map = tiny_sky();
+  scene.change(show);
+  return show;
+}
+
+std::vector<Picture> pictures(const Scene& scene, Backend backend) {
+  const Show show = show_of(scene);
+  ShowRenderer renderer(show, backend, scene.lens);
+  std::vector<Picture> made;
+  for (FrameImage& image : renderer.render(0.31 * std::max(show.duration_s, 1.0), {scene.mode, 384})) {
+    made.push_back(std::move(image.picture));
+  }
+  return made;
+}
+
+//! How far a picture is from another: the part of its pixels that differ visibly, and how far all of them are off together.
+struct Difference {
+  double pixels;  //!< part that differs by more than 2 % of itself and of the mean
+  double light;   //!< of the whole picture
+};
+
+Difference difference(const Picture& a, const Picture& b) {
+  double sum = 0.0;
+  double apart = 0.0;
+  for (const float value : b.rgba) {
+    sum += std::abs(value);
+  }
+  const double mean = sum / static_cast<double>(b.rgba.size());
+  long pixels = 0;
+  for (std::size_t i = 0; i < b.rgba.size(); ++i) {
+    const double error = std::abs(static_cast<double>(a.rgba[i]) - b.rgba[i]);
+    apart += std::isnan(error) ? 1e30 : error;
+    pixels += error <= 0.02 * (std::abs(b.rgba[i]) + mean) ? 0 : 1;
+  }
+  return {static_cast<double>(pixels) / static_cast<double>(b.rgba.size()), apart / sum};
+}
+
+class CudaPictures : public testing::TestWithParam<Scene> {
+ protected:
+  void SetUp() override {
+    if (const char* const reason = cuda_unavailable_reason()) {
+      GTEST_SKIP() << reason;
+    }
+  }
+};
+
+TEST_P(CudaPictures, AreThoseOfTheProcessor) {
+  const std::vector<Picture> there = pictures(GetParam(), Backend::cuda);
+  const std::vector<Picture> here = pictures(GetParam(), Backend::cpu);
+  ASSERT_EQ(there.size(), here.size());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    ASSERT_EQ(there[i].rgba.size(), here[i].rgba.size());
+    ASSERT_GT(*std::ranges::max_element(here[i].rgba), 0.0F) << "the picture is black";
+    const Difference seen = difference(there[i], here[i]);
+    // Next to the edge of the shadow a rounding moves the sky by more than a pixel.
+    EXPECT_LT(seen.pixels, 0.005);
+    EXPECT_LT(seen.light, 0.002);
+    EXPECT_NEAR(static_cast<double>(there[i].unresolved_pixels), static_cast<double>(here[i].unresolved_pixels), 2.0);
+  }
+}
+
+Scene by_grid(Scene scene) {
+  scene.name += "_by_grid";
+  scene.lens = LensChoice::live;
+  return scene;
+}
+
+std::vector<Scene> scenes() {
+  const auto two_eyes = [](StereoModel model) {
+    return [model](Show& show) {
+      show.stereo.layout = StereoLayout::separate;
+      show.stereo.model = model;
+      show.stereo.baseline = 0.3;
+    };
+  };
+  std::vector<Scene> all = {
+      {"dome", "dome-still"},
+      {"path", "first-light"},
+      {"whole_sky", "grid-sky"},
+      {"edge", "prograde-edge"},
+      {"stars", "star-field"},
+      {"trails", "star-trails"},
+      {"effects", "published-effects", ViewMode::sky, LensChoice::direct,
+       [](Show& show) {
+         show.sky.stars = "bright_stars";
+         show.sky.shift = SkyShift::blackbody_fit;
+         show.sky.brightening = true;
+         show.effects.redshift = true;
+         show.effects.magnification = true;
+         show.effects.psf = PointSpreadSettings{};
+         show.effects.diffraction = DiffractionSettings{};
+         show.effects.bloom = BloomSettings{};
+       }},
+      {"point", "dome-still", ViewMode::sky, LensChoice::direct,
+       [](Show& show) { show.sky.filter = SkyFilter::point; }},
+      {"polygon", "dome-still", ViewMode::sky, LensChoice::direct,
+       [](Show& show) { show.sky.filter = SkyFilter::polygon; }},
+      {"disk", "disk"},
+      {"plain_disk", "disk", ViewMode::sky, LensChoice::direct,
+       [](Show& show) { show.disk->pattern = DiskPattern::none; }},
+      {"shells", "shells"},
+      {"disk_and_shells", "disk", ViewMode::sky, LensChoice::direct,
+       [](Show& show) {
+         show.shells.emplace_back();
+         show.shells[0].radius = 25.0;
+       }},
+      {"planet", "planet"},
+      {"omni_eyes", "dome-still", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::omni)},
+      {"omni_eyes_before_a_disk", "disk", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::omni)},
+      {"flat_eyes", "dome-still", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
+      {"flat_eyes_before_a_disk", "disk", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
+      {"flat_eyes_before_shells", "shells", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
+      {"steps", "dome-still", ViewMode::steps},
+      {"steps_with_shells", "shells", ViewMode::steps},
+      {"image_order", "dome-still", ViewMode::image_order},
+      {"frequency_ratio", "dome-still", ViewMode::frequency_ratio},
+      {"magnification", "dome-still", ViewMode::magnification},
+  };
+  for (const char* name : {"dome", "path", "whole_sky", "edge", "disk", "flat_eyes"}) {
+    all.push_back(by_grid(*std::ranges::find(all, name, &Scene::name)));
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, CudaPictures, testing::ValuesIn(scenes()),
+                         [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace ergodome
