@@ -19,6 +19,12 @@ struct DrawFlatEyes {
 
   ERGO_HD void operator()(int index) const { Pixels{batch, *this}.draw(index); }
 
+  ERGO_HD bool draw_middle(int index) const { return Pixels{batch, *this}.draw_middle(index); }
+  [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
+    return Pixels{batch, *this}.see_sample(index, sample);
+  }
+  ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const { Pixels{batch, *this}.lay_mean(index, sum); }
+
   ERGO_HD void average(const Pixels& pixels, const T& x_px, const T& y_px, const Mask& lanes, SeenLanes<T>& sum) const {
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<S> at = near_sample<S>(i);

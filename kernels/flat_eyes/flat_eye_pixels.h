@@ -21,21 +21,41 @@ struct FlatEyePixels {
 
   //! Draws the pixels index * lanes, index * lanes + 1, ... of the block.
   ERGO_HD void draw(int index) const {
-    const PixelBatch& pixels = batch.near_field.pixels;
-    const int first = index * RealTraits<T>::lane_count;
-    T x_px;
-    T y_px;
-    pixel_middles(pixels, first, x_px, y_px);
-    const T inside = image_coverage(pixels.projection, x_px, y_px);
-    Mask fine = inside > T(S(0));
-    SeenLanes<T> seen = look(x_px, y_px, S(1), fine);
+    const Place at(batch, index);
+    Mask fine = at.inside > T(S(0));
+    SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), fine);
     if (any(fine)) {
       const T zero(S(0));
       SeenLanes<T> sum = {zero, zero, zero, zero};
-      derived.average(*this, x_px, y_px, fine, sum);
+      derived.average(*this, at.x_px, at.y_px, fine, sum);
       take_mean(fine, sum, seen);
     }
-    lay_over(seen, inside, first, pixel_count(pixels), batch.near_field.rgba);
+    lay(at, seen);
+  }
+
+  //! The same in two steps, as DrawNearField has them.
+  ERGO_HD bool draw_middle(int index) const {
+    const Place at(batch, index);
+    Mask fine = at.inside > T(S(0));
+    const SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), fine);
+    if (!any(fine)) {
+      lay(at, seen);
+    }
+    return any(fine);
+  }
+
+  [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
+    const Place at(batch, index);
+    Mask wanted = at.inside > T(S(0));
+    const NearSample<S> part = near_sample<S>(sample);
+    return look(at.x_px + part.along, at.y_px + part.down, part.width, wanted);
+  }
+
+  ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const {
+    const Place at(batch, index);
+    SeenLanes<T> mean = sum;
+    take_mean(at.inside > T(S(0)), sum, mean);
+    lay(at, mean);
   }
 
   //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
@@ -71,6 +91,24 @@ struct FlatEyePixels {
   }
 
  private:
+  //! The pixels of an index.
+  struct Place {
+    int first;
+    T x_px;
+    T y_px;
+    T inside;
+
+    ERGO_HD Place(const FlatEyeBatch& batch, int index) : first(index * RealTraits<T>::lane_count) {
+      const PixelBatch& pixels = batch.near_field.pixels;
+      pixel_middles(pixels, first, x_px, y_px);
+      inside = image_coverage(pixels.projection, x_px, y_px);
+    }
+  };
+
+  ERGO_HD void lay(const Place& at, const SeenLanes<T>& seen) const {
+    lay_over(seen, at.inside, at.first, pixel_count(batch.near_field.pixels), batch.near_field.rgba);
+  }
+
   //! The last step to a sheet is no longer, as it is seen [px].
   static constexpr S precision_px = S(0.1);
 

@@ -4,6 +4,7 @@
 
 #include "kernels/launch/kernel_table.h"
 #include "kernels/stars/draw_stars.h"
+#include "kernels/stars/patch_search.h"
 
 namespace ergodome {
 
@@ -113,8 +114,17 @@ void look_at_objects(Backend backend, const ObjectPixelBatch& batch);
 //! Lays them over a picture that has neither disk nor shells.
 void lay_objects(Backend backend, const LayObjectsBatch& batch);
 
+//! A step of finding which points shine on which tiles; see StarTileBatch.
+void place_stars(Backend backend, const StarTileBatch& batch, StarTileStep step);
+
+//! Sums of all counts before each, and that of all in the end: `count` + 1 numbers. Both lie in the backend's memory.
+void sum_counts(Backend backend, const std::int32_t* counts, int count, std::int32_t* sums);
+
 //! Adds the light of stars to a picture in the backend's memory; see StarLightBatch. `points`: how many there are.
 void draw_stars(Backend backend, const StarLightBatch& batch, long points);
+
+//! A step of the search for images of stars, `count` patches or pairs; see PatchSearchBatch.
+void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count);
 
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernels/core/error.h"
+#include "kernels/launch/launch_cuda.h"
 
 namespace ergodome {
 
@@ -23,16 +24,87 @@ __global__ void run_functor(Functor functor, int count) {
   }
 }
 
+//! Where the calling thread's work goes: the default stream, or another while UrgentDeviceWork lasts.
+inline cudaStream_t& current_stream() {
+  thread_local cudaStream_t stream = nullptr;
+  return stream;
+}
+
+//! Waits for the end of what was launched.
+inline void finish_launch(const char* name) {
+  check_cuda(cudaGetLastError(), name);
+  check_cuda(cudaStreamSynchronize(current_stream()), name);
+}
+
 //! Calls functor(i) for i in [0, count) on the device and waits. The name goes into error messages.
 template <class Functor>
-void launch_cuda(const char* name, int count, const Functor& functor, cudaStream_t stream = nullptr) {
+void launch_cuda(const char* name, int count, const Functor& functor) {
   constexpr int block = 128;
   if (count <= 0) {
     return;
   }
-  run_functor<<<(count - 1) / block + 1, block, 0, stream>>>(functor, count);
-  check_cuda(cudaGetLastError(), name);
-  check_cuda(cudaStreamSynchronize(stream), name);
+  run_functor<<<(count - 1) / block + 1, block, 0, current_stream()>>>(functor, count);
+  finish_launch(name);
 }
+
+//! Copies from the device what its current stream has made.
+template <class T>
+T read_cuda(const T* from, const char* name) {
+  T value{};
+  check_cuda(cudaMemcpyAsync(&value, from, sizeof(T), cudaMemcpyDeviceToHost, current_stream()), name);
+  check_cuda(cudaStreamSynchronize(current_stream()), name);
+  return value;
+}
+
+//! Threads of a block of pixels: 16 x 8, and 8 x 4 a warp. Threads that go together have pixels that lie together, whose rays take about as
+//! many steps.
+inline constexpr int pixel_block = 128;
+
+inline dim3 blocks_of_pixels(int width, int rows) {
+  return {static_cast<unsigned>((width - 1) / 16 + 1), static_cast<unsigned>((rows - 1) / 8 + 1)};
+}
+
+//! The pixel of a thread of such blocks; it may lie beside the picture.
+struct PixelOfThread {
+  int x;
+  int y;
+
+  __device__ PixelOfThread(const uint3& block, const uint3& thread)
+      : x(static_cast<int>(block.x * 16 + thread.x / 32 % 2 * 8 + thread.x % 8)),
+        y(static_cast<int>(block.y * 8 + thread.x / 64 * 4 + thread.x % 32 / 8)) {}
+};
+
+//! Calls functor(y * width + x) for the pixels of a block of rows.
+template <class Functor>
+__global__ void run_functor_on_pixels(Functor functor, int width, int rows) {
+  const PixelOfThread at(blockIdx, threadIdx);
+  if (at.x < width && at.y < rows) {
+    functor(at.y * width + at.x);
+  }
+}
+
+template <class Functor>
+void launch_cuda_on_pixels(const char* name, int width, int rows, const Functor& functor) {
+  if (width <= 0 || rows <= 0) {
+    return;
+  }
+  run_functor_on_pixels<<<blocks_of_pixels(width, rows), pixel_block, 0, current_stream()>>>(functor, width, rows);
+  finish_launch(name);
+}
+
+//! Device memory for a launch.
+template <class T>
+class DeviceScratch {
+ public:
+  explicit DeviceScratch(std::size_t count) : data_(static_cast<T*>(allocate_cuda(count * sizeof(T)))) {}
+  ~DeviceScratch() { release_cuda(data_); }
+  DeviceScratch(const DeviceScratch&) = delete;
+  DeviceScratch& operator=(const DeviceScratch&) = delete;
+
+  [[nodiscard]] T* data() const { return data_; }
+
+ private:
+  T* data_;
+};
 
 }  // namespace ergodome

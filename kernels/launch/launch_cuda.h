@@ -10,7 +10,9 @@
 #include "kernels/mesh/draw_objects.h"
 #include "kernels/near_field/draw_near_field.h"
 #include "kernels/overlay/draw_overlay.h"
+#include "kernels/shadow/edge_kernel.h"
 #include "kernels/stars/draw_stars.h"
+#include "kernels/stars/patch_search.h"
 #include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -35,10 +37,18 @@ void draw_flat_eyes_cuda(const FlatEyeBatch& batch);
 void mark_object_tiles_cuda(const ObjectTileBatch& batch);
 void look_at_objects_cuda(const ObjectPixelBatch& batch);
 void lay_objects_cuda(const LayObjectsBatch& batch);
+void place_stars_cuda(const StarTileBatch& batch, StarTileStep step);
+void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 void draw_stars_cuda(const StarLightBatch& batch);
+void search_patches_cuda(const PatchSearchBatch& batch, PatchSearchStep step, int count);
 void draw_overlay_cuda(const OverlayBatch& batch);
+void solve_edge_cuda(const EdgeBatch& batch);
+long count_negative_cuda(const float* values, long count);
+void* begin_urgent_cuda();
+void end_urgent_cuda(void* before);
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;
+void clear_cuda(void* memory, std::size_t bytes);
 void copy_to_cuda(void* to, const void* from, std::size_t bytes);
 void copy_from_cuda(void* to, const void* from, std::size_t bytes);
 

@@ -1,5 +1,5 @@
-#include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/launch_in_steps_cuda.cuh"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
 #include "kernels/lens/quadtree_look_up_kernel.h"
@@ -15,12 +15,30 @@ void check_cells_cuda(const CheckBatch<float>& batch) {
   launch_cuda("check_cells", batch.count, CheckCells<float>{batch});
 }
 
+namespace {
+
+template <class Functor>
+struct LookUpAlone {
+  Functor functor;
+  __device__ bool operator()(int index) const { return functor.look_up_alone(index); }
+};
+
+template <class Functor>
+void look_up(const PixelBatch& pixels, const Functor& functor) {
+  launch_cuda_in_steps("look_up_pixels", pixels.projection.width_px, pixels.row_count, LookUpAlone<Functor>{functor},
+                       [&](const int* listed, int count) {
+                         run_functor_on_listed<<<(count - 1) / pixel_block + 1, pixel_block, 0, current_stream()>>>(
+                             functor, listed, count);
+                       });
+}
+
+}  // namespace
+
 void look_up_pixels_cuda(const LookUpBatch& batch) {
-  const int count = batch.pixels.row_count * batch.pixels.projection.width_px;
   if (has_footprints(batch.pixels.out)) {
-    launch_cuda("look_up_pixels", count, LookUpPixels<float, true>{batch});
+    look_up(batch.pixels, LookUpPixels<float, true>{batch});
   } else {
-    launch_cuda("look_up_pixels", count, LookUpPixels<float, false>{batch});
+    look_up(batch.pixels, LookUpPixels<float, false>{batch});
   }
 }
 

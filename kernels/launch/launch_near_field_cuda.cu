@@ -1,13 +1,14 @@
-#include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/launch_in_steps_cuda.cuh"
 #include "kernels/near_field/draw_near_field_kernel.h"
 
 namespace ergodome {
 
 void draw_near_field_cuda(const NearFieldBatch& batch) {
-  const int count = batch.pixels.row_count * batch.pixels.projection.width_px;
-  dispatch_near_field<DrawNearField, float>(batch,
-                                            [&](const auto& draw) { launch_cuda("draw_near_field", count, draw); });
+  const PixelBatch& pixels = batch.pixels;
+  dispatch_near_field<DrawNearField, float>(batch, [&](const auto& draw) {
+    launch_cuda_on_sampled_pixels("draw_near_field", pixels.projection.width_px, pixels.row_count, draw);
+  });
 }
 
 }  // namespace ergodome

@@ -2,7 +2,6 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/overlay/draw_overlay_kernel.h"
-#include "kernels/stars/draw_stars_kernel.h"
 
 // The ways to shade pixels, in a file of their own: they are many.
 namespace ergodome {
@@ -14,7 +13,30 @@ void shade_pixels_cuda(const ShadeBatch& batch) {
   dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
 }
 
-void draw_stars_cuda(const StarLightBatch& batch) { launch_cuda("draw_stars", batch.count, DrawStars{batch}); }
+namespace {
+
+__global__ void count_negative_values(const float* values, long count, unsigned long long* sum) {
+  const long at = static_cast<long>(blockIdx.x) * blockDim.x + threadIdx.x;
+  const unsigned found = __ballot_sync(0xffffffffU, at < count && values[at] < 0.0F);
+  if (threadIdx.x % 32 == 0 && found != 0U) {
+    atomicAdd(sum, static_cast<unsigned long long>(__popc(found)));
+  }
+}
+
+}  // namespace
+
+long count_negative_cuda(const float* values, long count) {
+  if (count <= 0) {
+    return 0;
+  }
+  const DeviceScratch<unsigned long long> sum(1);
+  check_cuda(cudaMemsetAsync(sum.data(), 0, sizeof(unsigned long long), current_stream()), "count_negative");
+  constexpr int block = 256;
+  const auto blocks = static_cast<unsigned>((count - 1) / block + 1);
+  count_negative_values<<<blocks, block, 0, current_stream()>>>(values, count, sum.data());
+  check_cuda(cudaGetLastError(), "count_negative");
+  return static_cast<long>(read_cuda(sum.data(), "count_negative"));
+}
 
 void draw_overlay_cuda(const OverlayBatch& batch) {
   launch_cuda("draw_overlay", batch.count, DrawOverlay<float>{batch});

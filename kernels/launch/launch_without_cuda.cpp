@@ -41,13 +41,29 @@ void look_at_objects_cuda(const ObjectPixelBatch&) { refuse(); }
 
 void lay_objects_cuda(const LayObjectsBatch&) { refuse(); }
 
+void place_stars_cuda(const StarTileBatch&, StarTileStep) { refuse(); }
+
+void sum_counts_cuda(const std::int32_t*, int, std::int32_t*) { refuse(); }
+
 void draw_stars_cuda(const StarLightBatch&) { refuse(); }
 
+void search_patches_cuda(const PatchSearchBatch&, PatchSearchStep, int) { refuse(); }
+
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
+
+void solve_edge_cuda(const EdgeBatch&) { refuse(); }
+
+long count_negative_cuda(const float*, long) { refuse(); }
+
+void* begin_urgent_cuda() { refuse(); }
+
+void end_urgent_cuda(void*) {}
 
 void* allocate_cuda(std::size_t) { refuse(); }
 
 void release_cuda(void*) noexcept {}
+
+void clear_cuda(void*, std::size_t) { refuse(); }
 
 void copy_to_cuda(void*, const void*, std::size_t) { refuse(); }
 

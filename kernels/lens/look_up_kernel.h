@@ -18,39 +18,58 @@ struct LookUpPixels {
   Batch batch;
 
   ERGO_HD void operator()(int index) const {
-    const PixelBatch& pixels = batch.pixels;
-    const int first = index * RealTraits<T>::lane_count;
-    const T one(S(1));
-    const T zero(S(0));
-    T x_px;
-    T y_px;
-    pixel_middles(pixels, first, x_px, y_px);
-    const T inside = image_coverage(pixels.projection, x_px, y_px);
-    Vector3<D> n = observed_direction(pixels, x_px, y_px);
-    Vector3<D> in_rain = rain_direction(batch.aberration, n);
-    ChartPlace<D> place = chart_place(batch.lens.chart, in_rain);
-    T sky_lit = select(place.edge_distance.value > zero, one, zero);
-    if (cover_lanes(batch.lens.chart.edge, in_rain, near_edge(in_rain, place), x_px, y_px, sky_lit)) {
-      n = observed_direction(pixels, x_px, y_px);
-      in_rain = rain_direction(batch.aberration, n);
-      place = chart_place(batch.lens.chart, in_rain);
-    }
-    const T lit = sky_lit * inside;
-    const auto wanted = lit > zero;
-    const GridSky<T> read = read_blended(batch.lens, place, wanted);
-    Vector3<Ray> sky = part_of<Ray>(read.sky);
-    T steps = zero;
-    T estimate = zero;
-    const auto traced = wanted & read.flagged;
+    const Looked at(batch, index);
+    Vector3<Ray> sky = part_of<Ray>(at.read.sky);
+    T steps(S(0));
+    T estimate(S(0));
+    const auto traced = at.wanted & at.read.flagged;
     if (any(traced)) {
-      trace(part_of<Ray>(n), traced, sky, steps, estimate);
+      trace(part_of<Ray>(at.n), traced, sky, steps, estimate);
     }
-    store(first, n, sky, lit, wanted, steps, estimate);
+    store(at, sky, steps, estimate);
+  }
+
+  //! The same without rays, for a device, which traces them apart; tells whether there are any.
+  ERGO_HD bool look_up_alone(int index) const {
+    const Looked at(batch, index);
+    store(at, part_of<Ray>(at.read.sky), T(S(0)), T(S(0)));
+    return any(at.wanted & at.read.flagged);
   }
 
  private:
+  //! What the grid has for the pixels of an index.
+  struct Looked {
+    int first;
+    Vector3<D> n;
+    T lit;
+    MaskOf<T> wanted;
+    GridSky<T> read;
+
+    ERGO_HD Looked(const Batch& batch, int index) : first(index * RealTraits<T>::lane_count) {
+      const PixelBatch& pixels = batch.pixels;
+      const T one(S(1));
+      const T zero(S(0));
+      T x_px;
+      T y_px;
+      pixel_middles(pixels, first, x_px, y_px);
+      const T inside = image_coverage(pixels.projection, x_px, y_px);
+      n = observed_direction(pixels, x_px, y_px);
+      Vector3<D> in_rain = rain_direction(batch.aberration, n);
+      ChartPlace<D> place = chart_place(batch.lens.chart, in_rain);
+      T sky_lit = select(place.edge_distance.value > zero, one, zero);
+      if (cover_lanes(batch.lens.chart.edge, in_rain, near_edge(in_rain, place), x_px, y_px, sky_lit)) {
+        n = observed_direction(pixels, x_px, y_px);
+        in_rain = rain_direction(batch.aberration, n);
+        place = chart_place(batch.lens.chart, in_rain);
+      }
+      lit = sky_lit * inside;
+      wanted = lit > zero;
+      read = read_blended(batch.lens, place, wanted);
+    }
+  };
+
   //! Lanes within three pixels of the edge, or of a shadow smaller than that.
-  ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPlace<D>& place) const {
+  static ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPlace<D>& place) {
     const T square = maximum(n.x.along_x * n.x.along_x + n.y.along_x * n.y.along_x + n.z.along_x * n.z.along_x,
                              n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);
     const T d = place.edge_distance.value;
@@ -69,16 +88,16 @@ struct LookUpPixels {
     estimate = select(reached, value_of(end.error_estimate), estimate);
   }
 
-  ERGO_HD void store(int first, const Vector3<D>& n, const Vector3<Ray>& sky, const T& lit, const MaskOf<T>& wanted,
-                     const T& steps, const T& estimate) const {
+  ERGO_HD void store(const Looked& at, const Vector3<Ray>& sky, const T& steps, const T& estimate) const {
     const LensPixels& out = batch.pixels.out;
+    const int first = at.first;
     const int count = pixel_count(batch.pixels);
-    store_sky(batch.pixels, first, sky, wanted);
-    store_lanes(out.coverage, first, count, lit);
+    store_sky(batch.pixels, first, sky, at.wanted);
+    store_lanes(out.coverage, first, count, at.lit);
     store_lanes(out.steps, first, count, steps);
     store_lanes(out.error_estimate, first, count, estimate);
     if (out.frequency_ratio != nullptr) {
-      const Vector3<T> direction = {n.x.value, n.y.value, n.z.value};
+      const Vector3<T> direction = {at.n.x.value, at.n.y.value, at.n.z.value};
       store_lanes(out.frequency_ratio, first, count, S(1) / energy_of(camera_of(batch), direction));
     }
   }

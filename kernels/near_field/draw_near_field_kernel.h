@@ -20,39 +20,88 @@ struct DrawNearField {
   NearFieldBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const PixelBatch& pixels = batch.pixels;
-    const int first = index * RealTraits<T>::lane_count;
-    T x_px;
-    T y_px;
-    pixel_middles(pixels, first, x_px, y_px);
-    const T inside = image_coverage(pixels.projection, x_px, y_px);
-    Mask fine = inside > T(S(0));
-    LayerSight<T, Objects> objects(batch.objects, first, pixel_count(pixels));
-    if constexpr (Objects) {
-      if (batch.objects_alone) {
-        fine = fine & objects.waiting();
-        if (!any(fine)) {
-          return;
-        }
-      }
+    const Place at(batch, index);
+    Mask fine = at.inside > T(S(0));
+    if (leaves(at, fine)) {
+      return;
     }
-    SeenLanes<T> seen = look(x_px, y_px, S(1), objects, fine);
+    SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
     if (any(fine)) {
-      average(x_px, y_px, objects, fine, seen);
+      average(at, fine, seen);
     }
-    lay_over(seen, inside, first, pixel_count(pixels), batch.rgba);
+    lay(at, seen);
+  }
+
+  //! The same in two steps, for a device, whose threads wait for one another: what the pixel's middle sees is laid over it, but where the pixel
+  //! holds more than that, which is told.
+  ERGO_HD bool draw_middle(int index) const {
+    const Place at(batch, index);
+    Mask fine = at.inside > T(S(0));
+    if (leaves(at, fine)) {
+      return false;
+    }
+    const SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
+    if (!any(fine)) {
+      lay(at, seen);
+    }
+    return any(fine);
+  }
+
+  //! What one of a pixel's samples sees.
+  [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
+    const Place at(batch, index);
+    Mask wanted = at.inside > T(S(0));
+    const NearSample<S> part = near_sample<S>(sample);
+    return look(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
+  }
+
+  //! Lays their mean over it.
+  ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const {
+    const Place at(batch, index);
+    SeenLanes<T> mean = sum;
+    take_mean(at.inside > T(S(0)), sum, mean);
+    lay(at, mean);
   }
 
  private:
+  //! The pixels of an index.
+  struct Place {
+    int first;
+    T x_px;
+    T y_px;
+    T inside;
+    LayerSight<T, Objects> objects;
+
+    ERGO_HD Place(const NearFieldBatch& batch, int index)
+        : first(index * RealTraits<T>::lane_count), objects(batch.objects, first, pixel_count(batch.pixels)) {
+      pixel_middles(batch.pixels, first, x_px, y_px);
+      inside = image_coverage(batch.pixels.projection, x_px, y_px);
+    }
+  };
+
+  //! Whether nothing is to be drawn; else which lanes are to be, of those of a mask.
+  ERGO_HD bool leaves(const Place& at, Mask& wanted) const {
+    if constexpr (Objects) {
+      if (batch.objects_alone) {
+        wanted = wanted & at.objects.waiting();
+        return !any(wanted);
+      }
+    }
+    return false;
+  }
+
+  ERGO_HD void lay(const Place& at, const SeenLanes<T>& seen) const {
+    lay_over(seen, at.inside, at.first, pixel_count(batch.pixels), batch.rgba);
+  }
+
   //! Looks at many places within the pixels of the mask.
-  ERGO_HD void average(const T& x_px, const T& y_px, const LayerSight<T, Objects>& objects, const Mask& fine,
-                       SeenLanes<T>& seen) const {
+  ERGO_HD void average(const Place& place, const Mask& fine, SeenLanes<T>& seen) const {
     const T zero(S(0));
     SeenLanes<T> sum = {zero, zero, zero, zero};
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<S> at = near_sample<S>(i);
       Mask wanted = fine;
-      sum = sum + look(x_px + at.along, y_px + at.down, at.width, objects, wanted);
+      sum = sum + look(place.x_px + at.along, place.y_px + at.down, at.width, place.objects, wanted);
     }
     take_mean(fine, sum, seen);
   }

@@ -4,32 +4,105 @@
 
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/host_device.h"
+#include "kernels/core/shared_counter.h"
 #include "kernels/stars/draw_stars.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Adds the light of stars to a pixel of a tile; the pixels of a tile are counted row by row.
+//! Calls body(tile) for each tile of a picture that pixels within reach of a point lie in, once for each turn of a picture that goes on
+//! round the sky.
+template <class Body>
+ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point, const Body& body) {
+  const auto between = [](double place, double low, double high) {
+    return static_cast<int>(::fmin(::fmax(::floor(place), low), high));
+  };
+  const int top = between(point.y_px - batch.reach_px, 0.0, batch.height_px);
+  const int bottom = between(point.y_px + batch.reach_px, -1.0, batch.height_px - 1);
+  const int turns = batch.wraps ? 1 : 0;
+  for (int turn = -turns; turn <= turns; ++turn) {
+    const double x = point.x_px + turn * batch.width_px;
+    const int left = between(x - batch.reach_px, 0.0, batch.width_px);
+    const int right = between(x + batch.reach_px, -1.0, batch.width_px - 1);
+    if (top > bottom || left > right) {
+      continue;
+    }
+    for (int row = top / star_tile_px; row <= bottom / star_tile_px; ++row) {
+      for (int column = left / star_tile_px; column <= right / star_tile_px; ++column) {
+        body(row * batch.columns + column);
+      }
+    }
+  }
+}
+
+//! Counts a point where it may shine, or lists it there.
+template <bool Lists>
+struct PlaceStar {
+  StarTileBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const StarPoint& point = batch.points[index];
+    if (batch.spikes_alone && !(point.spikes.x + point.spikes.y + point.spikes.z > 0.0F)) {
+      return;
+    }
+    for_tiles_about(batch, point, [&](int tile) {
+      const std::int32_t before = count_up(batch.counts + tile);
+      if constexpr (Lists) {
+        batch.members[batch.first[tile] + before] = index;
+      }
+    });
+  }
+};
+
+//! Puts a tile's points, which threads have listed as they came, in order: few at most places.
+struct SortTile {
+  StarTileBatch batch;
+
+  ERGO_HD void operator()(int tile) const {
+    std::int32_t* const list = batch.members + batch.first[tile];
+    const int count = batch.first[tile + 1] - batch.first[tile];
+    // Longer lists by halves of their span, as insertion alone takes the square of their length.
+    int gap = 1;
+    while (gap < count / 3) {
+      gap = 3 * gap + 1;
+    }
+    for (; gap > 0; gap /= 3) {
+      for (int i = gap; i < count; ++i) {
+        const std::int32_t value = list[i];
+        int at = i;
+        for (; at >= gap && list[at - gap] > value; at -= gap) {
+          list[at] = list[at - gap];
+        }
+        list[at] = value;
+      }
+    }
+  }
+};
+
+//! Adds the light of stars to pixel i of the rows.
 struct DrawStars {
   StarLightBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    constexpr int pixels = star_tile_px * star_tile_px;
-    const int place = index / pixels;
-    const int tile = batch.tiles[place];
-    const int x = tile % batch.tile_columns * star_tile_px + index % star_tile_px;
-    const int y = tile / batch.tile_columns * star_tile_px + index % pixels / star_tile_px;
     const int width = batch.projection.width_px;
-    if (x >= width || y < batch.first_row || y >= batch.end_row) {
+    const int row = index / width;
+    const int x = index - row * width;
+    const int y = batch.first_row + row;
+    const int tile = y / star_tile_px * batch.tile_columns + x / star_tile_px;
+    const int first = batch.first[tile];
+    const int last = batch.first[tile + 1];
+    if (first == last) {
       return;
     }
     float light[3] = {};
-    for (int i = batch.first[place]; i < batch.first[place + 1]; ++i) {
-      add(batch.points[batch.members[i]], x, y, light);
+    for (int i = first; i < last; ++i) {
+      if (i == first || batch.members[i] != batch.members[i - 1]) {
+        add(batch.points[batch.members[i]], x, y, light);
+      }
     }
     const float covered = image_coverage(batch.projection, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
     // Spikes do not know where the image ends.
     const float inside = batch.pattern == nullptr ? covered : covered > 0.0F ? 1.0F : 0.0F;
-    float* const to = batch.rgba + 4 * (static_cast<long>(y - batch.first_row) * width + x);
+    float* const to = batch.rgba + 4 * static_cast<long>(index);
     for (int channel = 0; channel < 3; ++channel) {
       to[channel] += inside * light[channel];
     }

@@ -69,7 +69,7 @@ struct SolveParts {
     const auto or_guess = [&](const PatchRoot<T>& found, const Place& guess) {
       return PatchRoot<T>{{select(guessed, guess.u, found.at.u), select(guessed, guess.v, found.at.v)},
                           select(guessed, zero, found.area),
-                          found.found | guessed};
+                          MaskOf<T>(found.found | guessed)};
     };
     store(first, 0, or_guess(root, beside(to_fold + way)));
     store(first, 1, or_guess(twin, beside(to_fold - way)));

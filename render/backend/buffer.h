@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <string>
@@ -87,6 +88,46 @@ class Buffer {
 
   std::unique_ptr<T, Release> data_;
   std::size_t count_ = 0;
+};
+
+//! Makes room for `count` elements where there is not as much yet; what was there is gone then. What grows is given more than it asks for: the next
+//! picture may want a little more.
+template <class T>
+void reserve(Backend backend, std::size_t count, const char* name, Buffer<T>& buffer) {
+  if (buffer.size() < count) {
+    buffer = Buffer<T>(backend, count + count / 4, name);
+  }
+}
+
+//! Fills the first `count` elements with zero bytes.
+template <class T>
+void clear(Backend backend, const Buffer<T>& buffer, std::size_t count) {
+  if (backend == Backend::cuda) {
+    clear_cuda(buffer.data(), count * sizeof(T));
+  } else {
+    std::memset(buffer.data(), 0, count * sizeof(T));
+  }
+}
+
+//! As long as it lives, what the calling thread asks of a device comes before what other threads have asked, and does not wait for that.
+class UrgentDeviceWork {
+ public:
+  explicit UrgentDeviceWork(Backend backend) : urgent_(backend == Backend::cuda) {
+    if (urgent_) {
+      before_ = begin_urgent_cuda();
+    }
+  }
+  ~UrgentDeviceWork() {
+    if (urgent_) {
+      end_urgent_cuda(before_);
+    }
+  }
+  UrgentDeviceWork(const UrgentDeviceWork&) = delete;
+  UrgentDeviceWork& operator=(const UrgentDeviceWork&) = delete;
+
+ private:
+  bool urgent_;
+  void* before_ = nullptr;
 };
 
 }  // namespace ergodome

@@ -172,7 +172,8 @@ std::future<std::vector<StarPoint>> EyeRenderer::seek_stars(const EyeCamera& eye
                                                             const PictureSettings& settings) const {
   // Stars are found on the processor: meanwhile a device makes the rest.
   const bool meanwhile = settings.stars != nullptr && backend_ != Backend::cpu;
-  return std::async(meanwhile ? std::launch::async : std::launch::deferred, [&eye, &projection, &settings] {
+  return std::async(meanwhile ? std::launch::async : std::launch::deferred, [this, &eye, &projection, &settings] {
+    const UrgentDeviceWork urgent(backend_);
     const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
     return settings.stars != nullptr ? settings.stars->find(seen_by, projection, settings.shutter)
                                      : std::vector<StarPoint>();
@@ -284,13 +285,8 @@ void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& project
 }
 
 long EyeRenderer::count_unresolved(const float* estimates, std::size_t pixels) const {
-  std::vector<float> copy;
-  if (backend_ != Backend::cpu) {
-    copy.resize(pixels);
-    copy_to_host(backend_, copy.data(), estimates, pixels);
-    estimates = copy.data();
-  }
-  return std::count_if(estimates, estimates + pixels, [](float e) { return e < 0.0F; });
+  return backend_ == Backend::cuda ? count_negative_cuda(estimates, static_cast<long>(pixels))
+                                   : std::count_if(estimates, estimates + pixels, [](float e) { return e < 0.0F; });
 }
 
 Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,

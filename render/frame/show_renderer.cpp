@@ -86,7 +86,7 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
       lens_(lens),
       stream_(std::move(stream)),
       sky_(show_, backend),
-      stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_)),
+      stars_(show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_, backend)),
       disk_(show_.disk ? std::make_unique<DiskPass>(show_, backend) : nullptr),
       shells_(show_.shells.empty() ? nullptr : std::make_unique<ShellPass>(show_, backend)),
       traced_objects_(traced_objects_of(show_, backend)),

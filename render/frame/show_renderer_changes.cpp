@@ -45,7 +45,7 @@ void ShowRenderer::apply(double time_s) {
   const NumberChange change = animate(show_, time_s);
   if (change.sky) {
     sky_ = ShowSky(show_, backend());
-    stars_ = show_.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_);
+    stars_ = show_.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_, backend());
   } else if (change.stars && stars_) {
     stars_->set_numbers(show_);
   }
@@ -83,7 +83,7 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   std::unique_ptr<StarPass> stars;
   const bool other_stars = !same_stars(show_, next);
   if (other_stars && !next.sky.stars.empty()) {
-    stars = std::make_unique<StarPass>(next);
+    stars = std::make_unique<StarPass>(next, backend());
   }
   std::unique_ptr<DiskPass> disk = next.disk && !disk_ ? std::make_unique<DiskPass>(next, backend()) : nullptr;
   std::unique_ptr<TracedObjects> traced_objects = traced_objects_of(next, backend());

@@ -43,7 +43,15 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
 
 EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {
   const ShadowChart chart = make_shadow_chart(camera);
-  *this = EdgeTable(backend, chart, solve_edge(camera, chart, count));
+  if (backend == Backend::cpu) {
+    *this = EdgeTable(backend, chart, solve_edge(camera, chart, count));
+    return;
+  }
+  polar_angle_ = Buffer<float>(backend, static_cast<std::size_t>(count), "shadow edge");
+  solve_edge_cuda({camera, chart, count, polar_angle_.data()});
+  std::vector<float> polar_angle(polar_angle_.size());
+  polar_angle_.read(polar_angle.data(), polar_angle.size());
+  curve_ = edge_view(chart, polar_angle);
 }
 
 EdgeTable::EdgeTable(Backend backend, const ShadowChart& chart, const std::vector<float>& polar_angle)

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/launch/launch.h"
-#include "kernels/stars/patch_newton.h"
+#include "kernels/stars/search_rules.h"
 
 namespace ergodome {
 
@@ -14,11 +14,6 @@ namespace {
 constexpr int block = 512;
 //! Pairs searched together: so many that lanes are full, so few that a float counts them.
 constexpr std::size_t most_pairs = 1 << 16;
-//! Roots that may be guesses; the rest of the room is for what Newton's method finds.
-constexpr int most_guesses = 4;
-//! Roots of a patch that are nearer to each other are one.
-constexpr float same_root = 2e-3F;
-
 }  // namespace
 
 void FoldedSearch::PartList::reserve(int more) {
@@ -103,19 +98,9 @@ void FoldedSearch::solve(PartList& leaves, bool folded, std::span<const FoldedPa
 }
 
 void FoldedSearch::add(std::size_t pair, const FoldedPair& asked, const FoldedRoot& root) {
-  const int count = counts_[pair];
-  const bool guess = root.area == 0.0F;
-  if (count >= asked.roots_wanted || (guess && count >= most_guesses) ||
-      !within_patch<float>({root.u, root.v}, beyond_patch)) {
-    return;
-  }
   FoldedRoot* const roots = roots_.data() + pair * most_roots;
-  const bool known = std::any_of(roots, roots + count, [&](const FoldedRoot& other) {
-    return std::max(std::abs(other.u - root.u), std::abs(other.v - root.v)) < same_root;
-  });
-  if (!known) {
-    roots[count] = root;
-    counts_[pair] = count + 1;
+  if (may_add_root(roots, counts_[pair], asked.roots_wanted, root)) {
+    roots[counts_[pair]++] = root;
   }
 }
 

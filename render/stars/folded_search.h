@@ -3,18 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "kernels/stars/rough_image.h"
 #include "kernels/stars/seen_parts.h"
 
 namespace ergodome {
-
-//! Images of one star that a patch may hold at the most: two next to a fold, three next to a cusp, four about a small caustic.
-inline constexpr int most_roots = 6;
-
-//! Where a patch holds a star. No area: it is folded and so near to the star that it does not know, next to a caustic, whether it does.
-struct FoldedRoot {
-  float u, v;  //!< within [0, 1]² and a hair beyond, so that on a border neither side loses one
-  float area;  //!< of the patch's plane over that of the unit square, there; negative where the patch is turned over
-};
 
 //! What a search asks about a pair of a patch and a star.
 struct FoldedPair {

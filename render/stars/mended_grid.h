@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/lens_station.h"
-#include "kernels/lens/grid_build.h"
+#include "kernels/stars/mended_leaf.h"
 
 namespace ergodome {
 
@@ -11,13 +11,6 @@ namespace ergodome {
 struct LeafErrors {
   float told;  //!< at the most
   float left;  //!< when images are moved by what the rays say
-};
-
-//! An image of a star in a lens chart.
-struct ChartImage {
-  float gamma_turns;
-  float s;
-  float sky;  //!< solid angle of the stars' sky per area of the chart; negative where turned over [sr/turn]
 };
 
 //! A lens grid with what its checks found: images that cubic patches have are moved to where the rays have them.
@@ -33,21 +26,17 @@ class MendedGrid {
   //! Errors that are not known are huge: such leaves cannot mend anything.
   [[nodiscard]] LeafErrors errors(int leaf) const;
 
-  //! Moves an image of the star at the unit vector `star` from where a leaf's patch has it, about, to where its rays have it. False where it
-  //! is farther off than first order reaches; then nothing is changed.
+  //! Moves an image of a star; see mend_image().
   bool mend(int leaf, const Vector3<double>& star, ChartImage& image) const;
 
+  //! As kernels read it: put(vector) says where a copy of it lies for them, or where it is.
+  template <class Put>
+  [[nodiscard]] MendedLeaves view(const Put& put) const {
+    return {put(boxes_), put(leaves_), put(nodes_), checks_.empty() ? nullptr : put(checks_)};
+  }
+
  private:
-  //! In parts of a leaf's sides.
-  struct Displacement {
-    float along_gamma;
-    float along_s;
-    float spread;  //!< its divergence
-  };
-
-  [[nodiscard]] Displacement displacement(int leaf, float u, float v) const;
-
-  std::vector<LeafBox> boxes_;
+  std::vector<float> boxes_;
   std::vector<int> leaves_;
   std::vector<float> nodes_;
   std::vector<float> checks_;

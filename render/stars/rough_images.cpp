@@ -4,21 +4,9 @@
 #include <cmath>
 
 #include "kernels/launch/launch.h"
-#include "kernels/stars/patch_newton.h"
+#include "kernels/stars/search_rules.h"
 
 namespace ergodome {
-
-namespace {
-
-//! Of Newton's method in regular patches, and where another way is left.
-constexpr int rounds_regular = 16;
-constexpr int rounds_bent = 8;
-//! No first step is too long.
-constexpr float any_step = 1e6F;
-//! A root so far outside of a patch that is one to one, in parts of it, says that none is inside.
-constexpr float near_outside = 0.1F;
-
-}  // namespace
 
 void RoughImageFinder::PairList::add(const Pair& pair, float at_a, float at_b) {
   pairs.push_back(pair);
@@ -123,24 +111,19 @@ void RoughImageFinder::search_folded(const PairList& list, std::vector<RoughImag
   folded_search_.search(list.batch(), asked_);
   for (std::size_t i = 0; i < list.pairs.size(); ++i) {
     for (const FoldedRoot& root : folded_search_.roots(i)) {
-      keep(list.pairs[i], {root.u, root.v, root.area}, found);
+      keep(list.pairs[i], root, found);
     }
   }
 }
 
-void RoughImageFinder::keep(const Pair& pair, const Root& root, std::vector<RoughImage>& found) const {
+void RoughImageFinder::keep(const Pair& pair, const FoldedRoot& root, std::vector<RoughImage>& found) const {
   const StarPatch& patch = *pair.patch;
   const FieldStar& star = field_.stars()[static_cast<std::size_t>(pair.star)];
-  // The plane's areas are larger than the solid angles behind them by 1 / depth.
-  const float sky = std::max(std::abs(root.area), 1e-30F) * pair.depth;
-  const float magnification = patch.most_camera / sky;
+  const float sky = sky_of_root(root.area, pair.depth);
   const ShiftGain& shift = field_.gains().row(patch.light.shift_row);
-  const float gain = patch.brighter * magnification * patch.light.brighter *
-                     shift.gain[static_cast<std::size_t>(star_class(star.log_temperature))];
+  const float gain = most_gain(patch, sky) * shift.gain[star_class(star.log_temperature)];
   if (star.illuminance * gain >= patches_.faintest()) {
-    // Position angles go round the chart's centre the other way than planes count areas.
-    ChartImage image = {patch.gamma_turns + root.u * patch.width_turns, patch.s + root.v * patch.height,
-                        std::copysign(sky, -root.area) / (patch.width_turns * patch.height)};
+    ChartImage image = chart_image(patch, root, sky);
     const bool exact = patch.exact && patch.shape != PatchShape::folded &&
                        patches_.mended().mend(patch.leaf, as_patches_see(star, pair.mirrored), image);
     const float seen = pair.mirrored ? 1.0F - image.gamma_turns : image.gamma_turns;

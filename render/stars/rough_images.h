@@ -3,22 +3,11 @@
 #include <vector>
 
 #include "kernels/stars/patch_pairs.h"
+#include "kernels/stars/rough_image.h"
 #include "render/stars/folded_search.h"
 #include "render/stars/star_patches.h"
 
 namespace ergodome {
-
-//! An image of a star, roughly: where the grid has it.
-struct RoughImage {
-  int star;           //!< in the field
-  float gamma_turns;  //!< in [0, 1)
-  float s;
-  float
-      sky;  //!< solid angle of the stars' sky per area of the chart there, about; negative where turned over [sr/turn]
-  float brighter;  //!< what it may be brighter by than that makes it out to be, as a factor
-  bool exact;      //!< it needs no rays
-  bool guessed;    //!< the star is so near to a caustic that the grid cannot tell whether there is one
-};
 
 //! Finds the images that patches hold and that may be bright enough. Stars of many patches are sought at once, as kernels work on many
 //! lanes and a patch has but a few stars.
@@ -55,11 +44,6 @@ class RoughImageFinder {
     [[nodiscard]] PatchPairBatch batch() const;
   };
 
-  //! A root of a patch, in it.
-  struct Root {
-    float u, v, area;
-  };
-
   //! Patches belong to a camera at φ = 0, and to one half of a mirrored sky.
   [[nodiscard]] Vector3<double> as_patches_see(const FieldStar& star, bool mirrored) const;
 
@@ -68,7 +52,7 @@ class RoughImageFinder {
   void finish_regular(std::vector<RoughImage>& found);
   void finish_bent(std::vector<RoughImage>& found);
   void search_folded(const PairList& list, std::vector<RoughImage>& found);
-  void keep(const Pair& pair, const Root& root, std::vector<RoughImage>& found) const;
+  void keep(const Pair& pair, const FoldedRoot& root, std::vector<RoughImage>& found) const;
 
   const StarPatches& patches_;
   const StarField& field_;

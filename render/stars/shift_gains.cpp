@@ -7,11 +7,6 @@ namespace ergodome {
 
 namespace {
 
-//! ln T [K] of the coldest and the hottest star that colours tell of, and a little beyond.
-constexpr float log_coldest = 7.38F;
-constexpr float log_hottest = 10.4F;
-constexpr float class_width = (log_hottest - log_coldest) / star_classes;
-
 //! Rows lie at equal steps of ln g, in each of which stars of 6,000 K gain a tenth about g = 1, and the coldest a third. Below the first its
 //! bound holds, and patches know no greater g than 10⁶.
 constexpr float log_first = -4.0F;
@@ -24,10 +19,6 @@ float log_gain(const BlackbodyTable& colours, float log_temperature, float log_r
 }
 
 }  // namespace
-
-int star_class(float log_temperature) {
-  return std::clamp(static_cast<int>((log_temperature - log_coldest) / class_width), 0, star_classes - 1);
-}
 
 int ShiftGains::unshifted_row() { return shifted_rows; }
 
@@ -42,14 +33,15 @@ ShiftGains::ShiftGains(const BlackbodyTable& colours) : rows_(shifted_rows + 1) 
     const float log_ratio = log_first + log_step * static_cast<float>(i);
     for (int k = 0; k < star_classes; ++k) {
       // What a blackbody gains goes one way with its temperature: the most is at an end of the class.
-      const float low = log_coldest + class_width * static_cast<float>(k);
-      const float gain = std::max(log_gain(colours, low, log_ratio), log_gain(colours, low + class_width, log_ratio));
+      const float low = log_coldest_class + star_class_width * static_cast<float>(k);
+      const float gain =
+          std::max(log_gain(colours, low, log_ratio), log_gain(colours, low + star_class_width, log_ratio));
       row.log_gain[static_cast<std::size_t>(k)] = gain;
       row.gain[static_cast<std::size_t>(k)] = std::exp(gain);
     }
   }
-  rows_.back().gain.fill(1.0F);
-  rows_.back().log_gain.fill(0.0F);
+  std::ranges::fill(rows_.back().gain, 1.0F);
+  std::ranges::fill(rows_.back().log_gain, 0.0F);
 }
 
 }  // namespace ergodome

@@ -1,23 +1,11 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "kernels/sky/blackbody.h"
+#include "kernels/stars/field_star.h"
 
 namespace ergodome {
-
-//! Classes of stars by their temperature, equally wide in its logarithm.
-inline constexpr int star_classes = 16;
-
-//! The class of a star; `log_temperature`: ln T [K].
-int star_class(float log_temperature);
-
-//! What stars gain in luminance by a shift of their light, by their class.
-struct ShiftGain {
-  std::array<float, star_classes> gain;
-  std::array<float, star_classes> log_gain;
-};
 
 //! Bounds of what stars gain in luminance when their light is seen with some frequency ratio, with neither exponentials nor logarithms:
 //! the search for images asks them of each patch.
@@ -34,6 +22,8 @@ class ShiftGains {
 
   //! What no star of a class gains more than.
   [[nodiscard]] const ShiftGain& row(int number) const { return rows_[static_cast<std::size_t>(number)]; }
+
+  [[nodiscard]] const std::vector<ShiftGain>& rows() const { return rows_; }
 
  private:
   std::vector<ShiftGain> rows_;

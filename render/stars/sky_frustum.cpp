@@ -157,19 +157,4 @@ SkyTurn sky_turn(double phi) {
           static_cast<float>(std::cos(phi))};
 }
 
-SkyPart turned(const SkyPart& part, const SkyTurn& turn, bool mirrored) {
-  SkyPart other;
-  for (int side = 0; side < 4; ++side) {
-    const float(&n)[3] = part.inward[side];
-    other.inward[side][0] = turn.cosine * n[0] - turn.sine * n[1];
-    other.inward[side][1] = turn.sine * n[0] + turn.cosine * n[1];
-    other.inward[side][2] = mirrored ? -n[2] : n[2];
-  }
-  const SkyBounds& bounds = part.bounds;
-  const float turns = bounds.turns + turn.turns;
-  other.bounds = {mirrored ? -bounds.high : bounds.low, mirrored ? -bounds.low : bounds.high,
-                  turns < 1.0F ? turns : turns - 1.0F, bounds.width_turns};
-  return other;
-}
-
 }  // namespace ergodome

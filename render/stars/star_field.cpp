@@ -6,6 +6,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
+#include "kernels/stars/search_rules.h"
 
 namespace ergodome {
 
@@ -42,12 +43,6 @@ FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_map, 
           static_cast<float>(illuminance),
           static_cast<float>(radius),
           star.number};
-}
-
-//! Number of equal parts of [0, 1) that a place lies in.
-template <class T>
-int place_among(T place, int parts) {
-  return std::clamp(static_cast<int>(place * static_cast<T>(parts)), 0, parts - 1);
 }
 
 int band_of(double z, int bands) { return place_among(0.5 * (z + 1.0), bands); }
@@ -166,12 +161,11 @@ int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<i
                  level.first.data(),
                  {level.direction[0].data(), level.direction[1].data(), level.direction[2].data()},
                  level.illuminance.data()};
-  const SkyBounds& bounds = part.bounds;
-  batch.first_band = place_among(0.5F * (bounds.low + 1.0F), level.bands);
-  batch.last_band = place_among(0.5F * (bounds.high + 1.0F), level.bands) + 1;
-  batch.first_cell = place_among(bounds.turns, level.cells);
-  const int last_cell = static_cast<int>((bounds.turns + bounds.width_turns) * static_cast<float>(level.cells));
-  batch.cell_count = std::min(last_cell + 1 - batch.first_cell, level.cells);
+  const CellRange range = cells_of(part.bounds, batch.stars);
+  batch.first_band = range.first_band;
+  batch.last_band = range.last_band;
+  batch.first_cell = range.first_cell;
+  batch.cell_count = range.cell_count;
   std::copy_n(&part.inward[0][0], 12, &batch.inward[0][0]);
   batch.faintest = faintest;
   batch.found = found.data();

@@ -5,19 +5,11 @@
 
 #include "content/stars/star_catalogue.h"
 #include "kernels/sky/blackbody.h"
+#include "kernels/stars/patch_search.h"
 #include "render/stars/shift_gains.h"
 #include "render/stars/sky_frustum.h"
 
 namespace ergodome {
-
-//! A star as it is drawn.
-struct FieldStar {
-  Vector3<double> direction;  //!< unit vector in the hole's sky axes (z: spin axis)
-  float log_temperature;      //!< ln of its temperature [K]
-  float illuminance;          //!< in empty space [lx]
-  float radius;               //!< angle that its disk spans, half [rad]
-  std::uint32_t number;       //!< as the catalogue counts
-};
 
 //! Stars that are bright enough: those whose illuminance, times the bound of what their class gains in a row of ShiftGains, reaches so
 //! much [lx]. It is not negative.
@@ -44,6 +36,26 @@ class StarField {
   //! Puts the numbers of the stars of a part of the sky that are bright enough into the first places of `found`, which is made large
   //! enough for all, and returns how many there are. Of stars within 2e-7 rad of the part's sides any may be among them.
   int search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const;
+
+  //! As kernels read it: put(vector) says where a copy of it lies for them, or where it is.
+  template <class Put>
+  [[nodiscard]] SearchedField view(const Put& put) const {
+    SearchedField field{};
+    for (const Level& level : levels_) {
+      field.levels[field.level_count++] = {{level.bands,
+                                            level.cells,
+                                            put(level.first),
+                                            {put(level.direction[0]), put(level.direction[1]), put(level.direction[2])},
+                                            put(level.illuminance)},
+                                           put(level.number),
+                                           put(level.colour),
+                                           level.left_out};
+    }
+    field.stars = put(stars_);
+    field.gains = put(gains_.rows());
+    field.greatest_gain = put(greatest_gain_);
+    return field;
+  }
 
  private:
   //! The brightest stars, by their place on the sky.

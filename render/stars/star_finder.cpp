@@ -30,6 +30,13 @@ constexpr double coarsest_cell_px = 2.0;
 //! The size over a show's lens budget [px].
 constexpr double cell_of_budget = 8.0;
 
+//! Patches that a thread takes at a time.
+constexpr int patches_a_part = 128;
+
+int parts_of(const StarPatches& patches) {
+  return static_cast<int>((patches.patches().size() + patches_a_part - 1) / patches_a_part);
+}
+
 //! Whether a part of the view may lie in a patch, or on its `mirrored` side.
 bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
   const float side = mirrored ? -1.0F : 1.0F;
@@ -64,23 +71,23 @@ class IdleFinders {
   std::vector<Finder> finders_;
 };
 
-std::vector<RoughImage> find_rough(const StarField& field, double phi, const StarPatches& patches,
-                                   const ViewCone& view) {
+//! Calls found(part, images) with the images that parts of the patches hold, roughly; parts on many threads at once.
+template <class Found>
+void find_rough(const StarField& field, double phi, const StarPatches& patches, const ViewCone& view,
+                const Found& found) {
   static WorkCounter counter("search_patches");
   const WorkScope work(counter, static_cast<long>(patches.patches().size()));
-  constexpr int chunk = 128;
   const auto& list = patches.patches();
   const int count = static_cast<int>(list.size());
-  // In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes.
-  std::vector<std::vector<RoughImage>> found(static_cast<std::size_t>((count + chunk - 1) / chunk));
   IdleFinders idle;
-  parallel_for(static_cast<int>(found.size()), 1, [&](int begin, int end) {
+  parallel_for(parts_of(patches), 1, [&](int begin, int end) {
     IdleFinders::Finder finder = idle.take();
     if (!finder) {
       finder = std::make_unique<RoughImageFinder>(patches, field, phi);
     }
+    std::vector<RoughImage> images;
     for (int part = begin; part < end; ++part) {
-      for (int i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
+      for (int i = part * patches_a_part; i < std::min((part + 1) * patches_a_part, count); ++i) {
         const StarPatch& patch = list[static_cast<std::size_t>(i)];
         for (const bool mirrored : {false, true}) {
           if ((!mirrored || patches.mirrored()) && may_be_seen(patch, mirrored, view)) {
@@ -88,17 +95,12 @@ std::vector<RoughImage> find_rough(const StarField& field, double phi, const Sta
           }
         }
       }
-      finder->finish(found[static_cast<std::size_t>(part)]);
+      images.clear();
+      finder->finish(images);
+      found(part, images);
     }
     idle.give_back(std::move(finder));
   });
-  std::vector<RoughImage> all;
-  for (const std::vector<RoughImage>& part : found) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  // Guesses take many rounds: they shall not hold the others up.
-  std::stable_partition(all.begin(), all.end(), [](const RoughImage& image) { return !image.guessed; });
-  return all;
 }
 
 }  // namespace
@@ -155,25 +157,6 @@ StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const
   return candidate;
 }
 
-std::vector<StarCandidate> candidates_of(const std::vector<RoughImage>& rough, const StarField& field,
-                                         const ImageObserver& observer, double phi, const StarSettings& settings) {
-  std::vector<StarCandidate> candidates(rough.size());
-  const double sine = std::sin(phi);
-  const double cosine = std::cos(phi);
-  parallel_for(static_cast<int>(rough.size()), 1024, [&](int begin, int end) {
-    const ObservedPlaces places = observer.observe(std::span(rough).subspan(
-        static_cast<std::size_t>(begin), static_cast<std::size_t>(end) - static_cast<std::size_t>(begin)));
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const FieldStar& star = field.stars()[static_cast<std::size_t>(rough[i].star)];
-      const Vector3<double>& d = star.direction;
-      candidates[i] = candidate_of(rough[i], star, observer, places, i - static_cast<std::size_t>(begin), settings);
-      candidates[i].on_sky = {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z};
-    }
-  });
-  std::erase_if(candidates, [](const StarCandidate& candidate) { return candidate.star < 0; });
-  return candidates;
-}
-
 //! Light of a candidate's image [lx], linear sRGB, where its last ray came from.
 Vector3<float> light_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours, bool redshift) {
   return star_light(colours, star.log_temperature, star.illuminance,
@@ -207,17 +190,94 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
 
 }  // namespace
 
+namespace {
+
+//! What some rough images have become.
+struct Sought {
+  std::vector<StarCandidate> rays;     //!< these are to follow rays
+  std::vector<StarCandidate> guesses;  //!< the same, many of them to no end
+  std::vector<FoundImage> exact;
+};
+
+//! What images are sought for.
+struct Search {
+  const StarField& field;
+  const BlackbodyTable& colours;
+  const ImageObserver& observer;
+  double phi;
+  const StarSettings& settings;
+};
+
+void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& sought) {
+  const double sine = std::sin(search.phi);
+  const double cosine = std::cos(search.phi);
+  const ObservedPlaces places = search.observer.observe(rough);
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    const FieldStar& star = search.field.stars()[static_cast<std::size_t>(rough[i].star)];
+    StarCandidate candidate = candidate_of(rough[i], star, search.observer, places, i, search.settings);
+    if (candidate.star < 0) {
+      continue;
+    }
+    if (candidate.exact) {
+      const StarImage image = image_of(candidate, star, search.colours, search.settings);
+      if (image.star >= 0) {
+        sought.exact.push_back(found_image(image, candidate));
+      }
+      continue;
+    }
+    const Vector3<double>& d = star.direction;
+    candidate.on_sky = {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z};
+    (rough[i].guessed ? sought.guesses : sought.rays).push_back(candidate);
+  }
+}
+
+//! Seeks images roughly. In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes; a
+//! device finds them in none.
+std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device) {
+  if (device == nullptr) {
+    std::vector<Sought> parts(static_cast<std::size_t>(parts_of(patches)));
+    find_rough(search.field, search.phi, patches, search.settings.view,
+               [&](int part, const std::vector<RoughImage>& rough) {
+                 sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
+               });
+    return parts;
+  }
+  const std::vector<RoughImage> rough = device->search.find(device->patches, search.phi, search.settings.view);
+  constexpr std::size_t chunk = 512;
+  std::vector<Sought> parts((rough.size() + chunk - 1) / chunk);
+  parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
+      const std::size_t first = part * chunk;
+      sort_out(search, std::span(rough).subspan(first, std::min(chunk, rough.size() - first)), parts[part]);
+    }
+  });
+  return parts;
+}
+
+//! All that is in one list of each part.
+template <class T>
+void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std::vector<T>& to) {
+  std::size_t count = to.size();
+  for (const Sought& part : parts) {
+    count += (part.*list).size();
+  }
+  to.reserve(count);
+  for (const Sought& part : parts) {
+    to.insert(to.end(), (part.*list).begin(), (part.*list).end());
+  }
+}
+
+}  // namespace
+
 std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                         const LensStation& station, const StarPatches& patches,
-                                        const StarSettings& settings) {
+                                        const StarSettings& settings, const DeviceSearch* device) {
   const ImageObserver observer(eye, station, colours, settings.redshift);
-  const double phi = eye.camera.phi;
-  std::vector<StarCandidate> candidates =
-      candidates_of(find_rough(field, phi, patches, settings.view), field, observer, phi, settings);
-  const auto first_exact =
-      std::stable_partition(candidates.begin(), candidates.end(), [](const StarCandidate& c) { return !c.exact; });
-  const std::vector<StarCandidate> exact(first_exact, candidates.end());
-  candidates.erase(first_exact, candidates.end());
+  const std::vector<Sought> parts = seek({field, colours, observer, eye.camera.phi, settings}, patches, device);
+  std::vector<StarCandidate> candidates;
+  append(parts, &Sought::rays, candidates);
+  // Guesses take many rounds: they shall not hold the others up.
+  append(parts, &Sought::guesses, candidates);
   StarSettings fainter = settings;
   fainter.faintest *= 0.9F;
   const auto star_of = [&](const StarCandidate& c) -> const FieldStar& {
@@ -229,15 +289,14 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness}, [&](const StarCandidate& c) {
     return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
   });
-  candidates.insert(candidates.end(), exact.begin(), exact.end());
-  std::vector<StarImage> found(candidates.size());
+  std::vector<FoundImage> found(candidates.size());
   parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const StarCandidate& c = candidates[i];
-      found[i] = image_of(c, field.stars()[static_cast<std::size_t>(c.star)], colours, settings);
+      found[i] = found_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
     }
   });
-  return without_twins(found, candidates, field.stars().size(), settings.pixel);
+  append(parts, &Sought::exact, found);
+  return without_twins(found, field.stars().size(), settings.pixel);
 }
 
 }  // namespace ergodome

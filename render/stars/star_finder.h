@@ -4,6 +4,7 @@
 
 #include "kernels/sky/blackbody.h"
 #include "render/lens/grid_tracer.h"
+#include "render/stars/patch_search.h"
 #include "render/stars/star_eye.h"
 #include "render/stars/star_patches.h"
 #include "render/stars/view_cone.h"
@@ -36,6 +37,12 @@ struct StarSettings {
 //! the time.
 double least_star_cell_px(double budget_px);
 
+//! A device's search, with the patches that are searched where it reads them.
+struct DeviceSearch {
+  PatchSearch& search;
+  const PlacedPatches& patches;
+};
+
 //! Builds a lens grid that leads to the images of stars. Its nodes are traced by `tracer` if there is one. The grid of an eye
 //! that turns with the direction is that of all its cameras together: a pixel's image of a star is where its own camera sees the star.
 LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
@@ -48,8 +55,10 @@ StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, 
 //!
 //! The grid that `patches` were made of, by `station` (for the eye's own place), says roughly where images are; traced rays say exactly.
 //! An image is found once, and images that merge at a caustic are capped by the size of the star's disk.
+//!
+//! `device` seeks the rough ones, where there is one.
 std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
                                         const LensStation& station, const StarPatches& patches,
-                                        const StarSettings& settings);
+                                        const StarSettings& settings, const DeviceSearch* device = nullptr);
 
 }  // namespace ergodome

@@ -79,12 +79,14 @@ bool served_alike(const StarEye& first, const StarEye& second) {
 
 }  // namespace
 
-StarPass::StarPass(const Show& show)
+StarPass::StarPass(const Show& show, Backend backend)
     : colours_(Backend::cpu),
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
       settings_(star_settings(show)) {
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
+  } else if (backend != Backend::cpu && !field_.stars().empty()) {
+    search_.emplace(backend, field_);
   }
   // Spikes that come later must not keep a picture waiting.
   if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
@@ -118,17 +120,33 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
     if (latest.faintest != asked.faintest) {
       latest.faintest = asked.faintest;
       latest.patches = star_patches(field_, colours_.view(), eye, latest.station, asked);
+      place(latest);
     }
     return latest;
   }
   LensStation station = build_star_station(eye, asked, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
-  turned_.insert(turned_.begin(),
-                 Turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches)});
-  if (turned_.size() > kept) {
+  // A place that is left hands its memory on.
+  std::unique_ptr<PlacedPatches> on_device;
+  if (turned_.size() == kept) {
+    on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
   }
+  turned_.insert(turned_.begin(), Turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station),
+                                         std::move(patches), std::move(on_device)});
+  place(turned_.front());
   return turned_.front();
+}
+
+void StarPass::place(Turned& turned) const {
+  if (!search_) {
+    return;
+  }
+  if (turned.on_device) {
+    turned.on_device->set(turned.patches);
+  } else {
+    turned.on_device = std::make_unique<PlacedPatches>(search_->backend(), turned.patches);
+  }
 }
 
 std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Projection& projection,
@@ -148,7 +166,11 @@ std::vector<StarImage> StarPass::images(const StarEye& eye, const Projection& pr
     return gathered_images(eye, projection, settings);
   }
   const Turned& turned = patches_for(eye, settings);
-  return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
+  if (!search_) {
+    return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
+  }
+  const DeviceSearch device = {*search_, *turned.on_device};
+  return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings, &device);
 }
 
 std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,

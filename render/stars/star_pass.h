@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "content/show.h"
@@ -20,8 +21,8 @@ inline constexpr double luminance_of_white = 0.0114;
 //! no new one.
 class StarPass {
  public:
-  //! Loads the catalogue. Throws Error when it cannot be read.
-  explicit StarPass(const Show& show);
+  //! Loads the catalogue. Throws Error when it cannot be read. Where pictures are made on a device, it seeks images too.
+  explicit StarPass(const Show& show, Backend backend = Backend::cpu);
 
   //! Takes the numbers of a show that differs from the first in these alone (content/animatable_number.h), and not in its sky's turn.
   void set_numbers(const Show& show);
@@ -54,13 +55,17 @@ class StarPass {
     float faintest;  //!< that the patches were made for
     LensStation station;
     StarPatches patches;
+    std::unique_ptr<PlacedPatches> on_device;
   };
+
+  void place(Turned& turned) const;
 
   const Turned& patches_for(const StarEye& eye, const StarSettings& settings);
 
   BlackbodyColours colours_;
   StarField field_;
-  std::optional<StarTree> tree_;  //!< where pixels gather stars
+  std::optional<StarTree> tree_;       //!< where pixels gather stars
+  std::optional<PatchSearch> search_;  //!< on a device
   StarSettings settings_;
   SplatSettings splat_;
   std::optional<DiffractionPattern> spikes_;    //!< where the show ever has any

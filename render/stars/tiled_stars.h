@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "kernels/stars/draw_stars.h"
@@ -10,18 +8,6 @@
 #include "render/stars/star_splat.h"
 
 namespace ergodome {
-
-//! Which points' light may reach which squares of a picture.
-struct StarTiles {
-  std::vector<std::int32_t> tiles;  //!< those that light may reach, as StarLightBatch has them
-  std::vector<std::int32_t> first;
-  std::vector<std::int32_t> members;
-  int columns = 0;
-};
-
-//! `chosen`: numbers of points; their light reaches `reach_px` from their places along x and along y.
-StarTiles star_tiles(std::span<const StarPoint> points, std::span<const std::int32_t> chosen,
-                     const Projection& projection, double reach_px);
 
 //! Draws stars on a picture that is in a backend's memory, and leaves it there: splat_points() and spikes, made by the pixels. Keeps its
 //! memory from picture to picture.
@@ -37,20 +23,23 @@ class TiledStars {
   void draw(int first_row, int row_count, float* rgba) const;
 
  private:
-  //! Tiles where the kernel finds them.
+  //! Which points shine where.
   struct Placed {
-    int tiles = 0;
-    int points = 0;
-    int columns = 0;
-    Buffer<std::int32_t> numbers;  //!< of tiles, then where their points begin, then the points
+    long members = 0;
+    Buffer<std::int32_t> counts;
+    Buffer<std::int32_t> first;
+    Buffer<std::int32_t> numbers;
   };
 
-  void place(const StarTiles& tiles, std::size_t points, Placed& placed) const;
+  void place(double reach_px, bool spikes_alone, Placed& placed) const;
+  void set_pattern(const DiffractionPattern& pattern);
+  [[nodiscard]] int columns() const { return (projection_.width_px + star_tile_px - 1) / star_tile_px; }
   [[nodiscard]] StarLightBatch batch_of(const Placed& placed) const;
 
   Backend backend_;
   Projection projection_{};
   SplatSettings splat_;
+  int point_count_ = 0;
   Buffer<StarPoint> points_;
   Placed spots_;
   Placed spikes_;

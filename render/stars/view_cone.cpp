@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
+#include "kernels/stars/search_rules.h"
 
 namespace ergodome {
 
@@ -76,13 +77,7 @@ ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double ma
 }
 
 bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius) {
-  const double along = dot(view.axis, axis);
-  if (along >= view.cosine) {
-    return true;
-  }
-  // A cosine falls by no more than the angle grows: most answers need none.
-  const double reach = view.half_angle + radius;
-  return reach >= pi || (along >= view.cosine - radius && along >= std::cos(reach));
+  return cone_may_touch(view.axis, view.half_angle, view.cosine, axis, radius);
 }
 
 }  // namespace ergodome

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "kernels/core/host_device.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Counts one more, whatever other threads do meanwhile; returns how many there were.
+ERGO_HD std::int32_t count_up(std::int32_t* count) {
+#if defined(__CUDA_ARCH__)
+  return atomicAdd(count, 1);
+#else
+  return std::atomic_ref<std::int32_t>(*count).fetch_add(1, std::memory_order_relaxed);
+#endif
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "kernels/launch/launch_cuda.cuh"
+#include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/parallel_for.h"
+
+// Memory of the device, and what goes there and comes back.
+namespace ergodome {
+
+namespace {
+
+//! Memory that is given back stays with the process: to ask the driver anew, for each picture, takes longer than many kernels. None where the
+//! device has no pools.
+cudaMemPool_t kept_pool() {
+  static const cudaMemPool_t pool = [] {
+    int device = 0;
+    check_cuda(cudaGetDevice(&device), "finding the device");
+    int has_pools = 0;
+    check_cuda(cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device), "asking the device");
+    cudaMemPool_t found = nullptr;
+    if (has_pools == 0) {
+      return found;
+    }
+    check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the device's memory");
+    std::uint64_t everything = std::numeric_limits<std::uint64_t>::max();
+    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &everything), "keeping memory");
+    return found;
+  }();
+  return pool;
+}
+
+}  // namespace
+
+void* allocate_cuda(std::size_t bytes) {
+  void* memory = nullptr;
+  if (kept_pool() == nullptr) {
+    check_cuda(cudaMalloc(&memory, bytes), "asking for device memory");
+    return memory;
+  }
+  check_cuda(cudaMallocFromPoolAsync(&memory, bytes, kept_pool(), current_stream()), "asking for device memory");
+  // Other streams copy into it.
+  check_cuda(cudaStreamSynchronize(current_stream()), "asking for device memory");
+  return memory;
+}
+
+void release_cuda(void* memory) noexcept {
+  if (kept_pool() == nullptr) {
+    cudaFree(memory);
+  } else {
+    cudaFreeAsync(memory, current_stream());
+  }
+}
+
+namespace {
+
+//! A stream of the calling thread's own: a reader's copies and the pictures in flight do not wait for each other.
+class CopyStream {
+ public:
+  CopyStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "making a stream"); }
+  ~CopyStream() { cudaStreamDestroy(handle_); }
+  CopyStream(const CopyStream&) = delete;
+  CopyStream& operator=(const CopyStream&) = delete;
+
+  [[nodiscard]] cudaStream_t handle() const { return handle_; }
+
+ private:
+  cudaStream_t handle_ = nullptr;
+};
+
+//! Memory that a device reaches by itself, by which pictures come to where any memory is, a part at a time: while one part is under way, the
+//! threads copy the one before. The driver's own way takes one thread.
+class HostStage {
+ public:
+  static constexpr std::size_t bytes = std::size_t{4} << 20;
+
+  HostStage() {
+    for (Half& half : halves_) {
+      check_cuda(cudaMallocHost(&half.memory, bytes), "asking for host memory");
+      check_cuda(cudaEventCreateWithFlags(&half.there, cudaEventDisableTiming), "making an event");
+    }
+  }
+  ~HostStage() {
+    for (const Half& half : halves_) {
+      cudaFreeHost(half.memory);
+      cudaEventDestroy(half.there);
+    }
+  }
+  HostStage(const HostStage&) = delete;
+  HostStage& operator=(const HostStage&) = delete;
+
+  void copy(std::byte* to, const std::byte* from, std::size_t count) {
+    const std::size_t parts = (count - 1) / bytes + 1;
+    const auto size_of = [&](std::size_t part) { return std::min(bytes, count - part * bytes); };
+    const auto send = [&](std::size_t part) {
+      const Half& half = halves_[part % 2];
+      check_cuda(
+          cudaMemcpyAsync(half.memory, from + part * bytes, size_of(part), cudaMemcpyDeviceToHost, stream_.handle()),
+          "copy from the device");
+      check_cuda(cudaEventRecord(half.there, stream_.handle()), "copy from the device");
+    };
+    send(0);
+    for (std::size_t part = 0; part < parts; ++part) {
+      if (part + 1 < parts) {
+        send(part + 1);
+      }
+      const Half& half = halves_[part % 2];
+      check_cuda(cudaEventSynchronize(half.there), "copy from the device");
+      constexpr int piece = 1 << 18;
+      parallel_for(static_cast<int>(size_of(part)), piece, [&](int begin, int end) {
+        std::copy(half.memory + begin, half.memory + end, to + part * bytes + begin);
+      });
+    }
+  }
+
+ private:
+  struct Half {
+    std::byte* memory = nullptr;
+    cudaEvent_t there = nullptr;
+  };
+  CopyStream stream_;
+  Half halves_[2];
+};
+
+}  // namespace
+
+void clear_cuda(void* memory, std::size_t bytes) {
+  check_cuda(cudaMemsetAsync(memory, 0, bytes, current_stream()), "clearing device memory");
+}
+
+void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
+  thread_local const CopyStream stream;
+  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream.handle()), "copy to the device");
+  check_cuda(cudaStreamSynchronize(stream.handle()), "copy to the device");
+}
+
+void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
+  if (bytes < 2 * HostStage::bytes) {
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, current_stream()), "copy from the device");
+    check_cuda(cudaStreamSynchronize(current_stream()), "copy from the device");
+    return;
+  }
+  thread_local HostStage stage;
+  stage.copy(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), bytes);
+}
+
+void* begin_urgent_cuda() {
+  static const cudaStream_t urgent = [] {
+    int least = 0;
+    int greatest = 0;
+    check_cuda(cudaDeviceGetStreamPriorityRange(&least, &greatest), "asking the device");
+    cudaStream_t stream = nullptr;
+    check_cuda(cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, greatest), "making a stream");
+    return stream;
+  }();
+  return std::exchange(current_stream(), urgent);
+}
+
+void end_urgent_cuda(void* before) { current_stream() = static_cast<cudaStream_t>(before); }
+
+}  // namespace ergodome

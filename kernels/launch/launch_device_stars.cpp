@@ -1,0 +1,75 @@
+#include <numeric>
+
+#include "kernels/launch/launch.h"
+#include "kernels/launch/launch_cuda.h"
+#include "kernels/launch/run_on_cpu.h"
+#include "kernels/stars/draw_stars_kernel.h"
+#include "kernels/stars/patch_search_kernel.h"
+
+// What devices do with stars; on the processor it is there for tests, and for pictures that are made in one piece.
+namespace ergodome {
+
+namespace {
+
+template <class Functor>
+void run(const Functor& functor, int count) {
+  parallel_for(count, grain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      functor(i);
+    }
+  });
+}
+
+}  // namespace
+
+void place_stars(Backend backend, const StarTileBatch& batch, StarTileStep step) {
+  if (backend == Backend::cuda) {
+    return place_stars_cuda(batch, step);
+  }
+  switch (step) {
+    case StarTileStep::count:
+      return run(PlaceStar<false>{batch}, batch.point_count);
+    case StarTileStep::list:
+      return run(PlaceStar<true>{batch}, batch.point_count);
+    case StarTileStep::sort:
+      break;
+  }
+  run(SortTile{batch}, batch.tile_count);
+}
+
+void sum_counts(Backend backend, const std::int32_t* counts, int count, std::int32_t* sums) {
+  if (backend == Backend::cuda) {
+    return sum_counts_cuda(counts, count, sums);
+  }
+  sums[0] = 0;
+  std::partial_sum(counts, counts + count, sums + 1);
+}
+
+void draw_stars(Backend backend, const StarLightBatch& batch, long points) {
+  static WorkCounter spots("splat_stars");
+  static WorkCounter spikes("draw_spikes");
+  const WorkScope work(batch.pattern != nullptr ? spikes : spots, points);
+  if (backend == Backend::cuda) {
+    return draw_stars_cuda(batch);
+  }
+  run(DrawStars{batch}, batch.row_count * batch.projection.width_px);
+}
+
+void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count) {
+  if (backend == Backend::cuda) {
+    return search_patches_cuda(batch, step, count);
+  }
+  switch (step) {
+    case PatchSearchStep::find_pairs:
+      return run(FindPatchPairs{batch}, count);
+    case PatchSearchStep::regular:
+      return run(InvertPair<PatchShape::regular>{batch}, count);
+    case PatchSearchStep::bent:
+      return run(InvertPair<PatchShape::bent>{batch}, count);
+    case PatchSearchStep::folded:
+      break;
+  }
+  run(SearchFoldedPair{batch}, count);
+}
+
+}  // namespace ergodome

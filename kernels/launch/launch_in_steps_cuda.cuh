@@ -1,0 +1,84 @@
+#pragma once
+
+#include "kernels/launch/launch_cuda.cuh"
+#include "kernels/near_field/pixel_samples.h"
+
+namespace ergodome {
+
+//! Does the first step of pixels, and lists those of which it says that there is more to do.
+template <class Step>
+__global__ void list_unfinished(Step step, int width, int rows, int* listed, int* count) {
+  const PixelOfThread at(blockIdx, threadIdx);
+  if (at.x < width && at.y < rows && step(at.y * width + at.x)) {
+    listed[atomicAdd(count, 1)] = at.y * width + at.x;
+  }
+}
+
+template <class Functor>
+__global__ void run_functor_on_listed(Functor functor, const int* listed, int count) {
+  const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (thread < count) {
+    functor(listed[thread]);
+  }
+}
+
+//! A sample a thread, the samples of a pixel side by side: their rays are neighbours.
+template <class Functor>
+__global__ void draw_samples(Functor functor, const int* fine, int count) {
+  constexpr int samples = near_samples * near_samples;
+  static_assert(samples <= 32 && 32 % samples == 0);
+  const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  const int pixel = thread / samples;
+  const bool wanted = pixel < count;
+  SeenLanes<float> sum = {0.0F, 0.0F, 0.0F, 0.0F};
+  if (wanted) {
+    sum = functor.see_sample(fine[pixel], thread % samples);
+  }
+  for (int apart = samples / 2; apart > 0; apart /= 2) {
+    sum.red += __shfl_xor_sync(0xffffffffU, sum.red, apart);
+    sum.green += __shfl_xor_sync(0xffffffffU, sum.green, apart);
+    sum.blue += __shfl_xor_sync(0xffffffffU, sum.blue, apart);
+    sum.clear += __shfl_xor_sync(0xffffffffU, sum.clear, apart);
+  }
+  if (wanted && thread % samples == 0) {
+    functor.lay_mean(fine[pixel], sum);
+  }
+}
+
+//! Pixels of which few are dear: the threads of the others do not wait for them. step(index) does what all pixels need and tells whether there is more to
+//! do; rest(list, count) does it, in launches of its own.
+template <class Step, class Rest>
+void launch_cuda_in_steps(const char* name, int width, int rows, const Step& step, const Rest& rest) {
+  if (width <= 0 || rows <= 0) {
+    return;
+  }
+  const DeviceScratch<int> memory(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows) + 1);
+  int* const listed = memory.data() + 1;
+  check_cuda(cudaMemsetAsync(memory.data(), 0, sizeof(int), current_stream()), name);
+  list_unfinished<<<blocks_of_pixels(width, rows), pixel_block, 0, current_stream()>>>(step, width, rows, listed,
+                                                                                       memory.data());
+  check_cuda(cudaGetLastError(), name);
+  const int count = read_cuda(memory.data(), name);
+  if (count > 0) {
+    rest(listed, count);
+    finish_launch(name);
+  }
+}
+
+//! DrawNearField's first step, and DrawFlatEyes'.
+template <class Functor>
+struct DrawMiddle {
+  Functor functor;
+  __device__ bool operator()(int index) const { return functor.draw_middle(index); }
+};
+
+//! Draws pixels of which few need many looks.
+template <class Functor>
+void launch_cuda_on_sampled_pixels(const char* name, int width, int rows, const Functor& functor) {
+  launch_cuda_in_steps(name, width, rows, DrawMiddle<Functor>{functor}, [&](const int* listed, int count) {
+    constexpr int pixels_a_block = pixel_block / (near_samples * near_samples);
+    draw_samples<<<(count - 1) / pixels_a_block + 1, pixel_block, 0, current_stream()>>>(functor, listed, count);
+  });
+}
+
+}  // namespace ergodome
