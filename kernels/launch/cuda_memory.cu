@@ -2,7 +2,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
@@ -57,7 +60,7 @@ void release_cuda(void* memory) noexcept {
 
 namespace {
 
-//! A stream of the calling thread's own: a reader's copies and the pictures in flight do not wait for each other.
+//! A stream of its own: a reader's copies and the pictures in flight do not wait for each other.
 class CopyStream {
  public:
   CopyStream() { check_cuda(cudaStreamCreateWithFlags(&handle_, cudaStreamNonBlocking), "making a stream"); }
@@ -125,6 +128,48 @@ class HostStage {
   Half halves_[2];
 };
 
+//! Things that wait to be used again, as making them takes longer than most uses. They are never unmade: at the end of the process the driver may be gone
+//! before them.
+template <class T>
+class Idle {
+ public:
+  //! One that nobody else uses, until this goes.
+  class Taken {
+   public:
+    Taken() : thing_(idle().take()) {}
+    ~Taken() { idle().give_back(std::move(thing_)); }
+    Taken(const Taken&) = delete;
+    Taken& operator=(const Taken&) = delete;
+    T* operator->() const { return thing_.get(); }
+
+   private:
+    static Idle& idle() {
+      static Idle& all = *new Idle;
+      return all;
+    }
+    std::unique_ptr<T> thing_;
+  };
+
+ private:
+  std::unique_ptr<T> take() {
+    const std::lock_guard lock(mutex_);
+    if (things_.empty()) {
+      return std::make_unique<T>();
+    }
+    std::unique_ptr<T> last = std::move(things_.back());
+    things_.pop_back();
+    return last;
+  }
+
+  void give_back(std::unique_ptr<T> thing) {
+    const std::lock_guard lock(mutex_);
+    things_.push_back(std::move(thing));
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<T>> things_;
+};
+
 }  // namespace
 
 void clear_cuda(void* memory, std::size_t bytes) {
@@ -132,19 +177,20 @@ void clear_cuda(void* memory, std::size_t bytes) {
 }
 
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
-  thread_local const CopyStream stream;
-  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream.handle()), "copy to the device");
-  check_cuda(cudaStreamSynchronize(stream.handle()), "copy to the device");
+  const Idle<CopyStream>::Taken stream;
+  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream->handle()), "copy to the device");
+  check_cuda(cudaStreamSynchronize(stream->handle()), "copy to the device");
 }
 
 void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
-  if (bytes < 2 * HostStage::bytes) {
+  constexpr std::size_t few_bytes = std::size_t{256} << 10;
+  if (bytes < few_bytes) {
     check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, current_stream()), "copy from the device");
     check_cuda(cudaStreamSynchronize(current_stream()), "copy from the device");
     return;
   }
-  thread_local HostStage stage;
-  stage.copy(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), bytes);
+  const Idle<HostStage>::Taken stage;
+  stage->copy(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), bytes);
 }
 
 void* begin_urgent_cuda() {

@@ -123,8 +123,8 @@ void sum_counts(Backend backend, const std::int32_t* counts, int count, std::int
 //! Adds the light of stars to a picture in the backend's memory; see StarLightBatch. `points`: how many there are.
 void draw_stars(Backend backend, const StarLightBatch& batch, long points);
 
-//! A step of the search for images of stars, `count` patches or pairs; see PatchSearchBatch.
-void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count);
+//! A step of the search for images of stars, `count` patches, pairs or parts; see PatchSearchBatch. `depth`: halvings of the parts that are halved.
+void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count, int depth = 0);
 
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);

@@ -40,7 +40,7 @@ void lay_objects_cuda(const LayObjectsBatch& batch);
 void place_stars_cuda(const StarTileBatch& batch, StarTileStep step);
 void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 void draw_stars_cuda(const StarLightBatch& batch);
-void search_patches_cuda(const PatchSearchBatch& batch, PatchSearchStep step, int count);
+void search_patches_cuda(const PatchSearchBatch& batch, PatchSearchStep step, int count, int depth);
 void draw_overlay_cuda(const OverlayBatch& batch);
 void solve_edge_cuda(const EdgeBatch& batch);
 long count_negative_cuda(const float* values, long count);

@@ -55,21 +55,11 @@ void draw_stars(Backend backend, const StarLightBatch& batch, long points) {
   run(DrawStars{batch}, batch.row_count * batch.projection.width_px);
 }
 
-void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count) {
+void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count, int depth) {
   if (backend == Backend::cuda) {
-    return search_patches_cuda(batch, step, count);
+    return search_patches_cuda(batch, step, count, depth);
   }
-  switch (step) {
-    case PatchSearchStep::find_pairs:
-      return run(FindPatchPairs{batch}, count);
-    case PatchSearchStep::regular:
-      return run(InvertPair<PatchShape::regular>{batch}, count);
-    case PatchSearchStep::bent:
-      return run(InvertPair<PatchShape::bent>{batch}, count);
-    case PatchSearchStep::folded:
-      break;
-  }
-  run(SearchFoldedPair{batch}, count);
+  with_search_step(batch, step, depth, [&](const auto& functor) { run(functor, count); });
 }
 
 }  // namespace ergodome

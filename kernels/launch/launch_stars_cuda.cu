@@ -33,18 +33,8 @@ void draw_stars_cuda(const StarLightBatch& batch) {
   launch_cuda("draw_stars", batch.row_count * batch.projection.width_px, DrawStars{batch});
 }
 
-void search_patches_cuda(const PatchSearchBatch& batch, PatchSearchStep step, int count) {
-  switch (step) {
-    case PatchSearchStep::find_pairs:
-      return launch_cuda("find_patch_pairs", count, FindPatchPairs{batch});
-    case PatchSearchStep::regular:
-      return launch_cuda("invert_patches", count, InvertPair<PatchShape::regular>{batch});
-    case PatchSearchStep::bent:
-      return launch_cuda("invert_patches", count, InvertPair<PatchShape::bent>{batch});
-    case PatchSearchStep::folded:
-      break;
-  }
-  launch_cuda("search_folded", count, SearchFoldedPair{batch});
+void search_patches_cuda(const PatchSearchBatch& batch, PatchSearchStep step, int count, int depth) {
+  with_search_step(batch, step, depth, [&](const auto& functor) { launch_cuda("search_patches", count, functor); });
 }
 
 }  // namespace ergodome

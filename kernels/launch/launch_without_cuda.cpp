@@ -47,7 +47,7 @@ void sum_counts_cuda(const std::int32_t*, int, std::int32_t*) { refuse(); }
 
 void draw_stars_cuda(const StarLightBatch&) { refuse(); }
 
-void search_patches_cuda(const PatchSearchBatch&, PatchSearchStep, int) { refuse(); }
+void search_patches_cuda(const PatchSearchBatch&, PatchSearchStep, int, int) { refuse(); }
 
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
 

@@ -2,9 +2,12 @@
 
 #include <cstdint>
 
+#include "kernels/metric/camera_station.h"
+#include "kernels/metric/frame_boost.h"
 #include "kernels/stars/field_star.h"
 #include "kernels/stars/mended_leaf.h"
 #include "kernels/stars/rough_image.h"
+#include "kernels/stars/seen_image.h"
 #include "kernels/stars/star_bands.h"
 #include "kernels/stars/star_patch.h"
 
@@ -48,6 +51,26 @@ struct SharedList {
   std::int32_t* count;  //!< of all that was to be written, also where there was no room for it
 };
 
+//! Parts of patches as their stars see them (SeenParts), a list as above.
+struct SharedParts {
+  float* at;
+  int room;
+  std::int32_t* count;
+  std::int32_t* lost;  //!< counts those of all lists for which there was no room
+};
+
+//! Roots of pairs as their parts tell them, before those that are told twice are left: so many at the most of parts that are nearly affine, and
+//! of others, next to folds.
+inline constexpr int most_plain_roots = 8;
+inline constexpr int most_told_roots = 32;
+
+//! Roots of a pair, the plain ones first.
+struct ToldRoots {
+  std::int32_t plain_count;  //!< of all that were told
+  std::int32_t folded_count;
+  FoldedRoot roots[most_told_roots];
+};
+
 //! The search for images of stars in the patches of a lens, one thread a patch and then one a pair: for devices. On the processor
 //! RoughImageFinder works on registers of pairs.
 struct PatchSearchBatch {
@@ -64,11 +87,24 @@ struct PatchSearchBatch {
   SearchedField field;
   MendedLeaves mended;
   SharedList<SearchedPair> pairs[3];  //!< by the shape of the patch
+  //! What a device says of images that need no rays, where `judges`: these are found then, and not among the rough ones.
+  bool judges;
+  LensChart chart;
+  DirectionForm<float> energy;   //!< at infinity, of light that comes from a rain-frame direction with an energy of 1
+  AberrationOf<float> observer;  //!< to the rain frame
+  BlackbodyTable colours;
+  StarLook look;
+  SharedList<SeenImage> exact;
   SharedList<RoughImage> images;
+  int deepest;               //!< halvings of a patch at the most
+  SharedParts halved[2];     //!< by turns: parts to be halved, and their halves
+  SharedParts plain_parts;   //!< nearly affine
+  SharedParts folded_parts;  //!< all others that are not to be halved
+  ToldRoots* told;           //!< of the pairs of folded patches
 };
 
-//! The parts of the search, one after another: pairs of all patches, and the roots of pairs by their patches' shapes. Bent ones add to the pairs of
-//! folded ones.
-enum class PatchSearchStep { find_pairs, regular, bent, folded };
+//! The steps of the search, one after another: pairs of all patches, the roots of pairs by their patches' shapes; bent patches add to the pairs of folded
+//! ones. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one.
+enum class PatchSearchStep { find_pairs, regular, bent, see_folded, halve, solve_plain, solve_folded, take_roots };
 
 }  // namespace ergodome

@@ -2,6 +2,7 @@
 
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/shared_counter.h"
+#include "kernels/stars/observed_places_kernel.h"
 #include "kernels/stars/part_halving_kernel.h"
 #include "kernels/stars/part_solving_kernel.h"
 #include "kernels/stars/patch_search.h"
@@ -22,6 +23,29 @@ ERGO_HD void append(const SharedList<T>& list, const T& value) {
 ERGO_HD Vector3<double> as_patches_see(const PatchSearchBatch& batch, const Vector3<double>& d, bool mirrored) {
   return {batch.cosine_phi * d.x + batch.sine_phi * d.y, batch.cosine_phi * d.y - batch.sine_phi * d.x,
           mirrored ? -d.z : d.z};
+}
+//! Sees an image that needs no rays as its observer does.
+ERGO_HD void judge(const PatchSearchBatch& batch, int number, const FieldStar& star, const ChartImage& image) {
+  Vector3<float> direction{};
+  float area = 0.0F;
+  float frequency_ratio = 0.0F;
+  const ObservedPlaceBatch place = {batch.chart,
+                                    batch.energy,
+                                    batch.observer,
+                                    1,
+                                    &image.gamma_turns,
+                                    &image.s,
+                                    {&direction.x, &direction.y, &direction.z},
+                                    &area,
+                                    &frequency_ratio};
+  ObservePlaces<float>{place}(0);
+  const Vector3<double> way = {static_cast<double>(direction.x), static_cast<double>(direction.y),
+                               static_cast<double>(direction.z)};
+  SeenImage found{};
+  if (cone_may_touch(batch.view_axis, batch.view_half_angle, batch.view_cosine, way, 0.0) &&
+      exact_image(batch.colours, batch.look, number, star, direction, frequency_ratio, image.sky / area, found)) {
+    append(batch.exact, found);
+  }
 }
 }  // namespace detail
 
@@ -119,8 +143,13 @@ ERGO_HD void keep_root(const PatchSearchBatch& batch, const SearchedPair& pair, 
                        {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)}, image);
   }
   const float seen = pair.mirrored ? 1.0F - image.gamma_turns : image.gamma_turns;
-  detail::append(batch.images,
-                 {pair.star, seen - ::floorf(seen), image.s, image.sky, patch.brighter, exact, root.area == 0.0F});
+  image.gamma_turns = seen - ::floorf(seen);
+  if (exact && batch.judges) {
+    detail::judge(batch, pair.star, star, image);
+  } else {
+    detail::append(batch.images,
+                   {pair.star, image.gamma_turns, image.s, image.sky, patch.brighter, exact, root.area == 0.0F});
+  }
 }
 
 //! Seeks the star of pair i in its patch, by Newton's method from the middle; bent patches that do not tell are left to the search of folded ones.
@@ -161,108 +190,167 @@ struct InvertPair {
   }
 };
 
-//! Seeks all places at which the patch of pair i, which may be folded, holds its star: FoldedSearch (render/stars/folded_search.h), one pair a thread.
-struct SearchFoldedPair {
+//! Shows the patch of a pair, which may be folded, as its star sees it: part i of the first list.
+struct SeeFoldedPair {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
     const SearchedPair pair = batch.pairs[static_cast<int>(PatchShape::folded)].at[index];
     const StarPatch& patch = batch.patches[pair.patch];
-    Search search(patch, pair);
-    // What is nearly affine first, as elsewhere: room for roots is short.
-    search.go(false);
-    if (search.has_folded) {
-      search.go(true);
+    const BezierPatch* const sky = &patch.sky;
+    const auto halvings = static_cast<float>(patch.halvings);
+    const PatchPairBatch one = {1, &sky, &pair.a, &pair.b};
+    const SharedParts& to = batch.halved[0];
+    const SeePatchesBatch see = {one, &patch.error, &halvings, {to.at + index, to.room, 0}};
+    SeePatches<float>{see}(0);
+    // Counts of pairs are exact in float: there are not as many as 2^24.
+    to.at[static_cast<long>(part_pair) * to.room + index] = static_cast<float>(index);
+    batch.told[index].plain_count = 0;
+    batch.told[index].folded_count = 0;
+  }
+};
+
+//! Halves a part of those that have been halved `depth` times where its control points leave room for the star.
+struct HalveSeenPart {
+  PatchSearchBatch batch;
+  int depth;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedParts& from = batch.halved[depth % 2];
+    if (index >= *from.count || index >= from.room) {
+      return;
     }
-    for (int i = 0; i < search.root_count; ++i) {
-      keep_root(batch, pair, search.roots[i]);
+    TwoParts memory[3];
+    SeenParts lists[3];
+    for (int i = 0; i < 3; ++i) {
+      lists[i] = {memory[i].at, 2, 0};
+    }
+    const HalvePartsBatch halve = {{from.at + index, from.room, 1}, 0, 1, depth, &lists[0], &lists[1], &lists[2]};
+    HalveParts<float>{halve}(0);
+    append(lists[0], batch.halved[1 - depth % 2]);
+    append(lists[1], batch.plain_parts);
+    append(lists[2], batch.folded_parts);
+  }
+
+ private:
+  struct TwoParts {
+    float at[2 * part_channels];
+  };
+
+  ERGO_HD static void append(const SeenParts& parts, const SharedParts& to) {
+    for (int i = 0; i < parts.count; ++i) {
+      const std::int32_t place = count_up(to.count);
+      if (place >= to.room) {
+        count_up(to.lost);
+        continue;
+      }
+      for (int channel = 0; channel < part_channels; ++channel) {
+        to.at[static_cast<long>(channel) * to.room + place] = parts.at[channel * parts.room + i];
+      }
+    }
+  }
+};
+
+//! Tells the roots of a part that is not to be halved.
+template <bool Folded>
+struct SolveSeenPart {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedParts& from = Folded ? batch.folded_parts : batch.plain_parts;
+    if (index >= *from.count || index >= from.room) {
+      return;
+    }
+    float found[most_part_roots] = {};
+    float u[most_part_roots];
+    float v[most_part_roots];
+    float area[most_part_roots];
+    const SolvePartsBatch solve = {{from.at + index, from.room, 1}, Folded, found, u, v, area};
+    SolveParts<float>{solve}(0);
+    ToldRoots& told = batch.told[static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index])];
+    for (int i = 0; i < (Folded ? most_part_roots : 1); ++i) {
+      if (found[i] != 0.0F) {
+        tell(told, {u[i], v[i], area[i]});
+      }
     }
   }
 
  private:
-  //! Halvings of a patch at the most.
-  static constexpr int deepest = 24;
-
-  //! A list of two parts.
-  struct TwoParts {
-    float memory[2 * part_channels];
-    [[nodiscard]] ERGO_HD SeenParts parts(int count) { return {memory, 2, count}; }
-  };
-
-  struct Search {
-    TwoParts level[deepest];
-    int count[deepest];
-    int next[deepest];
-    FoldedRoot roots[most_roots];
-    int root_count = 0;
-    int wanted;
-    bool has_folded = false;
-
-    ERGO_HD Search(const StarPatch& patch, const SearchedPair& pair)
-        : wanted(patch.shape == PatchShape::bent ? 1 : most_roots) {
-      const BezierPatch* const sky = &patch.sky;
-      const auto halvings = static_cast<float>(patch.halvings < deepest - 1 ? patch.halvings : deepest - 1);
-      const PatchPairBatch one = {1, &sky, &pair.a, &pair.b};
-      const SeePatchesBatch see = {one, &patch.error, &halvings, level[0].parts(0)};
-      SeePatches<float>{see}(0);
+  ERGO_HD static void tell(ToldRoots& told, const FoldedRoot& root) {
+    constexpr int first = Folded ? most_plain_roots : 0;
+    constexpr int room = Folded ? most_told_roots - most_plain_roots : most_plain_roots;
+    const std::int32_t place = count_up(Folded ? &told.folded_count : &told.plain_count);
+    if (place < room) {
+      told.roots[first + place] = root;
     }
-
-    //! Halves the patch where its control points leave room for the star, the first half before the second; solves the parts that are nearly
-    //! affine, or those that may be folded.
-    ERGO_HD void go(bool folded) {
-      int depth = 0;
-      count[0] = 1;
-      next[0] = 0;
-      while (depth >= 0 && root_count < wanted) {
-        if (next[depth] == count[depth]) {
-          --depth;
-          continue;
-        }
-        const int part = next[depth]++;
-        TwoParts solvable[2];
-        SeenParts halves = level[depth + 1].parts(0);
-        SeenParts regular = solvable[0].parts(0);
-        SeenParts bent = solvable[1].parts(0);
-        const HalvePartsBatch halve = {
-            level[depth].parts(count[depth]), part, part + 1, depth, &halves, &regular, &bent};
-        HalveParts<float>{halve}(0);
-        has_folded = has_folded || bent.count > 0;
-        solve(folded ? bent : regular, folded);
-        if (halves.count > 0) {
-          ++depth;
-          count[depth] = halves.count;
-          next[depth] = 0;
-        }
-      }
-    }
-
-    ERGO_HD void solve(const SeenParts& parts, bool folded) {
-      if (parts.count == 0) {
-        return;
-      }
-      constexpr int most = 2 * most_part_roots;
-      float found[most] = {};
-      float u[most];
-      float v[most];
-      float area[most];
-      const SolvePartsBatch batch = {parts, folded, found, u, v, area};
-      const SolveParts<float> solve_part{batch};
-      for (int i = 0; i < parts.count; ++i) {
-        solve_part(i);
-      }
-      for (int i = 0; i < parts.count * (folded ? most_part_roots : 1); ++i) {
-        if (found[i] != 0.0F) {
-          add({u[i], v[i], area[i]});
-        }
-      }
-    }
-
-    ERGO_HD void add(const FoldedRoot& root) {
-      if (may_add_root(roots, root_count, wanted, root)) {
-        roots[root_count++] = root;
-      }
-    }
-  };
+  }
 };
+
+//! Keeps the roots of pair i, each once; what is nearly affine first, as FoldedSearch does, since room for roots is short.
+struct TakeRoots {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SearchedPair pair = batch.pairs[static_cast<int>(PatchShape::folded)].at[index];
+    const int wanted = batch.patches[pair.patch].shape == PatchShape::bent ? 1 : most_roots;
+    ToldRoots& told = batch.told[index];
+    FoldedRoot taken[most_roots];
+    int count = 0;
+    take(told.roots, least(told.plain_count, most_plain_roots), wanted, taken, count);
+    take(told.roots + most_plain_roots, least(told.folded_count, most_told_roots - most_plain_roots), wanted, taken,
+         count);
+    for (int i = 0; i < count; ++i) {
+      keep_root(batch, pair, taken[i]);
+    }
+  }
+
+ private:
+  ERGO_HD static int least(int a, int b) { return a < b ? a : b; }
+
+  ERGO_HD static bool is_before(const FoldedRoot& a, const FoldedRoot& b) {
+    return a.u < b.u || (a.u == b.u && a.v < b.v);
+  }
+
+  //! In the order of their places, as chance told them in another each time.
+  ERGO_HD static void take(FoldedRoot* told, int told_count, int wanted, FoldedRoot (&taken)[most_roots], int& count) {
+    for (int i = 1; i < told_count; ++i) {
+      const FoldedRoot root = told[i];
+      int at = i;
+      for (; at > 0 && is_before(root, told[at - 1]); --at) {
+        told[at] = told[at - 1];
+      }
+      told[at] = root;
+    }
+    for (int i = 0; i < told_count; ++i) {
+      if (may_add_root(taken, count, wanted, told[i])) {
+        taken[count++] = told[i];
+      }
+    }
+  }
+};
+
+//! Calls action(functor) with what a step does; `depth`: of the parts to be halved.
+template <class Action>
+inline void with_search_step(const PatchSearchBatch& batch, PatchSearchStep step, int depth, const Action& action) {
+  switch (step) {
+    case PatchSearchStep::find_pairs:
+      return action(FindPatchPairs{batch});
+    case PatchSearchStep::regular:
+      return action(InvertPair<PatchShape::regular>{batch});
+    case PatchSearchStep::bent:
+      return action(InvertPair<PatchShape::bent>{batch});
+    case PatchSearchStep::see_folded:
+      return action(SeeFoldedPair{batch});
+    case PatchSearchStep::halve:
+      return action(HalveSeenPart{batch, depth});
+    case PatchSearchStep::solve_plain:
+      return action(SolveSeenPart<false>{batch});
+    case PatchSearchStep::solve_folded:
+      return action(SolveSeenPart<true>{batch});
+    case PatchSearchStep::take_roots:
+      break;
+  }
+  action(TakeRoots{batch});
+}
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -56,6 +56,15 @@ class Buffer {
     }
   }
 
+  //! Fills one element.
+  void write_at(std::size_t place, T value) {
+    if (data_.get_deleter().backend == Backend::cuda) {
+      copy_to_cuda(data() + place, &value, sizeof(T));
+    } else {
+      data()[place] = value;
+    }
+  }
+
   //! Copies the first `count` elements to host memory.
   void read(T* to, std::size_t count) const {
     if (count > 0) {

@@ -77,6 +77,12 @@ void Planner::plan_stars() {
       pass("find_star_images, double", WorkMoment::picture, 0, 0, why("effects.trails"), true);
     }
   }
+  if (request_.backend != Backend::cpu) {
+    // Sought and drawn where the picture is.
+    for (const char* const name : {"star search", "star points", "star tiles"}) {
+      buffer(name, WorkMoment::picture, 0, stars);
+    }
+  }
   pass("splat_stars", WorkMoment::picture, plan_.eyes * blocks_, 0, show_.effects.psf ? why("effects.psf") : stars,
        true);
   if (needs_.spikes) {

@@ -30,6 +30,9 @@ class ImageObserver final : public ImageLight {
   //! `station`: of the eye's place.
   ImageObserver(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours, bool redshift);
 
+  //! Whether one camera sees all, whose energies are those of energy().
+  [[nodiscard]] bool is_one_camera() const { return cameras_ == nullptr; }
+
   //! What the observer sees where images are.
   [[nodiscard]] ObservedPlaces observe(std::span<const RoughImage> images) const;
 

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-void PlacedPatches::set(const StarPatches& patches) {
+void PlacedPatches::set(const StarPatches& patches, const LensStation& station) {
   arrays_.begin();
   const auto put = [this](const auto& values) { return arrays_.put(values); };
   batch_ = {};
@@ -18,85 +18,142 @@ void PlacedPatches::set(const StarPatches& patches) {
   batch_.sides = patches.mirrored() ? 2 : 1;
   batch_.faintest = patches.faintest();
   batch_.mended = patches.mended().view(put);
+  batch_.chart = grid_view(station).chart;
+  batch_.chart.edge.polar_angle = put(station.edge);
+  batch_.deepest = 0;
+  for (const StarPatch& patch : patches.patches()) {
+    batch_.deepest = std::max(batch_.deepest, patch.halvings);
+  }
 }
 
-PatchSearch::PatchSearch(Backend backend, const StarField& field, int room)
+PatchSearch::PatchSearch(Backend backend, const StarField& field, const BlackbodyTable& colours, int room)
     : backend_(backend),
       arrays_(backend),
-      field_(field.view([this](const auto& values) { return arrays_.put(values); })) {
-  lists_.counts = Buffer<std::int32_t>(backend, list_count, "star search");
-  grow(std::vector<std::int32_t>(list_count, room));
+      field_(field.view([this](const auto& values) { return arrays_.put(values); })),
+      colours_(colours),
+      counts_(backend, list_count, "star search") {
+  colours_.entries = arrays_.put(std::vector<float>(colours.entries, colours.entries + 4L * colours.count));
+  Counts wanted;
+  wanted.fill(room);
+  make_room(wanted);
+}
+
+void PatchSearch::make_room(const Counts& wanted) {
+  const auto count_of = [&](int list) { return static_cast<std::size_t>(wanted[static_cast<std::size_t>(list)]); };
+  constexpr const char* name = "star search";
+  for (int i = 0; i < 3; ++i) {
+    reserve(backend_, count_of(i), name, pairs_[i]);
+  }
+  reserve(backend_, count_of(images), name, images_);
+  reserve(backend_, count_of(exact), name, exact_);
+  reserve(backend_, count_of(folded), name, told_);
+  // Each pair is a part at first, and is halved into another list.
+  const std::size_t parts = std::max(count_of(halved), count_of(folded));
+  for (Buffer<float>& list : parts_) {
+    reserve(backend_, part_channels * parts, name, list);
+  }
 }
 
 void PatchSearch::share(PatchSearchBatch& batch) const {
-  for (int i = 0; i < list_count - 1; ++i) {
-    const Buffer<SearchedPair>& pairs = lists_.pairs[i];
-    batch.pairs[i] = {pairs.data(), static_cast<int>(pairs.size()), lists_.counts.data() + i};
+  for (int i = 0; i < 3; ++i) {
+    batch.pairs[i] = {pairs_[i].data(), static_cast<int>(pairs_[i].size()), counts_.data() + i};
   }
-  batch.images = {lists_.images.data(), static_cast<int>(lists_.images.size()), lists_.counts.data() + list_count - 1};
+  batch.images = {images_.data(), static_cast<int>(images_.size()), counts_.data() + images};
+  batch.exact = {exact_.data(), static_cast<int>(exact_.size()), counts_.data() + exact};
+  const auto parts = [&](int i) {
+    return SharedParts{parts_[i].data(), static_cast<int>(parts_[i].size() / part_channels),
+                       counts_.data() + halved + i, counts_.data() + lost_parts};
+  };
+  batch.halved[0] = parts(0);
+  batch.halved[1] = parts(1);
+  batch.plain_parts = parts(2);
+  batch.folded_parts = parts(3);
+  batch.told = told_.data();
 }
 
-std::vector<std::int32_t> PatchSearch::counts() const {
-  std::vector<std::int32_t> counts(list_count);
-  lists_.counts.read(counts.data(), counts.size());
+PatchSearch::Counts PatchSearch::counts() const {
+  Counts counts;
+  counts_.read(counts.data(), counts.size());
   return counts;
 }
 
-//! Makes room for so much; false where there is room already.
-bool PatchSearch::grow(const std::vector<std::int32_t>& counts) {
-  bool grown = false;
-  const auto make_room = [&](std::int32_t count, auto& buffer) {
-    grown = grown || buffer.size() < static_cast<std::size_t>(count);
-    reserve(backend_, static_cast<std::size_t>(count), "star search", buffer);
-  };
-  for (std::size_t i = 0; i < list_count - 1; ++i) {
-    make_room(counts[i], lists_.pairs[i]);
+bool PatchSearch::have_room(const Counts& counts) const {
+  for (int i = 0; i < 3; ++i) {
+    if (static_cast<std::size_t>(counts[static_cast<std::size_t>(i)]) > pairs_[i].size()) {
+      return false;
+    }
   }
-  make_room(counts[list_count - 1], lists_.images);
-  return grown;
+  return static_cast<std::size_t>(counts[images]) <= images_.size() &&
+         static_cast<std::size_t>(counts[exact]) <= exact_.size() &&
+         static_cast<std::size_t>(counts[folded]) <= std::min(told_.size(), parts_[0].size() / part_channels) &&
+         counts[lost_parts] == 0;
 }
 
-//! False where lists were too short, and are longer now.
-bool PatchSearch::search(const PatchSearchBatch& batch, std::vector<RoughImage>& images) {
-  clear(backend_, lists_.counts, list_count);
+//! The device alone knows how many parts there are: to ask it each time takes longer than threads that find none.
+void PatchSearch::search_folded(const PatchSearchBatch& batch, int pairs) {
+  search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);
+  counts_.write_at(halved, pairs);
+  for (int depth = 0; depth < batch.deepest; ++depth) {
+    const SharedParts& to = batch.halved[1 - depth % 2];
+    counts_.write_at(static_cast<std::size_t>(halves - depth % 2), 0);
+    search_patches(backend_, batch, PatchSearchStep::halve, to.room, depth);
+  }
+  search_patches(backend_, batch, PatchSearchStep::solve_plain, batch.plain_parts.room);
+  search_patches(backend_, batch, PatchSearchStep::solve_folded, batch.folded_parts.room);
+  search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
+}
+
+//! How long lists were: longer than their room where they have to be made longer, and nothing is found yet.
+PatchSearch::Counts PatchSearch::search(const PatchSearchBatch& batch) {
+  clear(backend_, counts_, list_count);
   search_patches(backend_, batch, PatchSearchStep::find_pairs, batch.sides * batch.patch_count);
-  std::vector<std::int32_t> found = counts();
-  if (grow(found)) {
-    return false;
+  Counts found = counts();
+  if (!have_room(found)) {
+    return found;
   }
-  const auto count_of = [&](PatchShape shape) { return found[static_cast<std::size_t>(shape)]; };
-  search_patches(backend_, batch, PatchSearchStep::regular, count_of(PatchShape::regular));
-  search_patches(backend_, batch, PatchSearchStep::bent, count_of(PatchShape::bent));
+  search_patches(backend_, batch, PatchSearchStep::regular, found[regular]);
+  search_patches(backend_, batch, PatchSearchStep::bent, found[bent]);
   found = counts();
-  if (grow(found)) {
-    return false;
+  if (have_room(found) && found[folded] > 0) {
+    search_folded(batch, found[folded]);
+    found = counts();
   }
-  search_patches(backend_, batch, PatchSearchStep::folded, count_of(PatchShape::folded));
-  found = counts();
-  if (grow(found)) {
-    return false;
-  }
-  images.resize(static_cast<std::size_t>(found.back()));
-  lists_.images.read(images.data(), images.size());
-  return true;
+  return found;
 }
 
-std::vector<RoughImage> PatchSearch::find(const PlacedPatches& patches, double phi, const ViewCone& view) {
+PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Question& question) {
   static WorkCounter counter("search_patches");
   PatchSearchBatch batch = patches.batch();
   const WorkScope work(counter, batch.patch_count);
-  batch.view_axis = view.axis;
-  batch.view_half_angle = view.half_angle;
-  batch.view_cosine = view.cosine;
-  batch.turn = sky_turn(phi);
-  batch.sine_phi = std::sin(phi);
-  batch.cosine_phi = std::cos(phi);
+  batch.view_axis = question.view.axis;
+  batch.view_half_angle = question.view.half_angle;
+  batch.view_cosine = question.view.cosine;
+  batch.turn = sky_turn(question.phi);
+  batch.sine_phi = std::sin(question.phi);
+  batch.cosine_phi = std::cos(question.phi);
   batch.field = field_;
-  std::vector<RoughImage> images;
-  do {
+  batch.judges = question.observer.is_one_camera();
+  batch.energy = question.observer.energy();
+  batch.observer = question.observer.observer();
+  batch.colours = colours_;
+  batch.look = question.look;
+  share(batch);
+  Counts found = search(batch);
+  while (!have_room(found)) {
+    // How much the lost ones would have become is not known.
+    for (const int list : {halved, halves, plain_parts, folded_parts}) {
+      found[static_cast<std::size_t>(list)] = static_cast<int>(parts_[0].size() / part_channels) + found[lost_parts];
+    }
+    make_room(found);
     share(batch);
-  } while (!search(batch, images));
-  return images;
+    found = search(batch);
+  }
+  Answer answer;
+  answer.rough.resize(static_cast<std::size_t>(found[images]));
+  images_.read(answer.rough.data(), answer.rough.size());
+  answer.exact.resize(static_cast<std::size_t>(found[exact]));
+  exact_.read(answer.exact.data(), answer.exact.size());
+  return answer;
 }
 
 }  // namespace ergodome

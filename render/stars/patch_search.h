@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "kernels/stars/patch_search.h"
 #include "render/backend/buffer.h"
+#include "render/stars/image_observer.h"
 #include "render/stars/star_patches.h"
 #include "render/stars/view_cone.h"
 
@@ -39,10 +42,13 @@ class PlacedArrays {
 //! Patches where a search reads them.
 class PlacedPatches {
  public:
-  PlacedPatches(Backend backend, const StarPatches& patches) : arrays_(backend) { set(patches); }
+  //! `station`: which they were made of.
+  PlacedPatches(Backend backend, const StarPatches& patches, const LensStation& station) : arrays_(backend) {
+    set(patches, station);
+  }
 
   //! Others, in the place of those.
-  void set(const StarPatches& patches);
+  void set(const StarPatches& patches, const LensStation& station);
 
   //! Without what a search is for.
   [[nodiscard]] const PatchSearchBatch& batch() const { return batch_; }
@@ -55,32 +61,50 @@ class PlacedPatches {
 //! Finds images of stars roughly, on a device: what RoughImageFinder finds, in an order that chance decides.
 class PatchSearch {
  public:
-  //! `room`: for pairs and images at first.
-  PatchSearch(Backend backend, const StarField& field, int room = 1 << 16);
+  //! `colours` in host memory. `room`: for pairs and images at first.
+  PatchSearch(Backend backend, const StarField& field, const BlackbodyTable& colours, int room = 1 << 16);
 
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  //! The camera is at `phi` [rad]; patches are of this field.
-  std::vector<RoughImage> find(const PlacedPatches& patches, double phi, const ViewCone& view);
+  //! What is asked of a search.
+  struct Question {
+    double phi;  //!< of the camera [rad]
+    ViewCone view;
+    const ImageObserver& observer;
+    StarLook look;
+  };
+
+  //! What it finds: rough images, and those that need no rays.
+  struct Answer {
+    std::vector<RoughImage> rough;
+    std::vector<SeenImage> exact;
+  };
+
+  //! Patches are of this field.
+  Answer find(const PlacedPatches& patches, const Question& question);
 
  private:
-  //! Where lists lie, and how long they are.
-  struct Lists {
-    Buffer<SearchedPair> pairs[3];
-    Buffer<RoughImage> images;
-    Buffer<std::int32_t> counts;  //!< of the pairs, and of the images
-  };
-  static constexpr int list_count = 4;
+  //! Lists whose lengths the device counts.
+  enum List { regular, bent, folded, images, exact, halved, halves, plain_parts, folded_parts, lost_parts, list_count };
+  using Counts = std::array<std::int32_t, list_count>;
 
+  [[nodiscard]] Counts counts() const;
+  void make_room(const Counts& wanted);
   void share(PatchSearchBatch& batch) const;
-  [[nodiscard]] std::vector<std::int32_t> counts() const;
-  bool grow(const std::vector<std::int32_t>& counts);
-  bool search(const PatchSearchBatch& batch, std::vector<RoughImage>& images);
+  [[nodiscard]] bool have_room(const Counts& counts) const;
+  Counts search(const PatchSearchBatch& batch);
+  void search_folded(const PatchSearchBatch& batch, int pairs);
 
   Backend backend_;
   PlacedArrays arrays_;
   SearchedField field_;
-  Lists lists_;
+  BlackbodyTable colours_;
+  Buffer<SearchedPair> pairs_[3];
+  Buffer<RoughImage> images_;
+  Buffer<SeenImage> exact_;
+  Buffer<float> parts_[4];
+  Buffer<ToldRoots> told_;
+  Buffer<std::int32_t> counts_;
 };
 
 }  // namespace ergodome

@@ -129,6 +129,10 @@ StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, 
 
 namespace {
 
+StarLook look_of(const StarSettings& settings) {
+  return {settings.faintest, settings.redshift, settings.magnification};
+}
+
 //! What becomes of a rough image at a place that an observer sees; star -1 where it is too faint or out of view.
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
                            const ObservedPlaces& places, std::size_t i, const StarSettings& settings) {
@@ -147,13 +151,6 @@ StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const
   }
   candidate.radius = static_cast<double>(star.radius);
   candidate.edge_distance = observer.edge_distance(image.s);
-  if (image.exact) {
-    candidate.exact = true;
-    candidate.solid_angle = static_cast<double>(solid_angle);
-    // Away from folds no star's disk shows.
-    candidate.stretch = 2.0 * std::abs(candidate.solid_angle);
-    candidate.frequency_ratio = static_cast<double>(g);
-  }
   return candidate;
 }
 
@@ -164,10 +161,6 @@ Vector3<float> light_of(const StarCandidate& c, const FieldStar& star, const Bla
                     1.0F / static_cast<float>(capped_solid_angle(c)));
 }
 
-float luminance_of(const Vector3<float>& light) {
-  return 0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z;
-}
-
 //! The image that a candidate has become; star -1 where it is none, or too faint.
 StarImage image_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours,
                    const StarSettings& settings) {
@@ -176,16 +169,11 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
   if (!(c.miss <= image_tolerance_px * settings.pixel)) {
     return image;
   }
-  const Vector3<float> light = light_of(c, star, colours, settings.redshift);
-  if (!(luminance_of(light) >= settings.faintest)) {
-    return image;
-  }
-  const auto solid_angle = static_cast<float>(capped_solid_angle(c));
-  return {c.star,
-          {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y), static_cast<float>(c.direction.z)},
-          (c.solid_angle < 0.0 ? -1.0F : 1.0F) / solid_angle,
-          static_cast<float>(c.frequency_ratio),
-          settings.magnification ? light : solid_angle * light};
+  const Vector3<float> direction = {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y),
+                                    static_cast<float>(c.direction.z)};
+  shining_image(colours, look_of(settings), c.star, star, direction, static_cast<float>(c.frequency_ratio),
+                static_cast<float>(c.solid_angle), static_cast<float>(capped_solid_angle(c)), image);
+  return image;
 }
 
 }  // namespace
@@ -196,7 +184,7 @@ namespace {
 struct Sought {
   std::vector<StarCandidate> rays;     //!< these are to follow rays
   std::vector<StarCandidate> guesses;  //!< the same, many of them to no end
-  std::vector<FoundImage> exact;
+  std::vector<SeenImage> exact;
 };
 
 //! What images are sought for.
@@ -218,10 +206,12 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
     if (candidate.star < 0) {
       continue;
     }
-    if (candidate.exact) {
-      const StarImage image = image_of(candidate, star, search.colours, search.settings);
-      if (image.star >= 0) {
-        sought.exact.push_back(found_image(image, candidate));
+    if (rough[i].exact) {
+      SeenImage found{};
+      if (exact_image(search.colours, look_of(search.settings), rough[i].star, star,
+                      {places.direction[0][i], places.direction[1][i], places.direction[2][i]},
+                      places.frequency_ratio[i], rough[i].sky / places.area[i], found)) {
+        sought.exact.push_back(found);
       }
       continue;
     }
@@ -242,10 +232,15 @@ std::vector<Sought> seek(const Search& search, const StarPatches& patches, const
                });
     return parts;
   }
-  const std::vector<RoughImage> rough = device->search.find(device->patches, search.phi, search.settings.view);
+  const StarSettings& settings = search.settings;
+  PatchSearch::Answer answer =
+      device->search.find(device->patches, {search.phi, settings.view, search.observer, look_of(settings)});
+  const std::vector<RoughImage>& rough = answer.rough;
   constexpr std::size_t chunk = 512;
-  std::vector<Sought> parts((rough.size() + chunk - 1) / chunk);
-  parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+  const std::size_t chunks = (rough.size() + chunk - 1) / chunk;
+  std::vector<Sought> parts(chunks + 1);
+  parts.back().exact = std::move(answer.exact);
+  parallel_for(static_cast<int>(chunks), 1, [&](int begin, int end) {
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
       const std::size_t first = part * chunk;
       sort_out(search, std::span(rough).subspan(first, std::min(chunk, rough.size() - first)), parts[part]);
@@ -289,14 +284,15 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness}, [&](const StarCandidate& c) {
     return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
   });
-  std::vector<FoundImage> found(candidates.size());
+  std::vector<SeenImage> found(candidates.size());
   parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      found[i] = found_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
+      found[i] = seen_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
     }
   });
   append(parts, &Sought::exact, found);
-  return without_twins(found, field.stars().size(), settings.pixel);
+  const auto order = device == nullptr ? FindingOrder::of_patches : FindingOrder::of_chance;
+  return without_twins(found, field.stars().size(), settings.pixel, order);
 }
 
 }  // namespace ergodome

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "kernels/sky/blackbody.h"
+#include "kernels/stars/seen_image.h"
 #include "render/lens/grid_tracer.h"
 #include "render/stars/patch_search.h"
 #include "render/stars/star_eye.h"
@@ -10,16 +11,6 @@
 #include "render/stars/view_cone.h"
 
 namespace ergodome {
-
-//! An image of a star on a camera's sky.
-struct StarImage {
-  int star;  //!< in the field
-  Vector3<float>
-      direction;  //!< unit vector in the observer's frame (e_r, e_θ, e_φ); of an eye that turns, in the view's axes
-  float magnification;         //!< of the solid angle; negative where the image is turned over
-  float frequency_ratio;       //!< g = ν_observed / ν_emitted
-  Vector3<float> illuminance;  //!< linear sRGB whose luminance part is in lx
-};
 
 //! Which images to find, and how well.
 struct StarSettings {

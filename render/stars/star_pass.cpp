@@ -86,7 +86,7 @@ StarPass::StarPass(const Show& show, Backend backend)
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
   } else if (backend != Backend::cpu && !field_.stars().empty()) {
-    search_.emplace(backend, field_);
+    search_.emplace(backend, field_, colours_.view());
   }
   // Spikes that come later must not keep a picture waiting.
   if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
@@ -143,9 +143,9 @@ void StarPass::place(Turned& turned) const {
     return;
   }
   if (turned.on_device) {
-    turned.on_device->set(turned.patches);
+    turned.on_device->set(turned.patches, turned.station);
   } else {
-    turned.on_device = std::make_unique<PlacedPatches>(search_->backend(), turned.patches);
+    turned.on_device = std::make_unique<PlacedPatches>(search_->backend(), turned.patches, turned.station);
   }
 }
 

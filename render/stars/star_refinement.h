@@ -21,7 +21,6 @@ struct StarCandidate {
   double frequency_ratio = 1.0;
   double miss = 0.0;
   double change = 0.0;
-  bool exact = false;  //!< it needs no rays
   bool faint = false;  //!< it was left on the way
 };
 

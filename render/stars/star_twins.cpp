@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
+#include <tuple>
 
 #include "kernels/launch/parallel_for.h"
 
@@ -13,14 +15,11 @@ namespace {
 
 //! Images of one star nearer to each other than this, and not turned over, are one.
 constexpr double same_image_px = 0.1;
-//! The longest arc that an image is taken for [rad].
-constexpr double longest_arc = 1.5;
-
 //! Numbers of images by star, for each in their order.
-std::vector<std::uint32_t> by_star(const std::vector<FoundImage>& found, std::size_t stars) {
+std::vector<std::uint32_t> by_star(const std::vector<SeenImage>& found, std::size_t stars) {
   // Sorting by counting: where each star's images begin, those that are none before all.
   std::vector<std::uint32_t> place(stars + 2, 0);
-  for (const FoundImage& each : found) {
+  for (const SeenImage& each : found) {
     place[static_cast<std::size_t>(each.image.star) + 2U] += 1;
   }
   place[1] = 0;
@@ -35,7 +34,7 @@ std::vector<std::uint32_t> by_star(const std::vector<FoundImage>& found, std::si
 }
 
 //! Whether two images of a star are one that was found twice.
-bool are_one(const FoundImage& a, const FoundImage& b, double pixel) {
+bool are_one(const SeenImage& a, const SeenImage& b, double pixel) {
   const Vector3<float> apart = a.image.direction - b.image.direction;
   const auto square = static_cast<double>(dot(apart, apart));
   const float ratio = a.image.magnification / b.image.magnification;
@@ -48,48 +47,69 @@ bool are_one(const FoundImage& a, const FoundImage& b, double pixel) {
   return square < arc * arc && std::abs(std::log(std::abs(ratio))) < 0.7F && (one_side || (a.capped && b.capped));
 }
 
+void sort_by_place(const std::vector<SeenImage>& found, std::span<std::uint32_t> of_star) {
+  std::ranges::sort(of_star, {}, [&](std::uint32_t number) {
+    const StarImage& image = found[number].image;
+    return std::tuple(image.direction.x, image.direction.y, image.direction.z, image.magnification);
+  });
+}
+
+//! Adds the images of a star, each once.
+void add_without_twins(const std::vector<SeenImage>& found, std::span<const std::uint32_t> of_star, double pixel,
+                       std::vector<StarImage>& images) {
+  std::vector<const SeenImage*> taken;
+  for (const std::uint32_t number : of_star) {
+    const SeenImage& here = found[number];
+    if (std::ranges::none_of(taken, [&](const SeenImage* other) { return are_one(here, *other, pixel); })) {
+      taken.push_back(&here);
+      images.push_back(here.image);
+    }
+  }
+}
+
 }  // namespace
 
 double capped_solid_angle(const StarCandidate& c) {
   return std::max(std::abs(c.solid_angle), 0.5 * c.radius * std::sqrt(singular_values(c).larger_square));
 }
 
-FoundImage found_image(const StarImage& image, const StarCandidate& candidate) {
+SeenImage seen_image(const StarImage& image, const StarCandidate& candidate) {
   // Next to a caustic an image is an arc, whose middle needs no better place than that.
   const double smaller = std::max(singular_values(candidate).smaller_square, 1e-30);
-  const double arc = std::min(candidate.radius / std::sqrt(smaller), longest_arc);
+  const double arc = std::min(candidate.radius / std::sqrt(smaller), static_cast<double>(longest_arc));
   return {image, static_cast<float>(arc), capped_solid_angle(candidate) > std::abs(candidate.solid_angle)};
 }
 
-std::vector<StarImage> without_twins(const std::vector<FoundImage>& found, std::size_t stars, double pixel) {
-  const std::vector<std::uint32_t> order = by_star(found, stars);
-  const auto star_at = [&](std::size_t i) { return found[order[i]].image.star; };
+std::vector<StarImage> without_twins(const std::vector<SeenImage>& found, std::size_t stars, double pixel,
+                                     FindingOrder order) {
+  std::vector<std::uint32_t> numbers = by_star(found, stars);
+  const auto star_at = [&](std::size_t i) { return found[numbers[i]].image.star; };
   constexpr std::size_t chunk = 2048;
-  std::vector<std::vector<StarImage>> parts((order.size() + chunk - 1) / chunk);
+  std::vector<std::vector<StarImage>> parts((numbers.size() + chunk - 1) / chunk);
   parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
       // A star belongs to the part that its first image lies in.
-      std::size_t i = part * chunk;
-      while (i > 0 && i < order.size() && star_at(i) == star_at(i - 1)) {
-        ++i;
+      const std::size_t next_part = std::min((part + 1) * chunk, numbers.size());
+      std::size_t first = part * chunk;
+      while (first > 0 && first < next_part && star_at(first) == star_at(first - 1)) {
+        ++first;
       }
-      std::size_t first = i;
-      std::vector<const FoundImage*> of_star;
-      for (; i < order.size() && (i < (part + 1) * chunk || star_at(i) == star_at(i - 1)); ++i) {
-        if (star_at(i) != star_at(first)) {
-          first = i;
-          of_star.clear();
+      while (first < next_part) {
+        std::size_t last = first + 1;
+        while (last < numbers.size() && star_at(last) == star_at(first)) {
+          ++last;
         }
-        const FoundImage& here = found[order[i]];
-        if (std::ranges::none_of(of_star, [&](const FoundImage* other) { return are_one(here, *other, pixel); })) {
-          of_star.push_back(&here);
-          parts[part].push_back(here.image);
+        const std::span<std::uint32_t> of_star(numbers.begin() + static_cast<std::ptrdiff_t>(first), last - first);
+        if (order == FindingOrder::of_chance) {
+          sort_by_place(found, of_star);
         }
+        add_without_twins(found, of_star, pixel, parts[part]);
+        first = last;
       }
     }
   });
   std::vector<StarImage> images;
-  images.reserve(order.size());
+  images.reserve(numbers.size());
   for (const std::vector<StarImage>& part : parts) {
     images.insert(images.end(), part.begin(), part.end());
   }

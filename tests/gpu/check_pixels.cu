@@ -100,7 +100,7 @@ bool check_size(int size, bool compare_all) {
   on_device.out = lens_at(lens.device(), pixels);
   on_device.edge.polar_angle = edge.device();
   const int count = static_cast<int>(pixels);
-  const double device_ms = run_on_device_ms("trace_pixels", TracePixels<float, true>{on_device}, count);
+  const double device_ms = run_on_pixels_ms("trace_pixels", TracePixels<float, true>{on_device}, size);
   const double host_ms = run_on_host_ms(TracePixels<float, true>{on_host}, count);
   bool good = report("trace_pixels " + std::to_string(size) + "^2 dome", count, device_ms, host_ms,
                      compare(lens.download(), lens.host, 0.98, 1e-4));

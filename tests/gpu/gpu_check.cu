@@ -1,4 +1,4 @@
-// Compares every kernel on GPU and CPU and times both. Exit status: 0 passed or no GPU, 1 a difference or a CUDA error.
+// Compares kernels on GPU and CPU and times both. Exit status: 0 passed or no GPU, 1 a difference or a CUDA error.
 
 #include <cstdio>
 #include <exception>

@@ -59,9 +59,9 @@ double run_on_host_ms(const Functor& functor, int count) {
 }
 
 //! The median of several launches, by CUDA events, after one to warm up.
-template <class Functor>
-double run_on_device_ms(const char* name, const Functor& functor, int count) {
-  launch_cuda(name, count, functor);
+template <class Launch>
+double time_on_device_ms(const Launch& launch) {
+  launch();
   cudaEvent_t begin{};
   cudaEvent_t end{};
   check_cuda(cudaEventCreate(&begin), "event");
@@ -69,7 +69,7 @@ double run_on_device_ms(const char* name, const Functor& functor, int count) {
   std::vector<float> times;
   for (int i = 0; i < 7; ++i) {
     check_cuda(cudaEventRecord(begin), "event");
-    launch_cuda(name, count, functor);
+    launch();
     check_cuda(cudaEventRecord(end), "event");
     check_cuda(cudaEventSynchronize(end), "event");
     float time_ms = 0.0F;
@@ -80,6 +80,17 @@ double run_on_device_ms(const char* name, const Functor& functor, int count) {
   cudaEventDestroy(end);
   std::sort(times.begin(), times.end());
   return times[times.size() / 2];
+}
+
+template <class Functor>
+double run_on_device_ms(const char* name, const Functor& functor, int count) {
+  return time_on_device_ms([&] { launch_cuda(name, count, functor); });
+}
+
+//! The same for the pixels of a square image, as pictures launch them.
+template <class Functor>
+double run_on_pixels_ms(const char* name, const Functor& functor, int size) {
+  return time_on_device_ms([&] { launch_cuda_on_pixels(name, size, size, functor); });
 }
 
 //! How far two results are apart: the given quantile of |a - b| / max(1, |b|), and whether that is within the tolerance.

@@ -9,7 +9,9 @@
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "kernels/launch/launch.h"
+#include "kernels/launch/launch_cuda.h"
 #include "render/frame/show_renderer.h"
+#include "render/output/stereo_layout.h"
 #include "tests/support/tiny_sky.h"
 
 // The pictures of a GPU are those of the processor: the kernels are one source, but two compilers make of it what they like, and who
@@ -91,6 +93,33 @@ TEST_P(CudaPictures, AreThoseOfTheProcessor) {
     EXPECT_LT(seen.light, 0.002);
     EXPECT_NEAR(static_cast<double>(there[i].unresolved_pixels), static_cast<double>(here[i].unresolved_pixels), 2.0);
   }
+}
+
+TEST_P(CudaPictures, AreTheSameAgainToTheLastBit) {
+  const std::vector<Picture> once = pictures(GetParam(), Backend::cuda);
+  const std::vector<Picture> again = pictures(GetParam(), Backend::cuda);
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    EXPECT_TRUE(std::ranges::equal(once[i].rgba, again[i].rgba));
+  }
+}
+
+TEST_P(CudaPictures, AreThoseThatStayOnTheDevice) {
+  const Show show = show_of(GetParam());
+  ShowRenderer renderer(show, Backend::cuda, GetParam().lens);
+  if (eye_count(show.stereo) > 1 || renderer.finishes_pictures()) {
+    GTEST_SKIP() << "pictures of this scene come home";
+  }
+  const double time_s = 0.31 * std::max(show.duration_s, 1.0);
+  renderer.apply(time_s);
+  const CameraPose pose = camera_pose(renderer.show(), time_s);
+  const Projection projection = make_projection(show.view, 384, 0.0);
+  const Picture expected = renderer.render_eye(pose, 0.0, projection, GetParam().mode, {time_s});
+  const float* const made = renderer.render_eye_in_place(pose, 0.0, projection, GetParam().mode, {time_s});
+  Picture there = copied_picture(expected);
+  copy_from_cuda(there.rgba.data(), made, there.rgba.size() * sizeof(float));
+  const Difference seen = difference(there, expected);
+  // Spikes end where the picture does, which makes no difference inside.
+  EXPECT_LT(seen.light, 1e-6);
 }
 
 Scene by_grid(Scene scene) {

@@ -1,0 +1,95 @@
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "kernels/core/error.h"
+#include "kernels/launch/launch.h"
+#include "render/backend/buffer.h"
+#include "render/output/tone_map.h"
+#include "render/present/headless_context.h"
+#include "render/present/presenter.h"
+#include "tests/support/gl_driver.h"
+
+// No report of leaks where a driver was at work.
+// NOLINTNEXTLINE: the checker's name
+extern "C" int __lsan_is_turned_off() { return ergodome::test::driver_was_loaded ? 1 : 0; }
+
+namespace ergodome {
+namespace {
+
+//! A picture whose every pixel is another.
+Picture gradient(int width, int height) {
+  Picture picture;
+  picture.width = width;
+  picture.height = height;
+  for (int i = 0; i < width * height; ++i) {
+    const auto x = static_cast<float>(i % width) / static_cast<float>(width);
+    const auto y = static_cast<float>(i / width) / static_cast<float>(height);
+    for (const float value : {x, y, 0.5F * (x + y), 1.0F}) {
+      picture.rgba.push_back(value);
+    }
+  }
+  return picture;
+}
+
+//! OpenGL and CUDA on one GPU.
+class DevicePictures : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const char* const reason = cuda_unavailable_reason()) {
+      GTEST_SKIP() << reason;
+    }
+    try {
+      test::driver_was_loaded = true;
+      context_ = std::make_unique<HeadlessContext>();
+    } catch (const Error& problem) {
+      GTEST_SKIP() << problem.what();
+    }
+    const std::string_view vendor(reinterpret_cast<const char*>(glGetString(GL_VENDOR)));
+    if (vendor.find("NVIDIA") == std::string_view::npos) {
+      GTEST_SKIP() << "OpenGL is by " << vendor;
+    }
+    GLuint texture = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+    glTextureStorage2D(texture, 1, GL_RGBA8, size, size);
+    GLuint framebuffer = 0;
+    glCreateFramebuffers(1, &framebuffer);
+    glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  }
+
+  static void expect_shown(Presenter& presenter, const Picture& picture) {
+    const Buffer<float> there(Backend::cuda, std::vector<float>(picture.rgba.begin(), picture.rgba.end()), "test");
+    presenter.upload_from_device(there.data(), picture.width, picture.height, false, picture.tone);
+    presenter.draw(picture.width, picture.height);
+    const auto shown = Presenter::read_back(picture.width, picture.height);
+    const auto expected = tone_mapped(picture);
+    ASSERT_EQ(shown.size(), expected.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      ASSERT_NEAR(shown[i], expected[i], 1) << i;
+    }
+  }
+
+  static constexpr int size = 64;
+  std::unique_ptr<HeadlessContext> context_;
+};
+
+TEST_F(DevicePictures, AreShownWithoutAWayThroughTheHost) {
+  Presenter presenter;
+  expect_shown(presenter, gradient(size, size));
+}
+
+TEST_F(DevicePictures, AreShownWhenTheirSizeChanges) {
+  Presenter presenter;
+  expect_shown(presenter, gradient(size, size));
+  expect_shown(presenter, gradient(size / 2, size / 2));
+  presenter.upload(gradient(size, size));
+  expect_shown(presenter, gradient(size, size));
+}
+
+}  // namespace
+}  // namespace ergodome
