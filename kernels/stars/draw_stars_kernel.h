@@ -5,6 +5,7 @@
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/host_device.h"
 #include "kernels/core/shared_counter.h"
+#include "kernels/core/sort_in_place.h"
 #include "kernels/stars/draw_stars.h"
 
 namespace ergodome::inline ERGO_TARGET {
@@ -60,21 +61,7 @@ struct SortTile {
   ERGO_HD void operator()(int tile) const {
     std::int32_t* const list = batch.members + batch.first[tile];
     const int count = batch.first[tile + 1] - batch.first[tile];
-    // Longer lists by halves of their span, as insertion alone takes the square of their length.
-    int gap = 1;
-    while (gap < count / 3) {
-      gap = 3 * gap + 1;
-    }
-    for (; gap > 0; gap /= 3) {
-      for (int i = gap; i < count; ++i) {
-        const std::int32_t value = list[i];
-        int at = i;
-        for (; at >= gap && list[at - gap] > value; at -= gap) {
-          list[at] = list[at - gap];
-        }
-        list[at] = value;
-      }
-    }
+    sort_in_place(list, count, [](std::int32_t a, std::int32_t b) { return a < b; });
   }
 };
 

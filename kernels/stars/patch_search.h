@@ -59,18 +59,6 @@ struct SharedParts {
   std::int32_t* lost;  //!< counts those of all lists for which there was no room
 };
 
-//! Roots of pairs as their parts tell them, before those that are told twice are left: so many at the most of parts that are nearly affine, and
-//! of others, next to folds.
-inline constexpr int most_plain_roots = 8;
-inline constexpr int most_told_roots = 32;
-
-//! Roots of a pair, the plain ones first.
-struct ToldRoots {
-  std::int32_t plain_count;  //!< of all that were told
-  std::int32_t folded_count;
-  FoldedRoot roots[most_told_roots];
-};
-
 //! The search for images of stars in the patches of a lens, one thread a patch and then one a pair: for devices. On the processor
 //! RoughImageFinder works on registers of pairs.
 struct PatchSearchBatch {
@@ -100,11 +88,28 @@ struct PatchSearchBatch {
   SharedParts halved[2];     //!< by turns: parts to be halved, and their halves
   SharedParts plain_parts;   //!< nearly affine
   SharedParts folded_parts;  //!< all others that are not to be halved
-  ToldRoots* told;           //!< of the pairs of folded patches
+  FoldedRoot* plain_roots;   //!< one of each of the plain parts; those that are none have an area that is not a number
+  FoldedRoot* folded_roots;  //!< two of each of the folded ones
+  //! How many roots each pair of a folded patch is told by plain parts and by folded ones, two numbers a pair; where they begin in `told`; and so
+  //! many as are there already.
+  std::int32_t* told_counts;
+  std::int32_t* told_first;
+  FoldedRoot* told;
 };
 
 //! The steps of the search, one after another: pairs of all patches, the roots of pairs by their patches' shapes; bent patches add to the pairs of folded
 //! ones. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one.
-enum class PatchSearchStep { find_pairs, regular, bent, see_folded, halve, solve_plain, solve_folded, take_roots };
+enum class PatchSearchStep {
+  find_pairs,
+  regular,
+  bent,
+  see_folded,
+  halve,
+  solve_plain,
+  solve_folded,
+  tell_plain,
+  tell_folded,
+  take_roots
+};
 
 }  // namespace ergodome

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <limits>
+
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/shared_counter.h"
+#include "kernels/core/sort_in_place.h"
 #include "kernels/stars/observed_places_kernel.h"
 #include "kernels/stars/part_halving_kernel.h"
 #include "kernels/stars/part_solving_kernel.h"
@@ -205,8 +208,6 @@ struct SeeFoldedPair {
     SeePatches<float>{see}(0);
     // Counts of pairs are exact in float: there are not as many as 2^24.
     to.at[static_cast<long>(part_pair) * to.room + index] = static_cast<float>(index);
-    batch.told[index].plain_count = 0;
-    batch.told[index].folded_count = 0;
   }
 };
 
@@ -251,9 +252,10 @@ struct HalveSeenPart {
   }
 };
 
-//! Tells the roots of a part that is not to be halved.
+//! Finds the roots of a part that is not to be halved, and counts them.
 template <bool Folded>
 struct SolveSeenPart {
+  static constexpr int most = Folded ? most_part_roots : 1;
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
@@ -267,21 +269,35 @@ struct SolveSeenPart {
     float area[most_part_roots];
     const SolvePartsBatch solve = {{from.at + index, from.room, 1}, Folded, found, u, v, area};
     SolveParts<float>{solve}(0);
-    ToldRoots& told = batch.told[static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index])];
-    for (int i = 0; i < (Folded ? most_part_roots : 1); ++i) {
+    FoldedRoot* const roots = (Folded ? batch.folded_roots : batch.plain_roots) + static_cast<long>(most) * index;
+    const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
+    for (int i = 0; i < most; ++i) {
+      roots[i] = {u[i], v[i], found[i] != 0.0F ? area[i] : std::numeric_limits<float>::quiet_NaN()};
       if (found[i] != 0.0F) {
-        tell(told, {u[i], v[i], area[i]});
+        count_up(batch.told_counts + 2 * pair + (Folded ? 1 : 0));
       }
     }
   }
+};
 
- private:
-  ERGO_HD static void tell(ToldRoots& told, const FoldedRoot& root) {
-    constexpr int first = Folded ? most_plain_roots : 0;
-    constexpr int room = Folded ? most_told_roots - most_plain_roots : most_plain_roots;
-    const std::int32_t place = count_up(Folded ? &told.folded_count : &told.plain_count);
-    if (place < room) {
-      told.roots[first + place] = root;
+//! Tells a pair the roots of a part.
+template <bool Folded>
+struct TellRoots {
+  PatchSearchBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const SharedParts& from = Folded ? batch.folded_parts : batch.plain_parts;
+    if (index >= *from.count || index >= from.room) {
+      return;
+    }
+    constexpr int most = SolveSeenPart<Folded>::most;
+    const FoldedRoot* const roots = (Folded ? batch.folded_roots : batch.plain_roots) + static_cast<long>(most) * index;
+    const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
+    const int list = 2 * pair + (Folded ? 1 : 0);
+    for (int i = 0; i < most; ++i) {
+      if (roots[i].area == roots[i].area) {
+        batch.told[batch.told_first[list] + count_up(batch.told_counts + list)] = roots[i];
+      }
     }
   }
 };
@@ -293,34 +309,22 @@ struct TakeRoots {
   ERGO_HD void operator()(int index) const {
     const SearchedPair pair = batch.pairs[static_cast<int>(PatchShape::folded)].at[index];
     const int wanted = batch.patches[pair.patch].shape == PatchShape::bent ? 1 : most_roots;
-    ToldRoots& told = batch.told[index];
     FoldedRoot taken[most_roots];
     int count = 0;
-    take(told.roots, least(told.plain_count, most_plain_roots), wanted, taken, count);
-    take(told.roots + most_plain_roots, least(told.folded_count, most_told_roots - most_plain_roots), wanted, taken,
-         count);
+    for (int list = 2 * index; list < 2 * index + 2; ++list) {
+      take(batch.told + batch.told_first[list], batch.told_first[list + 1] - batch.told_first[list], wanted, taken,
+           count);
+    }
     for (int i = 0; i < count; ++i) {
       keep_root(batch, pair, taken[i]);
     }
   }
 
  private:
-  ERGO_HD static int least(int a, int b) { return a < b ? a : b; }
-
-  ERGO_HD static bool is_before(const FoldedRoot& a, const FoldedRoot& b) {
-    return a.u < b.u || (a.u == b.u && a.v < b.v);
-  }
-
   //! In the order of their places, as chance told them in another each time.
   ERGO_HD static void take(FoldedRoot* told, int told_count, int wanted, FoldedRoot (&taken)[most_roots], int& count) {
-    for (int i = 1; i < told_count; ++i) {
-      const FoldedRoot root = told[i];
-      int at = i;
-      for (; at > 0 && is_before(root, told[at - 1]); --at) {
-        told[at] = told[at - 1];
-      }
-      told[at] = root;
-    }
+    sort_in_place(told, told_count,
+                  [](const FoldedRoot& a, const FoldedRoot& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); });
     for (int i = 0; i < told_count; ++i) {
       if (may_add_root(taken, count, wanted, told[i])) {
         taken[count++] = told[i];
@@ -347,6 +351,10 @@ inline void with_search_step(const PatchSearchBatch& batch, PatchSearchStep step
       return action(SolveSeenPart<false>{batch});
     case PatchSearchStep::solve_folded:
       return action(SolveSeenPart<true>{batch});
+    case PatchSearchStep::tell_plain:
+      return action(TellRoots<false>{batch});
+    case PatchSearchStep::tell_folded:
+      return action(TellRoots<true>{batch});
     case PatchSearchStep::take_roots:
       break;
   }

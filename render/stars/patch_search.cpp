@@ -46,12 +46,17 @@ void PatchSearch::make_room(const Counts& wanted) {
   }
   reserve(backend_, count_of(images), name, images_);
   reserve(backend_, count_of(exact), name, exact_);
-  reserve(backend_, count_of(folded), name, told_);
+  reserve(backend_, 2 * count_of(folded), name, told_counts_);
+  reserve(backend_, 2 * count_of(folded) + 1, name, told_first_);
   // Each pair is a part at first, and is halved into another list.
   const std::size_t parts = std::max(count_of(halved), count_of(folded));
   for (Buffer<float>& list : parts_) {
     reserve(backend_, part_channels * parts, name, list);
   }
+  const std::size_t room = parts_[0].size() / part_channels;
+  reserve(backend_, room, name, plain_roots_);
+  reserve(backend_, most_part_roots * room, name, folded_roots_);
+  reserve(backend_, (1 + most_part_roots) * room, name, told_);
 }
 
 void PatchSearch::share(PatchSearchBatch& batch) const {
@@ -68,6 +73,10 @@ void PatchSearch::share(PatchSearchBatch& batch) const {
   batch.halved[1] = parts(1);
   batch.plain_parts = parts(2);
   batch.folded_parts = parts(3);
+  batch.plain_roots = plain_roots_.data();
+  batch.folded_roots = folded_roots_.data();
+  batch.told_counts = told_counts_.data();
+  batch.told_first = told_first_.data();
   batch.told = told_.data();
 }
 
@@ -85,7 +94,8 @@ bool PatchSearch::have_room(const Counts& counts) const {
   }
   return static_cast<std::size_t>(counts[images]) <= images_.size() &&
          static_cast<std::size_t>(counts[exact]) <= exact_.size() &&
-         static_cast<std::size_t>(counts[folded]) <= std::min(told_.size(), parts_[0].size() / part_channels) &&
+         static_cast<std::size_t>(counts[folded]) <=
+             std::min(told_counts_.size() / 2, parts_[0].size() / part_channels) &&
          counts[lost_parts] == 0;
 }
 
@@ -98,8 +108,14 @@ void PatchSearch::search_folded(const PatchSearchBatch& batch, int pairs) {
     counts_.write_at(static_cast<std::size_t>(halves - depth % 2), 0);
     search_patches(backend_, batch, PatchSearchStep::halve, to.room, depth);
   }
+  const auto lists = 2 * static_cast<std::size_t>(pairs);
+  clear(backend_, told_counts_, lists);
   search_patches(backend_, batch, PatchSearchStep::solve_plain, batch.plain_parts.room);
   search_patches(backend_, batch, PatchSearchStep::solve_folded, batch.folded_parts.room);
+  sum_counts(backend_, told_counts_.data(), 2 * pairs, told_first_.data());
+  clear(backend_, told_counts_, lists);
+  search_patches(backend_, batch, PatchSearchStep::tell_plain, batch.plain_parts.room);
+  search_patches(backend_, batch, PatchSearchStep::tell_folded, batch.folded_parts.room);
   search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
 }
 

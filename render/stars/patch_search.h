@@ -103,7 +103,11 @@ class PatchSearch {
   Buffer<RoughImage> images_;
   Buffer<SeenImage> exact_;
   Buffer<float> parts_[4];
-  Buffer<ToldRoots> told_;
+  Buffer<FoldedRoot> plain_roots_;
+  Buffer<FoldedRoot> folded_roots_;
+  Buffer<FoldedRoot> told_;
+  Buffer<std::int32_t> told_counts_;
+  Buffer<std::int32_t> told_first_;
   Buffer<std::int32_t> counts_;
 };
 

@@ -2,11 +2,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
 #include "kernels/launch/launch.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
 #include "kernels/stars/search_rules.h"
 
 namespace ergodome {
+
+namespace {
+
+//! Patches that a thread takes at a time.
+constexpr int patches_a_part = 128;
+
+//! Whether a part of the view may lie in a patch, or on its `mirrored` side.
+bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
+  const float side = mirrored ? -1.0F : 1.0F;
+  const Vector3<double> way = {static_cast<double>(patch.seen.x), static_cast<double>(side * patch.seen.y),
+                               static_cast<double>(patch.seen.z)};
+  return may_touch(view, way, static_cast<double>(patch.seen_radius));
+}
+
+//! Finders that wait for work, so that each keeps the memory it once asked for.
+class IdleFinders {
+ public:
+  using Finder = std::unique_ptr<RoughImageFinder>;
+
+  //! One that waits, or none.
+  Finder take() {
+    const std::lock_guard lock(mutex_);
+    if (finders_.empty()) {
+      return nullptr;
+    }
+    Finder last = std::move(finders_.back());
+    finders_.pop_back();
+    return last;
+  }
+
+  void give_back(Finder finder) {
+    const std::lock_guard lock(mutex_);
+    finders_.push_back(std::move(finder));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Finder> finders_;
+};
+
+}  // namespace
 
 void RoughImageFinder::PairList::add(const Pair& pair, float at_a, float at_b) {
   pairs.push_back(pair);
@@ -129,6 +174,40 @@ void RoughImageFinder::keep(const Pair& pair, const FoldedRoot& root, std::vecto
     const float seen = pair.mirrored ? 1.0F - image.gamma_turns : image.gamma_turns;
     found.push_back({pair.star, seen - std::floor(seen), image.s, image.sky, patch.brighter, exact, root.area == 0.0F});
   }
+}
+
+int rough_parts(const StarPatches& patches) {
+  return static_cast<int>((patches.patches().size() + patches_a_part - 1) / patches_a_part);
+}
+
+void find_rough_images(const StarField& field, double phi, const StarPatches& patches, const ViewCone& view,
+                       const std::function<void(int, const std::vector<RoughImage>&)>& found) {
+  static WorkCounter counter("search_patches");
+  const WorkScope work(counter, static_cast<long>(patches.patches().size()));
+  const auto& list = patches.patches();
+  const int count = static_cast<int>(list.size());
+  IdleFinders idle;
+  parallel_for(rough_parts(patches), 1, [&](int begin, int end) {
+    IdleFinders::Finder finder = idle.take();
+    if (!finder) {
+      finder = std::make_unique<RoughImageFinder>(patches, field, phi);
+    }
+    std::vector<RoughImage> images;
+    for (int part = begin; part < end; ++part) {
+      for (int i = part * patches_a_part; i < std::min((part + 1) * patches_a_part, count); ++i) {
+        const StarPatch& patch = list[static_cast<std::size_t>(i)];
+        for (const bool mirrored : {false, true}) {
+          if ((!mirrored || patches.mirrored()) && may_be_seen(patch, mirrored, view)) {
+            finder->look_in(patch, mirrored);
+          }
+        }
+      }
+      images.clear();
+      finder->finish(images);
+      found(part, images);
+    }
+    idle.give_back(std::move(finder));
+  });
 }
 
 }  // namespace ergodome

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "kernels/stars/patch_pairs.h"
 #include "kernels/stars/rough_image.h"
 #include "render/stars/folded_search.h"
 #include "render/stars/star_patches.h"
+#include "render/stars/view_cone.h"
 
 namespace ergodome {
 
@@ -68,5 +70,12 @@ class RoughImageFinder {
   FoldedSearch folded_search_;
   std::vector<FoldedPair> asked_;
 };
+
+//! The parts in which find_rough_images() takes patches.
+int rough_parts(const StarPatches& patches);
+
+//! Calls found(part, images) with the images that each part of the patches holds; parts on many threads at once. The camera is at `phi` [rad].
+void find_rough_images(const StarField& field, double phi, const StarPatches& patches, const ViewCone& view,
+                       const std::function<void(int, const std::vector<RoughImage>&)>& found);
 
 }  // namespace ergodome

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
 #include <span>
 #include <utility>
 
 #include "kernels/launch/parallel_for.h"
-#include "kernels/launch/work_counter.h"
 #include "render/lens/grid_builder.h"
 #include "render/stars/image_observer.h"
 #include "render/stars/rough_images.h"
@@ -29,79 +26,6 @@ constexpr double finest_cell_px = 0.5;
 constexpr double coarsest_cell_px = 2.0;
 //! The size over a show's lens budget [px].
 constexpr double cell_of_budget = 8.0;
-
-//! Patches that a thread takes at a time.
-constexpr int patches_a_part = 128;
-
-int parts_of(const StarPatches& patches) {
-  return static_cast<int>((patches.patches().size() + patches_a_part - 1) / patches_a_part);
-}
-
-//! Whether a part of the view may lie in a patch, or on its `mirrored` side.
-bool may_be_seen(const StarPatch& patch, bool mirrored, const ViewCone& view) {
-  const float side = mirrored ? -1.0F : 1.0F;
-  const Vector3<double> way = {static_cast<double>(patch.seen.x), static_cast<double>(side * patch.seen.y),
-                               static_cast<double>(patch.seen.z)};
-  return may_touch(view, way, static_cast<double>(patch.seen_radius));
-}
-
-//! Finders that wait for work, so that each keeps the memory it once asked for.
-class IdleFinders {
- public:
-  using Finder = std::unique_ptr<RoughImageFinder>;
-
-  //! One that waits, or none.
-  Finder take() {
-    const std::lock_guard lock(mutex_);
-    if (finders_.empty()) {
-      return nullptr;
-    }
-    Finder last = std::move(finders_.back());
-    finders_.pop_back();
-    return last;
-  }
-
-  void give_back(Finder finder) {
-    const std::lock_guard lock(mutex_);
-    finders_.push_back(std::move(finder));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<Finder> finders_;
-};
-
-//! Calls found(part, images) with the images that parts of the patches hold, roughly; parts on many threads at once.
-template <class Found>
-void find_rough(const StarField& field, double phi, const StarPatches& patches, const ViewCone& view,
-                const Found& found) {
-  static WorkCounter counter("search_patches");
-  const WorkScope work(counter, static_cast<long>(patches.patches().size()));
-  const auto& list = patches.patches();
-  const int count = static_cast<int>(list.size());
-  IdleFinders idle;
-  parallel_for(parts_of(patches), 1, [&](int begin, int end) {
-    IdleFinders::Finder finder = idle.take();
-    if (!finder) {
-      finder = std::make_unique<RoughImageFinder>(patches, field, phi);
-    }
-    std::vector<RoughImage> images;
-    for (int part = begin; part < end; ++part) {
-      for (int i = part * patches_a_part; i < std::min((part + 1) * patches_a_part, count); ++i) {
-        const StarPatch& patch = list[static_cast<std::size_t>(i)];
-        for (const bool mirrored : {false, true}) {
-          if ((!mirrored || patches.mirrored()) && may_be_seen(patch, mirrored, view)) {
-            finder->look_in(patch, mirrored);
-          }
-        }
-      }
-      images.clear();
-      finder->finish(images);
-      found(part, images);
-    }
-    idle.give_back(std::move(finder));
-  });
-}
 
 }  // namespace
 
@@ -225,11 +149,11 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
 //! device finds them in none.
 std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device) {
   if (device == nullptr) {
-    std::vector<Sought> parts(static_cast<std::size_t>(parts_of(patches)));
-    find_rough(search.field, search.phi, patches, search.settings.view,
-               [&](int part, const std::vector<RoughImage>& rough) {
-                 sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
-               });
+    std::vector<Sought> parts(static_cast<std::size_t>(rough_parts(patches)));
+    find_rough_images(search.field, search.phi, patches, search.settings.view,
+                      [&](int part, const std::vector<RoughImage>& rough) {
+                        sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
+                      });
     return parts;
   }
   const StarSettings& settings = search.settings;
@@ -268,7 +192,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings, const DeviceSearch* device) {
   const ImageObserver observer(eye, station, colours, settings.redshift);
-  const std::vector<Sought> parts = seek({field, colours, observer, eye.camera.phi, settings}, patches, device);
+  std::vector<Sought> parts = seek({field, colours, observer, eye.camera.phi, settings}, patches, device);
   std::vector<StarCandidate> candidates;
   append(parts, &Sought::rays, candidates);
   // Guesses take many rounds: they shall not hold the others up.
@@ -284,10 +208,13 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness}, [&](const StarCandidate& c) {
     return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
   });
-  std::vector<SeenImage> found(candidates.size());
+  // What a device has found is in one piece, which stays where it is.
+  std::vector<SeenImage> found = device != nullptr ? std::move(parts.back().exact) : std::vector<SeenImage>();
+  const std::size_t first = found.size();
+  found.resize(first + candidates.size());
   parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      found[i] = seen_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
+      found[first + i] = seen_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
     }
   });
   append(parts, &Sought::exact, found);

@@ -82,7 +82,8 @@ bool served_alike(const StarEye& first, const StarEye& second) {
 StarPass::StarPass(const Show& show, Backend backend)
     : colours_(Backend::cpu),
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
-      settings_(star_settings(show)) {
+      settings_(star_settings(show)),
+      order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
   } else if (backend != Backend::cpu && !field_.stars().empty()) {
@@ -188,9 +189,9 @@ std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& proj
   }
   const std::vector<StarImage> found = images(eye, projection, settings);
   if (!shutter) {
-    return star_points(found, eye.camera, projection, splat);
+    return star_points(found, eye.camera, projection, splat, order_);
   }
-  return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat);
+  return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_);
 }
 
 void StarPass::draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,

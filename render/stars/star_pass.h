@@ -67,6 +67,7 @@ class StarPass {
   std::optional<StarTree> tree_;       //!< where pixels gather stars
   std::optional<PatchSearch> search_;  //!< on a device
   StarSettings settings_;
+  PointOrder order_;  //!< of the points that are found
   SplatSettings splat_;
   std::optional<DiffractionPattern> spikes_;    //!< where the show ever has any
   std::optional<DiffractionSettings> pattern_;  //!< of these spikes

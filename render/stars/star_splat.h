@@ -27,16 +27,20 @@ struct SplatSettings {
 //! would shrink below what an eye in the dome can tell from nothing.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
 
-//! The images that lie in a picture or beside it, row by row from the top.
+//! In which order points are: as splat_points() wants them, or as their images came, which is all that TiledStars asks.
+enum class PointOrder { by_row, of_images };
+
+//! The images that lie in a picture or beside it.
 //!
 //! An image near the edge of a cube's face is there once for each face that its light may reach.
 //! A pixel receives the illuminance that falls on it over its solid angle, which is a luminance like that of the map.
 std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
-                                   const Projection& projection, const SplatSettings& settings);
+                                   const Projection& projection, const SplatSettings& settings,
+                                   PointOrder order = PointOrder::by_row);
 
 //! The same for images on their way while a shutter is open, each a row of points that share its light.
 std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
-                                    const SplatSettings& settings);
+                                    const SplatSettings& settings, PointOrder order = PointOrder::by_row);
 
 //! Adds points, given row by row from the top, to rows [first_row, first_row + row_count) of a picture in host memory: four floats a pixel, linear light. The weights of
 //! a point's pixels add up to 1, wherever between pixels it lies: its light does not depend on the spread, nor on the resolution.
