@@ -153,6 +153,10 @@ void check_outputs(const std::string& kernel, Backend backend, const OverlayBatc
   require_finite(kernel, backend, "rgba", batch.rgba, 4L * batch.projection.width_px * batch.projection.height_px);
 }
 
+void check_outputs(const std::string& kernel, Backend backend, const StarLightBatch& batch) {
+  require_finite(kernel, backend, "rgba", batch.rgba, 4L * batch.row_count * batch.projection.width_px);
+}
+
 void check_outputs(const std::string& kernel, Backend backend, const BlendCheckBatch& batch) {
   require_checks(kernel, backend, batch);
 }

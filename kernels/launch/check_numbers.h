@@ -31,6 +31,7 @@ void check_outputs(const std::string& kernel, Backend backend, const ShadeBatch&
 void check_outputs(const std::string& kernel, Backend backend, const NearFieldBatch& batch);
 void check_outputs(const std::string& kernel, Backend backend, const OverlayBatch& batch);
 void check_outputs(const std::string& kernel, Backend backend, const BlendCheckBatch& batch);
+void check_outputs(const std::string& kernel, Backend backend, const StarLightBatch& batch);
 
 void check_outputs(const std::string& kernel, Backend backend, const DiskNodeBatch& batch);
 void check_outputs(const std::string& kernel, Backend backend, const DiskCheckBatch& batch);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -29,8 +28,9 @@ cudaMemPool_t kept_pool() {
       return found;
     }
     check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the device's memory");
-    std::uint64_t everything = std::numeric_limits<std::uint64_t>::max();
-    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &everything), "keeping memory");
+    // Not for ever: other programs, and OpenGL, want some too.
+    std::uint64_t most_bytes = std::uint64_t{1} << 30;
+    check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &most_bytes), "keeping memory");
     return found;
   }();
   return pool;
@@ -56,6 +56,7 @@ void release_cuda(void* memory) noexcept {
   } else {
     cudaFreeAsync(memory, current_stream());
   }
+  cudaGetLastError();
 }
 
 namespace {
@@ -79,21 +80,6 @@ class CopyStream {
 class HostStage {
  public:
   static constexpr std::size_t bytes = std::size_t{4} << 20;
-
-  HostStage() {
-    for (Half& half : halves_) {
-      check_cuda(cudaMallocHost(&half.memory, bytes), "asking for host memory");
-      check_cuda(cudaEventCreateWithFlags(&half.there, cudaEventDisableTiming), "making an event");
-    }
-  }
-  ~HostStage() {
-    for (const Half& half : halves_) {
-      cudaFreeHost(half.memory);
-      cudaEventDestroy(half.there);
-    }
-  }
-  HostStage(const HostStage&) = delete;
-  HostStage& operator=(const HostStage&) = delete;
 
   void copy(std::byte* to, const std::byte* from, std::size_t count) {
     const std::size_t parts = (count - 1) / bytes + 1;
@@ -121,6 +107,10 @@ class HostStage {
 
  private:
   struct Half {
+    Half() {
+      check_cuda(cudaEventCreateWithFlags(&there, cudaEventDisableTiming), "making an event");
+      check_cuda(cudaMallocHost(&memory, bytes), "asking for host memory");
+    }
     std::byte* memory = nullptr;
     cudaEvent_t there = nullptr;
   };
@@ -161,7 +151,7 @@ class Idle {
     return last;
   }
 
-  void give_back(std::unique_ptr<T> thing) {
+  void give_back(std::unique_ptr<T> thing) noexcept {
     const std::lock_guard lock(mutex_);
     things_.push_back(std::move(thing));
   }

@@ -12,6 +12,8 @@ namespace ergodome {
 //! Throws with CUDA's own name of a failure.
 inline void check_cuda(cudaError_t code, const char* doing) {
   if (code != cudaSuccess) {
+    // Else the next launch would fail by what this one could not do.
+    cudaGetLastError();
     throw Error("CUDA", std::string(doing) + " failed: " + cudaGetErrorString(code), "run with --backend cpu");
   }
 }

@@ -48,11 +48,14 @@ void sum_counts(Backend backend, const std::int32_t* counts, int count, std::int
 void draw_stars(Backend backend, const StarLightBatch& batch, long points) {
   static WorkCounter spots("splat_stars");
   static WorkCounter spikes("draw_spikes");
-  const WorkScope work(batch.pattern != nullptr ? spikes : spots, points);
+  WorkCounter& counter = batch.pattern != nullptr ? spikes : spots;
+  const WorkScope work(counter, points);
   if (backend == Backend::cuda) {
-    return draw_stars_cuda(batch);
+    draw_stars_cuda(batch);
+  } else {
+    run(DrawStars{batch}, batch.row_count * batch.projection.width_px);
   }
-  run(DrawStars{batch}, batch.row_count * batch.projection.width_px);
+  finish(counter, backend, batch);
 }
 
 void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchStep step, int count, int depth) {

@@ -27,12 +27,12 @@ template <class Functor>
 __global__ void draw_samples(Functor functor, const int* fine, int count) {
   constexpr int samples = near_samples * near_samples;
   static_assert(samples <= 32 && 32 % samples == 0);
-  const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
-  const int pixel = thread / samples;
+  const auto thread = static_cast<long>(blockIdx.x) * blockDim.x + threadIdx.x;
+  const long pixel = thread / samples;
   const bool wanted = pixel < count;
   SeenLanes<float> sum = {0.0F, 0.0F, 0.0F, 0.0F};
   if (wanted) {
-    sum = functor.see_sample(fine[pixel], thread % samples);
+    sum = functor.see_sample(fine[pixel], static_cast<int>(thread % samples));
   }
   for (int apart = samples / 2; apart > 0; apart /= 2) {
     sum.red += __shfl_xor_sync(0xffffffffU, sum.red, apart);

@@ -96,11 +96,12 @@ struct DrawStars {
   }
 
  private:
-  //! The part of a Gaussian about 0 that lies in [x, x + 1], or of a point.
-  [[nodiscard]] ERGO_HD float part_of(float x) const {
+  //! The part of light about `middle` that falls on the pixel [at, at + 1].
+  [[nodiscard]] ERGO_HD float part_of(int at, double middle) const {
     if (!(batch.narrower > 0.0F)) {
-      return x <= 0.0F && x > -1.0F ? 1.0F : 0.0F;
+      return ::floor(middle) == at ? 1.0F : 0.0F;
     }
+    const auto x = static_cast<float>(at - middle);
     const float from = minimum(maximum(x, -batch.reach_px), batch.reach_px);
     const float to = minimum(maximum(x + 1.0F, -batch.reach_px), batch.reach_px);
     return from < to ? batch.share * (erff(to * batch.narrower) - erff(from * batch.narrower)) : 0.0F;
@@ -131,16 +132,16 @@ struct DrawStars {
       return;
     }
     const int turns = wraps_around(batch.projection) ? 1 : 0;
-    const auto down = static_cast<float>(y - point.y_px);
     for (int turn = -turns; turn <= turns; ++turn) {
-      const auto across = static_cast<float>(x + turn * batch.projection.width_px - point.x_px);
+      const int column = x + turn * batch.projection.width_px;
       Vector3<float> part{};
       if (batch.pattern != nullptr) {
         const float half = 0.5F * static_cast<float>(batch.pattern_px);
-        const Vector3<float> pattern = pattern_at(across + half, down + half);
+        const Vector3<float> pattern =
+            pattern_at(static_cast<float>(column - point.x_px) + half, static_cast<float>(y - point.y_px) + half);
         part = {pattern.x * point.spikes.x, pattern.y * point.spikes.y, pattern.z * point.spikes.z};
       } else {
-        part = (part_of(across) * part_of(down)) * point.light;
+        part = (part_of(column, point.x_px) * part_of(y, point.y_px)) * point.light;
       }
       light[0] += part.x;
       light[1] += part.y;

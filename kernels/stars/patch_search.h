@@ -59,6 +59,9 @@ struct SharedParts {
   std::int32_t* lost;  //!< counts those of all lists for which there was no room
 };
 
+//! Pairs of folded patches whose parts are searched together: so many as fill a device, so few that their parts do not fill its memory.
+inline constexpr int most_searched_together = 1 << 15;
+
 //! The search for images of stars in the patches of a lens, one thread a patch and then one a pair: for devices. On the processor
 //! RoughImageFinder works on registers of pairs.
 struct PatchSearchBatch {
@@ -84,7 +87,8 @@ struct PatchSearchBatch {
   StarLook look;
   SharedList<SeenImage> exact;
   SharedList<RoughImage> images;
-  int deepest;               //!< halvings of a patch at the most
+  int deepest;       //!< halvings of a patch at the most
+  int first_folded;  //!< pairs of folded patches are searched a slice after another, of most_searched_together at the most
   SharedParts halved[2];     //!< by turns: parts to be halved, and their halves
   SharedParts plain_parts;   //!< nearly affine
   SharedParts folded_parts;  //!< all others that are not to be halved

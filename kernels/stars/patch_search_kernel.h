@@ -193,12 +193,18 @@ struct InvertPair {
   }
 };
 
-//! Shows the patch of a pair, which may be folded, as its star sees it: part i of the first list.
+namespace detail {
+ERGO_HD const SearchedPair& folded_pair(const PatchSearchBatch& batch, int index) {
+  return batch.pairs[static_cast<int>(PatchShape::folded)].at[batch.first_folded + index];
+}
+}  // namespace detail
+
+//! Shows the patch of a pair of the slice, which may be folded, as its star sees it: part i of the first list.
 struct SeeFoldedPair {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const SearchedPair pair = batch.pairs[static_cast<int>(PatchShape::folded)].at[index];
+    const SearchedPair pair = detail::folded_pair(batch, index);
     const StarPatch& patch = batch.patches[pair.patch];
     const BezierPatch* const sky = &patch.sky;
     const auto halvings = static_cast<float>(patch.halvings);
@@ -206,7 +212,7 @@ struct SeeFoldedPair {
     const SharedParts& to = batch.halved[0];
     const SeePatchesBatch see = {one, &patch.error, &halvings, {to.at + index, to.room, 0}};
     SeePatches<float>{see}(0);
-    // Counts of pairs are exact in float: there are not as many as 2^24.
+    // Numbers in a slice are exact in float.
     to.at[static_cast<long>(part_pair) * to.room + index] = static_cast<float>(index);
   }
 };
@@ -252,6 +258,9 @@ struct HalveSeenPart {
   }
 };
 
+//! Whether a part has told a root, and not that it has none.
+ERGO_HD bool is_root(const FoldedRoot& root) { return root.area == root.area; }
+
 //! Finds the roots of a part that is not to be halved, and counts them.
 template <bool Folded>
 struct SolveSeenPart {
@@ -273,7 +282,7 @@ struct SolveSeenPart {
     const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
     for (int i = 0; i < most; ++i) {
       roots[i] = {u[i], v[i], found[i] != 0.0F ? area[i] : std::numeric_limits<float>::quiet_NaN()};
-      if (found[i] != 0.0F) {
+      if (is_root(roots[i])) {
         count_up(batch.told_counts + 2 * pair + (Folded ? 1 : 0));
       }
     }
@@ -295,7 +304,7 @@ struct TellRoots {
     const int pair = static_cast<int>(from.at[static_cast<long>(part_pair) * from.room + index]);
     const int list = 2 * pair + (Folded ? 1 : 0);
     for (int i = 0; i < most; ++i) {
-      if (roots[i].area == roots[i].area) {
+      if (is_root(roots[i])) {
         batch.told[batch.told_first[list] + count_up(batch.told_counts + list)] = roots[i];
       }
     }
@@ -307,7 +316,7 @@ struct TakeRoots {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const SearchedPair pair = batch.pairs[static_cast<int>(PatchShape::folded)].at[index];
+    const SearchedPair pair = detail::folded_pair(batch, index);
     const int wanted = batch.patches[pair.patch].shape == PatchShape::bent ? 1 : most_roots;
     FoldedRoot taken[most_roots];
     int count = 0;

@@ -170,7 +170,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
 
 std::future<std::vector<StarPoint>> EyeRenderer::seek_stars(const EyeCamera& eye, const Projection& projection,
                                                             const PictureSettings& settings) const {
-  // Stars are found on the processor: meanwhile a device makes the rest.
+  // What of them the processor does it does while a device makes the rest.
   const bool meanwhile = settings.stars != nullptr && backend_ != Backend::cpu;
   return std::async(meanwhile ? std::launch::async : std::launch::deferred, [this, &eye, &projection, &settings] {
     const UrgentDeviceWork urgent(backend_);

@@ -79,8 +79,13 @@ void Planner::plan_stars() {
   }
   if (request_.backend != Backend::cpu) {
     // Sought and drawn where the picture is.
-    for (const char* const name : {"star search", "star points", "star tiles"}) {
-      buffer(name, WorkMoment::picture, 0, stars);
+    if (!needs_.gather) {
+      buffer("star search", WorkMoment::start, 0, stars);
+    }
+    buffer("star points", WorkMoment::picture, 0, stars);
+    buffer("star tiles", WorkMoment::picture, 0, stars);
+    if (needs_.spikes) {
+      buffer("diffraction pattern, placed", WorkMoment::picture, 0, why("effects.diffraction"));
     }
   }
   pass("splat_stars", WorkMoment::picture, plan_.eyes * blocks_, 0, show_.effects.psf ? why("effects.psf") : stars,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/work_counter.h"
@@ -38,36 +39,43 @@ PatchSearch::PatchSearch(Backend backend, const StarField& field, const Blackbod
   make_room(wanted);
 }
 
+//! Makes lists as long as that, or longer; where there is no memory for all of them, none has room.
 void PatchSearch::make_room(const Counts& wanted) {
   const auto count_of = [&](int list) { return static_cast<std::size_t>(wanted[static_cast<std::size_t>(list)]); };
+  const auto room_of = [](std::size_t size) { return static_cast<std::int32_t>(size); };
   constexpr const char* name = "star search";
+  rooms_ = {};
   for (int i = 0; i < 3; ++i) {
     reserve(backend_, count_of(i), name, pairs_[i]);
   }
   reserve(backend_, count_of(images), name, images_);
   reserve(backend_, count_of(exact), name, exact_);
-  reserve(backend_, 2 * count_of(folded), name, told_counts_);
-  reserve(backend_, 2 * count_of(folded) + 1, name, told_first_);
-  // Each pair is a part at first, and is halved into another list.
-  const std::size_t parts = std::max(count_of(halved), count_of(folded));
   for (Buffer<float>& list : parts_) {
-    reserve(backend_, part_channels * parts, name, list);
+    reserve(backend_, part_channels * count_of(halved), name, list);
   }
-  const std::size_t room = parts_[0].size() / part_channels;
+  const std::size_t room = std::ranges::min(parts_, {}, &Buffer<float>::size).size() / part_channels;
   reserve(backend_, room, name, plain_roots_);
   reserve(backend_, most_part_roots * room, name, folded_roots_);
   reserve(backend_, (1 + most_part_roots) * room, name, told_);
+  reserve(backend_, 2 * most_searched_together, name, told_counts_);
+  reserve(backend_, 2 * most_searched_together + 1, name, told_first_);
+  rooms_.fill(room_of(room));
+  for (std::size_t i = 0; i < 3; ++i) {
+    rooms_[i] = room_of(pairs_[i].size());
+  }
+  rooms_[images] = room_of(images_.size());
+  rooms_[exact] = room_of(exact_.size());
+  rooms_[lost_parts] = 0;
 }
 
 void PatchSearch::share(PatchSearchBatch& batch) const {
-  for (int i = 0; i < 3; ++i) {
-    batch.pairs[i] = {pairs_[i].data(), static_cast<int>(pairs_[i].size()), counts_.data() + i};
+  for (std::size_t i = 0; i < 3; ++i) {
+    batch.pairs[i] = {pairs_[i].data(), rooms_[i], counts_.data() + i};
   }
-  batch.images = {images_.data(), static_cast<int>(images_.size()), counts_.data() + images};
-  batch.exact = {exact_.data(), static_cast<int>(exact_.size()), counts_.data() + exact};
-  const auto parts = [&](int i) {
-    return SharedParts{parts_[i].data(), static_cast<int>(parts_[i].size() / part_channels),
-                       counts_.data() + halved + i, counts_.data() + lost_parts};
+  batch.images = {images_.data(), rooms_[images], counts_.data() + images};
+  batch.exact = {exact_.data(), rooms_[exact], counts_.data() + exact};
+  const auto parts = [&](std::size_t i) {
+    return SharedParts{parts_[i].data(), rooms_[halved + i], counts_.data() + halved + i, counts_.data() + lost_parts};
   };
   batch.halved[0] = parts(0);
   batch.halved[1] = parts(1);
@@ -87,20 +95,11 @@ PatchSearch::Counts PatchSearch::counts() const {
 }
 
 bool PatchSearch::have_room(const Counts& counts) const {
-  for (int i = 0; i < 3; ++i) {
-    if (static_cast<std::size_t>(counts[static_cast<std::size_t>(i)]) > pairs_[i].size()) {
-      return false;
-    }
-  }
-  return static_cast<std::size_t>(counts[images]) <= images_.size() &&
-         static_cast<std::size_t>(counts[exact]) <= exact_.size() &&
-         static_cast<std::size_t>(counts[folded]) <=
-             std::min(told_counts_.size() / 2, parts_[0].size() / part_channels) &&
-         counts[lost_parts] == 0;
+  return std::equal(counts.begin(), counts.end(), rooms_.begin(), std::less_equal<>());
 }
 
 //! The device alone knows how many parts there are: to ask it each time takes longer than threads that find none.
-void PatchSearch::search_folded(const PatchSearchBatch& batch, int pairs) {
+void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
   search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);
   counts_.write_at(halved, pairs);
   for (int depth = 0; depth < batch.deepest; ++depth) {
@@ -117,6 +116,18 @@ void PatchSearch::search_folded(const PatchSearchBatch& batch, int pairs) {
   search_patches(backend_, batch, PatchSearchStep::tell_plain, batch.plain_parts.room);
   search_patches(backend_, batch, PatchSearchStep::tell_folded, batch.folded_parts.room);
   search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
+}
+
+void PatchSearch::search_folded(PatchSearchBatch batch, int pairs) {
+  // Each pair is a part at first.
+  const int slice = std::min(most_searched_together, rooms_[halved]);
+  for (int first = 0; first < pairs; first += slice) {
+    batch.first_folded = first;
+    for (const std::size_t list : {plain_parts, folded_parts}) {
+      counts_.write_at(list, 0);
+    }
+    search_slice(batch, std::min(pairs - first, slice));
+  }
 }
 
 //! How long lists were: longer than their room where they have to be made longer, and nothing is found yet.
@@ -158,7 +169,7 @@ PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Questi
   while (!have_room(found)) {
     // How much the lost ones would have become is not known.
     for (const int list : {halved, halves, plain_parts, folded_parts}) {
-      found[static_cast<std::size_t>(list)] = static_cast<int>(parts_[0].size() / part_channels) + found[lost_parts];
+      found[static_cast<std::size_t>(list)] = rooms_[halved] + found[lost_parts];
     }
     make_room(found);
     share(batch);

@@ -93,12 +93,14 @@ class PatchSearch {
   void share(PatchSearchBatch& batch) const;
   [[nodiscard]] bool have_room(const Counts& counts) const;
   Counts search(const PatchSearchBatch& batch);
-  void search_folded(const PatchSearchBatch& batch, int pairs);
+  void search_slice(const PatchSearchBatch& batch, int pairs);
+  void search_folded(PatchSearchBatch batch, int pairs);
 
   Backend backend_;
   PlacedArrays arrays_;
   SearchedField field_;
   BlackbodyTable colours_;
+  Counts rooms_{};  //!< of the lists
   Buffer<SearchedPair> pairs_[3];
   Buffer<RoughImage> images_;
   Buffer<SeenImage> exact_;

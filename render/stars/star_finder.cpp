@@ -208,7 +208,7 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness}, [&](const StarCandidate& c) {
     return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
   });
-  // What a device has found is in one piece, which stays where it is.
+  // What a device has found is in one piece already.
   std::vector<SeenImage> found = device != nullptr ? std::move(parts.back().exact) : std::vector<SeenImage>();
   const std::size_t first = found.size();
   found.resize(first + candidates.size());

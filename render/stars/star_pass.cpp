@@ -116,26 +116,29 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
     return each.pixel == pixel && each.least_cell_px == asked.least_cell_px && served_alike(each.eye, eye);
   });
   if (found != turned_.end()) {
-    std::rotate(turned_.begin(), found, found + 1);
-    Turned& latest = turned_.front();
-    if (latest.faintest != asked.faintest) {
-      latest.faintest = asked.faintest;
-      latest.patches = star_patches(field_, colours_.view(), eye, latest.station, asked);
-      place(latest);
+    if (found->faintest != asked.faintest) {
+      // Where something fails the place is forgotten, and comes again when all of it is there.
+      Turned changed = std::move(*found);
+      turned_.erase(found);
+      changed.faintest = asked.faintest;
+      changed.patches = star_patches(field_, colours_.view(), eye, changed.station, asked);
+      place(changed);
+      turned_.insert(turned_.begin(), std::move(changed));
+    } else {
+      std::rotate(turned_.begin(), found, found + 1);
     }
-    return latest;
+    return turned_.front();
   }
   LensStation station = build_star_station(eye, asked, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
-  // A place that is left hands its memory on.
-  std::unique_ptr<PlacedPatches> on_device;
+  Turned turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches), nullptr};
   if (turned_.size() == kept) {
-    on_device = std::move(turned_.back().on_device);
+    // A place that is left hands its memory on.
+    turned.on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
   }
-  turned_.insert(turned_.begin(), Turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station),
-                                         std::move(patches), std::move(on_device)});
-  place(turned_.front());
+  place(turned);
+  turned_.insert(turned_.begin(), std::move(turned));
   return turned_.front();
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -17,6 +15,7 @@ namespace {
 
 constexpr double cut_off_sigmas = 3.0;
 constexpr int splat_band_rows = 32;
+
 double row_of(const StarPoint& point) { return std::floor(point.y_px); }
 
 //! Whether all pixels between some first and some last are wholly in the image: no image but a cube's, whose faces are drawn one by one, goes

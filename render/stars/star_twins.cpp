@@ -82,11 +82,12 @@ SeenImage seen_image(const StarImage& image, const StarCandidate& candidate) {
 
 std::vector<StarImage> without_twins(const std::vector<SeenImage>& found, std::size_t stars, double pixel,
                                      FindingOrder order) {
-  std::vector<std::uint32_t> numbers = by_star(found, stars);
+  const std::vector<std::uint32_t> numbers = by_star(found, stars);
   const auto star_at = [&](std::size_t i) { return found[numbers[i]].image.star; };
   constexpr std::size_t chunk = 2048;
   std::vector<std::vector<StarImage>> parts((numbers.size() + chunk - 1) / chunk);
   parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    std::vector<std::uint32_t> of_star;
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
       // A star belongs to the part that its first image lies in.
       const std::size_t next_part = std::min((part + 1) * chunk, numbers.size());
@@ -99,7 +100,9 @@ std::vector<StarImage> without_twins(const std::vector<SeenImage>& found, std::s
         while (last < numbers.size() && star_at(last) == star_at(first)) {
           ++last;
         }
-        const std::span<std::uint32_t> of_star(numbers.begin() + static_cast<std::ptrdiff_t>(first), last - first);
+        // A copy, as the thread of the next part reads where it begins.
+        of_star.assign(numbers.begin() + static_cast<std::ptrdiff_t>(first),
+                       numbers.begin() + static_cast<std::ptrdiff_t>(last));
         if (order == FindingOrder::of_chance) {
           sort_by_place(found, of_star);
         }

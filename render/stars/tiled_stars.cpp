@@ -4,10 +4,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
 #include "render/stars/picture_sheets.h"
 
 namespace ergodome {
+
+namespace {
+
+//! Throws where so many points, each on so many tiles, are more than a device should list.
+void require_listable(std::size_t points, double reach_px) {
+  constexpr double most = 2.5e8;
+  const double across = 2.0 * reach_px / star_tile_px + 2.0;
+  if (static_cast<double>(points) * across * across > most) {
+    throw Error("stars", "shine on more pixels than can be listed on a GPU",
+                "let fewer have spikes (effects.diffraction.brighter_than_mag), or run with --backend cpu");
+  }
+}
+
+}  // namespace
 
 void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const {
   const int rows = (projection_.height_px + star_tile_px - 1) / star_tile_px;
@@ -66,11 +81,15 @@ void TiledStars::set(const std::vector<StarPoint>& points, const Projection& pro
   }
   reserve(backend_, points.size(), "star points", points_);
   points_.write(points.data(), points.size());
+  require_listable(points.size(), splat.reach_px());
   place(splat.reach_px(), false, spots_);
   const auto has_spikes = [](const StarPoint& p) { return p.spikes.x + p.spikes.y + p.spikes.z > 0.0F; };
-  if (pattern != nullptr && std::ranges::any_of(points, has_spikes)) {
+  const auto spiked = static_cast<std::size_t>(pattern != nullptr ? std::ranges::count_if(points, has_spikes) : 0);
+  if (spiked > 0) {
     set_pattern(*pattern);
-    place(0.5 * pattern_px_ + 1.0, true, spikes_);
+    const double reach_px = 0.5 * pattern_px_ + 1.0;
+    require_listable(spiked, reach_px);
+    place(reach_px, true, spikes_);
   }
 }
 

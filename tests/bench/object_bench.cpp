@@ -9,6 +9,7 @@
 #include "render/frame/view_projection.h"
 #include "render/objects/object_pass.h"
 #include "render/objects/traced_objects.h"
+#include "tests/bench/cuda_bench.h"
 
 // The sequences of Müller, Schulz & Weiskopf's table 3 by the built-in shows of their scenes: a triangle (300 frames), a sphere (360) and a disk
 // (180), each at three widths, without sky and without image files. A run draws the next of frames spread evenly over the sequence; its time is
@@ -18,10 +19,10 @@ namespace {
 using namespace ergodome;
 
 //! The same by exact rays, shadows and all.
-void traced_frame(benchmark::State& state, const std::string& name, int frames) {
+void traced_frame(benchmark::State& state, const std::string& name, int frames, Backend backend = Backend::cpu) {
   constexpr int shown = 12;
   const Show show = read_show(built_in_content_folder() / "shows" / (name + ".toml"));
-  TracedObjects objects(show, Backend::cpu);
+  TracedObjects objects(show, backend);
   const Projection projection = make_projection(show.view, static_cast<int>(state.range(0)), 0.0);
   int next = 0;
   for (auto _ : state) {
@@ -67,3 +68,18 @@ BENCHMARK_CAPTURE(traced_frame, sphere, "sphere", 360)->Apply(from_width<512>);
 BENCHMARK_CAPTURE(traced_frame, disk, "thick-disk", 180)->Apply(from_width<400>);
 
 }  // namespace
+
+void ergodome::add_cuda_object_benchmarks() {
+  const auto add = [](const char* name, int frames, int width) {
+    auto* const made = benchmark::RegisterBenchmark(
+        (std::string("cuda_traced_frame/") + name).c_str(),
+        [name, frames](benchmark::State& state) { traced_frame(state, name, frames, Backend::cuda); });
+    made->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(12);
+    for (const int size : {width, 2 * width, 4 * width}) {
+      made->Arg(size);
+    }
+  };
+  add("triangle", 300, 640);
+  add("sphere", 360, 512);
+  add("thick-disk", 180, 400);
+}
