@@ -53,7 +53,7 @@ void PatchSearch::make_room(const Counts& wanted) {
   for (Buffer<float>& list : parts_) {
     reserve(backend_, part_channels * count_of(halved), name, list);
   }
-  const std::size_t room = std::ranges::min(parts_, {}, &Buffer<float>::size).size() / part_channels;
+  const std::size_t room = std::ranges::min_element(parts_, {}, &Buffer<float>::size)->size() / part_channels;
   reserve(backend_, room, name, plain_roots_);
   reserve(backend_, most_part_roots * room, name, folded_roots_);
   reserve(backend_, (1 + most_part_roots) * room, name, told_);

