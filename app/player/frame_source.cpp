@@ -91,10 +91,12 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
   const ShowMoment moment = {frame.path_time_s, request.patience_s};
   PictureAnswer answer;
-  if (renderer.backend() != Backend::cpu && eye_count(frame.stereo) < 2 && !renderer.finishes_pictures()) {
-    const float* rgba =
-        renderer.render_eye_in_place(frame.pose, 0.0, projection, frame.mode, moment, &answer.picture.lens);
-    answer.on_device = {rgba, projection.width_px, projection.height_px, frame.mode != ViewMode::sky, renderer.tone()};
+  if (renderer.may_stay_in_place(frame.mode)) {
+    const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
+    answer.picture.lens = eyes.lens;
+    answer.on_device = {eyes.first,          eyes.right,           frame.stereo.layout == StereoLayout::top_bottom,
+                        projection.width_px, projection.height_px, frame.mode != ViewMode::sky,
+                        renderer.tone()};
   } else {
     show_eyes(renderer, frame, projection, moment, answer);
   }

@@ -12,6 +12,7 @@
 #include "content/timeline.h"
 #include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
+#include "render/present/presenter.h"
 
 namespace ergodome {
 
@@ -31,21 +32,12 @@ struct PictureRequest {
   std::uint64_t error_seed = 0;  //!< of the pixels that are looked at
 };
 
-//! A picture that stayed in a GPU's memory: four floats a pixel, until the next request.
-struct DevicePicture {
-  const float* rgba = nullptr;
-  int width_px = 0;
-  int height_px = 0;
-  bool heat_map = false;
-  Tone tone;
-};
-
 //! A finished picture and what it took.
 struct PictureAnswer {
   Picture picture;                         //!< or the left eye's
   std::optional<Picture> right_eye;        //!< where both eyes are shown whole
   bool eyes_above = false;                 //!< the left one above the right, not beside it
-  std::optional<DevicePicture> on_device;  //!< in place of the picture's pixels
+  std::optional<DevicePicture> on_device;  //!< in place of the picture's pixels, until the next request
   double time_ms = 0.0;
   int size_px = 0;
   std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes

@@ -45,8 +45,7 @@ PlayerScreen::PlayerScreen(const ScreenOptions& options)
 
 void PlayerScreen::show(const PictureAnswer& answer) {
   if (answer.on_device) {
-    const DevicePicture& there = *answer.on_device;
-    presenter_.upload_from_device(there.rgba, there.width_px, there.height_px, there.heat_map, there.tone);
+    presenter_.upload_from_device(*answer.on_device);
   } else if (answer.right_eye) {
     presenter_.upload_eyes(answer.picture, *answer.right_eye, answer.eyes_above);
   } else {

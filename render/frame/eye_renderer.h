@@ -3,6 +3,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/backend/buffer.h"
@@ -103,6 +104,9 @@ class EyeRenderer {
   float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                          const PictureSettings& settings, const char** lens = nullptr);
 
+  //! Keeps the picture that was rendered in place until the one after the next: two eyes' may stay.
+  void set_aside() { std::swap(rgba_, aside_); }
+
  private:
   //! Makes room for the lens of `pixels` and sets up the shading, but for where the light goes.
   ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
@@ -152,6 +156,7 @@ class EyeRenderer {
   TiledStars tiled_stars_;
   Buffer<float> lens_;
   Buffer<float> rgba_;
+  Buffer<float> aside_;  //!< a picture that stays
 };
 
 //! The range of a heat map's colour bar; of steps, for ways to follow rays that differ by orders of magnitude, a logarithmic one.

@@ -45,6 +45,13 @@ struct FrameQuality {
   bool operator==(const FrameQuality&) const = default;
 };
 
+//! Pictures that stay in the backend's memory until the next: four floats a pixel.
+struct EyesInPlace {
+  const float* first = nullptr;  //!< the left one of two
+  const float* right = nullptr;  //!< where there are two
+  const char* lens = "";         //!< LensSource::name()
+};
+
 //! Renders the frames of a show.
 class ShowRenderer {
  public:
@@ -88,8 +95,13 @@ class ShowRenderer {
   //! What the stream of baked stations has done; nothing without one.
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;
 
-  //! Whether pictures need more than render_eye_in_place does: exposure that follows the light, bloom.
-  [[nodiscard]] bool finishes_pictures() const { return frame_needs(show_, ViewMode::sky).finishes_pictures(); }
+  //! The picture of a window, one eye's or two, where they may stay in the backend's memory.
+  EyesInPlace render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                   const ShowMoment& moment);
+
+  //! Whether pictures of a view may stay in a device's memory: they need no more than render_eyes_in_place does. Exposure that follows the light, bloom, eyes of
+  //! the models `flat` and `omni`, tinted ones and such as are not shown whole do.
+  [[nodiscard]] bool may_stay_in_place(ViewMode mode) const;
 
   //! What a person may turn while the show plays, until apply() animates it. Throws Error for what cannot be drawn, and keeps the old.
   void set_stereo(const StereoSettings& stereo);

@@ -159,4 +159,36 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
   return eyes;
 }
 
+bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
+  if (backend() == Backend::cpu || frame_needs(show_, ViewMode::sky).finishes_pictures()) {
+    return false;
+  }
+  const StereoSettings& stereo = show_.stereo;
+  // Bars of colours lie across both eyes.
+  return eye_count(stereo) < 2 || (stereo.model == StereoModel::physical && mode == ViewMode::sky &&
+                                   shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
+}
+
+EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
+                                               const ShowMoment& moment) {
+  EyesInPlace made;
+  const StereoSettings& stereo = show_.stereo;
+  if (eye_count(stereo) < 2) {
+    made.first = render_eye_in_place(pose, 0.0, projection, mode, moment, &made.lens);
+    return made;
+  }
+  const auto render = [&](double side) {
+    const double offset = side * stereo.baseline;
+    return render_eye_in_place(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment,
+                               &made.lens);
+  };
+  made.first = render(-0.5);
+  renderer_.set_aside();
+  made.right = render(0.5);
+  if (stereo.swap_eyes) {
+    std::swap(made.first, made.right);
+  }
+  return made;
+}
+
 }  // namespace ergodome

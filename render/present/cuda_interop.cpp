@@ -19,7 +19,7 @@ void check(cudaError_t code, const char* doing) {
 
 }  // namespace
 
-CudaTextureLink::CudaTextureLink(unsigned texture, int width, int height) : width_(width), height_(height) {
+CudaTextureLink::CudaTextureLink(unsigned texture) {
   cudaGraphicsResource_t resource = nullptr;
   check(cudaGraphicsGLRegisterImage(&resource, texture, GL_TEXTURE_2D, cudaGraphicsRegisterFlagsWriteDiscard),
         "sharing the picture");
@@ -28,16 +28,20 @@ CudaTextureLink::CudaTextureLink(unsigned texture, int width, int height) : widt
 
 CudaTextureLink::~CudaTextureLink() { cudaGraphicsUnregisterResource(static_cast<cudaGraphicsResource_t>(resource_)); }
 
-void CudaTextureLink::copy_from_device(const float* rgba) {
+void CudaTextureLink::copy_from_device(std::span<const Part> parts) {
   auto* resource = static_cast<cudaGraphicsResource_t>(resource_);
   check(cudaGraphicsMapResources(1, &resource), "mapping the picture");
   cudaArray_t array = nullptr;
-  const cudaError_t found = cudaGraphicsSubResourceGetMappedArray(&array, resource, 0, 0);
-  const std::size_t row = 4 * sizeof(float) * static_cast<std::size_t>(width_);
-  const cudaError_t copied = found == cudaSuccess
-                                 ? cudaMemcpy2DToArray(array, 0, 0, rgba, row, row, static_cast<std::size_t>(height_),
-                                                       cudaMemcpyDeviceToDevice)
-                                 : found;
+  cudaError_t copied = cudaGraphicsSubResourceGetMappedArray(&array, resource, 0, 0);
+  constexpr std::size_t pixel = 4 * sizeof(float);
+  for (const Part& part : parts) {
+    const std::size_t row = pixel * static_cast<std::size_t>(part.width);
+    if (copied == cudaSuccess) {
+      copied =
+          cudaMemcpy2DToArray(array, pixel * static_cast<std::size_t>(part.left), static_cast<std::size_t>(part.top),
+                              part.rgba, row, row, static_cast<std::size_t>(part.height), cudaMemcpyDeviceToDevice);
+    }
+  }
   check(cudaGraphicsUnmapResources(1, &resource), "giving back the picture");
   check(copied, "copying the picture");
 }

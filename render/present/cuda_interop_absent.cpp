@@ -3,12 +3,12 @@
 
 namespace ergodome {
 
-CudaTextureLink::CudaTextureLink(unsigned, int, int) {
+CudaTextureLink::CudaTextureLink(unsigned) {
   throw Error("CUDA", "this program was built without CUDA", "run with --backend cpu");
 }
 
 CudaTextureLink::~CudaTextureLink() = default;
 
-void CudaTextureLink::copy_from_device(const float*) {}
+void CudaTextureLink::copy_from_device(std::span<const Part>) {}
 
 }  // namespace ergodome

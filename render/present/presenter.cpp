@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "render/present/cuda_interop.h"
@@ -94,15 +95,21 @@ void Presenter::upload_eyes(const Picture& left, const Picture& right, bool abov
                       right.rgba.data());
 }
 
-void Presenter::upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone) {
-  resize(width, height);
+void Presenter::upload_from_device(const DevicePicture& picture) {
+  const int width = picture.width_px;
+  const int height = picture.height_px;
+  const int left_px = picture.right == nullptr || picture.above ? 0 : width;
+  const int top_px = picture.right != nullptr && picture.above ? height : 0;
+  resize(left_px + width, top_px + height);
   ++state_->version;
-  state_->heat_map = heat_map;
-  state_->tone = tone;
+  state_->heat_map = picture.heat_map;
+  state_->tone = picture.tone;
   if (!state_->link) {
-    state_->link = std::make_unique<CudaTextureLink>(state_->texture, width, height);
+    state_->link = std::make_unique<CudaTextureLink>(state_->texture);
   }
-  state_->link->copy_from_device(rgba);
+  const CudaTextureLink::Part parts[2] = {{picture.rgba, width, height, 0, 0},
+                                          {picture.right, width, height, left_px, top_px}};
+  state_->link->copy_from_device(std::span(parts).first(picture.right != nullptr ? 2 : 1));
 }
 
 void Presenter::set_light(float light) {

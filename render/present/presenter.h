@@ -19,6 +19,17 @@ struct PresentedPicture {
   long version = 0;    //!< another for each picture that was handed over, or shown in another light
 };
 
+//! A picture that stayed in a GPU's memory: four floats a pixel.
+struct DevicePicture {
+  const float* rgba = nullptr;   //!< or the left eye's
+  const float* right = nullptr;  //!< the right eye's, of the same size, where both are shown whole
+  bool above = false;            //!< the left one above the right, not beside it
+  int width_px = 0;              //!< of one eye's
+  int height_px = 0;
+  bool heat_map = false;
+  Tone tone;
+};
+
 //! What of a picture is drawn: halves are those of eyes side by side.
 enum class PicturePart { whole, left_half, right_half };
 
@@ -38,8 +49,8 @@ class Presenter {
   //! Hands over those of two eyes of one size, which fill one picture: beside each other, or the left one above the right.
   void upload_eyes(const Picture& left, const Picture& right, bool above);
 
-  //! Hands over a picture from CUDA device memory (four floats a pixel), without a way through the host.
-  void upload_from_device(const float* rgba, int width, int height, bool heat_map, const Tone& tone);
+  //! Hands over a picture from CUDA device memory, or those of two eyes, without a way through the host.
+  void upload_from_device(const DevicePicture& picture);
 
   //! Factor on the display's light from now on, 0 to 1.
   void set_light(float light);

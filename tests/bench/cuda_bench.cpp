@@ -46,12 +46,11 @@ void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) 
   renderer.apply(time_s);
   const Projection projection = make_projection(renderer.show().view, size, 0.0);
   CameraPose pose = camera_pose(renderer.show(), time_s);
-  const char* lens = "";
-  renderer.render_eye_in_place(pose, 0.0, projection, ViewMode::sky, {time_s}, &lens);
+  const char* lens = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}).lens;
   const auto before = work_done();
   for (auto _ : state) {
     pose.r += way.moving ? 1e-9 : 0.0;
-    benchmark::DoNotOptimize(renderer.render_eye_in_place(pose, 0.0, projection, ViewMode::sky, {time_s}, &lens));
+    benchmark::DoNotOptimize(renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}));
   }
   state.SetLabel(std::string(lens) + times_of(work_between(before, work_done()), state.iterations()));
 }
@@ -73,6 +72,14 @@ Show dome(const std::string& sky, const std::string& effects = {}) {
       "projection = \"dome\"\ntilt_deg = 30\n[sky]\nmap = \"milky_way\"\n" +
           sky + "[effects]\n" + effects,
       "bench.toml");
+}
+
+//! Both eyes of one, side by side.
+Show two_eyes() {
+  Show show = dome("");
+  show.stereo.layout = StereoLayout::side_by_side;
+  show.stereo.baseline = 0.1;
+  return show;
 }
 
 //! The set-up of Verbraeck & Eisemann's table 1: a whole sky of 1920 x 960 px, stars of which there are some 5,000, redshift, lensing,
@@ -123,9 +130,11 @@ void ergodome::add_cuda_benchmarks() {
   add("bright_stars_moving", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect),
       {LensChoice::direct, true}, {1024});
   add("published", published(), direct, {1920});
+  add("two_eyes", two_eyes(), direct, {2048});
   for (const char* const name : {"disk", "shells", "planet"}) {
     add(name, built_in(name), direct, {1920});
   }
+  add_picture("two_eyes", two_eyes(), 2048);
   add_picture("sky", dome(""), 4096);
   add_picture("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), 4096);
   add_cuda_object_benchmarks();

@@ -146,5 +146,25 @@ TEST(TiledStars, AreThoseOfAPictureThatStaysWhereItIsMade) {
   expect_same({made, made + expected.rgba.size()}, {expected.rgba.begin(), expected.rgba.end()});
 }
 
+TEST(EyesInPlace, AreThoseOfAWindow) {
+  for (const bool swapped : {false, true}) {
+    Show show = parse_show(
+        "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 12\ntheta_deg = 70\n[sky]\nstars = \"bright_stars\"\n"
+        "[view]\nprojection = \"pinhole\"\nsize_px = 200\n[stereo]\nlayout = \"side_by_side\"\nbaseline = 0.5\n",
+        "eyes.toml");
+    show.sky.map = tiny_sky();
+    show.stereo.swap_eyes = swapped;
+    ShowRenderer renderer(show, Backend::cpu, LensChoice::direct);
+    const CameraPose pose = camera_pose(show, 0.0);
+    const Projection projection = make_projection(show.view, 200, 0.0);
+    const std::vector<Picture> expected = renderer.render_window_parts(pose, projection, ViewMode::sky);
+    const EyesInPlace made = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {});
+    ASSERT_EQ(expected.size(), 2U);
+    EXPECT_FALSE(std::ranges::equal(expected[0].rgba, expected[1].rgba));
+    expect_same({made.first, made.first + expected[0].rgba.size()}, {expected[0].rgba.begin(), expected[0].rgba.end()});
+    expect_same({made.right, made.right + expected[1].rgba.size()}, {expected[1].rgba.begin(), expected[1].rgba.end()});
+  }
+}
+
 }  // namespace
 }  // namespace ergodome

@@ -1,6 +1,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string_view>
@@ -64,7 +65,8 @@ class DevicePictures : public testing::Test {
 
   static void expect_shown(Presenter& presenter, const Picture& picture) {
     const Buffer<float> there(Backend::cuda, std::vector<float>(picture.rgba.begin(), picture.rgba.end()), "test");
-    presenter.upload_from_device(there.data(), picture.width, picture.height, false, picture.tone);
+    presenter.upload_from_device(
+        {.rgba = there.data(), .width_px = picture.width, .height_px = picture.height, .tone = picture.tone});
     presenter.draw(picture.width, picture.height);
     const auto shown = Presenter::read_back(picture.width, picture.height);
     const auto expected = tone_mapped(picture);
@@ -89,6 +91,28 @@ TEST_F(DevicePictures, AreShownWhenTheirSizeChanges) {
   expect_shown(presenter, gradient(size / 2, size / 2));
   presenter.upload(gradient(size, size));
   expect_shown(presenter, gradient(size, size));
+}
+
+TEST_F(DevicePictures, OfTwoEyesFillOneTogether) {
+  const Picture left = gradient(size / 2, size / 2);
+  Picture right = gradient(size / 2, size / 2);
+  std::reverse(right.rgba.begin(), right.rgba.end());
+  const auto copied = [](const Picture& picture) {
+    return Buffer<float>(Backend::cuda, std::vector<float>(picture.rgba.begin(), picture.rgba.end()), "test");
+  };
+  const Buffer<float> first = copied(left);
+  const Buffer<float> second = copied(right);
+  for (const bool above : {false, true}) {
+    const int width = above ? size / 2 : size;
+    const int height = above ? size : size / 2;
+    Presenter presenter;
+    presenter.upload_eyes(left, right, above);
+    presenter.draw(width, height);
+    const auto expected = Presenter::read_back(width, height);
+    presenter.upload_from_device({first.data(), second.data(), above, size / 2, size / 2, false, left.tone});
+    presenter.draw(width, height);
+    EXPECT_EQ(Presenter::read_back(width, height), expected);
+  }
 }
 
 }  // namespace
