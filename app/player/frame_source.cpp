@@ -93,9 +93,14 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   PictureAnswer answer;
   if (renderer.may_stay_in_place(frame.mode)) {
     const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
-    answer.picture.lens = eyes.lens;
-    answer.on_device = {eyes.first,          eyes.right,           frame.stereo.layout == StereoLayout::top_bottom,
-                        projection.width_px, projection.height_px, frame.mode != ViewMode::sky,
+    answer.picture.lens = eyes.first.lens;
+    answer.picture.behind = eyes.first.behind || (eyes.right && eyes.right->behind);
+    answer.on_device = {eyes.first.rgba,
+                        eyes.right ? eyes.right->rgba : nullptr,
+                        frame.stereo.layout == StereoLayout::top_bottom,
+                        projection.width_px,
+                        projection.height_px,
+                        frame.mode != ViewMode::sky,
                         renderer.tone()};
   } else {
     show_eyes(renderer, frame, projection, moment, answer);

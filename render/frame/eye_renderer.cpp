@@ -189,8 +189,8 @@ std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Pr
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
 }
 
-float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                                    const PictureSettings& settings, const char** lens) {
+PictureInPlace EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                                            const PictureSettings& settings) {
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
@@ -206,10 +206,7 @@ float* EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& proj
   }
   draw_near_rows(eye, projection, settings, {0, projection.height_px}, shade.rgba);
   draw_objects_in_place(eye, projection, settings);
-  if (lens != nullptr) {
-    *lens = source->name();
-  }
-  return rgba_.data();
+  return {rgba_.data(), source->name(), source->behind()};
 }
 
 NearField EyeRenderer::near_field_of(const EyeCamera& eye, const Projection& projection,

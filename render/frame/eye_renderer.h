@@ -70,6 +70,13 @@ struct Picture {
   Tone tone;  //!< how it is to be shown
 };
 
+//! A picture that stayed in the backend's memory: four floats a pixel.
+struct PictureInPlace {
+  float* rgba = nullptr;
+  const char* lens = "";  //!< as in Picture
+  bool behind = false;
+};
+
 //! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
 class EyeRenderer {
  public:
@@ -98,11 +105,9 @@ class EyeRenderer {
   //! Spreads light and blackens what is outside the image as far as the settings say so: the end of render().
   static void finish(Picture& picture, const Projection& projection, const PictureSettings& settings);
 
-  //! The same in one piece that stays in the backend's memory until the next picture, and may be drawn on: four floats a pixel.
-  //!
-  //! `lens`, where given, receives LensSource::name().
-  float* render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                         const PictureSettings& settings, const char** lens = nullptr);
+  //! The same in one piece that stays in the backend's memory until the next picture, and may be drawn on.
+  PictureInPlace render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
+                                 const PictureSettings& settings);
 
   //! Keeps the picture that was rendered in place until the one after the next: two eyes' may stay.
   void set_aside() { std::swap(rgba_, aside_); }

@@ -190,12 +190,13 @@ std::unique_ptr<LensSource> ShowRenderer::lens_of(const CameraPose& pose, const 
   return renderer_.lens_for(eye_camera(show_, pose, 0.0), projection, picture_settings(ViewMode::sky, moment, 0.0));
 }
 
-const float* ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                               ViewMode mode, const ShowMoment& moment, const char** lens) {
-  float* const rgba = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
-                                                picture_settings(mode, moment, eye_offset), lens);
-  draw_overlays({backend(), rgba, tone(), mode != ViewMode::sky}, projection, eye_offset, mode, moment);
-  return rgba;
+PictureInPlace ShowRenderer::render_eye_in_place(const CameraPose& pose, double eye_offset,
+                                                 const Projection& projection, ViewMode mode,
+                                                 const ShowMoment& moment) {
+  const PictureInPlace made = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
+                                                        picture_settings(mode, moment, eye_offset));
+  draw_overlays({backend(), made.rgba, tone(), mode != ViewMode::sky}, projection, eye_offset, mode, moment);
+  return made;
 }
 
 void ShowRenderer::draw_overlays(const OverlayTarget& target, const Projection& projection, double eye_offset,

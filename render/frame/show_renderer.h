@@ -45,11 +45,10 @@ struct FrameQuality {
   bool operator==(const FrameQuality&) const = default;
 };
 
-//! Pictures that stay in the backend's memory until the next: four floats a pixel.
+//! Pictures that stay in the backend's memory until the next.
 struct EyesInPlace {
-  const float* first = nullptr;  //!< the left one of two
-  const float* right = nullptr;  //!< where there are two
-  const char* lens = "";         //!< LensSource::name()
+  PictureInPlace first;                 //!< the left one of two
+  std::optional<PictureInPlace> right;  //!< where there are two
 };
 
 //! Renders the frames of a show.
@@ -89,8 +88,8 @@ class ShowRenderer {
                      const ShowMoment& moment = {});
 
   //! The same, left in the backend's memory until the next picture.
-  const float* render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
-                                   ViewMode mode, const ShowMoment& moment, const char** lens = nullptr);
+  PictureInPlace render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
+                                     ViewMode mode, const ShowMoment& moment);
 
   //! What the stream of baked stations has done; nothing without one.
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const;

@@ -171,24 +171,19 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
 
 EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                const ShowMoment& moment) {
-  EyesInPlace made;
   const StereoSettings& stereo = show_.stereo;
   if (eye_count(stereo) < 2) {
-    made.first = render_eye_in_place(pose, 0.0, projection, mode, moment, &made.lens);
-    return made;
+    return {render_eye_in_place(pose, 0.0, projection, mode, moment), {}};
   }
   const auto render = [&](double side) {
     const double offset = side * stereo.baseline;
-    return render_eye_in_place(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment,
-                               &made.lens);
+    return render_eye_in_place(pose, offset, converged_projection(projection, offset, stereo.convergence), mode,
+                               moment);
   };
-  made.first = render(-0.5);
+  const PictureInPlace left = render(-0.5);
   renderer_.set_aside();
-  made.right = render(0.5);
-  if (stereo.swap_eyes) {
-    std::swap(made.first, made.right);
-  }
-  return made;
+  const PictureInPlace right = render(0.5);
+  return stereo.swap_eyes ? EyesInPlace{right, left} : EyesInPlace{left, right};
 }
 
 }  // namespace ergodome

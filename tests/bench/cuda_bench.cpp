@@ -46,7 +46,7 @@ void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) 
   renderer.apply(time_s);
   const Projection projection = make_projection(renderer.show().view, size, 0.0);
   CameraPose pose = camera_pose(renderer.show(), time_s);
-  const char* lens = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}).lens;
+  const char* lens = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}).first.lens;
   const auto before = work_done();
   for (auto _ : state) {
     pose.r += way.moving ? 1e-9 : 0.0;

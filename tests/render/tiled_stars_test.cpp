@@ -142,7 +142,7 @@ TEST(TiledStars, AreThoseOfAPictureThatStaysWhereItIsMade) {
   const CameraPose pose = camera_pose(show, 0.0);
   const Projection projection = make_projection(show.view, 300, 0.0);
   const Picture expected = renderer.render_eye(pose, 0.0, projection, ViewMode::sky);
-  const float* const made = renderer.render_eye_in_place(pose, 0.0, projection, ViewMode::sky, {}, nullptr);
+  const float* const made = renderer.render_eye_in_place(pose, 0.0, projection, ViewMode::sky, {}).rgba;
   expect_same({made, made + expected.rgba.size()}, {expected.rgba.begin(), expected.rgba.end()});
 }
 
@@ -161,8 +161,13 @@ TEST(EyesInPlace, AreThoseOfAWindow) {
     const EyesInPlace made = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {});
     ASSERT_EQ(expected.size(), 2U);
     EXPECT_FALSE(std::ranges::equal(expected[0].rgba, expected[1].rgba));
-    expect_same({made.first, made.first + expected[0].rgba.size()}, {expected[0].rgba.begin(), expected[0].rgba.end()});
-    expect_same({made.right, made.right + expected[1].rgba.size()}, {expected[1].rgba.begin(), expected[1].rgba.end()});
+    const auto expect_eye = [](const PictureInPlace& there, const Picture& here) {
+      expect_same({there.rgba, there.rgba + here.rgba.size()}, {here.rgba.begin(), here.rgba.end()});
+      EXPECT_STREQ(there.lens, here.lens);
+    };
+    expect_eye(made.first, expected[0]);
+    ASSERT_TRUE(made.right.has_value());
+    expect_eye(*made.right, expected[1]);
   }
 }
 
