@@ -114,7 +114,8 @@ struct DrawStars {
     Vector3<float> sum{};
     for (int corner = 0; corner < 4; ++corner) {
       const float across = left + static_cast<float>(corner % 2);
-      const float down = top + static_cast<float>(corner / 2);
+      const int row = corner / 2;
+      const float down = top + static_cast<float>(row);
       const float part = (1.0F - fabsf(x - across)) * (1.0F - fabsf(y - down));
       const auto size = static_cast<float>(batch.pattern_px);
       if (across >= 0.0F && across < size && down >= 0.0F && down < size) {

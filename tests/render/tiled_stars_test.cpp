@@ -113,7 +113,8 @@ TEST(TiledStars, HaveSpikesWherePointsHaveThem) {
     }
     // They end where the image does.
     for (int i = 0; i < width * height; ++i) {
-      if (!(image_coverage(projection, i % width + 0.5, i / width + 0.5) > 0.0)) {
+      const int row = i / width;
+      if (!(image_coverage(projection, i % width + 0.5, row + 0.5) > 0.0)) {
         std::fill_n(expected.begin() + 4L * i, 3, 0.25F);
       }
     }

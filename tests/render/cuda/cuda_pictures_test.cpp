@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct Scene {
   std::function<void(Show&)> change = [](Show&) {};
 };
 
-void PrintTo(const Scene& scene, std::ostream* stream) { *stream << scene.name; }
+std::ostream& operator<<(std::ostream& stream, const Scene& scene) { return stream << scene.name; }
 
 Show show_of(const Scene& scene) {
   Show show = read_show(built_in_content_folder() / "shows" / (scene.show + ".toml"));

@@ -29,7 +29,8 @@ Picture gradient(int width, int height) {
   picture.height = height;
   for (int i = 0; i < width * height; ++i) {
     const auto x = static_cast<float>(i % width) / static_cast<float>(width);
-    const auto y = static_cast<float>(i / width) / static_cast<float>(height);
+    const int row = i / width;
+    const auto y = static_cast<float>(row) / static_cast<float>(height);
     for (const float value : {x, y, 0.5F * (x + y), 1.0F}) {
       picture.rgba.push_back(value);
     }
