@@ -42,6 +42,7 @@ struct KernelTable {
   void (*check_omni_cells)(const OmniCheckBatch& batch, int begin, int end);
   void (*check_blend)(const BlendCheckBatch& batch, int begin, int end);
   void (*look_up_pixels)(const LookUpBatch& batch, int begin, int end);
+  void (*look_up_pixel_pairs)(const LookUpPairBatch& batch, int begin, int end);
   void (*look_up_omni_pixels)(const OmniLookUpBatch& batch, int begin, int end);
   void (*look_up_rays)(const LookUpRaysBatch<double>& batch, int begin, int end);
   void (*read_quadtree_rays)(const QuadtreeRaysBatch& batch, int begin, int end);  //!< one element an index

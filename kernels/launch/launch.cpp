@@ -124,11 +124,17 @@ void check_blend(const BlendCheckBatch& batch) {
   finish(counter, Backend::cpu, batch);
 }
 
-void look_up_pixels(Backend backend, const LookUpBatch& batch) {
-  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+namespace {
+WorkCounter& look_up_counter(const LookUpBatch& batch) {
   static WorkCounter plain("look_up_pixels");
   static WorkCounter with_footprints("look_up_pixels, footprints");
-  WorkCounter& counter = has_footprints(batch.pixels.out) ? with_footprints : plain;
+  return has_footprints(batch.pixels.out) ? with_footprints : plain;
+}
+}  // namespace
+
+void look_up_pixels(Backend backend, const LookUpBatch& batch) {
+  const int pixels = batch.pixels.row_count * batch.pixels.projection.width_px;
+  WorkCounter& counter = look_up_counter(batch);
   const WorkScope work(counter, pixels);
   if (backend == Backend::cuda) {
     look_up_pixels_cuda(batch);
@@ -136,6 +142,19 @@ void look_up_pixels(Backend backend, const LookUpBatch& batch) {
     run_on_cpu(active_table().look_up_pixels, batch, pixels, active_table().lanes_float);
   }
   finish(counter, backend, batch);
+}
+
+void look_up_pixels(const LookUpPairBatch& batch) {
+  const PixelBatch& first = batch.eyes[0].pixels;
+  const int pixels = first.row_count * first.projection.width_px;
+  WorkCounter& counter = look_up_counter(batch.eyes[0]);
+  // A picture of each eye, as a launch of its own would count it.
+  counter.count(pixels);
+  const WorkScope work(counter, pixels);
+  run_on_cpu(active_table().look_up_pixel_pairs, batch, pixels, active_table().lanes_float);
+  for (const LookUpBatch& eye : batch.eyes) {
+    finish(counter, Backend::cpu, eye);
+  }
 }
 
 void look_up_pixels(const OmniLookUpBatch& batch) {

@@ -47,6 +47,9 @@ void check_blend(const BlendCheckBatch& batch);
 //! Reads the pixels of an image from a lens grid; see LookUpBatch.
 void look_up_pixels(Backend backend, const LookUpBatch& batch);
 
+//! The same for both eyes at once, on the processor.
+void look_up_pixels(const LookUpPairBatch& batch);
+
 //! The same for an eye that turns with the direction, on the CPU alone.
 void look_up_pixels(const OmniLookUpBatch& batch);
 

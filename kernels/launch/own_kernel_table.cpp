@@ -3,6 +3,7 @@
 #include "kernels/launch/kernel_table.h"
 #include "kernels/launch/own_disk_grid.h"
 #include "kernels/launch/own_flat_eyes.h"
+#include "kernels/launch/own_look_up.h"
 #include "kernels/launch/own_near_field.h"
 #include "kernels/launch/own_objects.h"
 #include "kernels/launch/own_shading.h"
@@ -60,14 +61,6 @@ void trace_omni_pixels(const OmniBatch& batch, int begin, int end) {
   }
 }
 
-void look_up_pixels(const LookUpBatch& batch, int begin, int end) {
-  if (has_footprints(batch.pixels.out)) {
-    run<LookUpPixels<WidePack<float>, true>>(batch, begin, end);
-  } else {
-    run<LookUpPixels<WidePack<float>, false>>(batch, begin, end);
-  }
-}
-
 }  // namespace
 
 const KernelTable& own_kernel_table() {
@@ -87,6 +80,7 @@ const KernelTable& own_kernel_table() {
       &check_omni_cells,
       &run<CheckBlend<WidePack<double>>, BlendCheckBatch>,
       &look_up_pixels,
+      &look_up_pixel_pairs,
       &look_up_omni_pixels,
       &run<LookUpRays<WidePack<double>>, LookUpRaysBatch<double>>,
       &run<ReadQuadtreeRays, QuadtreeRaysBatch>,

@@ -53,6 +53,11 @@ struct LookUpBatch {
   AberrationOf<float> aberration;
 };
 
+//! The same block of two eyes' images, which have one projection.
+struct LookUpPairBatch {
+  LookUpBatch eyes[2];
+};
+
 //! The same for an eye that turns with the direction: its grid lies in the view's axes, and `aberration` changes nothing.
 struct OmniLookUpBatch {
   PixelBatch pixels;

@@ -17,8 +17,11 @@ struct LookUpPixels {
 
   Batch batch;
 
-  ERGO_HD void operator()(int index) const {
-    const Looked at(batch, index);
+  ERGO_HD void operator()(int index) const { look_up(ViewedPixels<T>(batch.pixels, index)); }
+
+  //! The same for pixels of which the way into the view is known.
+  ERGO_HD void look_up(const ViewedPixels<T>& viewed) const {
+    const Looked at(batch, viewed);
     Vector3<Ray> sky = part_of<Ray>(at.read.sky);
     T steps(S(0));
     T estimate(S(0));
@@ -31,7 +34,7 @@ struct LookUpPixels {
 
   //! The same without rays, for a device, which traces them apart; tells whether there are any.
   ERGO_HD bool look_up_alone(int index) const {
-    const Looked at(batch, index);
+    const Looked at(batch, ViewedPixels<T>(batch.pixels, index));
     store(at, part_of<Ray>(at.read.sky), T(S(0)), T(S(0)));
     return any(at.wanted & at.read.flagged);
   }
@@ -45,15 +48,13 @@ struct LookUpPixels {
     MaskOf<T> wanted;
     GridSky<T> read;
 
-    ERGO_HD Looked(const Batch& batch, int index) : first(index * RealTraits<T>::lane_count) {
+    ERGO_HD Looked(const Batch& batch, const ViewedPixels<T>& viewed) : first(viewed.first) {
       const PixelBatch& pixels = batch.pixels;
       const T one(S(1));
       const T zero(S(0));
-      T x_px;
-      T y_px;
-      pixel_middles(pixels, first, x_px, y_px);
-      const T inside = image_coverage(pixels.projection, x_px, y_px);
-      n = observed_direction(pixels, x_px, y_px);
+      T x_px = viewed.x_px;
+      T y_px = viewed.y_px;
+      n = turned_from_view(pixels, viewed.view);
       Vector3<D> in_rain = rain_direction(batch.aberration, n);
       ChartPlace<D> place = chart_place(batch.lens.chart, in_rain);
       T sky_lit = select(place.edge_distance.value > zero, one, zero);
@@ -62,7 +63,7 @@ struct LookUpPixels {
         in_rain = rain_direction(batch.aberration, n);
         place = chart_place(batch.lens.chart, in_rain);
       }
-      lit = sky_lit * inside;
+      lit = sky_lit * viewed.inside;
       wanted = lit > zero;
       read = read_blended(batch.lens, place, wanted);
     }
@@ -99,6 +100,21 @@ struct LookUpPixels {
     if (out.frequency_ratio != nullptr) {
       const Vector3<T> direction = {at.n.x.value, at.n.y.value, at.n.z.value};
       store_lanes(out.frequency_ratio, first, count, S(1) / energy_of(camera_of(batch), direction));
+    }
+  }
+};
+
+//! Reads the same pixels for both eyes: what the projection does to each is done once.
+template <class T, bool Footprints>
+struct LookUpPixelPairs {
+  LookUpPixels<T, Footprints> eyes[2];
+
+  ERGO_HD explicit LookUpPixelPairs(const LookUpPairBatch& batch) : eyes{{batch.eyes[0]}, {batch.eyes[1]}} {}
+
+  ERGO_HD void operator()(int index) const {
+    const ViewedPixels<T> viewed(eyes[0].batch.pixels, index);
+    for (const LookUpPixels<T, Footprints>& eye : eyes) {
+      eye.look_up(viewed);
     }
   }
 };

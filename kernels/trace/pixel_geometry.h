@@ -20,20 +20,47 @@ ERGO_HD void pixel_middles(const PixelBatch& batch, int first, T& x_px, T& y_px)
   pixel_middles(batch.projection.width_px, batch.first_row, pixel_count(batch), first, x_px, y_px);
 }
 
-//! The observer's direction of a place in the image, with its derivatives per pixel.
+//! The direction of a place in the image in the view's own axes, with its derivatives per pixel.
 template <class T>
-ERGO_HD Vector3<Dual<T>> observed_direction(const PixelBatch& batch, const T& x_px, const T& y_px) {
+ERGO_HD Vector3<Dual<T>> view_direction(const PixelBatch& batch, const T& x_px, const T& y_px) {
   using D = Dual<T>;
   using S = ScalarOf<T>;
   const T one(S(1));
   const T zero(S(0));
-  const Vector3<D> view = direction_from_pixel(batch.projection, D(x_px, one, zero), D(y_px, zero, one));
+  return direction_from_pixel(batch.projection, D(x_px, one, zero), D(y_px, zero, one));
+}
+
+//! A direction of the view in the observer's frame.
+template <class D>
+ERGO_HD Vector3<D> turned_from_view(const PixelBatch& batch, const Vector3<D>& view) {
   const auto row = [&](int i) {
     const float* m = batch.frame_from_view[i];
     return view.x * m[0] + view.y * m[1] + view.z * m[2];
   };
   return {row(0), row(1), row(2)};
 }
+
+//! The observer's direction of a place in the image, with its derivatives per pixel.
+template <class T>
+ERGO_HD Vector3<Dual<T>> observed_direction(const PixelBatch& batch, const T& x_px, const T& y_px) {
+  return turned_from_view(batch, view_direction(batch, x_px, y_px));
+}
+
+//! A register of pixels, whoever looks through it.
+template <class T>
+struct ViewedPixels {
+  int first;  //!< of the block
+  T x_px;
+  T y_px;
+  T inside;  //!< part of each that the image covers
+  Vector3<Dual<T>> view;
+
+  ERGO_HD ViewedPixels(const PixelBatch& batch, int index) : first(index * RealTraits<T>::lane_count) {
+    pixel_middles(batch, first, x_px, y_px);
+    inside = image_coverage(batch.projection, x_px, y_px);
+    view = view_direction(batch, x_px, y_px);
+  }
+};
 
 //! Gives the lanes of `near_edge` their coverage, and moves their place into the lit part of the pixel. `n` is the direction in the
 //! frame of the edge. Tells whether any place moved.

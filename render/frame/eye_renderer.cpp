@@ -16,6 +16,8 @@ namespace {
 //! Pixels that are worked on at a time. A GPU wants many; on the processor their lens channels, 6 MiB, are still near when they are shaded.
 constexpr int block_pixels_on_device = 1 << 20;
 constexpr int block_pixels_on_host = 1 << 17;
+//! Two eyes' channels want twice the room.
+constexpr int strip_pixels = 1 << 15;
 
 //! The ends of the colour bar in the kernel's own measure of a channel (kernels/image/shade_pixels_kernel.h).
 void set_kernel_range(ShadeBatch& batch, const HeatRange& range) {
@@ -52,16 +54,18 @@ void clear_outside(const Projection& projection, Picture& picture) {
   });
 }
 
-HeatRange range_of(const PictureSettings& settings) {
+}  // namespace
+
+HeatRange heat_range(const PictureSettings& settings) {
   return heat_range(settings.mode, settings.follow && settings.follow->logarithmic);
 }
-
-}  // namespace
 
 int rows_of_a_block(Backend backend, int width_px, int height_px) {
   const int pixels = backend == Backend::cpu ? block_pixels_on_host : block_pixels_on_device;
   return std::clamp(pixels / width_px, 1, height_px);
 }
+
+int rows_of_a_strip(int width_px) { return std::max(strip_pixels / width_px, 1); }
 
 HeatRange heat_range(ViewMode mode, bool logarithmic_steps) {
   switch (mode) {
@@ -78,13 +82,14 @@ HeatRange heat_range(ViewMode mode, bool logarithmic_steps) {
   }
 }
 
-LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings) {
+LensPixels EyeRenderer::channels(std::size_t pixels, const PictureSettings& settings, bool second) {
   const LensChannels wanted = lens_channels(settings.mode, {settings.filter, settings.shift, settings.brightening});
   const auto count = static_cast<std::size_t>(wanted.floats());
-  if (lens_.size() < count * pixels) {
-    lens_ = Buffer<float>(backend_, count * pixels, "lens channels");
+  Buffer<float>& room = second ? second_lens_ : lens_;
+  if (room.size() < count * pixels) {
+    room = Buffer<float>(backend_, count * pixels, second ? "second lens channels" : "lens channels");
   }
-  float* next = lens_.data();
+  float* next = room.data();
   const auto take = [&](bool needed) {
     float* channel = needed ? next : nullptr;
     next += needed ? pixels : 0;
@@ -134,11 +139,9 @@ void EyeRenderer::filter_polygons(const ShadeBatch& shade, const PolygonFilter& 
   rgba_.write(values.data(), 4 * pixels);
 }
 
-void EyeRenderer::render_rows(const LensSource& source, ShadeBatch& shade, const PolygonFilter* polygons, int row,
-                              int rows) {
-  source.fill(row, rows, shade.lens);
-  shade.first_row = row;
-  shade.count = rows * shade.projection.width_px;
+void EyeRenderer::shade_rows(ShadeBatch& shade, const PolygonFilter* polygons, const RowBlock& rows) {
+  shade.first_row = rows.first;
+  shade.count = rows.count * shade.projection.width_px;
   if (shade.mode == ViewMode::sky && shade.filter == SkyFilter::polygon) {
     filter_polygons(shade, *polygons);
   }
@@ -163,7 +166,7 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
                    nullptr,
                    0};
   if (settings.mode != ViewMode::sky) {
-    set_kernel_range(shade, range_of(settings));
+    set_kernel_range(shade, heat_range(settings));
   }
   return shade;
 }
@@ -198,7 +201,8 @@ PictureInPlace EyeRenderer::render_in_place(const EyeCamera& eye, const Projecti
   std::future<std::vector<StarPoint>> seeking = seek_stars(eye, projection, settings);
   const auto source = lens_for(eye, projection, settings);
   near_field_ = near_field_of(eye, projection, settings);
-  render_rows(*source, shade, settings.polygons, 0, projection.height_px);
+  source->fill(0, projection.height_px, shade.lens);
+  shade_rows(shade, settings.polygons, {0, projection.height_px});
   const std::vector<StarPoint> stars = seeking.get();
   place_stars(stars, projection, settings);
   if (!stars.empty()) {
@@ -263,70 +267,6 @@ void EyeRenderer::finish(Picture& picture, const Projection& projection, const P
   if (settings.clear_outside) {
     clear_outside(projection, picture);
   }
-}
-
-void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
-                                 const std::vector<StarPoint>& stars, const RowBlock& rows, float* light) {
-  if (backend_ == Backend::cpu) {
-    // The rows are made in the picture itself.
-    if (!stars.empty()) {
-      settings.stars->draw(stars, projection, rows.first, rows.count, light);
-    }
-    return draw_near_rows(eye, projection, settings, rows, light);
-  }
-  if (!stars.empty()) {
-    tiled_stars_.draw(rows.first, rows.count, rgba_.data());
-  }
-  draw_near_rows(eye, projection, settings, rows, rgba_.data());
-  rgba_.read(light, 4 * static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(rows.count));
-}
-
-long EyeRenderer::count_unresolved(const float* estimates, std::size_t pixels) const {
-  return backend_ == Backend::cuda ? count_negative_cuda(estimates, static_cast<long>(pixels))
-                                   : std::count_if(estimates, estimates + pixels, [](float e) { return e < 0.0F; });
-}
-
-Picture EyeRenderer::render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
-                            const PictureSettings& settings) {
-  Picture picture;
-  picture.width = projection.width_px;
-  picture.height = projection.height_px;
-  if (settings.mode != ViewMode::sky) {
-    picture.heat_range = range_of(settings);
-  }
-  const auto width = static_cast<std::size_t>(projection.width_px);
-  picture.rgba.resize(4 * width * static_cast<std::size_t>(projection.height_px));
-  count_work("buffer: finished picture", static_cast<long>(picture.rgba.size() * sizeof(float)));
-  const int block_rows = rows_of_a_block(backend_, projection.width_px, projection.height_px);
-  const std::size_t most = width * static_cast<std::size_t>(block_rows);
-  ShadeBatch shade = prepare(projection, sky, settings, most);
-  std::future<std::vector<StarPoint>> seeking = seek_stars(eye, projection, settings);
-  const auto chosen = settings.given == nullptr ? lens_for(eye, projection, settings) : nullptr;
-  const LensSource* const source = settings.given != nullptr ? settings.given : chosen.get();
-  near_field_ = near_field_of(eye, projection, settings);
-  picture.lens = source->name();
-  picture.behind = source->behind();
-  std::vector<StarPoint> stars;
-  float* const apart = backend_ != Backend::cpu ? room_for(most) : nullptr;
-  for (int row = 0; row < projection.height_px; row += block_rows) {
-    const int rows = std::min(block_rows, projection.height_px - row);
-    float* const light = picture.rgba.data() + 4 * width * static_cast<std::size_t>(row);
-    shade.rgba = apart != nullptr ? apart : light;
-    render_rows(*source, shade, settings.polygons, row, rows);
-    if (seeking.valid()) {
-      stars = seeking.get();
-      if (apart != nullptr) {
-        place_stars(stars, projection, settings);
-      }
-    }
-    draw_over_rows(eye, projection, settings, stars, {row, rows}, light);
-    picture.unresolved_pixels += count_unresolved(shade.lens.error_estimate, width * static_cast<std::size_t>(rows));
-  }
-  if (settings.objects != nullptr) {
-    settings.objects->draw(eye, projection, settings.time_s, picture.rgba.data(), settings.turning_view.get());
-  }
-  finish(picture, projection, settings);
-  return picture;
 }
 
 }  // namespace ergodome

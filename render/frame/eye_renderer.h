@@ -50,6 +50,8 @@ struct PictureSettings {
 
 //! Rows of a picture that are worked on at a time: memory stays bounded at any size.
 int rows_of_a_block(Backend backend, int width_px, int height_px);
+//! And of these, that are worked on at a time where both eyes' skies are made in turn.
+int rows_of_a_strip(int width_px);
 
 //! Ends of a heat map's colour bar, as numbers that a person reads, and whether it is logarithmic between them.
 struct HeatRange {
@@ -77,6 +79,20 @@ struct PictureInPlace {
   bool behind = false;
 };
 
+//! A picture that an eye is to have.
+struct EyePicture {
+  EyeCamera eye;
+  Projection projection;
+  PictureSettings settings;
+};
+
+//! Pictures of two eyes, of one size and of the same channels.
+struct EyePair {
+  EyePicture first;
+  EyePicture second;
+  bool one_projection;  //!< both have: eyes that converge have not
+};
+
 //! Renders eyes, a block of rows at a time, so that memory stays bounded at any size. Keeps its buffers from picture to picture.
 class EyeRenderer {
  public:
@@ -102,6 +118,10 @@ class EyeRenderer {
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                  const PictureSettings& settings);
 
+  //! Both eyes' pictures. On the processor they are made block by block in turn: what the projection does to each pixel is done once where both
+  //! have a grid and one projection, and the sky that one eye has read is still near for the other.
+  std::vector<Picture> render_pair(const EyePair& wanted, const SkyCube& sky);
+
   //! Spreads light and blackens what is outside the image as far as the settings say so: the end of render().
   static void finish(Picture& picture, const Projection& projection, const PictureSettings& settings);
 
@@ -113,6 +133,26 @@ class EyeRenderer {
   void set_aside() { std::swap(rgba_, aside_); }
 
  private:
+  struct Making;
+
+  //! Sets a picture up, its lens and all, but for what stands near the hole.
+  void begin(Making& making, const SkyCube& sky);
+  //! The sky of rows, through the lens.
+  void make_sky(Making& making, const RowBlock& rows);
+  //! The same for both eyes, where their lenses share work.
+  void make_sky_of_both(Making (&both)[2], const RowBlock& rows);
+  //! What comes after the lens.
+  void light_sky(Making& making, const RowBlock& rows);
+  //! Stars, and what stands near the hole.
+  void draw_over(Making& making, const RowBlock& rows);
+  //! Draws what is drawn on whole pictures.
+  static void end(Making& making);
+
+  //! Pixels that are worked on at a time, at the most.
+  [[nodiscard]] std::size_t block_pixels(const Projection& projection) const;
+  template <class Visit>
+  void visit_blocks(const Projection& projection, const Visit& visit) const;
+
   //! Makes room for the lens of `pixels` and sets up the shading, but for where the light goes.
   ShadeBatch prepare(const Projection& projection, const SkyCube& sky, const PictureSettings& settings,
                      std::size_t pixels);
@@ -120,8 +160,8 @@ class EyeRenderer {
   //! Room for `pixels` in the backend's memory.
   float* room_for(std::size_t pixels);
 
-  //! Renders rows [row, row + rows) of the image. `polygons`: where the sky is filtered by them.
-  void render_rows(const LensSource& source, ShadeBatch& shade, const PolygonFilter* polygons, int row, int rows);
+  //! Turns rows whose lens is there into light. `polygons`: where the sky is filtered by them.
+  void shade_rows(ShadeBatch& shade, const PolygonFilter* polygons, const RowBlock& rows);
 
   //! Seeks the images of stars that a picture shows. What is given has to outlive the search.
   std::future<std::vector<StarPoint>> seek_stars(const EyeCamera& eye, const Projection& projection,
@@ -150,8 +190,8 @@ class EyeRenderer {
   //! Filters the map over the pixels' outlines, on the processor: channels of a GPU come over, and the light goes back.
   void filter_polygons(const ShadeBatch& shade, const PolygonFilter& polygons);
 
-  //! Makes room for the channels that the picture calls for, and no others.
-  LensPixels channels(std::size_t pixels, const PictureSettings& settings);
+  //! Makes room for the channels that the picture calls for, and no others; `second`: beside another eye's.
+  LensPixels channels(std::size_t pixels, const PictureSettings& settings, bool second = false);
 
   Backend backend_;
   LensChooser lenses_;
@@ -160,11 +200,13 @@ class EyeRenderer {
   NearField near_field_;  //!< of the picture in hand
   TiledStars tiled_stars_;
   Buffer<float> lens_;
+  Buffer<float> second_lens_;  //!< of the other eye, where both are read at once
   Buffer<float> rgba_;
   Buffer<float> aside_;  //!< a picture that stays
 };
 
 //! The range of a heat map's colour bar; of steps, for ways to follow rays that differ by orders of magnitude, a logarithmic one.
 HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
+HeatRange heat_range(const PictureSettings& settings);
 
 }  // namespace ergodome

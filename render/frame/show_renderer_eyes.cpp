@@ -44,12 +44,13 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
     case StereoModel::physical:
       break;
   }
-  for (const double side : {-0.5, 0.5}) {
+  const auto wanted = [&](double side) {
     const double offset = side * stereo.baseline;
-    eyes.push_back(
-        render_eye(pose, offset, converged_projection(projection, offset, stereo.convergence), mode, moment));
-  }
-  return eyes;
+    return EyePicture{eye_camera(show_, pose, offset), converged_projection(projection, offset, stereo.convergence),
+                      picture_settings(mode, moment, offset)};
+  };
+  const bool one_projection = !(stereo.convergence > 0.0) || stereo.baseline == 0.0;
+  return renderer_.render_pair({wanted(-0.5), wanted(0.5), one_projection}, sky_.cube());
 }
 
 std::optional<DiskGrid> ShowRenderer::flat_disk(const EyeCamera& head, const Projection& projection,

@@ -15,10 +15,15 @@ class GridLens : public LensSource {
            double tolerance_px, bool behind = false);
 
   void fill(int first_row, int row_count, const LensPixels& out) const override;
+  [[nodiscard]] bool shares_work_with(const LensSource& other) const override;
+  void fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
+                 const LensPixels& of_other) const override;
   [[nodiscard]] const char* name() const override { return name_; }
   [[nodiscard]] bool behind() const override { return behind_; }
 
  private:
+  [[nodiscard]] LookUpBatch rows(int first_row, int row_count, const LensPixels& out) const;
+
   Backend backend_;
   const char* name_;
   bool behind_;

@@ -42,6 +42,10 @@ void Planner::plan_lens() {
   plan_grid(quality, streamed);
   buffer("lens grid", WorkMoment::place, 0, quality);
   pixel_pass(variant("look_up_pixels"), quality, !asked);
+  if (request_.backend == Backend::cpu && shown_ > 1 && show_.stereo.model == StereoModel::physical) {
+    // Where both eyes have grids and one projection, and nothing stands near the hole, both are read at once.
+    buffer("second lens channels", WorkMoment::start, 0, why("stereo.layout"));
+  }
   if (!asked) {
     // Where most of a grid would be left to rays.
     pixel_pass(variant("trace_pixels"), quality, true);

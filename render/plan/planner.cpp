@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "content/animated_show.h"
 #include "render/frame/show_renderer.h"
 #include "render/stars/picture_sheets.h"
@@ -23,11 +25,31 @@ Planner::Planner(const Show& show, const FrameRequest& request)
   pixels_ = static_cast<long>(projection.width_px) * projection.height_px;
   block_rows_ = rows_of_a_block(request.backend, projection.width_px, projection.height_px);
   blocks_ = (projection.height_px + block_rows_ - 1) / block_rows_;
+  strips_ = count_strips();
   channels_ = lens_channels(request.mode, needs_.shading);
   for (const PictureSheet& sheet : picture_sheets(projection)) {
     ++gathers_;
     gathered_pixels_ += static_cast<long>(sheet.cell.width_px) * sheet.cell.height_px;
   }
+}
+
+int Planner::count_strips() const {
+  if (request_.backend != Backend::cpu || shown_ < 2 || show_.stereo.model != StereoModel::physical) {
+    return blocks_;
+  }
+  const auto near_field = [](const FrameNeeds& needs) { return needs.disk || needs.shells || needs.traced_objects; };
+  if (near_field(needs_) != near_field(always_)) {
+    return 0;
+  }
+  if (near_field(needs_)) {
+    return blocks_;
+  }
+  const int strip = rows_of_a_strip(plan_.width_px);
+  int strips = 0;
+  for (int row = 0; row < plan_.height_px; row += block_rows_) {
+    strips += (std::min(block_rows_, plan_.height_px - row) + strip - 1) / strip;
+  }
+  return strips;
 }
 
 FramePlan Planner::plan() {
@@ -87,7 +109,7 @@ void Planner::buffer(const std::string& name, WorkMoment moment, long bytes, con
 void Planner::pixel_pass(const std::string& name, const std::string& reason, bool if_needed) {
   // Where the baseline comes and goes, one picture serves both eyes at times.
   const bool known = drawn_pictures(least_.stereo) == plan_.eyes;
-  pass(name, WorkMoment::picture, known ? plan_.eyes * blocks_ : 0, known ? plan_.eyes * pixels_ : 0, reason,
+  pass(name, WorkMoment::picture, known ? plan_.eyes * strips_ : 0, known ? plan_.eyes * pixels_ : 0, reason,
        if_needed);
 }
 

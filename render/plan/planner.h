@@ -28,6 +28,7 @@ class Planner {
   void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason);
   //! A pass over all pixels of all eyes, block by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false);
+  [[nodiscard]] int count_strips() const;
   void plan_channels();
   [[nodiscard]] std::string variant(const char* kernel) const;
   //! A grid that is traced at each new place.
@@ -82,6 +83,7 @@ class Planner {
   long gathered_pixels_ = 0;  //!< of all of them
   int block_rows_;
   int blocks_;
+  int strips_;     //!< parts of blocks that the sky is made in; 0: not known
   int shown_ = 1;  //!< eyes that see what is drawn
 };
 

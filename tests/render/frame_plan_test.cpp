@@ -81,6 +81,21 @@ TEST_F(FramePlans, OfPicturesInBlocksCountEach) {
   expect_as_planned(show, asked);
 }
 
+TEST_F(FramePlans, OfTwoEyesThatAreMadeInTurnCountTheirStrips) {
+  Show show = plain_show();
+  show.view.size_px = 700;
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.baseline = 0.1;
+  for (const LensChoice lens : {LensChoice::live, LensChoice::direct}) {
+    for (const double convergence : {0.0, 10.0}) {
+      show.stereo.convergence = convergence;
+      FrameRequest asked = request();
+      asked.lens = lens;
+      expect_as_planned(show, asked);
+    }
+  }
+}
+
 TEST_F(FramePlans, NameTheLinesThatCallForAPass) {
   const Show show = parse_show("[camera]\n[[camera.key]]\nr = 9\n[sky]\nmap = \"grid\"\n\n[effects]\nredshift = true\n",
                                "folder/scene.toml");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -78,6 +79,34 @@ TEST(PhysicalEyes, HaveTheDisparityOfDirectCamerasAtTheShadowsEdge) {
     for (const double baseline :
          test::sanitized ? std::vector<double>{1e-2, 1.0} : std::vector<double>{1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
       expect_disparity_of_direct_cameras(renderer, baseline);
+    }
+  }
+}
+
+TEST(PhysicalEyes, ThatAreMadeInTurnAreThoseThatAreMadeAlone) {
+  // Two blocks, of several strips each.
+  Show show = show_of_eyes("baseline = 0.5\n");
+  show.sky.stars = "bright_stars";
+  show.effects.redshift = true;
+  const CameraPose pose = camera_pose(show, 0.0);
+  for (const double convergence : {0.0, 12.0}) {
+    show.stereo.convergence = convergence;
+    ShowRenderer renderer(show, Backend::cpu, LensChoice::live);
+    const Projection projection = make_projection(show.view, test::sanitized ? 200 : 400, 0.0);
+    const auto eyes = renderer.render_window_parts(pose, projection, ViewMode::sky);
+    ASSERT_EQ(eyes.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double offset = (i == 0 ? -0.5 : 0.5) * show.stereo.baseline;
+      const Picture alone =
+          renderer.render_eye(pose, offset, converged_projection(projection, offset, convergence), ViewMode::sky);
+      EXPECT_EQ(eyes[i].lens, std::string("live"));
+      EXPECT_EQ(eyes[i].unresolved_pixels, alone.unresolved_pixels);
+      double greatest = 0.0;
+      for (std::size_t at = 0; at < alone.rgba.size(); ++at) {
+        const double light = static_cast<double>(alone.rgba[at]);
+        greatest = std::max(greatest, std::abs(static_cast<double>(eyes[i].rgba[at]) - light) / (light + 1e-2));
+      }
+      EXPECT_LT(greatest, 1e-4) << i << " " << convergence;
     }
   }
 }
