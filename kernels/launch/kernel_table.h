@@ -70,6 +70,8 @@ struct KernelTable {
   void (*look_up_disk)(const DiskLookUpBatch& batch, int begin, int end);
   void (*mark_object_tiles)(const ObjectTileBatch& batch, int begin, int end);
   void (*look_at_objects)(const ObjectPixelBatch& batch, int begin, int end);
+  void (*mark_flat_object_tiles)(const FlatObjectTileBatch& batch, int begin, int end);
+  void (*look_at_flat_objects)(const FlatObjectPixelBatch& batch, int begin, int end);
   void (*draw_overlay)(const OverlayBatch& batch, int begin, int end);
   void (*tone_tiles)(const ToneBatch& batch, int begin, int end);        //!< a tile an index
   void (*average_tiles)(const AverageBatch& batch, int begin, int end);  //!< the same

@@ -114,6 +114,10 @@ const char* disk_look_up_name(DiskDrawing disk);
 void mark_object_tiles(Backend backend, const ObjectTileBatch& batch);
 void look_at_objects(Backend backend, const ObjectPixelBatch& batch);
 
+//! The same for an eye of the stereo model `flat`.
+void mark_object_tiles(Backend backend, const FlatObjectTileBatch& batch);
+void look_at_objects(Backend backend, const FlatObjectPixelBatch& batch);
+
 //! Lays them over a picture that has neither disk nor shells.
 void lay_objects(Backend backend, const LayObjectsBatch& batch);
 

@@ -36,6 +36,8 @@ void draw_near_field_cuda(const NearFieldBatch& batch);
 void draw_flat_eyes_cuda(const FlatEyeBatch& batch);
 void mark_object_tiles_cuda(const ObjectTileBatch& batch);
 void look_at_objects_cuda(const ObjectPixelBatch& batch);
+void mark_flat_object_tiles_cuda(const FlatObjectTileBatch& batch);
+void look_at_flat_objects_cuda(const FlatObjectPixelBatch& batch);
 void lay_objects_cuda(const LayObjectsBatch& batch);
 void place_stars_cuda(const StarTileBatch& batch, StarTileStep step);
 void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);

@@ -81,6 +81,24 @@ void look_at_objects(Backend backend, const ObjectPixelBatch& batch) {
   run_on_cpu(active_table().look_at_objects, batch, batch.count, active_table().lanes_double, grid_grain);
 }
 
+void mark_object_tiles(Backend backend, const FlatObjectTileBatch& batch) {
+  static WorkCounter counter("mark_flat_object_tiles");
+  const WorkScope work(counter, batch.tiles.count);
+  if (backend == Backend::cuda) {
+    return mark_flat_object_tiles_cuda(batch);
+  }
+  run_on_cpu(active_table().mark_flat_object_tiles, batch, batch.tiles.count, active_table().lanes_double, grid_grain);
+}
+
+void look_at_objects(Backend backend, const FlatObjectPixelBatch& batch) {
+  static WorkCounter counter("look_at_flat_objects");
+  const WorkScope work(counter, batch.pixels.count);
+  if (backend == Backend::cuda) {
+    return look_at_flat_objects_cuda(batch);
+  }
+  run_on_cpu(active_table().look_at_flat_objects, batch, batch.pixels.count, active_table().lanes_double, grid_grain);
+}
+
 void lay_objects(Backend backend, const LayObjectsBatch& batch) {
   const int pixels = batch.row_count * batch.projection.width_px;
   static WorkCounter counter("lay_objects");

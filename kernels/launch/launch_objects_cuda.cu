@@ -1,6 +1,7 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
-#include "kernels/mesh/look_at_objects_kernel.h"
+#include "kernels/mesh/look_at_flat_objects_kernel.h"
+#include "kernels/mesh/mark_flat_tiles_kernel.h"
 #include "kernels/mesh/mark_tiles_kernel.h"
 
 namespace ergodome {
@@ -13,6 +14,18 @@ void mark_object_tiles_cuda(const ObjectTileBatch& batch) {
 void look_at_objects_cuda(const ObjectPixelBatch& batch) {
   dispatch_objects<LookAtObjects, double>(batch,
                                           [&](const auto& look) { launch_cuda("look_at_objects", batch.count, look); });
+}
+
+void mark_flat_object_tiles_cuda(const FlatObjectTileBatch& batch) {
+  dispatch_flat_objects<MarkFlatTiles, double>(batch.tiles.objects.retarded, batch, [&](const auto& mark) {
+    launch_cuda("mark_flat_object_tiles", batch.tiles.count, mark);
+  });
+}
+
+void look_at_flat_objects_cuda(const FlatObjectPixelBatch& batch) {
+  dispatch_flat_objects<LookAtFlatObjects, double>(batch.pixels.objects.retarded, batch, [&](const auto& look) {
+    launch_cuda("look_at_flat_objects", batch.pixels.count, look);
+  });
 }
 
 void lay_objects_cuda(const LayObjectsBatch& batch) {

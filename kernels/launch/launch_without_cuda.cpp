@@ -38,6 +38,8 @@ void draw_flat_eyes_cuda(const FlatEyeBatch&) { refuse(); }
 void mark_object_tiles_cuda(const ObjectTileBatch&) { refuse(); }
 
 void look_at_objects_cuda(const ObjectPixelBatch&) { refuse(); }
+void mark_flat_object_tiles_cuda(const FlatObjectTileBatch&) { refuse(); }
+void look_at_flat_objects_cuda(const FlatObjectPixelBatch&) { refuse(); }
 
 void lay_objects_cuda(const LayObjectsBatch&) { refuse(); }
 

@@ -108,6 +108,8 @@ const KernelTable& own_kernel_table() {
       &look_up_disk,
       &mark_object_tiles,
       &look_at_objects,
+      &mark_flat_object_tiles,
+      &look_at_flat_objects,
       &run<DrawOverlay<WidePack<float>>, OverlayBatch>,
       &tone_tiles,
       &average_tiles,

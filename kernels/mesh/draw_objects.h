@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "kernels/flat_eyes/flat_horizon.h"
 #include "kernels/mesh/light_ray.h"
 #include "kernels/mesh/surface.h"
 #include "kernels/projection/projection.h"
@@ -64,6 +65,47 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
     action(Functor<T, NearParts::azimuth_and_delay>{batch});
   } else {
     action(Functor<T, NearParts::azimuth>{batch});
+  }
+}
+
+//! An eye of the stereo model `flat`, which sees what the head's rays meet where they are in the head's flat space (kernels/mesh/eye_path.h).
+struct FlatEyeSight {
+  Vector3<double> eye;  //!< beside the head, in the observer's frame [M]; not 0
+  double most_w;        //!< nothing is nearer to the eye than 1 / most_w, or is not drawn there [1/M]
+  double pixel;         //!< of the picture, as an angle [rad]
+  FlatHorizon horizon;
+};
+
+//! The part of an eye's lines of sight on which objects may be.
+struct FlatReach {
+  float least_w;  //!< nearness [1/M]
+  float most_w;
+  float width;  //!< a pixel is so wide there, over r
+};
+
+//! Tiles of such an eye's image.
+struct FlatObjectTileBatch {
+  ObjectTileBatch tiles;
+  FlatEyeSight sight;
+  double part;             //!< of a line that a ray stands for, as the head sees it [rad]
+  const FlatReach* along;  //!< one a tile: where to look
+  FlatReach* reach;        //!< one a tile: where something is, if anything
+};
+
+//! Pixels of it.
+struct FlatObjectPixelBatch {
+  ObjectPixelBatch pixels;  //!< `time`: minus the mean nearness
+  FlatEyeSight sight;
+  const FlatReach* reach;  //!< one a pixel
+};
+
+//! Calls action(functor) for a batch of such an eye.
+template <template <class, NearParts> class Functor, class T, class Batch, class Action>
+inline void dispatch_flat_objects(bool retarded, const Batch& batch, const Action& action) {
+  if (retarded) {
+    action(Functor<T, NearParts::azimuth_delay_and_distance>{batch});
+  } else {
+    action(Functor<T, NearParts::azimuth_and_distance>{batch});
   }
 }
 

@@ -1,9 +1,27 @@
 #pragma once
 
-#include "kernels/mesh/draw_objects.h"
-#include "kernels/mesh/object_sight.h"
+#include "kernels/mesh/object_quads.h"
 
 namespace ergodome::inline ERGO_TARGET {
+
+//! Order of the series by which objects are looked for.
+inline constexpr int object_order = 10;
+
+//! Objects as a camera's rays meet them, or those of an eye that turns.
+template <class T, NearParts Parts>
+struct ObjectRaysOfEye {
+  const ObjectScene& objects;
+
+  ERGO_HD void find(int, const Vector3<T>& n, MeshHit* hits, T& energy, T& momentum) const {
+    const CameraStation& camera = objects.camera;
+    const NearRay<T> ray = start_near_ray(camera, objects.turning, n);
+    energy = ray.energy;
+    momentum = ray.axial_angular_momentum;
+    const T square = dot(n, n);
+    trace_meshes<object_order, Parts, T>(camera.spin, camera.cosine_phi, camera.sine_phi, ray, objects.scene,
+                                         objects.limits, (square > T(0.5)) & (square < T(2.0)), hits);
+  }
+};
 
 //! Light of pixels in which objects may be seen, from four or sixteen rays each. Index i stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
@@ -11,175 +29,8 @@ struct LookAtObjects {
   ObjectPixelBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const int first = index * lanes;
-    PixelSum sums[lanes] = {};
-    LitMesh lit;
-    const int quads = batch.samples / 2;
-    const double spacing = 1.0 / batch.samples;
-    for (int quad = 0; quad < quads * quads; ++quad) {
-      const int row = quad / quads;
-      look_at_quad(first, (quad - row * quads + 0.5) / quads, (row + 0.5) / quads, 0.5 * spacing, lit, sums);
-    }
-    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
-      store(first + i, sums[i]);
-    }
-  }
-
- private:
-  static constexpr int lanes = RealTraits<T>::lane_count;
-  static constexpr int order = 10;
-  static constexpr int quad_size = 4;
-
-  //! What a pixel's samples have seen so far.
-  struct PixelSum {
-    Vector3<float> light;
-    float time;
-    int hits, misses;
-    float darkest, brightest;
-    std::int32_t mesh;
-    bool several;
-    Vector3<float> normal;
-  };
-
-  //! The lamp's light on a mesh.
-  struct LitMesh {
-    int mesh = -1;
-    Vector3<double> correction = {0.0, 0.0, 0.0};  //!< kept from place to place
-    LampLight light = {};
-  };
-
-  ERGO_HD const std::int32_t* pixel_at(int at) const {
-    return batch.pixels + 2 * static_cast<long>(at < batch.count ? at : batch.count - 1);
-  }
-
-  //! Looks along four rays about a place of each pixel, `apart` from it along x and y.
-  ERGO_HD void look_at_quad(int first, double x, double y, double apart, LitMesh& lit, PixelSum (&sums)[lanes]) const {
-    MeshHit hits[quad_size][lanes];
-    T energy[quad_size];
-    T momentum[quad_size];
-    const ObjectScene& objects = batch.objects;
-    const CameraStation& camera = objects.camera;
-    for (int k = 0; k < quad_size; ++k) {
-      const double along = x + (k % 2 == 0 ? -apart : apart);
-      const double down = y + (k < 2 ? -apart : apart);
-      Vector3<T> n;
-      for (int i = 0; i < lanes; ++i) {
-        const std::int32_t* const at = pixel_at(first + i);
-        const Vector3<double> one = observed_by(objects, at[0] + along, at[1] + down);
-        set_lane(n.x, i, one.x);
-        set_lane(n.y, i, one.y);
-        set_lane(n.z, i, one.z);
-      }
-      const NearRay<T> ray = start_near_ray(camera, objects.turning, n);
-      energy[k] = ray.energy;
-      momentum[k] = ray.axial_angular_momentum;
-      const T square = dot(n, n);
-      trace_meshes<order, Parts, T>(camera.spin, camera.cosine_phi, camera.sine_phi, ray, objects.scene, objects.limits,
-                                    (square > T(0.5)) & (square < T(2.0)), hits[k]);
-    }
-    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
-      const MeshHit quad[quad_size] = {hits[0][i], hits[1][i], hits[2][i], hits[3][i]};
-      lit.mesh = -1;
-      for (int k = 0; k < quad_size; ++k) {
-        add_sample(quad, k, lane(energy[k], i), lane(momentum[k], i), lit, sums[i]);
-      }
-    }
-  }
-
-  ERGO_HD SurfacePlace place_of(const MeshHit& hit) const {
-    const ObjectScene& objects = batch.objects;
-    return surface_place(objects.looks[hit.mesh].surface, objects.scene.meshes[hit.mesh], hit.place, hit.weight_1,
-                         hit.weight_2);
-  }
-
-  //! How the texture changes from a sample to its neighbours in the quad, where they are on the same mesh.
-  ERGO_HD OverlayFootprint footprint_of(const MeshHit (&quad)[quad_size], int k, const SurfacePlace& at) const {
-    OverlayFootprint footprint = {};
-    const auto difference = [&](int other, float& along_u, float& along_v) {
-      if (quad[other].mesh != quad[k].mesh) {
-        return;
-      }
-      const SurfacePlace beside = place_of(quad[other]);
-      // Across the seam of an image nothing is this wide.
-      const float u = beside.u - at.u;
-      const float v = beside.v - at.v;
-      along_u = ::fabsf(u) < 0.5F ? u : 0.0F;
-      along_v = ::fabsf(v) < 0.5F ? v : 0.0F;
-    };
-    difference(k ^ 1, footprint.s_along_x, footprint.t_along_x);
-    difference(k ^ 2, footprint.s_along_y, footprint.t_along_y);
-    return footprint;
-  }
-
-  ERGO_HD void add_sample(const MeshHit (&quad)[quad_size], int k, double energy, double momentum, LitMesh& lit,
-                          PixelSum& sum) const {
-    const MeshHit& hit = quad[k];
-    if (hit.mesh < 0) {
-      ++sum.misses;
-      return;
-    }
-    const ObjectScene& objects = batch.objects;
-    const SurfaceLook& look = objects.looks[hit.mesh];
-    const PlacedMesh& mesh = objects.scene.meshes[hit.mesh];
-    const SurfacePlace at = place_of(hit);
-    const bool textured = look.surface.parts[at.part].textured;
-    Vector3<float> light = surface_color(look, at, textured ? footprint_of(quad, k, at) : OverlayFootprint{});
-    if (look.lit && objects.lamp.strength > 0.0) {
-      // Across a quad the lamp's light is the same, but not the surface.
-      if (lit.mesh != hit.mesh) {
-        MeshLimits limits = objects.limits;
-        limits.delay = hit.delay;
-        const double off_surface = 1e-5 * mesh.size * mesh.tree.radius;
-        const Vector3<double> start = hit.point + at.lift + off_surface * at.normal;
-        lit.mesh = hit.mesh;
-        lit.light = lamp_light(objects.camera.spin, objects.lamp, hit.point, at.normal, start, objects.scene, limits,
-                               lit.correction);
-      }
-      light = static_cast<float>(illuminance(lit.light, at.normal)) * light;
-    }
-    if (objects.shifted) {
-      const double frequency =
-          emitted_frequency(objects.camera.spin, hit, energy, momentum, mesh_velocity(mesh, hit.delay));
-      const double g2 = ::fmin(1.0 / ::fmax(frequency * frequency, 1e-12), 1e6);
-      light = static_cast<float>(g2 * g2) * light;
-    }
-    add_light(hit, at, light, sum);
-  }
-
-  ERGO_HD static void add_light(const MeshHit& hit, const SurfacePlace& at, const Vector3<float>& light,
-                                PixelSum& sum) {
-    // Normals that differ by more than this, or another mesh: an outline may pass through the pixel.
-    constexpr float one_face = 0.9F;
-    const Vector3<float> normal = {static_cast<float>(at.normal.x), static_cast<float>(at.normal.y),
-                                   static_cast<float>(at.normal.z)};
-    const float brightness = light.x + light.y + light.z;
-    if (sum.hits == 0) {
-      sum.mesh = hit.mesh;
-      sum.normal = normal;
-      sum.darkest = brightness;
-      sum.brightest = brightness;
-    }
-    sum.several = sum.several || sum.mesh != hit.mesh || dot(normal, sum.normal) < one_face;
-    sum.darkest = ::fminf(sum.darkest, brightness);
-    sum.brightest = ::fmaxf(sum.brightest, brightness);
-    sum.light = sum.light + light;
-    sum.time += static_cast<float>(hit.time);
-    ++sum.hits;
-  }
-
-  ERGO_HD void store(int at, const PixelSum& sum) const {
-    // Contrast within a pixel that a display shows as a step.
-    constexpr float contrast = 0.05F;
-    const float share = 1.0F / static_cast<float>(sum.hits + sum.misses);
-    float* const rgba = batch.rgba + 4 * static_cast<long>(at);
-    rgba[0] = share * sum.light.x;
-    rgba[1] = share * sum.light.y;
-    rgba[2] = share * sum.light.z;
-    rgba[3] = share * static_cast<float>(sum.hits);
-    batch.time[at] = sum.hits > 0 ? sum.time / static_cast<float>(sum.hits) : 0.0F;
-    const bool uneven = sum.brightest - sum.darkest > contrast * sum.brightest;
-    const bool several = sum.several || (sum.hits > 0 && (sum.misses > 0 || uneven));
-    batch.content[at] = several ? pixel_of_several : sum.hits > 0 ? sum.mesh : pixel_of_nothing;
+    const ObjectRaysOfEye<T, Parts> rays = {batch.objects};
+    ObjectQuads<T, ObjectRaysOfEye<T, Parts>>{batch, rays}.draw(index);
   }
 };
 

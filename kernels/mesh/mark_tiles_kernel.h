@@ -1,7 +1,6 @@
 #pragma once
 
-#include "kernels/mesh/draw_objects.h"
-#include "kernels/mesh/object_sight.h"
+#include "kernels/mesh/tile_pieces.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -29,7 +28,7 @@ struct MarkTiles {
       // Where the tile's middle looks nowhere, its pixels are all looked at.
       marks[i] = looks ? TileMark::nothing : TileMark::fine;
       set_lane(inside, i, looks ? 1.0 : 0.0);
-      set_direction(n, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
+      set_vector_lane(n, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
     }
     const CameraStation& camera = objects.camera;
     const auto decided = follow_path<mark_order, Parts>(
@@ -45,48 +44,10 @@ struct MarkTiles {
   }
 
  private:
-  static constexpr int mark_order = 8;
-  static constexpr double mark_tolerance = 1e-6;
-  //! Footprints bend: what lies beyond the linear one by this part of it is still looked for.
-  static constexpr double slack = 1.6;
-  //! A pixel of more than this part of an object's radius may hold more than a few samples tell.
-  static constexpr double fine_part = 0.15;
-
-  ERGO_HD static void set_direction(Vector3<D>& n, int i, const Vector3<Dual<double>>& one) {
-    const auto set = [i](D& to, const Dual<double>& from) {
-      set_lane(to.value, i, from.value);
-      set_lane(to.along_x, i, from.along_x);
-      set_lane(to.along_y, i, from.along_y);
-    };
-    set(n.x, one.x);
-    set(n.y, one.y);
-    set(n.z, one.z);
-  }
-
   ERGO_HD TileMark look_through(const PathStep<mark_order, Parts, Dual<double>>& step, TileMark mark) const {
-    const MeshScene& scene = batch.objects.scene;
-    const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
-    constexpr double most_uneven = 0.05;
-    visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
-      const Vector3<Dual<double>> middle = step.point(Dual<double>(p.middle_h()));
-      const double width = length_of({middle.x.along_x, middle.y.along_x, middle.z.along_x}) +
-                           length_of({middle.x.along_y, middle.y.along_y, middle.z.along_y});
-      // The middle stands for the whole piece, whose footprint grows along it.
-      const double reach = p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + slack * 0.5 * batch.side_px * width;
-      for (int i = 0; i < scene.count; ++i) {
-        const PlacedMesh& mesh = scene.meshes[i];
-        const double radius = mesh.size * mesh.tree.radius;
-        const Vector3<double> at = has_delay(Parts) ? mesh_position(mesh, step.delay(p.middle_h())) : mesh.position;
-        double moved = 0.0;
-        if (has_delay(Parts) && mesh.retarded) {
-          moved = length_of(mesh_position(mesh, step.delay(p.from_h)) - mesh_position(mesh, step.delay(p.to_h)));
-        }
-        // What is not a number is near, too.
-        if (!(distance_from_segment(ball_middle(mesh, at), p.from, p.to) > radius + reach + moved)) {
-          mark = !(width < fine_part * radius) ? TileMark::fine : mark == TileMark::fine ? mark : TileMark::objects;
-        }
-      }
-      return mark == TileMark::fine ? PieceAnswer::stop : PieceAnswer::finish;
+    visit_tile_pieces(batch.objects.scene, step, 0.5 * batch.side_px, [&](const PathPiece&, bool fine, double) {
+      mark = fine || mark == TileMark::fine ? TileMark::fine : TileMark::objects;
+      return mark == TileMark::fine;
     });
     return mark;
   }

@@ -56,6 +56,9 @@ struct PathStep {
     return scale * turned(series_value(s.drag, h), series_rate(s.x, h), series_rate(s.y, h), series_rate(s.z, h));
   }
 
+  //! Affine distance from the camera [M]; with parts that carry it.
+  ERGO_HD T distance(const T& h) const { return series_value(series.distance, h); }
+
   //! Coordinate time from there to the camera [M]; 0 where it is not carried.
   ERGO_HD double delay(double h) const {
     if constexpr (has_delay(Parts)) {
@@ -94,6 +97,9 @@ ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries
   take_lane(all.drag, i, one.drag);
   if constexpr (has_delay(Parts)) {
     take_lane(all.delay, i, one.delay);
+  }
+  if constexpr (has_distance(Parts)) {
+    take_lane(all.distance, i, one.distance);
   }
 }
 

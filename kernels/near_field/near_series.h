@@ -8,13 +8,23 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! What is carried along a ray beside 1/r and the height m_z.
-enum class NearParts { place_alone, distance, azimuth, azimuth_and_delay, azimuth_and_distance };
+enum class NearParts {
+  place_alone,
+  distance,
+  azimuth,
+  azimuth_and_delay,
+  azimuth_and_distance,
+  azimuth_delay_and_distance
+};
 
 constexpr bool has_azimuth(NearParts parts) { return parts >= NearParts::azimuth; }
-constexpr bool has_delay(NearParts parts) { return parts == NearParts::azimuth_and_delay; }
+constexpr bool has_delay(NearParts parts) {
+  return parts == NearParts::azimuth_and_delay || parts == NearParts::azimuth_delay_and_distance;
+}
 //! The affine distance of kernels/geodesic/affine_distance.h.
 constexpr bool has_distance(NearParts parts) {
-  return parts == NearParts::distance || parts == NearParts::azimuth_and_distance;
+  return parts == NearParts::distance || parts == NearParts::azimuth_and_distance ||
+         parts == NearParts::azimuth_delay_and_distance;
 }
 
 namespace detail {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/projection/pixel_measure.h"
 #include "render/disk/disk_camera.h"
 #include "render/lens/direct_lens.h"
 
@@ -83,16 +84,29 @@ FlatEyeBatch FlatNearField::batch_for(const PictureView& view) const {
   const double(&m)[3][3] = view.eye.frame_from_view;
   batch.eye = {static_cast<float>(offset_ * m[0][0]), static_cast<float>(offset_ * m[1][0]),
                static_cast<float>(offset_ * m[2][0])};
-  double most_w = nearest_part / std::abs(offset_);
-  const double way = view.eye.r - farthest_r();
-  if (way > 0.0) {
-    most_w = std::min(most_w, fastest_approach * greatest_energy(station_) / way);
-  }
-  batch.most_w = static_cast<float>(most_w);
+  batch.most_w = static_cast<float>(most_nearness(farthest_r()));
   return batch;
 }
 
+double FlatNearField::most_nearness(double farthest_r) const {
+  const double most_w = nearest_part / std::abs(offset_);
+  const double way = 1.0 / station_.u - farthest_r;
+  return way > 0.0 ? std::min(most_w, fastest_approach * greatest_energy(station_) / way) : most_w;
+}
+
+void FlatNearField::draw_objects(const PictureView& view, const RowBlock& rows, float* rgba) {
+  const double(&m)[3][3] = view.eye.frame_from_view;
+  const Vector3<double> eye = {offset_ * m[0][0], offset_ * m[1][0], offset_ * m[2][0]};
+  const ObjectLayer layer = near_field_.objects->look(
+      view, rows,
+      {eye, most_nearness(near_field_.objects->farthest_r(view.time_s)), pixel_angle(view.projection), horizon_});
+  lay_objects(Backend::cpu, {layer, converted_projection<float>(view.projection), rows.first, rows.count, rgba});
+}
+
 void FlatNearField::draw(const PictureView& view, const RowBlock& rows, float* rgba) {
+  if (near_field_.objects != nullptr) {
+    return draw_objects(view, rows, rgba);
+  }
   FlatEyeBatch batch = batch_for(view);
   batch.near_field.pixels.first_row = rows.first;
   batch.near_field.pixels.row_count = rows.count;

@@ -4,12 +4,17 @@
 #include <cmath>
 
 #include "kernels/launch/launch.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/stars/picture_sheets.h"
 
 namespace ergodome {
 
 namespace {
 
 constexpr int object_tile_px = 4;
+constexpr int large_tile_px = 16;
+//! Along a line of sight of a flat eye a ray stands for as much of the picture, even for a pixel: less takes longer than what it saves afterwards.
+constexpr int least_part_px = 4;
 //! A step in brightness from pixel to pixel that is worth finer samples.
 constexpr float visible_step = 0.2F;
 
@@ -18,9 +23,9 @@ bool is_shown(const Projection& projection, int x, int y) { return image_coverag
 
 //! Calls each(x, y) for the pixels of a tile that are in the rows and in the image.
 template <class Each>
-void visit_tile(const Projection& projection, int left, int top, int bottom, const Each& each) {
-  for (int y = top; y < std::min(top + object_tile_px, bottom); ++y) {
-    for (int x = left; x < std::min(left + object_tile_px, projection.width_px); ++x) {
+void visit_tile(const Projection& projection, int side_px, int left, int top, int bottom, const Each& each) {
+  for (int y = top; y < std::min(top + side_px, bottom); ++y) {
+    for (int x = left; x < std::min(left + side_px, projection.width_px); ++x) {
       if (is_shown(projection, x, y)) {
         each(x, y);
       }
@@ -28,12 +33,23 @@ void visit_tile(const Projection& projection, int left, int top, int bottom, con
   }
 }
 
+//! Whether a tile is in one sheet of a picture.
+bool is_within_one(const std::vector<PictureSheet>& sheets, int x, int y, int side_px) {
+  return std::ranges::any_of(sheets, [&](const PictureSheet& sheet) {
+    const PixelCell& cell = sheet.cell;
+    return x >= cell.left_px && y >= cell.top_px && x + side_px <= cell.left_px + cell.width_px &&
+           y + side_px <= cell.top_px + cell.height_px;
+  });
+}
+
 }  // namespace
 
-ObjectPixels::ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count)
+ObjectPixels::ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count,
+                           const std::optional<FlatEyeSight>& flat)
     : backend_(backend),
       objects_(objects),
       width_(objects.projection.width_px),
+      flat_(flat),
       first_row_(first_row),
       row_count_(row_count),
       top_(std::max(first_row - 1, 0)),
@@ -45,37 +61,113 @@ ObjectPixels::ObjectPixels(Backend backend, const ObjectScene& objects, int firs
 void ObjectPixels::look() {
   std::vector<std::int32_t> coarse;
   std::vector<std::int32_t> fine;
-  mark_tiles(coarse, fine);
+  if (flat_) {
+    mark_flat_pixels(coarse, fine);
+  } else {
+    mark_pixels(coarse, fine);
+  }
   look_at(coarse, 2);
   look_at(fine, 4);
   look_at(uneven_pixels(coarse), 4);
 }
 
-void ObjectPixels::mark_tiles(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const {
+void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const {
+  const std::size_t count = tiles.places.size() / 2;
+  marks.resize(count);
+  if (count == 0) {
+    return;
+  }
+  const Buffer<std::int32_t> places(backend_, tiles.places, "objects' tiles");
+  const Buffer<TileMark> marked(backend_, count, "objects' tiles");
+  const ObjectTileBatch batch = {objects_, places.data(), static_cast<int>(count), side_px, marked.data()};
+  if (flat_) {
+    const Buffer<FlatReach> along(backend_, tiles.reach, "objects' tiles");
+    const Buffer<FlatReach> seen(backend_, count, "objects' tiles");
+    mark_object_tiles(backend_, {batch, *flat_, std::max(side_px, least_part_px) * pixel_angle(objects_.projection),
+                                 along.data(), seen.data()});
+    seen.read(tiles.reach.data(), count);
+  } else {
+    mark_object_tiles(backend_, batch);
+  }
+  marked.read(marks.data(), count);
+}
+
+std::vector<std::int32_t> ObjectPixels::shown_tiles(int left, int right, int top, int bottom, int side_px) const {
   std::vector<std::int32_t> tiles;
-  for (int y = top_; y < bottom_; y += object_tile_px) {
-    for (int x = 0; x < width_; x += object_tile_px) {
+  for (int y = top; y < std::min(bottom, bottom_); y += side_px) {
+    for (int x = left; x < std::min(right, width_); x += side_px) {
       bool shown = false;
-      visit_tile(objects_.projection, x, y, bottom_, [&](int, int) { shown = true; });
+      visit_tile(objects_.projection, side_px, x, y, bottom_, [&](int, int) { shown = true; });
       if (shown) {
         tiles.insert(tiles.end(), {x, y});
       }
     }
   }
-  const std::size_t count = tiles.size() / 2;
-  const Buffer<std::int32_t> places(backend_, tiles, "objects' tiles");
-  const Buffer<TileMark> marks(backend_, count, "objects' tiles");
-  mark_object_tiles(backend_, {objects_, places.data(), static_cast<int>(count), object_tile_px, marks.data()});
-  std::vector<TileMark> marked(count);
-  marks.read(marked.data(), count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (marked[i] != TileMark::nothing) {
-      std::vector<std::int32_t>& to = marked[i] == TileMark::fine ? fine : coarse;
-      visit_tile(objects_.projection, tiles[2 * i], tiles[2 * i + 1], bottom_, [&](int x, int y) {
-        to.insert(to.end(), {x, y});
-      });
+  return tiles;
+}
+
+ObjectPixels::Tiles ObjectPixels::parts_of(const Tiles& tiles, int side_px, int part_px) const {
+  std::vector<TileMark> marks;
+  Tiles seen = tiles;
+  look_through(seen, side_px, marks);
+  const std::vector<PictureSheet> sheets = picture_sheets(objects_.projection);
+  Tiles parts;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const int x = tiles.places[2 * i];
+    const int y = tiles.places[2 * i + 1];
+    // What a tile's middle tells of does not go beyond the side of a cube.
+    const bool torn = sheets.size() > 1 && !is_within_one(sheets, x, y, side_px);
+    if (marks[i] == TileMark::nothing && !torn) {
+      continue;
+    }
+    const std::vector<std::int32_t> places = shown_tiles(x, x + side_px, y, y + side_px, part_px);
+    parts.places.insert(parts.places.end(), places.begin(), places.end());
+    parts.reach.resize(parts.places.size() / 2, torn ? tiles.reach[i] : seen.reach[i]);
+  }
+  return parts;
+}
+
+void ObjectPixels::mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) {
+  // Lines of sight are many rays: large tiles tell along which parts of them it is worth while to look closer.
+  Tiles tiles = {shown_tiles(0, width_, top_, bottom_, large_tile_px), {}};
+  tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
+  tiles = parts_of(tiles, large_tile_px, object_tile_px);
+  Tiles pixels = parts_of(tiles, object_tile_px, 1);
+  std::vector<TileMark> marks;
+  look_through(pixels, 1, marks);
+  reach_.resize(seen_.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const std::int32_t* const at = &pixels.places[2 * i];
+    if (marks[i] != TileMark::nothing) {
+      std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
+      to.insert(to.end(), at, at + 2);
+      reach_[index_of(at[0], at[1])] = pixels.reach[i];
     }
   }
+}
+
+void ObjectPixels::mark_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const {
+  Tiles tiles = {shown_tiles(0, width_, top_, bottom_, object_tile_px), {}};
+  std::vector<TileMark> marks;
+  look_through(tiles, object_tile_px, marks);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i] != TileMark::nothing) {
+      std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
+      visit_tile(objects_.projection, object_tile_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_,
+                 [&](int x, int y) {
+                   to.insert(to.end(), {x, y});
+                 });
+    }
+  }
+}
+
+std::vector<FlatReach> ObjectPixels::reach_of(const std::vector<std::int32_t>& pixels) const {
+  std::vector<FlatReach> reach;
+  reach.reserve(pixels.size() / 2);
+  for (std::size_t i = 0; i < pixels.size(); i += 2) {
+    reach.push_back(reach_[index_of(pixels[i], pixels[i + 1])]);
+  }
+  return reach;
 }
 
 void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, int samples) {
@@ -87,8 +179,14 @@ void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, int samples)
   const Buffer<float> rgba(backend_, 4 * count, "objects' pixels");
   const Buffer<float> time(backend_, count, "objects' pixels");
   const Buffer<std::int32_t> content(backend_, count, "objects' pixels");
-  look_at_objects(
-      backend_, {objects_, places.data(), static_cast<int>(count), samples, rgba.data(), time.data(), content.data()});
+  const ObjectPixelBatch batch = {objects_,    places.data(), static_cast<int>(count), samples,
+                                  rgba.data(), time.data(),   content.data()};
+  if (flat_) {
+    const Buffer<FlatReach> reach(backend_, reach_of(pixels), "objects' pixels");
+    look_at_objects(backend_, {batch, *flat_, reach.data()});
+  } else {
+    look_at_objects(backend_, batch);
+  }
   std::vector<float> light(4 * count);
   std::vector<float> times(count);
   std::vector<std::int32_t> contents(count);

@@ -13,7 +13,9 @@ namespace ergodome {
 class ObjectPixels {
  public:
   //! `first_row` and `row_count`: of the block itself, within the image.
-  ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count);
+  //! `flat`: of an eye of that stereo model, beside the head whose objects' scene that is; else nothing.
+  ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count,
+               const std::optional<FlatEyeSight>& flat = {});
 
   //! Finds out what there is to see, as kernels do it.
   void look();
@@ -28,8 +30,27 @@ class ObjectPixels {
     std::int32_t content = pixel_of_nothing;
   };
 
-  //! The pixels of tiles that may see objects; `fine`: of those where these are small.
-  void mark_tiles(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const;
+  //! Tiles of the picture.
+  struct Tiles {
+    std::vector<std::int32_t> places;  //!< two numbers each: their first pixel, x and y
+    std::vector<FlatReach> reach;      //!< of a flat eye: where objects are looked for, or seen
+  };
+
+  //! The tiles of a rectangle that are in the image.
+  [[nodiscard]] std::vector<std::int32_t> shown_tiles(int left, int right, int top, int bottom, int side_px) const;
+
+  //! What tiles see, and of a flat eye where.
+  void look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const;
+
+  //! The smaller tiles of those of a flat eye that may see objects.
+  [[nodiscard]] Tiles parts_of(const Tiles& tiles, int side_px, int part_px) const;
+
+  //! The pixels that may see objects; `fine`: where these are small.
+  void mark_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const;
+  void mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine);
+
+  //! Where pixels may show objects.
+  [[nodiscard]] std::vector<FlatReach> reach_of(const std::vector<std::int32_t>& pixels) const;
 
   //! Looks at pixels, and keeps what they show.
   void look_at(const std::vector<std::int32_t>& pixels, int samples);
@@ -46,9 +67,11 @@ class ObjectPixels {
   Backend backend_;
   ObjectScene objects_;
   int width_;
+  std::optional<FlatEyeSight> flat_;
   int first_row_, row_count_;
   int top_, bottom_;  //!< with the rows beside
   std::vector<Seen> seen_;
+  std::vector<FlatReach> reach_;  //!< of a flat eye's pixels
   std::vector<float> rgba_;
   std::vector<float> time_;
 };

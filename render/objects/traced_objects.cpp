@@ -50,9 +50,13 @@ std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backe
   return has_objects(show, ObjectMethod::trace) ? std::make_unique<TracedObjects>(show, backend) : nullptr;
 }
 
+double TracedObjects::farthest_r(double time_s) const {
+  return place_meshes(objects_, surfaces_.trees(), time_s).greatest_r;
+}
+
 long TracedObjects::triangle_count() const { return surfaces_.triangle_count(); }
 
-ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows) {
+ObjectScene TracedObjects::scene_for(const PictureView& view) {
   const EyeCamera& eye = view.camera();
   const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), view.time_s);
   placed_.write(placed.meshes.data(), placed.meshes.size());
@@ -78,7 +82,19 @@ ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows) {
     scene.turning.coefficients = cameras_.data();
   }
   std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);
-  ObjectPixels pixels(backend_, scene, rows.first, rows.count);
+  return scene;
+}
+
+ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
+  ObjectPixels pixels(backend_, scene_for(view), rows.first, rows.count, sight);
+  pixels.look();
+  host_rgba_ = pixels.rgba();
+  host_time_ = pixels.time();
+  return {host_rgba_.data(), host_time_.data()};
+}
+
+ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows) {
+  ObjectPixels pixels(backend_, scene_for(view), rows.first, rows.count);
   pixels.look();
   const std::size_t count = pixels.time().size();
   if (time_.size() < count) {

@@ -31,10 +31,19 @@ class TracedObjects {
   //! Looks at the objects in rows of a picture, where they are at its time. The layer stays until the next call.
   ObjectLayer look(const PictureView& view, const RowBlock& rows);
 
+  //! The same for an eye of the stereo model `flat`, beside the head that the view is of; the layer is in host memory, and its time is minus the nearness.
+  ObjectLayer look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight);
+
+  //! The radius that no object reaches beyond at a time of the show [M].
+  [[nodiscard]] double farthest_r(double time_s) const;
+
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;
 
  private:
+  //! The objects of a picture as kernels have them.
+  ObjectScene scene_for(const PictureView& view);
+
   Backend backend_;
   std::vector<ObjectSettings> objects_;
   LampPlace lamp_;
@@ -45,6 +54,8 @@ class TracedObjects {
   Buffer<double> cameras_;  //!< of an eye that turns
   Buffer<float> rgba_;
   Buffer<float> time_;
+  std::vector<float> host_rgba_;
+  std::vector<float> host_time_;
 };
 
 //! Those of a show whose objects are traced; else none.

@@ -20,7 +20,7 @@ void Planner::flat_pass(const std::string& name, const std::string& reason, bool
 
 void Planner::plan_flat_near_field() {
   constexpr long places = FlatShadow::spokes * FlatShadow::depths;
-  const bool certain = (always_.disk || always_.shells) && !eyes_are_together_at_times();
+  const bool certain = (always_.disk || always_.shells || always_.traced_objects) && !eyes_are_together_at_times();
   buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + places) * long{sizeof(float)} : 0,
          why("stereo.model"));
   if (request_.backend != Backend::cpu) {

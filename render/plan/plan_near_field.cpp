@@ -23,7 +23,7 @@ void Planner::plan_near_field() {
     }
   }
   if (eyes_are_flat()) {
-    if (needs_.disk || needs_.shells) {
+    if (needs_.disk || needs_.shells || needs_.traced_objects) {
       plan_flat_near_field();
     }
     if (!eyes_are_together_at_times()) {
@@ -116,10 +116,18 @@ void Planner::plan_traced_objects(const std::string& objects) {
     return;
   }
   // How many pixels these take is not known beforehand.
-  pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects);
-  pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
-  if (!always_.disk && !always_.shells) {
-    pixel_pass("lay_objects", objects, needs_.disk || needs_.shells);
+  if (eyes_are_flat()) {
+    pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_together_at_times());
+    pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);
+    flat_pass("lay_objects", objects, false);
+  }
+  const bool together = !eyes_are_flat() || eyes_are_together_at_times();
+  if (together) {
+    pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_flat());
+    pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
+  }
+  if (together && !always_.disk && !always_.shells) {
+    pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || eyes_are_flat());
   }
   for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
     buffer(name, WorkMoment::picture, 0, objects);

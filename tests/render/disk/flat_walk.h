@@ -12,9 +12,11 @@
 
 #include "content/show_reader.h"
 #include "kernels/core/angles.h"
+#include "kernels/core/find_root.h"
 #include "kernels/disk/crossing_layers.h"
 #include "kernels/disk/disk_light.h"
 #include "kernels/geodesic/affine_distance.h"
+#include "kernels/mesh/path_step.h"
 #include "kernels/near_field/near_pixels.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"
@@ -30,9 +32,10 @@ namespace ergodome::test {
 inline constexpr int flat_px = sanitized ? 120 : 300;
 
 inline Show flat_show(const std::string& scene, const std::string& camera, double baseline,
-                      const std::string& view = "projection = \"pinhole\"\nfov_deg = 60\naspect = 1.5\n") {
+                      const std::string& view = "projection = \"pinhole\"\nfov_deg = 60\naspect = 1.5\n",
+                      int size_px = flat_px) {
   return parse_show("[camera]\n" + camera + "[sky]\nmap = \"black\"\n" + scene + "[view]\nsize_px = " +
-                        std::to_string(flat_px) + "\n" + view + "[stereo]\nmodel = \"flat\"\nlayout = \"separate\"\n" +
+                        std::to_string(size_px) + "\n" + view + "[stereo]\nmodel = \"flat\"\nlayout = \"separate\"\n" +
                         "baseline = " + std::to_string(baseline) + "\n",
                     "flat.toml");
 }
@@ -59,7 +62,7 @@ class FlatWalk {
       : show_(show),
         head_(eye_camera(show, camera_pose(show, 0.0), 0.0)),
         camera_(station_of(head_)),
-        projection_(make_projection(show.view, flat_px, 0.0)) {
+        projection_(make_projection(show.view, show.view.size_px, 0.0)) {
     const double(&m)[3][3] = head_.frame_from_view;
     eye_ = {offset * m[0][0], offset * m[1][0], offset * m[2][0]};
     if (show.disk) {
@@ -70,7 +73,7 @@ class FlatWalk {
     }
   }
 
-  enum class Met { nothing, horizon, disk, shell };
+  enum class Met { nothing, horizon, disk, shell, object };
   struct Seen {
     Met met;
     double r;  //!< of the disk [M]
@@ -83,7 +86,7 @@ class FlatWalk {
     const auto row = [&](int i) { return f[i][0] * view.x + f[i][1] * view.y + f[i][2] * view.z; };
     const Vector3<double> m = {row(0), row(1), row(2)};
     Place before = place_at(m, nearest * head_.r);
-    for (double s = nearest * step * head_.r; s < farthest * head_.r; s *= step) {
+    for (double s = nearest * step * head_.r; s < farthest * head_.r; s *= step_at(s)) {
       const Place now = place_at(m, s);
       Seen seen = between(m, before, now);
       if (seen.met != Met::nothing) {
@@ -92,6 +95,18 @@ class FlatWalk {
       before = now;
     }
     return {Met::nothing, 0.0};
+  }
+
+  //! The part of a pixel in which objects are seen.
+  [[nodiscard]] float covered_part(int x, int y) const {
+    constexpr int samples = 8;
+    int covered = 0;
+    for (int i = 0; i < samples * samples; ++i) {
+      const double across = (i % samples + 0.5) / samples;
+      const double down = (i / samples + 0.5) / samples;
+      covered += look(x + across, y + down).met == Met::object ? 1 : 0;
+    }
+    return static_cast<float>(covered) / (samples * samples);
   }
 
   //! The disk's light at a radius, without shift.
@@ -105,6 +120,18 @@ class FlatWalk {
   static constexpr double farthest = 16.0;
   static constexpr double step = 1.02;
 
+  //! Fine enough for objects, where they may be.
+  [[nodiscard]] double step_at(double s) const {
+    double finest = step;
+    for (const ObjectSettings& object : show_.objects) {
+      const double reach = 2.0 * (std::sqrt(dot(object.position, object.position)) + object.size);
+      if (s > head_.r - reach && s < head_.r + 2.0 * reach) {
+        finest = std::min(finest, 1.0 + 0.2 * object.size / s);
+      }
+    }
+    return finest;
+  }
+
   //! A place on the line, and how far beyond each sheet it is: negative before it.
   struct Place {
     double s;
@@ -112,7 +139,33 @@ class FlatWalk {
     double u[crossing_orders];
     bool in_horizon;
     bool in_shell;
+    bool in_object;  //!< in the ball of one
   };
+
+  //! Where the head's ray in direction n is at a distance, in pseudo-Cartesian coordinates; nothing where that is far from the hole, or in it.
+  [[nodiscard]] std::optional<Vector3<double>> point_at(const Vector3<double>& n, double distance) const {
+    constexpr NearParts parts = NearParts::azimuth_and_distance;
+    std::optional<Vector3<double>> point;
+    follow_path<16, parts>(
+        show_.spin, camera_.cosine_phi, camera_.sine_phi, start_near_ray(camera_, n),
+        {1.0001 * camera_.horizon_r, 2.0 * head_.r}, {1e-12, 100'000}, true,
+        [&](int, const PathStep<16, parts, double>& path) {
+          if (path.distance(path.length) < distance) {
+            return false;
+          }
+          point = path.point(find_root(0.0, path.length, [&](double h) { return path.distance(h) - distance; }));
+          return true;
+        });
+    return point;
+  }
+
+  [[nodiscard]] bool is_in_object(const Vector3<double>& n, double distance) const {
+    const std::optional<Vector3<double>> point = show_.objects.empty() ? std::nullopt : point_at(n, distance);
+    return point && std::ranges::any_of(show_.objects, [&](const ObjectSettings& object) {
+             const Vector3<double> way = *point - object.position;
+             return dot(way, way) < object.size * object.size;
+           });
+  }
 
   [[nodiscard]] Place place_at(const Vector3<double>& m, double s) const {
     const Vector3<double> at = eye_ + s * m;
@@ -129,6 +182,7 @@ class FlatWalk {
       }
     }
     place.in_horizon = !direction_is_bright(camera_, n) && distance >= affine_distance(camera_, n, camera_.horizon_r);
+    place.in_object = is_in_object(n, distance);
     for (const ShellSettings& shell : show_.shells) {
       place.in_shell = place.in_shell || distance >= affine_distance(camera_, n, shell.radius);
     }
@@ -151,6 +205,9 @@ class FlatWalk {
     if (high.in_shell && !low.in_shell) {
       return {Met::shell, 0.0};
     }
+    if (high.in_object && !low.in_object) {
+      return {Met::object, 0.0};
+    }
     for (int k = 0; disk_ && k < crossing_orders; ++k) {
       const double u = 0.5 * (low.u[k] + high.u[k]);
       if (low.beyond[k] * high.beyond[k] <= 0.0 && u >= 1.0 / show_.disk->outer &&
@@ -171,7 +228,21 @@ class FlatWalk {
   LayerLimits<double> limits_{};
 };
 
-//! Holds both eyes' pictures to the walk, at random pixels that do not lie next to an edge.
+//! Whether anything is lit about a pixel.
+inline bool is_lit_about(const Picture& picture, int x, int y) {
+  constexpr int reach = 4;
+  for (int row = std::max(y - reach, 0); row <= std::min(y + reach, picture.height - 1); ++row) {
+    for (int column = std::max(x - reach, 0); column <= std::min(x + reach, picture.width - 1); ++column) {
+      if (luminance_of(light_at(picture, column, row)) > 0.0F) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//! Holds both eyes' pictures to the walk, at random pixels that do not lie next to an edge. Objects are small: nine in ten of the pixels are near to what
+//! is drawn of them.
 inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
   const auto eyes = eyes_of(show, lens);
   ASSERT_EQ(eyes.size(), 2U);
@@ -180,9 +251,13 @@ inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
   for (std::size_t eye = 0; eye < 2; ++eye) {
     const FlatWalk walk(show, (eye == 0 ? -0.5 : 0.5) * show.stereo.baseline);
     const Picture& picture = eyes[eye];
-    for (int i = 0; i < pixels; ++i) {
+    for (int i = 0, tries = 0; i < pixels && tries < 100'000; ++tries) {
       const int x = static_cast<int>(random() % static_cast<unsigned>(picture.width));
       const int y = static_cast<int>(random() % static_cast<unsigned>(picture.height));
+      if (!show.objects.empty() && i % 10 != 0 && !is_lit_about(picture, x, y)) {
+        continue;
+      }
+      ++i;
       const FlatWalk::Seen seen = walk.look(x + 0.5, y + 0.5);
       bool inside = true;
       double widest = 0.0;
@@ -195,10 +270,16 @@ inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
       if (!inside || widest > 0.1 * seen.r) {
         continue;
       }
-      const bool lit = seen.met == FlatWalk::Met::disk || seen.met == FlatWalk::Met::shell;
+      const bool lit = seen.met != FlatWalk::Met::nothing && seen.met != FlatWalk::Met::horizon;
       const Vector3<float> expected = seen.met == FlatWalk::Met::disk ? walk.light(seen.r) : Vector3<float>{1, 1, 1};
       const Vector3<float> drawn = light_at(picture, x, y);
-      const float size = lit ? luminance_of(expected) : 0.0F;
+      float size = lit ? luminance_of(expected) : 0.0F;
+      if (!show.objects.empty() && luminance_of(drawn) > 0.0F && luminance_of(drawn) < 1.0F) {
+        // An image that is thinner than a pixel: what samples of it see.
+        size = walk.covered_part(x, y);
+        EXPECT_NEAR(luminance_of(drawn), size, 0.35F) << (eye == 0 ? "left " : "right ") << x << ", " << y;
+        continue;
+      }
       EXPECT_NEAR(luminance_of(drawn), size, 0.05F * size + 1e-4F)
           << (eye == 0 ? "left " : "right ") << x << ", " << y << ": " << static_cast<int>(seen.met) << " " << seen.r;
       things += lit ? 1 : 0;

@@ -121,6 +121,27 @@ TEST_F(TracedObjectPlans, NameTheCamerasOfEyesThatTurn) {
   }
 }
 
+TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTake) {
+  Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  for (const double baseline : {0.0, 0.5}) {
+    SCOPED_TRACE(baseline);
+    show.stereo.baseline = baseline;
+    const FramePlan plan = plan_frame(show, {});
+    const auto [first, second] = work_of(show, ViewMode::sky);
+    const bool apart = baseline > 0.0;
+    expect_planned({"load_meshes", apart ? "mark_flat_object_tiles" : "mark_object_tiles",
+                    apart ? "look_at_flat_objects" : "look_at_objects", "lay_objects"},
+                   plan, first, second);
+    for (const auto& [name, work] : second) {
+      EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
+                  std::ranges::find(plan.buffers, name, &PlannedBuffer::name) != plan.buffers.end())
+          << name;
+    }
+  }
+}
+
 TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
   Show show = show_with({traced(test::small_sphere({60.0, 0.0, 0.0}, 1.0))});
   show.view.field_of_view_deg = 10.0;

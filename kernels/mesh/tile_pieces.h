@@ -1,0 +1,61 @@
+#pragma once
+
+#include "kernels/mesh/draw_objects.h"
+#include "kernels/mesh/object_sight.h"
+
+// What tiles of an image may see of objects, by the ray through a tile's middle and its derivatives per pixel.
+namespace ergodome::inline ERGO_TARGET {
+
+//! How the rays of tiles are followed.
+inline constexpr int mark_order = 8;
+inline constexpr double mark_tolerance = 1e-6;
+//! Footprints bend: what lies beyond the linear one by this part of it is still looked for.
+inline constexpr double footprint_slack = 1.6;
+
+//! Sets a lane of a vector with its derivatives.
+template <class T>
+ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<double>>& one) {
+  const auto set = [i](Dual<T>& to, const Dual<double>& from) {
+    set_lane(to.value, i, from.value);
+    set_lane(to.along_x, i, from.along_x);
+    set_lane(to.along_y, i, from.along_y);
+  };
+  set(v.x, one.x);
+  set(v.y, one.y);
+  set(v.z, one.z);
+}
+
+//! Calls each(piece, fine, width) for the pieces of a step that the balls about meshes come so near to that rays within `half_px` of it may meet them, until it
+//! says that it is enough. `fine`: a pixel there, of such a width [M], may hold more of the mesh than a few samples tell.
+template <NearParts Parts, class Each>
+ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order, Parts, Dual<double>>& step,
+                               double half_px, const Each& each) {
+  //! A pixel of more than this part of an object's radius.
+  constexpr double fine_part = 0.15;
+  constexpr double most_uneven = 0.05;
+  const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
+  visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
+    const Vector3<Dual<double>> middle = step.point(Dual<double>(p.middle_h()));
+    const double width = length_of({middle.x.along_x, middle.y.along_x, middle.z.along_x}) +
+                         length_of({middle.x.along_y, middle.y.along_y, middle.z.along_y});
+    // The middle stands for the whole piece, whose footprint grows along it.
+    const double reach = p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + footprint_slack * half_px * width;
+    bool enough = false;
+    for (int i = 0; i < scene.count && !enough; ++i) {
+      const PlacedMesh& mesh = scene.meshes[i];
+      const double radius = mesh.size * mesh.tree.radius;
+      const Vector3<double> at = has_delay(Parts) ? mesh_position(mesh, step.delay(p.middle_h())) : mesh.position;
+      double moved = 0.0;
+      if (has_delay(Parts) && mesh.retarded) {
+        moved = length_of(mesh_position(mesh, step.delay(p.from_h)) - mesh_position(mesh, step.delay(p.to_h)));
+      }
+      // What is not a number is near, too.
+      if (!(distance_from_segment(ball_middle(mesh, at), p.from, p.to) > radius + reach + moved)) {
+        enough = each(p, !(width < fine_part * radius), width);
+      }
+    }
+    return enough ? PieceAnswer::stop : PieceAnswer::finish;
+  });
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

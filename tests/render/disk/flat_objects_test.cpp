@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/render/disk/flat_walk.h"
+#include "tests/render/objects/flat_ball.h"
+
+// Objects that are traced, as eyes of the model `flat` see them.
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): scenes of tests
+
+std::string white_ball(const std::string& position, const std::string& size) {
+  return "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsegments = 96\nrings = 48\nposition = [" + position +
+         "]\nsize = " + size + "\n";
+}
+
+const std::string spinning = "[[camera.key]]\nr = 24\ntheta_deg = 75\n[hole]\nspin = 0.9\n";
+
+constexpr int looks = sanitized ? 6 : 20;
+
+//! A scene in a picture on a flat screen.
+Show objects_show(const std::string& scene, const std::string& camera, double baseline, int fov_deg = 60) {
+  return flat_show(scene, camera, baseline, "projection = \"pinhole\"\nfov_deg = " + std::to_string(fov_deg) + "\n",
+                   sanitized ? 48 : 120);
+}
+
+void expect_what_lines_of_sight_meet(const Show& show) { compare_with_walk(show, LensChoice::direct, looks); }
+
+TEST(FlatObjects, BehindASpinningHoleAreWhatLinesOfSightMeetInFlatSpace) {
+  for (const double baseline : {0.1, 4.0}) {
+    SCOPED_TRACE(baseline);
+    expect_what_lines_of_sight_meet(objects_show(white_ball("-7, 5, 3", "3"), spinning, baseline));
+  }
+}
+
+TEST(FlatObjects, AreWhereTheClosedFormPutsThemBesideAHoleWithoutSpin) {
+  if (sanitized) {
+    GTEST_SKIP() << "takes long; walks along lines of sight run the same code";
+  }
+  std::vector<BallBeforeHead> balls = balls_before_heads();
+  const auto beside = std::ranges::find(balls, std::string("beside the hole"), &BallBeforeHead::name);
+  ASSERT_NE(beside, balls.end());
+  beside->traced = true;
+  expect_where_flat_space_puts(*beside);
+}
+
+TEST(FlatObjects, RightBehindTheHoleAreRingsThere) {
+  // In a turn by 75° from the axis, opposite the camera.
+  expect_what_lines_of_sight_meet(objects_show(white_ball("-11.6, 0, -3.1", "3"), spinning, 1.5));
+}
+
+TEST(FlatObjects, BeforeTheHoleAreWhatLinesOfSightMeetInFlatSpace) {
+  expect_what_lines_of_sight_meet(objects_show(white_ball("12, 2, 4", "1.5"), spinning, 3.0, 50));
+}
+
+TEST(FlatObjects, NextToTheHorizonAreWhatLinesOfSightMeetInFlatSpace) {
+  expect_what_lines_of_sight_meet(objects_show(white_ball("1.5, 3, 1", "1.2"), spinning, 2.0, 25));
+}
+
+TEST(FlatObjects, OfAMovingHeadAreWhatItsOwnFlatSpaceHas) {
+  const std::string moving =
+      "observer = \"geodesic\"\n[[camera.key]]\nr = 12\ntheta_deg = 60\nroll_deg = 30\n[hole]\nspin = -0.7\n";
+  expect_what_lines_of_sight_meet(objects_show(white_ball("-4, 5, 1", "3"), moving, 0.6, 90));
+}
+
+TEST(FlatObjects, OfEyesFartherApartThanTheyAreWideAreThatToo) {
+  const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
+  expect_what_lines_of_sight_meet(objects_show(white_ball("3, 9, 2", "4"), far, 40.0, 5));
+}
+
+//! How much an eye of the model differs from the head: the mean over all pixels that the head sees lit, as a part of their mean light.
+double difference_from_head(Show show, double baseline) {
+  show.stereo.baseline = baseline;
+  const auto eyes = eyes_of(show, LensChoice::direct);
+  show.stereo.baseline = 0.0;
+  const auto heads = eyes_of(show, LensChoice::direct);
+  double difference = 0.0;
+  double light = 1e-30;
+  for (std::size_t i = 0; i < heads[0].rgba.size(); ++i) {
+    const auto own = static_cast<double>(heads[0].rgba[i]);
+    light += 2.0 * own;
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+      difference += std::abs(static_cast<double>(eyes[eye].rgba[i]) - own);
+    }
+  }
+  return difference / light;
+}
+
+const std::string lamp_and_shift = "[light]\nposition = [6, 14, 9]\n[effects]\nredshift = true\n";
+
+TEST(FlatObjects, AreTheHeadsWithoutABaseline) {
+  EXPECT_EQ(difference_from_head(objects_show(white_ball("-7, 5, 3", "3"), spinning, 1.0), 0.0), 0.0);
+}
+
+TEST(FlatObjects, AreLitAndShiftedAsTheHeadSeesThemWhereEyesAreClose) {
+  const std::string ball = white_ball("-7, 5, 3", "3") + "light = \"lambert\"\n";
+  EXPECT_LT(difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0), 1e-6), 2e-3);
+}
+
+TEST(FlatObjects, AreSeenInEveryProjectionOverItsSeamsToo) {
+  // In a cube above the camera's front, across the edge of two faces.
+  for (const char* const projection : {"cube", "dome", "equirect", "cylinder"}) {
+    SCOPED_TRACE(projection);
+    const Show show = flat_show(white_ball("15, 1, 14", "4"), spinning, 1.0,
+                                "projection = \"" + std::string(projection) + "\"\n", sanitized ? 120 : 360);
+    EXPECT_LT(difference_from_head(show, 1e-6), 1e-2);
+  }
+}
+
+TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
+  const std::string ball =
+      "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\norbit = { r = 9, phi_deg = 120, speed = 1 }\nsize = 2\n";
+  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0);
+  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0);
+  EXPECT_LT(difference_from_head(then, 1e-6), 2e-3);
+  EXPECT_NE(eyes_of(now, LensChoice::direct)[0].rgba, eyes_of(then, LensChoice::direct)[0].rgba);
+}
+
+}  // namespace
+}  // namespace ergodome
