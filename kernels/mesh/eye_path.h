@@ -36,12 +36,17 @@ struct EyeReference {
     return w > 0.0 ? length / w : std::numeric_limits<double>::infinity();
   }
 
-  //! The nearness of the place at a distance from the head: (d² - e²) w² - 2 w m·e = 1. Beyond all where the place would be nearer than the eye.
+  //! The nearness of the place at a distance from the head: (d² - e²) w² - 2 w m·e = 1. A line that passes the head has two such places within |e|: the
+  //! farther one is told. Beyond all where there is none.
   ERGO_HD double nearness(double distance) const {
     const double ahead = dot(m, eye);
     const double rest = distance * distance - dot(eye, eye);
+    const double root = ::sqrt(::fmax(ahead * ahead + rest, 0.0));
     constexpr double beyond_all = 1e9;
-    return rest > 0.0 ? ::fmin((ahead + ::sqrt(ahead * ahead + rest)) / rest, beyond_all) : beyond_all;
+    if (ahead < 0.0) {
+      return 1.0 / (root - ahead);
+    }
+    return rest > 0.0 ? ::fmin((ahead + root) / rest, beyond_all) : beyond_all;
   }
 };
 

@@ -32,7 +32,7 @@ struct MarkFlatTiles {
       set_vector_lane(line.m, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
       seen[i].reference = eye_reference(line.direction(i), batch.sight.eye, 0.0);
       seen[i].from_w = static_cast<double>(along(first + i).least_w);
-      const double way = static_cast<double>(along(first + i).most_w) - seen[i].from_w;
+      const double way = ::fmax(static_cast<double>(along(first + i).most_w) - seen[i].from_w, 0.0);
       seen[i].parts = 1 + static_cast<int>(way * length_of(batch.sight.eye) / batch.part);
       seen[i].step_w = way / seen[i].parts;
       most_parts = most_parts < seen[i].parts ? seen[i].parts : most_parts;
@@ -68,10 +68,38 @@ struct MarkFlatTiles {
     return batch.along[at < batch.tiles.count ? at : batch.tiles.count - 1];
   }
 
+  //! Of images that nobody knows, near a critical curve, a pixel is as wide as can be.
+  static constexpr double widest = 1e30;
+
   ERGO_HD static void see_all(Seen& seen) {
+    see(seen, seen.from_w, seen.from_w + seen.parts * seen.step_w);
+    seen.width = widest;
+  }
+  ERGO_HD static void see(Seen& seen, double least_w, double most_w) {
     seen.mark = TileMark::fine;
-    seen.least_w = seen.from_w;
-    seen.most_w = seen.from_w + seen.parts * seen.step_w;
+    seen.least_w = ::fmin(seen.least_w, least_w);
+    seen.most_w = ::fmax(seen.most_w, most_w);
+  }
+
+  //! Lanes whose light falls from the camera for good.
+  ERGO_HD MaskOf<T> falls(const Vector3<T>& n) const {
+    const CameraStation& camera = batch.tiles.objects.camera;
+    const NearRay<T> ray = start_near_ray(camera, (1.0 / sqrt(dot(n, n))) * n);
+    return keeps_inwards(radial_fate(camera.spin, ray), ray.u, ray.u_rate);
+  }
+
+  //! Lanes with the shadow's edge within `half_px` of a direction: what is seen beside it is not told by the ray in the middle. Of single pixels that is
+  //! less than their samples tell, and all of them together would take longer than all the rest.
+  ERGO_HD MaskOf<T> is_by_edge(const EyePoint<T>& point, const T& half_px) const {
+    const auto at = [&](double along, double down) {
+      const auto part = [&](const D& n) { return n.value + half_px * (along * n.along_x + down * n.along_y); };
+      return falls({part(point.n.x), part(point.n.y), part(point.n.z)});
+    };
+    const MaskOf<T> corners[4] = {at(-1.0, -1.0), at(1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0)};
+    const MaskOf<T> all = corners[0] & corners[1] & corners[2] & corners[3];
+    const MaskOf<T> some = corners[0] | corners[1] | corners[2] | corners[3];
+    const MaskOf<T> middle = at(0.0, 0.0);
+    return (some & !all) | (middle & !all) | (some & !middle);
   }
 
   //! Looks along a part of the lines of sight.
@@ -89,17 +117,23 @@ struct MarkFlatTiles {
     const MaskOf<T> active = inside & (wanted > T(0.0));
     const EyePoint<T> point = line.at(w);
     const T sweep = 0.5 * step_w * (absolute(point.along_x) + absolute(point.along_y));
+    const T half_px = 0.5 * batch.tiles.side_px + sweep;
+    const MaskOf<T> by_edge = is_by_edge(point, footprint_slack * half_px);
+    // A tile's rays pass the ball about all objects where that of its middle does not.
+    const double beside = footprint_slack * batch.tiles.side_px * batch.sight.pixel;
+    const double greatest_r = objects.scene.greatest_r + beside * (1.0 / camera.u + objects.scene.greatest_r);
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),
-        {objects.scene.least_r, objects.scene.greatest_r}, {mark_tolerance, objects.limits.step_limit}, active,
+        {objects.scene.least_r, greatest_r}, {mark_tolerance, objects.limits.step_limit}, active,
         [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
-          const double half_px = 0.5 * batch.tiles.side_px + lane(sweep, i);
-          look_through(step, half_px, lane(w, i), 0.75 * seen[i].step_w, seen[i]);
+          look_through(step, lane(half_px, i), lane(w, i), 0.75 * seen[i].step_w, seen[i]);
           return false;
         });
     for (int i = 0; i < lanes; ++i) {
       if (mask_lane(active, i) && !mask_lane(decided, i)) {
         see_all(seen[i]);
+      } else if (batch.tiles.side_px > 1 && mask_lane(active & by_edge, i)) {
+        see(seen[i], lane(w, i) - 0.5 * seen[i].step_w, lane(w, i) + 0.5 * seen[i].step_w);
       }
     }
   }
@@ -126,8 +160,9 @@ struct MarkFlatTiles {
 
   ERGO_HD void store(int at, const Seen& seen) const {
     batch.tiles.marks[at] = seen.mark;
-    batch.reach[at] = {static_cast<float>(::fmax(seen.least_w, 0.0)),
-                       static_cast<float>(::fmin(seen.most_w, batch.sight.most_w)), static_cast<float>(seen.width)};
+    const double most_w = ::fmin(seen.most_w, batch.sight.most_w);
+    batch.reach[at] = {static_cast<float>(::fmin(::fmax(seen.least_w, 0.0), most_w)), static_cast<float>(most_w),
+                       static_cast<float>(seen.width)};
   }
 };
 

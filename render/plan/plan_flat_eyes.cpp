@@ -23,7 +23,7 @@ void Planner::plan_flat_near_field() {
   const bool certain = (always_.disk || always_.shells || always_.traced_objects) && !eyes_are_together_at_times();
   buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + places) * long{sizeof(float)} : 0,
          why("stereo.model"));
-  if (request_.backend != Backend::cpu) {
+  if (request_.backend != Backend::cpu && (needs_.disk || needs_.shells)) {
     buffer("flat eye's picture", WorkMoment::start, 0, why("stereo.model"));
   }
   pass("see_horizon", WorkMoment::picture, certain ? shown_ : 0, certain ? shown_ * places : 0, why("stereo.model"),

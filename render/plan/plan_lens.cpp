@@ -42,8 +42,9 @@ void Planner::plan_lens() {
   plan_grid(quality, streamed);
   buffer("lens grid", WorkMoment::place, 0, quality);
   pixel_pass(variant("look_up_pixels"), quality, !asked);
-  if (request_.backend == Backend::cpu && shown_ > 1 && show_.stereo.model == StereoModel::physical) {
-    // Where both eyes have grids and one projection, and nothing stands near the hole, both are read at once.
+  const bool converge = least_.stereo.convergence > 0.0 && least_.stereo.baseline > 0.0;
+  if (makes_eyes_in_turn() && !converge) {
+    // Where both have grids, they are read at once.
     buffer("second lens channels", WorkMoment::start, 0, why("stereo.layout"));
   }
   if (!asked) {

@@ -129,8 +129,11 @@ void Planner::plan_traced_objects(const std::string& objects) {
   if (together && !always_.disk && !always_.shells) {
     pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || eyes_are_flat());
   }
-  for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
+  for (const char* const name : {"objects' tiles", "objects' pixels"}) {
     buffer(name, WorkMoment::picture, 0, objects);
+  }
+  if (together) {
+    buffer("objects' picture", WorkMoment::picture, 0, objects);
   }
   if (plan_.eyes > 1 && show_.stereo.model == StereoModel::omni) {
     buffer("objects' cameras", WorkMoment::picture, 0, why("stereo.model"));

@@ -33,16 +33,21 @@ Planner::Planner(const Show& show, const FrameRequest& request)
   }
 }
 
+namespace {
+bool has_near_field(const FrameNeeds& needs) { return needs.disk || needs.shells || needs.traced_objects; }
+}  // namespace
+
+bool Planner::makes_eyes_in_turn() const {
+  return request_.backend == Backend::cpu && shown_ > 1 && show_.stereo.model == StereoModel::physical &&
+         !has_near_field(always_);
+}
+
 int Planner::count_strips() const {
-  if (request_.backend != Backend::cpu || shown_ < 2 || show_.stereo.model != StereoModel::physical) {
+  if (!makes_eyes_in_turn()) {
     return blocks_;
   }
-  const auto near_field = [](const FrameNeeds& needs) { return needs.disk || needs.shells || needs.traced_objects; };
-  if (near_field(needs_) != near_field(always_)) {
+  if (has_near_field(needs_)) {
     return 0;
-  }
-  if (near_field(needs_)) {
-    return blocks_;
   }
   const int strip = rows_of_a_strip(plan_.width_px);
   int strips = 0;

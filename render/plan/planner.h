@@ -28,6 +28,8 @@ class Planner {
   void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason);
   //! A pass over all pixels of all eyes, block by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false);
+  //! Whether the skies of two eyes are made in turn: where nothing stands near the hole, at times at least.
+  [[nodiscard]] bool makes_eyes_in_turn() const;
   [[nodiscard]] int count_strips() const;
   void plan_channels();
   [[nodiscard]] std::string variant(const char* kernel) const;

@@ -92,7 +92,7 @@ TEST(PhysicalEyes, ThatAreMadeInTurnAreThoseThatAreMadeAlone) {
   for (const double convergence : {0.0, 12.0}) {
     show.stereo.convergence = convergence;
     ShowRenderer renderer(show, Backend::cpu, LensChoice::live);
-    const Projection projection = make_projection(show.view, test::sanitized ? 200 : 400, 0.0);
+    const Projection projection = make_projection(show.view, 400, 0.0);
     const auto eyes = renderer.render_window_parts(pose, projection, ViewMode::sky);
     ASSERT_EQ(eyes.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {

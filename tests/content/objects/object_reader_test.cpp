@@ -171,13 +171,13 @@ TEST(ObjectReader, SaysWhichPartsOfAShowDoNotGoWithObjects) {
   EXPECT_TRUE(missing_features(show_of(sphere + "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\n")).empty());
 }
 
-TEST(ObjectReader, LetsEyesThatTurnWithTheDirectionSeeObjects) {
+TEST(ObjectReader, LetsEyesOfEveryModelSeeObjects) {
   const std::string stereo = "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\nmodel = ";
   for (const std::string method : {"trace", "polygon"}) {
     const std::string sphere = "[[objects]]\nshape = \"sphere\"\nmethod = \"" + method + "\"\nposition = [9, 0, 0]\n";
-    EXPECT_TRUE(missing_features(show_of(sphere + stereo + "\"omni\"\n")).empty());
-    // Eyes that see through one lens have polygons alone.
-    EXPECT_EQ(missing_features(show_of(sphere + stereo + "\"flat\"\n")).size(), method == "trace" ? 1U : 0U);
+    for (const std::string model : {"physical", "omni", "flat"}) {
+      EXPECT_TRUE(missing_features(show_of(sphere + stereo + "\"" + model + "\"\n")).empty()) << method << " " << model;
+    }
   }
 }
 

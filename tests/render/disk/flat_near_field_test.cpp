@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/frame/eye_disparity.h"
-#include "tests/render/disk/flat_walk.h"
+#include "tests/render/disk/compare_with_walk.h"
 #include "tests/support/sanitized.h"
 
 // What stands near the hole, as eyes of the model `flat` see it.

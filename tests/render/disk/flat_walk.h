@@ -1,11 +1,8 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -227,65 +224,5 @@ class FlatWalk {
   DiskLook look_{};
   LayerLimits<double> limits_{};
 };
-
-//! Whether anything is lit about a pixel.
-inline bool is_lit_about(const Picture& picture, int x, int y) {
-  constexpr int reach = 4;
-  for (int row = std::max(y - reach, 0); row <= std::min(y + reach, picture.height - 1); ++row) {
-    for (int column = std::max(x - reach, 0); column <= std::min(x + reach, picture.width - 1); ++column) {
-      if (luminance_of(light_at(picture, column, row)) > 0.0F) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-//! Holds both eyes' pictures to the walk, at random pixels that do not lie next to an edge. Objects are small: nine in ten of the pixels are near to what
-//! is drawn of them.
-inline void compare_with_walk(const Show& show, LensChoice lens, int pixels) {
-  const auto eyes = eyes_of(show, lens);
-  ASSERT_EQ(eyes.size(), 2U);
-  std::mt19937 random(3);
-  int things = 0;
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    const FlatWalk walk(show, (eye == 0 ? -0.5 : 0.5) * show.stereo.baseline);
-    const Picture& picture = eyes[eye];
-    for (int i = 0, tries = 0; i < pixels && tries < 100'000; ++tries) {
-      const int x = static_cast<int>(random() % static_cast<unsigned>(picture.width));
-      const int y = static_cast<int>(random() % static_cast<unsigned>(picture.height));
-      if (!show.objects.empty() && i % 10 != 0 && !is_lit_about(picture, x, y)) {
-        continue;
-      }
-      ++i;
-      const FlatWalk::Seen seen = walk.look(x + 0.5, y + 0.5);
-      bool inside = true;
-      double widest = 0.0;
-      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-        const FlatWalk::Seen beside = walk.look(x + 0.5 + dx, y + 0.5 + dy);
-        inside = inside && beside.met == seen.met;
-        widest = std::max(widest, std::abs(beside.r - seen.r));
-      }
-      // Images that are some pixels wide alone are one radius a pixel.
-      if (!inside || widest > 0.1 * seen.r) {
-        continue;
-      }
-      const bool lit = seen.met != FlatWalk::Met::nothing && seen.met != FlatWalk::Met::horizon;
-      const Vector3<float> expected = seen.met == FlatWalk::Met::disk ? walk.light(seen.r) : Vector3<float>{1, 1, 1};
-      const Vector3<float> drawn = light_at(picture, x, y);
-      float size = lit ? luminance_of(expected) : 0.0F;
-      if (!show.objects.empty() && luminance_of(drawn) > 0.0F && luminance_of(drawn) < 1.0F) {
-        // An image that is thinner than a pixel: what samples of it see.
-        size = walk.covered_part(x, y);
-        EXPECT_NEAR(luminance_of(drawn), size, 0.35F) << (eye == 0 ? "left " : "right ") << x << ", " << y;
-        continue;
-      }
-      EXPECT_NEAR(luminance_of(drawn), size, 0.05F * size + 1e-4F)
-          << (eye == 0 ? "left " : "right ") << x << ", " << y << ": " << static_cast<int>(seen.met) << " " << seen.r;
-      things += lit ? 1 : 0;
-    }
-  }
-  EXPECT_GT(things, sanitized ? 0 : pixels / 20);
-}
 
 }  // namespace ergodome::test
