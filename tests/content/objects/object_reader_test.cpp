@@ -175,8 +175,8 @@ TEST(ObjectReader, LetsEyesOfEveryModelSeeObjects) {
   const std::string stereo = "[stereo]\nlayout = \"rows\"\nbaseline = 0.1\nmodel = ";
   for (const std::string method : {"trace", "polygon"}) {
     const std::string sphere = "[[objects]]\nshape = \"sphere\"\nmethod = \"" + method + "\"\nposition = [9, 0, 0]\n";
-    for (const std::string model : {"physical", "omni", "flat"}) {
-      EXPECT_TRUE(missing_features(show_of(sphere + stereo + "\"" + model + "\"\n")).empty()) << method << " " << model;
+    for (const char* const model : {"\"physical\"\n", "\"omni\"\n", "\"flat\"\n"}) {
+      EXPECT_TRUE(missing_features(show_of(sphere + stereo + model)).empty()) << method << " " << model;
     }
   }
 }

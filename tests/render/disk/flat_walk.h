@@ -98,10 +98,10 @@ class FlatWalk {
   [[nodiscard]] float covered_part(int x, int y) const {
     constexpr int samples = 8;
     int covered = 0;
-    for (int i = 0; i < samples * samples; ++i) {
-      const double across = (i % samples + 0.5) / samples;
-      const double down = (i / samples + 0.5) / samples;
-      covered += look(x + across, y + down).met == Met::object ? 1 : 0;
+    for (int row = 0; row < samples; ++row) {
+      for (int column = 0; column < samples; ++column) {
+        covered += look(x + (column + 0.5) / samples, y + (row + 0.5) / samples).met == Met::object ? 1 : 0;
+      }
     }
     return static_cast<float>(covered) / (samples * samples);
   }
