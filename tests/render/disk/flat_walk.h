@@ -123,7 +123,7 @@ class FlatWalk {
     for (const ObjectSettings& object : show_.objects) {
       const double reach = 2.0 * (std::sqrt(dot(object.position, object.position)) + object.size);
       if (s > head_.r - reach && s < head_.r + 2.0 * reach) {
-        finest = std::min(finest, 1.0 + 0.2 * object.size / s);
+        finest = std::min(finest, 1.0 + 0.35 * object.size / s);
       }
     }
     return finest;
