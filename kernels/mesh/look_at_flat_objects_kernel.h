@@ -33,7 +33,7 @@ struct ObjectRaysOfHead {
   static constexpr int lanes = RealTraits<T>::lane_count;
 
   //! What one of the head's rays may stand for along a line of sight, as the head sees it. A neighbour at δ px is off by some ½ δ² of how fast the width of
-  //! a pixel grows, which is about its square over r [px]: towards a critical curve both grow alike.
+  //! a pixel grows, for which its square over r is taken [px]: towards a critical curve both grow alike.
   ERGO_HD static double part_px(double width) {
     constexpr double off_px = 0.1;
     constexpr double longest_px = 2.0;

@@ -23,6 +23,8 @@ const std::string spinning = "[[camera.key]]\nr = 24\ntheta_deg = 75\n[hole]\nsp
 
 constexpr int looks = sanitized ? 4 : 14;
 
+constexpr const char* takes_long = "takes long under sanitizers, which see the same code in other scenes";
+
 //! A scene in a picture on a flat screen.
 Show objects_show(const std::string& scene, const std::string& camera, double baseline, int fov_deg = 60,
                   int size_px = sanitized ? 48 : 120) {
@@ -33,7 +35,7 @@ Show objects_show(const std::string& scene, const std::string& camera, double ba
 void expect_what_lines_of_sight_meet(const Show& show) { compare_with_walk(show, LensChoice::direct, looks); }
 
 TEST(FlatObjects, BehindASpinningHoleAreWhatLinesOfSightMeetInFlatSpace) {
-  for (const double baseline : {0.1, 4.0}) {
+  for (const double baseline : sanitized ? std::vector<double>{4.0} : std::vector<double>{0.1, 4.0}) {
     SCOPED_TRACE(baseline);
     expect_what_lines_of_sight_meet(objects_show(white_ball("-7, 5, 3", "3"), spinning, baseline));
   }
@@ -41,7 +43,7 @@ TEST(FlatObjects, BehindASpinningHoleAreWhatLinesOfSightMeetInFlatSpace) {
 
 TEST(FlatObjects, AreWhereTheClosedFormPutsThemBesideAHoleWithoutSpin) {
   if (sanitized) {
-    GTEST_SKIP() << "takes long; walks along lines of sight run the same code";
+    GTEST_SKIP() << takes_long;
   }
   std::vector<BallBeforeHead> balls = balls_before_heads();
   const auto beside = std::ranges::find(balls, std::string("beside the hole"), &BallBeforeHead::name);
@@ -56,6 +58,9 @@ TEST(FlatObjects, RightBehindTheHoleAreRingsThere) {
 }
 
 TEST(FlatObjects, BeforeTheHoleAreWhatLinesOfSightMeetInFlatSpace) {
+  if (sanitized) {
+    GTEST_SKIP() << takes_long;
+  }
   expect_what_lines_of_sight_meet(objects_show(white_ball("12, 2, 4", "1.5"), spinning, 3.0, 50));
 }
 
