@@ -98,10 +98,10 @@ class EyeStep {
     if (!(length_ > 0.0)) {
       return false;
     }
-    const double first_width = width_at(0.0);
-    const double last_width = width_at(end);
-    width_ = ::fmax(first_width, last_width);
-    bends_ = bends(0.0, first_width, first_) || bends(end, last_width, last_);
+    const Vector3<D> first_point = step_.point(D(0.0));
+    const Vector3<D> last_point = step_.point(D(end));
+    width_ = ::fmax(width_of(first_point), width_of(last_point));
+    bends_ = bends(first_point, first_) || bends(last_point, last_);
     return true;
   }
 
@@ -199,18 +199,17 @@ class EyeStep {
 
   ERGO_HD static double change_of(const D& distance) { return ::fabs(distance.along_x) + ::fabs(distance.along_y); }
 
-  //! How far neighbours are away there, for each radian [M].
-  [[nodiscard]] ERGO_HD double width_at(double h) const {
-    const Vector3<D> p = step_.point(D(h));
+  //! How far neighbours of a place are away, for each radian [M].
+  ERGO_HD static double width_of(const Vector3<D>& p) {
     return length_of({p.x.along_x, p.y.along_x, p.z.along_x}) + length_of({p.x.along_y, p.y.along_y, p.z.along_y});
   }
 
   //! Whether they are so far away, or so much nearer or farther, that derivatives say little.
-  [[nodiscard]] ERGO_HD bool bends(double h, double width, const D& distance) const {
+  [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
     constexpr double widest = 0.5;
     constexpr double most_uneven = 0.3;
     // What is not a number bends.
-    return !(width * reach_ <= widest * length_of(plain_vector(step_.point(D(h))))) ||
+    return !(width_of(p) * reach_ <= widest * length_of(plain_vector(p))) ||
            !(change_of(distance) * length_of(reference_.eye) <= most_uneven * distance.value * distance.value);
   }
 

@@ -95,11 +95,15 @@ struct MarkFlatTiles {
       const auto part = [&](const D& n) { return n.value + half_px * (along * n.along_x + down * n.along_y); };
       return falls({part(point.n.x), part(point.n.y), part(point.n.z)});
     };
-    const MaskOf<T> corners[4] = {at(-1.0, -1.0), at(1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0)};
-    const MaskOf<T> all = corners[0] & corners[1] & corners[2] & corners[3];
-    const MaskOf<T> some = corners[0] | corners[1] | corners[2] | corners[3];
     const MaskOf<T> middle = at(0.0, 0.0);
-    return (some & !all) | (middle & !all) | (some & !middle);
+    MaskOf<T> all = middle;
+    MaskOf<T> some = middle;
+    for (int corner = 0; corner < 4; ++corner) {
+      const MaskOf<T> own = at(corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0);
+      all = all & own;
+      some = some | own;
+    }
+    return some & !all;
   }
 
   //! Looks along a part of the lines of sight.
@@ -118,7 +122,8 @@ struct MarkFlatTiles {
     const EyePoint<T> point = line.at(w);
     const T sweep = 0.5 * step_w * (absolute(point.along_x) + absolute(point.along_y));
     const T half_px = 0.5 * batch.tiles.side_px + sweep;
-    const MaskOf<T> by_edge = is_by_edge(point, footprint_slack * half_px);
+    const MaskOf<T> by_edge =
+        batch.tiles.side_px > 1 ? active & is_by_edge(point, footprint_slack * half_px) : active & !active;
     // A tile's rays pass the ball about all objects where that of its middle does not.
     const double beside = footprint_slack * batch.tiles.side_px * batch.sight.pixel;
     const double greatest_r = objects.scene.greatest_r + beside * (1.0 / camera.u + objects.scene.greatest_r);
@@ -132,7 +137,7 @@ struct MarkFlatTiles {
     for (int i = 0; i < lanes; ++i) {
       if (mask_lane(active, i) && !mask_lane(decided, i)) {
         see_all(seen[i]);
-      } else if (batch.tiles.side_px > 1 && mask_lane(active & by_edge, i)) {
+      } else if (mask_lane(by_edge, i)) {
         see(seen[i], lane(w, i) - 0.5 * seen[i].step_w, lane(w, i) + 0.5 * seen[i].step_w);
       }
     }
