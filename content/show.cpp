@@ -33,11 +33,6 @@ std::vector<std::string> missing_features(const Show& show) {
   if (eye_count(stereo) < 2) {
     return missing;
   }
-  if (stereo.model == StereoModel::flat && has_objects(show, ObjectMethod::trace) &&
-      (show.disk || !show.shells.empty())) {
-    missing.emplace_back(
-        "objects stand without a disk or shells in the stereo model flat (stereo.model, disk, shells)");
-  }
   const ViewProjection projection = show.view.projection;
   const bool converges = projection == ViewProjection::dome || projection == ViewProjection::pinhole;
   const auto& animations = show.timeline.animations;

@@ -6,8 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws disk and shells as one eye of the stereo model `flat` sees them; an index stands for a register of pixels. Edges, and how finely a pixel is
-//! looked at, are as in DrawNearField.
+//! Draws disk and shells, with objects between them, as one eye of the stereo model `flat` sees them; an index stands for a register of pixels. Edges, and
+//! how finely a pixel is looked at, are as in DrawNearField.
 template <class T, bool HasDisk, bool HasShells>
 struct DrawFlatEyes {
   using S = ScalarOf<T>;
@@ -16,6 +16,8 @@ struct DrawFlatEyes {
   FlatEyeBatch batch;
 
   using Pixels = FlatEyePixels<T, DrawFlatEyes>;
+  using Objects = typename Pixels::Objects;
+  static constexpr bool leaves_objects = false;
 
   ERGO_HD void operator()(int index) const { Pixels{batch, *this}.draw(index); }
 
@@ -25,22 +27,27 @@ struct DrawFlatEyes {
   }
   ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const { Pixels{batch, *this}.lay_mean(index, sum); }
 
-  ERGO_HD void average(const Pixels& pixels, const T& x_px, const T& y_px, const Mask& lanes, SeenLanes<T>& sum) const {
+  ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
+                       SeenLanes<T>& sum) const {
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<S> at = near_sample<S>(i);
       Mask wanted = lanes;
-      sum = sum + pixels.look(x_px + at.along, y_px + at.down, at.width, wanted);
+      sum = sum + pixels.look(place.x_px + at.along, place.y_px + at.down, at.width, place.objects, wanted);
     }
   }
 
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<S>& search, S pixel, const Mask& wanted,
-                         SeenLanes<T>& seen) const {
+                         Objects& objects, SeenLanes<T>& seen) const {
     if constexpr (HasDisk) {
       RaySheets<T> sheets(batch);
       FlatDisk<T, RaySheets<T>> disk(batch, sheets, line, search, pixel);
       disk.meet(wanted);
       int next[RealTraits<T>::lane_count] = {};
-      const auto before = [&](int i, S minus_nearness) { disk.compose_before(-minus_nearness, i, next[i], seen); };
+      const auto disk_until = [&](int i, S minus_nearness) { disk.compose_before(-minus_nearness, i, next[i], seen); };
+      const auto before = [&](int i, S minus_nearness) {
+        objects.until(i, minus_nearness, disk_until, seen);
+        disk_until(i, minus_nearness);
+      };
       Mask fine = wanted & !wanted;
       if constexpr (HasShells) {
         fine = draw_shells(line, search, pixel, wanted, before, seen);
@@ -54,8 +61,11 @@ struct DrawFlatEyes {
       }
       return wanted & (fine | (fine_disk > T(S(0))));
     } else {
-      return draw_shells(
-          line, search, pixel, wanted, [](int, S) {}, seen);
+      const auto before = [&](int i, S minus_nearness) {
+        objects.until(
+            i, minus_nearness, [](int, S) {}, seen);
+      };
+      return draw_shells(line, search, pixel, wanted, before, seen);
     }
   }
 

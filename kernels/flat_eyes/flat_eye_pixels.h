@@ -2,32 +2,56 @@
 
 #include "kernels/flat_eyes/draw_flat_eyes.h"
 #include "kernels/flat_eyes/eye_line.h"
+#include "kernels/near_field/layer_sight.h"
 #include "kernels/near_field/near_pixels.h"
 #include "kernels/near_field/pixel_samples.h"
 #include "kernels/trace/pixel_geometry.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! What a register of pixels does, whatever it draws by: Derived has look_near(line, search, pixel, lanes, seen), which tells the lanes that hold more
-//! than their middle does, and average(pixels, x_px, y_px, lanes), the sum of what all their samples see.
+//! What a register of pixels does, whatever it draws by: Derived has look_near(line, search, pixel, lanes, objects, seen), which tells the lanes that hold
+//! more than their middle does, average(pixels, place, lanes, sum), the sum of what all their samples see, and leaves_objects: whether pixels that show
+//! objects are another's.
 template <class T, class Derived>
 struct FlatEyePixels {
   using D = Dual<T>;
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
+  using Objects = LayerSight<T, true>;
+
   const FlatEyeBatch& batch;
   const Derived& derived;
+
+  //! The pixels of an index.
+  struct Place {
+    int first;
+    T x_px;
+    T y_px;
+    T inside;
+    Objects objects;
+
+    ERGO_HD Place(const FlatEyeBatch& batch, int index)
+        : first(index * RealTraits<T>::lane_count),
+          objects(batch.near_field.objects, first, pixel_count(batch.near_field.pixels)) {
+      const PixelBatch& pixels = batch.near_field.pixels;
+      pixel_middles(pixels, first, x_px, y_px);
+      inside = image_coverage(pixels.projection, x_px, y_px);
+    }
+  };
 
   //! Draws the pixels index * lanes, index * lanes + 1, ... of the block.
   ERGO_HD void draw(int index) const {
     const Place at(batch, index);
-    Mask fine = at.inside > T(S(0));
-    SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), fine);
+    Mask fine = drawn(at);
+    if (!any(fine)) {
+      return;
+    }
+    SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
     if (any(fine)) {
       const T zero(S(0));
       SeenLanes<T> sum = {zero, zero, zero, zero};
-      derived.average(*this, at.x_px, at.y_px, fine, sum);
+      derived.average(*this, at, fine, sum);
       take_mean(fine, sum, seen);
     }
     lay(at, seen);
@@ -36,8 +60,11 @@ struct FlatEyePixels {
   //! The same in two steps, as DrawNearField has them.
   ERGO_HD bool draw_middle(int index) const {
     const Place at(batch, index);
-    Mask fine = at.inside > T(S(0));
-    const SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), fine);
+    Mask fine = drawn(at);
+    if (!any(fine)) {
+      return false;
+    }
+    const SeenLanes<T> seen = look(at.x_px, at.y_px, S(1), at.objects, fine);
     if (!any(fine)) {
       lay(at, seen);
     }
@@ -46,30 +73,38 @@ struct FlatEyePixels {
 
   [[nodiscard]] ERGO_HD SeenLanes<T> see_sample(int index, int sample) const {
     const Place at(batch, index);
-    Mask wanted = at.inside > T(S(0));
+    Mask wanted = drawn(at);
     const NearSample<S> part = near_sample<S>(sample);
-    return look(at.x_px + part.along, at.y_px + part.down, part.width, wanted);
+    return look(at.x_px + part.along, at.y_px + part.down, part.width, at.objects, wanted);
   }
 
   ERGO_HD void lay_mean(int index, const SeenLanes<T>& sum) const {
     const Place at(batch, index);
     SeenLanes<T> mean = sum;
-    take_mean(at.inside > T(S(0)), sum, mean);
+    take_mean(drawn(at), sum, mean);
     lay(at, mean);
   }
 
   //! What is seen at places of the image, by pixels of a part of the image's own. `lanes` says which to look at, and then where images may
   //! be finer than that. `more` are what look_near is to be told.
   template <class... More>
-  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Mask& lanes, More&... more) const {
+  ERGO_HD SeenLanes<T> look(const T& x_px, const T& y_px, S pixel, Objects objects, Mask& lanes, More&... more) const {
     const EyeLine<T> line = line_at(x_px, y_px);
     SeenLanes<T> seen = nothing_seen<T>();
     const SheetSearch<S> search = search_for(line);
     const Mask wanted = lanes & may_see(line, search.most_w);
-    lanes = lanes & !lanes;
+    Mask fine = lanes & !lanes;
     if (any(wanted)) {
-      lanes = derived.look_near(line, search, pixel, wanted, seen, more...);
+      fine = derived.look_near(line, search, pixel, wanted, objects, seen, more...);
     }
+    const Mask waiting = lanes & objects.waiting();
+    for (int i = 0; any(waiting) && i < RealTraits<T>::lane_count; ++i) {
+      if (mask_lane(waiting, i)) {
+        objects.until(
+            i, std::numeric_limits<S>::infinity(), [](int, S) {}, seen);
+      }
+    }
+    lanes = fine;
     return seen;
   }
 
@@ -91,19 +126,14 @@ struct FlatEyePixels {
   }
 
  private:
-  //! The pixels of an index.
-  struct Place {
-    int first;
-    T x_px;
-    T y_px;
-    T inside;
-
-    ERGO_HD Place(const FlatEyeBatch& batch, int index) : first(index * RealTraits<T>::lane_count) {
-      const PixelBatch& pixels = batch.near_field.pixels;
-      pixel_middles(pixels, first, x_px, y_px);
-      inside = image_coverage(pixels.projection, x_px, y_px);
+  //! The pixels that are drawn here.
+  [[nodiscard]] ERGO_HD Mask drawn(const Place& at) const {
+    const Mask inside = at.inside > T(S(0));
+    if constexpr (Derived::leaves_objects) {
+      return inside & !at.objects.waiting();
     }
-  };
+    return batch.near_field.objects_alone ? inside & at.objects.waiting() : inside;
+  }
 
   ERGO_HD void lay(const Place& at, const SeenLanes<T>& seen) const {
     lay_over(seen, at.inside, at.first, pixel_count(batch.near_field.pixels), batch.near_field.rgba);

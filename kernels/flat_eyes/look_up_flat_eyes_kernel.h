@@ -32,19 +32,22 @@ struct LookUpFlatEyes {
   FlatEyeLookUpBatch batch;
 
   using Pixels = FlatEyePixels<T, LookUpFlatEyes>;
+  using Objects = typename Pixels::Objects;
+  static constexpr bool leaves_objects = true;
 
   ERGO_HD void operator()(int index) const { Pixels{batch.eye, *this}.draw(index); }
 
   //! Few lanes at a time are left to rays, but many of all samples.
-  ERGO_HD void average(const Pixels& pixels, const T& x_px, const T& y_px, const Mask& lanes, SeenLanes<T>& sum) const {
+  ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
+                       SeenLanes<T>& sum) const {
     LeftSamples<T> left;
     for (int i = 0; i < near_samples * near_samples; ++i) {
       const NearSample<float> at = near_sample<float>(i);
-      const T x = x_px + at.along;
-      const T y = y_px + at.down;
+      const T x = place.x_px + at.along;
+      const T y = place.y_px + at.down;
       Mask wanted = lanes;
       Waiting waiting = {left, x, y};
-      sum = sum + pixels.look(x, y, at.width, wanted, waiting);
+      sum = sum + pixels.look(x, y, at.width, place.objects, wanted, waiting);
     }
     for (int first = 0; first < left.count; first += RealTraits<T>::lane_count) {
       trace(pixels, left, first, sum);
@@ -52,7 +55,7 @@ struct LookUpFlatEyes {
   }
 
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
-                         SeenLanes<T>& seen) const {
+                         const Objects&, SeenLanes<T>& seen) const {
     GridSheets<T, WithPattern> sheets(batch);
     Grid disk(batch.eye, sheets, line, search, pixel);
     const Mask left = disk.meet(wanted);
@@ -76,7 +79,7 @@ struct LookUpFlatEyes {
 
   //! The same, but that what the grid leaves to rays waits, as if nothing were seen there: not even through.
   ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
-                         SeenLanes<T>& seen, Waiting& waiting) const {
+                         const Objects&, SeenLanes<T>& seen, Waiting& waiting) const {
     GridSheets<T, WithPattern> sheets(batch);
     Grid disk(batch.eye, sheets, line, search, pixel);
     const Mask left = disk.meet(wanted);

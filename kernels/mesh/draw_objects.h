@@ -72,7 +72,10 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
 struct FlatEyeSight {
   Vector3<double> eye;  //!< beside the head, in the observer's frame [M]; not 0
   double most_w;        //!< nothing is nearer to the eye than 1 / most_w, or is not drawn there [1/M]
-  double pixel;         //!< of the picture, as an angle [rad]
+  double
+      most_hole_w;  //!< light does not come from the hole's neighbourhood, where neighbouring rays part, before 1 / this
+  double pixel;     //!< of the picture, as an angle [rad]
+  double tolerance_px;  //!< what a ray says of its neighbours may be off by so much
   FlatHorizon horizon;
 };
 

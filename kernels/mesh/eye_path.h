@@ -50,6 +50,11 @@ struct EyeReference {
   }
 };
 
+//! A part of a line, as distances from the head [M].
+struct DistanceSpan {
+  double nearest, farthest;
+};
+
 //! The ray's direction with derivatives across it, for the middle of a part of an eye's line.
 ERGO_HD EyeReference eye_reference(const Vector3<double>& m, const Vector3<double>& eye, double w) {
   EyeReference reference = {m, eye, {}, {}, {}};
@@ -63,13 +68,13 @@ ERGO_HD EyeReference eye_reference(const Vector3<double>& m, const Vector3<doubl
   return reference;
 }
 
-//! An eye's way beside a step of its reference ray.
+//! An eye's way, and its neighbours', beside a step of their reference ray.
 template <int Order, NearParts Parts>
 class EyeStep {
  public:
   using D = Dual<double>;
 
-  //! `reach`: how far from the ray the eye's directions go [rad].
+  //! `reach`: how far from the ray the directions go [rad].
   ERGO_HD EyeStep(const PathStep<Order, Parts, D>& step, const EyeReference& reference, double reach)
       : step_(step), reference_(reference), reach_(reach) {
     first_ = step.series.distance[0];
@@ -82,10 +87,15 @@ class EyeStep {
   //! Whether all of it is farther from the head than that [M].
   [[nodiscard]] ERGO_HD bool begins_beyond(double farthest) const { return !(first_.value - beside_ < farthest); }
 
-  //! Keeps what may be within [nearest, farthest] from the head [M]. False where nothing is.
-  ERGO_HD bool keep(double nearest, double farthest) {
-    const double from = nearest - beside_;
-    const double to = farthest + beside_;
+  //! Keeps what may be within a span of distances from the head. False where nothing is.
+  ERGO_HD bool keep(const DistanceSpan& span) {
+    if (length_ > 0.0 && span.nearest == kept_.nearest && span.farthest == kept_.farthest) {
+      return true;
+    }
+    kept_ = span;
+    length_ = 0.0;
+    const double from = span.nearest - beside_;
+    const double to = span.farthest + beside_;
     if (!(first_.value < to) || !(last_.value > from)) {
       return false;
     }
@@ -95,22 +105,22 @@ class EyeStep {
     };
     begin_ = first_.value < from ? come_to(from) : 0.0;
     length_ = (last_.value > to ? come_to(to) : end) - begin_;
-    if (!(length_ > 0.0)) {
-      return false;
-    }
-    const Vector3<D> first_point = step_.point(D(0.0));
-    const Vector3<D> last_point = step_.point(D(end));
-    width_ = ::fmax(width_of(first_point), width_of(last_point));
-    bends_ = bends(first_point, first_) || bends(last_point, last_);
-    return true;
+    moved_ = false;
+    return length_ > 0.0;
   }
 
-  //! Whether what is kept may come near any of the meshes.
-  [[nodiscard]] ERGO_HD bool may_meet(const MeshScene& scene) const {
+  //! Whether what is kept may come near any of the meshes. What else is to be known of a step is found out here, once.
+  [[nodiscard]] ERGO_HD bool may_meet(const MeshScene& scene) {
+    const Vector3<D> first_point = step_.point(D(0.0));
+    const Vector3<D> last_point = step_.point(D(step_.length));
+    width_ = ::fmax(width_of(first_point), width_of(last_point));
+    bends_ = bends(first_point, first_) || bends(last_point, last_);
     const auto point = [&](double h) { return plain_vector(step_.point(D(begin_ + h))); };
     const PathPiece piece = {0.0, length_, point(0.0), point(0.5 * length_), point(length_)};
     // Steps are long beside the parabolas that pieces are close to.
-    const double reach = 2.0 * piece.stray() + ::fabs(piece.unevenness()) * piece.chord() + width_ * reach_;
+    // Where the ray stands for its neighbours, these are where it is.
+    const double beside = bends_ ? 0.0 : width_ * reach_;
+    const double reach = 2.0 * piece.stray() + ::fabs(piece.unevenness()) * piece.chord() + beside;
     for (int i = 0; i < scene.count; ++i) {
       const PlacedMesh& mesh = scene.meshes[i];
       const double radius = mesh.size * mesh.tree.radius;
@@ -122,21 +132,27 @@ class EyeStep {
     return false;
   }
 
+  //! Turns to a neighbour's direction: what follows is about that.
+  ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
+
   //! What is kept as a path of its own: how far the eye goes from the ray is a parabola in its time.
-  [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() const {
+  [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() {
+    if (!moved_) {
+      move_to_begin();
+    }
     PathStep<Order, Parts, double> path;
     const Place at[3] = {place(begin_), place(begin_ + 0.5 * length_), place(begin_ + length_)};
     const Parabola across = {at[0].across, at[1].across, at[2].across, length_};
     const Parabola down = {at[0].down, at[1].down, at[2].down, length_};
     const auto fold = [&](const auto& from, auto& to) { fold_series(from, across, down, to); };
-    fold(step_.series.u, path.series.u);
-    fold(step_.series.x, path.series.x);
-    fold(step_.series.y, path.series.y);
-    fold(step_.series.z, path.series.z);
-    fold(step_.series.drag, path.series.drag);
-    fold(step_.series.distance, path.series.distance);
+    fold(series_.u, path.series.u);
+    fold(series_.x, path.series.x);
+    fold(series_.y, path.series.y);
+    fold(series_.z, path.series.z);
+    fold(series_.drag, path.series.drag);
+    fold(series_.distance, path.series.distance);
     if constexpr (has_delay(Parts)) {
-      fold(step_.series.delay, path.series.delay);
+      fold(series_.delay, path.series.delay);
     }
     path.axes[0] = step_.axes[0];
     path.axes[1] = step_.axes[1];
@@ -217,35 +233,55 @@ class EyeStep {
     return value.value + value.along_x * at.across + value.along_y * at.down;
   }
 
-  //! The series of a number along the eye's way, about where that begins.
-  template <int Count>
-  ERGO_HD void fold_series(const D (&from)[Count], const Parabola& across, const Parabola& down,
-                           double (&to)[Count]) const {
-    D moved[Count];
-    for (int k = 0; k < Count; ++k) {
-      moved[k] = from[k];
+  //! The step's series about where what is kept begins.
+  ERGO_HD void move_to_begin() {
+    series_ = step_.series;
+    moved_ = true;
+    if (begin_ == 0.0) {
+      return;
     }
-    for (int i = 0; i + 1 < Count && begin_ != 0.0; ++i) {
+    move_series(series_.u);
+    move_series(series_.x);
+    move_series(series_.y);
+    move_series(series_.z);
+    move_series(series_.drag);
+    move_series(series_.distance);
+    if constexpr (has_delay(Parts)) {
+      move_series(series_.delay);
+    }
+  }
+  template <int Count>
+  ERGO_HD void move_series(D (&c)[Count]) const {
+    for (int i = 0; i + 1 < Count; ++i) {
       for (int k = Count - 2; k >= i; --k) {
-        moved[k] = moved[k] + moved[k + 1] * begin_;
+        c[k] = c[k] + c[k + 1] * begin_;
       }
     }
+  }
+
+  //! The series of a number along the eye's way, about where that begins.
+  template <int Count>
+  ERGO_HD static void fold_series(const D (&from)[Count], const Parabola& across, const Parabola& down,
+                                  double (&to)[Count]) {
     for (int k = 0; k < Count; ++k) {
-      to[k] = moved[k].value;
+      to[k] = from[k].value;
       for (int i = 0; i < 3 && i <= k; ++i) {
-        to[k] += moved[k - i].along_x * across.c[i] + moved[k - i].along_y * down.c[i];
+        to[k] += from[k - i].along_x * across.c[i] + from[k - i].along_y * down.c[i];
       }
     }
   }
 
   const PathStep<Order, Parts, D>& step_;
-  const EyeReference& reference_;
+  EyeReference reference_;
   double reach_;
   D first_;  //!< distance from the head at both ends of the step
   D last_;
-  double beside_;       //!< the eye's may be so much greater or less [M]
+  double beside_;  //!< the eye's may be so much greater or less [M]
+  DistanceSpan kept_ = {0.0, 0.0};
   double begin_ = 0.0;  //!< of what is kept, in the step's time
   double length_ = 0.0;
+  bool moved_ = false;  //!< the series are about its begin
+  detail::NearSeries<Order, D, Parts> series_;
   double width_ = 0.0;
   bool bends_ = false;
 };

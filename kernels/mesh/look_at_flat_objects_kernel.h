@@ -1,30 +1,50 @@
 #pragma once
 
-#include "kernels/mesh/eye_path.h"
 #include "kernels/mesh/look_at_objects_kernel.h"
+#include "kernels/mesh/pixel_lines.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Objects as an eye of the stereo model `flat` meets them along its lines of sight: part by part from the nearest on, each beside a ray of the head's.
+//! Objects as an eye of the stereo model `flat` meets them along its lines of sight: part by part from the nearest on, beside rays of the head's, which all
+//! samples of a pixel share.
 template <class T, NearParts Parts>
 struct ObjectRaysOfHead {
   using D = Dual<T>;
+  static constexpr int most_quads = PixelLines::most / quad_size;
 
   const FlatObjectPixelBatch& batch;
 
-  ERGO_HD void find(int first, const Vector3<T>& m, MeshHit* hits, T& energy, T& momentum) const {
-    Lines lines(batch, first, m);
-    energy = T(1.0);
-    momentum = T(0.0);
+  ERGO_HD void find(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
+    PixelLines lines[lanes];
     for (int i = 0; i < lanes; ++i) {
-      hits[i] = MeshHit{};
+      Vector3<double> own[PixelLines::most];
+      for (int k = 0; k < count; ++k) {
+        own[k] = {lane(m[k].x, i), lane(m[k].y, i), lane(m[k].z, i)};
+      }
+      const FlatReach& reach = batch.reach[first + i < batch.pixels.count ? first + i : batch.pixels.count - 1];
+      const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
+      lines[i].begin(batch.sight, reach, part, own, count);
     }
-    for (int part = 0; any(lines.turn_to(part)); ++part) {
-      look(lines, hits);
+    for (int k = 0; k < count; ++k) {
+      for (int i = 0; i < lanes; ++i) {
+        met[k].hits[i] = MeshHit{};
+      }
+      met[k].energy = T(1.0);
+      met[k].momentum = T(0.0);
     }
-    for (int i = 0; i < lanes; ++i) {
-      if (hits[i].mesh >= 0) {
-        end(lines.reference[i], hits[i], i, energy, momentum);
+    Vector3<D> n;
+    while (true) {
+      const MaskOf<T> wanted = next(lines, n);
+      if (!any(wanted)) {
+        break;
+      }
+      look_beside(n, wanted, lines, count, met);
+    }
+    for (int k = 0; k < count; ++k) {
+      for (int i = 0; i < lanes; ++i) {
+        if (met[k].hits[i].mesh >= 0) {
+          end(lines[i].direction(k), i, met[k]);
+        }
       }
     }
   }
@@ -34,119 +54,84 @@ struct ObjectRaysOfHead {
 
   //! What one of the head's rays may stand for along a line of sight, as the head sees it. A neighbour at δ px is off by some ½ δ² of how fast the width of
   //! a pixel grows, for which its square over r is taken [px]: towards a critical curve both grow alike.
-  ERGO_HD static double part_px(double width) {
-    constexpr double off_px = 0.1;
-    constexpr double longest_px = 2.0;
+  [[nodiscard]] ERGO_HD double part_px(double width) const {
+    constexpr double longest_px = 4.0;
     constexpr double shortest_px = 0.25;
-    return ::fmax(shortest_px, ::fmin(longest_px, 2.0 * ::sqrt(2.0 * off_px / ::fmax(width, 1e-9))));
+    const double part = 2.0 * ::sqrt(2.0 * batch.sight.tolerance_px / ::fmax(width, 1e-9));
+    return ::fmax(shortest_px, ::fmin(longest_px, part));
   }
 
-  //! The part of each line that is looked along.
-  struct Lines {
-    EyeReference reference[lanes];
-    double nearest[lanes], farthest[lanes];  //!< from the head [M]
-    Vector3<D> n;                            //!< of the references
-    double part[lanes];                      //!< that one ray stands for [rad]
-    T left;                                  //!< 1 in lanes that are not done
-
-    ERGO_HD Lines(const FlatObjectPixelBatch& flat, int first, const Vector3<T>& directions) : left(0.0), batch(flat) {
-      for (int i = 0; i < lanes; ++i) {
-        m[i] = {lane(directions.x, i), lane(directions.y, i), lane(directions.z, i)};
-        const FlatReach& reach = flat.reach[first + i < flat.pixels.count ? first + i : flat.pixels.count - 1];
-        from_w[i] = static_cast<double>(reach.most_w);
-        to_w[i] = static_cast<double>(reach.least_w);
-        part[i] = flat.sight.pixel * part_px(static_cast<double>(reach.width));
-        const double square = dot(m[i], m[i]);
-        const double sweep = (from_w[i] - to_w[i]) * length_of(flat.sight.eye);
-        const bool looks = square > 0.5 && square < 2.0;
-        count[i] = looks && sweep > 0.0 ? 1 + static_cast<int>(sweep / part[i]) : 0;
-        reference[i] = eye_reference(looks ? m[i] : Vector3<double>{1.0, 0.0, 0.0}, flat.sight.eye, 0.0);
-        set_direction(i);
-      }
-    }
-
-    //! Goes to the part of a number; tells which lanes have one.
-    ERGO_HD MaskOf<T> turn_to(int part) {
-      T wanted(0.0);
-      for (int i = 0; i < lanes; ++i) {
-        if (!(part < count[i])) {
-          continue;
-        }
-        const double step = (from_w[i] - to_w[i]) / count[i];
-        const double w = from_w[i] - (part + 0.5) * step;
-        reference[i] = eye_reference(m[i], batch.sight.eye, w);
-        // Neighbours do not meet to the last digit.
-        constexpr double overlap = 1e-3;
-        nearest[i] = reference[i].distance(w + (0.5 + overlap) * step);
-        farthest[i] = reference[i].distance(::fmax(w - (0.5 + overlap) * step, 0.0));
-        set_direction(i);
-        set_lane(wanted, i, 1.0);
-      }
-      left = wanted;
-      return wanted > T(0.0);
-    }
-
-    ERGO_HD void done(int i) { count[i] = 0; }
-
-   private:
-    ERGO_HD void set_direction(int i) {
+  //! Goes to each pixel's next ray; tells which have one, and gives them with their derivatives.
+  ERGO_HD static MaskOf<T> next(PixelLines (&lines)[lanes], Vector3<D>& n) {
+    T wanted(0.0);
+    for (int i = 0; i < lanes; ++i) {
+      set_lane(wanted, i, lines[i].next() ? 1.0 : 0.0);
+      const EyeReference& own = lines[i].reference();
       const auto set = [i](D& to, double value, double across, double down) {
         set_lane(to.value, i, value);
         set_lane(to.along_x, i, across);
         set_lane(to.along_y, i, down);
       };
-      const EyeReference& own = reference[i];
       set(n.x, own.n.x, own.across.x, own.down.x);
       set(n.y, own.n.y, own.across.y, own.down.y);
       set(n.z, own.n.z, own.across.z, own.down.z);
     }
+    return wanted > T(0.0);
+  }
 
-    const FlatObjectPixelBatch& batch;
-    Vector3<double> m[lanes];
-    double from_w[lanes], to_w[lanes];
-    int count[lanes];
-  };
-
-  ERGO_HD void look(Lines& lines, MeshHit* hits) const {
+  ERGO_HD void look_beside(const Vector3<D>& n, const MaskOf<T>& wanted, PixelLines (&lines)[lanes], int count,
+                           SampleHits<T>* met) const {
     const ObjectScene& objects = batch.pixels.objects;
     const CameraStation& camera = objects.camera;
-    follow_path<object_order, Parts>(
-        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, lines.n),
-        {objects.scene.least_r, objects.scene.greatest_r}, objects.limits, lines.left > T(0.0),
-        [&](int i, const PathStep<object_order, Parts, Dual<double>>& step) {
-          EyeStep<object_order, Parts> eye(step, lines.reference[i], 0.5 * lines.part[i]);
-          if (eye.begins_beyond(lines.farthest[i])) {
-            return true;
-          }
-          if (!eye.keep(lines.nearest[i], lines.farthest[i]) || !eye.may_meet(objects.scene)) {
-            return false;
-          }
-          const PathStep<object_order, Parts, double> path = eye.along();
-          detail::StepSearch<object_order, Parts> search = {path, objects.scene, 0.0, {}};
-          const bool found = search.run();
-          if (found) {
-            hits[i] = search.hit;
-            eye.see(search.found_h, hits[i]);
-            lines.done(i);
-          }
-          return found;
-        });
+    follow_path<object_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
+                                     {objects.scene.least_r, objects.scene.greatest_r}, objects.limits, wanted,
+                                     [&](int i, const PathStep<object_order, Parts, Dual<double>>& step) {
+                                       PixelLines& own = lines[i];
+                                       EyeStep<object_order, Parts> eye(step, own.reference(), own.reach());
+                                       if (eye.begins_beyond(own.span().farthest)) {
+                                         return true;
+                                       }
+                                       if (!eye.keep(own.span()) || !eye.may_meet(objects.scene)) {
+                                         return false;
+                                       }
+                                       for (int k = 0; k < count; ++k) {
+                                         if (own.is_wanted(k) && eye.keep(own.span(k))) {
+                                           look_along(eye, k, own, met[k].hits[i]);
+                                         }
+                                       }
+                                       return !own.any_wanted();
+                                     });
+  }
+
+  //! Looks for what a line meets in what is kept of a step.
+  ERGO_HD void look_along(EyeStep<object_order, Parts>& eye, int line, PixelLines& lines, MeshHit& hit) const {
+    eye.turn_to(lines.direction(line));
+    const PathStep<object_order, Parts, double> path = eye.along();
+    detail::StepSearch<object_order, Parts> search = {path, batch.pixels.objects.scene, 0.0, {}};
+    if (!search.run()) {
+      return;
+    }
+    eye.see(search.found_h, search.hit);
+    if (hit.mesh < 0 || search.hit.time < hit.time) {
+      hit = search.hit;
+    }
+    lines.meet(line);
   }
 
   //! What the head's ray to a hit is like; nothing is met behind what the eye sees of the horizon.
-  ERGO_HD void end(const EyeReference& reference, MeshHit& hit, int i, T& energy, T& momentum) const {
-    const CameraStation& camera = batch.pixels.objects.camera;
+  ERGO_HD void end(const Vector3<double>& direction, int i, SampleHits<T>& met) const {
+    MeshHit& hit = met.hits[i];
     const double w = -hit.time;
-    const Vector3<float> m = {static_cast<float>(reference.m.x), static_cast<float>(reference.m.y),
-                              static_cast<float>(reference.m.z)};
+    const Vector3<float> m = {static_cast<float>(direction.x), static_cast<float>(direction.y),
+                              static_cast<float>(direction.z)};
     if (is_behind_horizon(batch.sight.horizon, m, static_cast<float>(w))) {
       hit.mesh = -1;
       return;
     }
-    double length = 0.0;
-    const NearRay<double> ray = start_near_ray(camera, reference.toward(w, length));
-    set_lane(energy, i, ray.energy);
-    set_lane(momentum, i, ray.axial_angular_momentum);
+    const Vector3<double> toward = direction + w * batch.sight.eye;
+    const NearRay<double> ray = start_near_ray(batch.pixels.objects.camera, (1.0 / length_of(toward)) * toward);
+    set_lane(met.energy, i, ray.energy);
+    set_lane(met.momentum, i, ray.axial_angular_momentum);
   }
 };
 

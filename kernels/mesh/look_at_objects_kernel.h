@@ -10,16 +10,20 @@ inline constexpr int object_order = 10;
 //! Objects as a camera's rays meet them, or those of an eye that turns.
 template <class T, NearParts Parts>
 struct ObjectRaysOfEye {
+  static constexpr int most_quads = 1;
+
   const ObjectScene& objects;
 
-  ERGO_HD void find(int, const Vector3<T>& n, MeshHit* hits, T& energy, T& momentum) const {
+  ERGO_HD void find(int, const Vector3<T>* n, int count, SampleHits<T>* met) const {
     const CameraStation& camera = objects.camera;
-    const NearRay<T> ray = start_near_ray(camera, objects.turning, n);
-    energy = ray.energy;
-    momentum = ray.axial_angular_momentum;
-    const T square = dot(n, n);
-    trace_meshes<object_order, Parts, T>(camera.spin, camera.cosine_phi, camera.sine_phi, ray, objects.scene,
-                                         objects.limits, (square > T(0.5)) & (square < T(2.0)), hits);
+    for (int k = 0; k < count; ++k) {
+      const NearRay<T> ray = start_near_ray(camera, objects.turning, n[k]);
+      met[k].energy = ray.energy;
+      met[k].momentum = ray.axial_angular_momentum;
+      const T square = dot(n[k], n[k]);
+      trace_meshes<object_order, Parts, T>(camera.spin, camera.cosine_phi, camera.sine_phi, ray, objects.scene,
+                                           objects.limits, (square > T(0.5)) & (square < T(2.0)), met[k].hits);
+    }
   }
 };
 

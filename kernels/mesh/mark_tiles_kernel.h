@@ -31,10 +31,15 @@ struct MarkTiles {
       set_vector_lane(n, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
     }
     const CameraStation& camera = objects.camera;
+    const auto start = [&objects](const auto& at) { return start_near_ray(objects.camera, objects.turning, at); };
+    const auto by_edge = (inside > T(0.0)) & is_by_edge(camera.spin, start, n, T(half));
+    for (int i = 0; i < lanes; ++i) {
+      marks[i] = mask_lane(by_edge, i) ? TileMark::objects : marks[i];
+    }
     const auto decided = follow_path<mark_order, Parts>(
-        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, objects.turning, n),
-        {objects.scene.least_r, objects.scene.greatest_r}, {mark_tolerance, objects.limits.step_limit}, inside > T(0.0),
-        [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
+        camera.spin, camera.cosine_phi, camera.sine_phi, start(n),
+        {objects.scene.least_r, greatest_r_of_tiles(objects, n, half)}, {mark_tolerance, objects.limits.step_limit},
+        inside > T(0.0), [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           marks[i] = look_through(step, marks[i]);
           return marks[i] == TileMark::fine;
         });

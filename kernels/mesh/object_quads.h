@@ -5,8 +5,19 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Light of pixels in which objects may be seen, from four or sixteen places each: rays.find(first, directions, hits, energies, momenta) tells what
-//! is met there by a register of pixels. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+//! Neighbouring places of a pixel.
+inline constexpr int quad_size = 4;
+
+//! What a register of pixels meets in one direction each.
+template <class T>
+struct SampleHits {
+  MeshHit hits[RealTraits<T>::lane_count];
+  T energy;    //!< at infinity, of light that is seen with energy 1
+  T momentum;  //!< about the axis [M]
+};
+
+//! Light of pixels in which objects may be seen, from four or sixteen places each: rays.find(first, directions, count, met) tells what is met in directions
+//! of up to rays.most_quads quads by a register of pixels. Index i stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, class Rays>
 struct ObjectQuads {
   const ObjectPixelBatch& batch;
@@ -16,11 +27,10 @@ struct ObjectQuads {
     const int first = index * lanes;
     PixelSum sums[lanes] = {};
     LitMesh lit;
-    const int quads = batch.samples / 2;
-    const double spacing = 1.0 / batch.samples;
-    for (int quad = 0; quad < quads * quads; ++quad) {
-      const int row = quad / quads;
-      look_at_quad(first, (quad - row * quads + 0.5) / quads, (row + 0.5) / quads, 0.5 * spacing, lit, sums);
+    const int quads = batch.samples * batch.samples / quad_size;
+    for (int quad = 0; quad < quads; quad += Rays::most_quads) {
+      const int left = quads - quad;
+      look_at_quads(first, quad, left < Rays::most_quads ? left : Rays::most_quads, lit, sums);
     }
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       store(first + i, sums[i]);
@@ -29,7 +39,6 @@ struct ObjectQuads {
 
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
-  static constexpr int quad_size = 4;
 
   //! What a pixel's samples have seen so far.
   struct PixelSum {
@@ -53,29 +62,42 @@ struct ObjectQuads {
     return batch.pixels + 2 * static_cast<long>(at < batch.count ? at : batch.count - 1);
   }
 
-  //! Looks along four rays about a place of each pixel, `apart` from it along x and y.
-  ERGO_HD void look_at_quad(int first, double x, double y, double apart, LitMesh& lit, PixelSum (&sums)[lanes]) const {
-    MeshHit hits[quad_size][lanes];
-    T energy[quad_size];
-    T momentum[quad_size];
-    for (int k = 0; k < quad_size; ++k) {
-      const double along = x + (k % 2 == 0 ? -apart : apart);
-      const double down = y + (k < 2 ? -apart : apart);
-      Vector3<T> n;
-      for (int i = 0; i < lanes; ++i) {
-        const std::int32_t* const at = pixel_at(first + i);
-        const Vector3<double> one = observed_by(batch.objects, at[0] + along, at[1] + down);
-        set_lane(n.x, i, one.x);
-        set_lane(n.y, i, one.y);
-        set_lane(n.z, i, one.z);
-      }
-      rays.find(first, n, hits[k], energy[k], momentum[k]);
+  //! Where each pixel looks from a place of a quad.
+  ERGO_HD Vector3<T> direction(int first, int quad, int k) const {
+    const int across = batch.samples / 2;
+    const int row = quad / across;
+    const double along = (2 * (quad - row * across) + k % 2 + 0.5) / batch.samples;
+    const double down = (2 * row + k / 2 + 0.5) / batch.samples;
+    Vector3<T> n = {T(0.0), T(0.0), T(0.0)};
+    for (int i = 0; i < lanes; ++i) {
+      const std::int32_t* const at = pixel_at(first + i);
+      const Vector3<double> one = observed_by(batch.objects, at[0] + along, at[1] + down);
+      set_lane(n.x, i, one.x);
+      set_lane(n.y, i, one.y);
+      set_lane(n.z, i, one.z);
     }
-    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
-      const MeshHit quad[quad_size] = {hits[0][i], hits[1][i], hits[2][i], hits[3][i]};
-      lit.mesh = -1;
-      for (int k = 0; k < quad_size; ++k) {
-        add_sample(quad, k, lane(energy[k], i), lane(momentum[k], i), lit, sums[i]);
+    return n;
+  }
+
+  //! Looks along the rays of some quads of each pixel.
+  ERGO_HD void look_at_quads(int first, int quad, int count, LitMesh& lit, PixelSum (&sums)[lanes]) const {
+    constexpr int most = Rays::most_quads * quad_size;
+    Vector3<T> n[most];
+    SampleHits<T> met[most];
+    const T zero(0.0);
+    for (int k = 0; k < most; ++k) {
+      n[k] =
+          k < count * quad_size ? direction(first, quad + k / quad_size, k % quad_size) : Vector3<T>{zero, zero, zero};
+    }
+    rays.find(first, n, count * quad_size, met);
+    for (int k = 0; k < count * quad_size; k += quad_size) {
+      for (int i = 0; i < lanes && first + i < batch.count; ++i) {
+        const MeshHit own[quad_size] = {met[k].hits[i], met[k + 1].hits[i], met[k + 2].hits[i], met[k + 3].hits[i]};
+        lit.mesh = -1;
+        for (int corner = 0; corner < quad_size; ++corner) {
+          const SampleHits<T>& sample = met[k + corner];
+          add_sample(own, corner, lane(sample.energy, i), lane(sample.momentum, i), lit, sums[i]);
+        }
       }
     }
   }

@@ -25,6 +25,42 @@ ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<doub
   set(v.z, one.z);
 }
 
+//! Lanes with the shadow's edge within `half_px` of a direction: what is seen beside it is not told by the ray in the middle. start(n) is the ray that is seen
+//! in a direction.
+template <class T, class Start>
+ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_px) {
+  const auto falls = [&](double along, double down) {
+    const auto part = [&](const Dual<T>& of) {
+      return of.value + (footprint_slack * half_px) * (along * of.along_x + down * of.along_y);
+    };
+    const Vector3<T> at = {part(n.x), part(n.y), part(n.z)};
+    const NearRay<T> ray = start((1.0 / sqrt(dot(at, at))) * at);
+    return keeps_inwards(radial_fate(spin, ray), ray.u, ray.u_rate);
+  };
+  const MaskOf<T> middle = falls(0.0, 0.0);
+  MaskOf<T> all = middle;
+  MaskOf<T> some = middle;
+  for (int corner = 0; corner < 4; ++corner) {
+    const MaskOf<T> own = falls(corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0);
+    all = all & own;
+    some = some | own;
+  }
+  return some & !all;
+}
+
+//! The radius within which the rays of tiles are looked at: they may pass the ball about all objects where that of their middle, n, does not.
+template <class T>
+ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, double half_px) {
+  double beside = 0.0;
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    const Vector3<double> x = {lane(n.x.along_x, i), lane(n.y.along_x, i), lane(n.z.along_x, i)};
+    const Vector3<double> y = {lane(n.x.along_y, i), lane(n.y.along_y, i), lane(n.z.along_y, i)};
+    beside = ::fmax(beside, half_px * (length_of(x) + length_of(y)));
+  }
+  const double r = objects.scene.greatest_r;
+  return r + footprint_slack * beside * (1.0 / objects.camera.u + r);
+}
+
 //! Calls each(piece, fine, width) for the pieces of a step that the balls about meshes come so near to that rays within `half_px` of it may meet them, until it
 //! says that it is enough. `fine`: a pixel there, of such a width [M], may hold more of the mesh than a few samples tell.
 template <NearParts Parts, class Each>

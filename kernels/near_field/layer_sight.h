@@ -13,9 +13,9 @@ class LayerSight {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! For pixels first, first + 1, ... of a block of `count`.
+  //! For pixels first, first + 1, ... of a block of `count`. Without a layer, none wait.
   ERGO_HD LayerSight(const ObjectLayer& layer, int first, int count) : layer_(layer), first_(first), waiting_(S(0)) {
-    for (int i = 0; i < RealTraits<T>::lane_count && first + i < count; ++i) {
+    for (int i = 0; layer.rgba != nullptr && i < RealTraits<T>::lane_count && first + i < count; ++i) {
       set_lane(waiting_, i, layer.rgba[4 * static_cast<long>(first + i) + 3] > 0.0F ? S(1) : S(0));
     }
   }
@@ -23,11 +23,15 @@ class LayerSight {
   //! Lanes whose object is not drawn yet.
   [[nodiscard]] ERGO_HD Mask waiting() const { return waiting_ > T(S(0)); }
 
-  //! Draws lane i's object if it is nearer than a Mino time, and what is nearer than that before it: nearer(lane, time).
+  //! Draws lane i's object if it is nearer than a Mino time (or what stands for it in the layer), and what is nearer than that before it:
+  //! nearer(lane, time).
   template <class Nearer>
   ERGO_HD void until(int i, S time, const Nearer& nearer, SeenLanes<T>& seen) {
+    if (!(lane(waiting_, i) > S(0))) {
+      return;
+    }
     const S own = layer_.time[first_ + i];
-    if (!(lane(waiting_, i) > S(0)) || !(own < time)) {
+    if (!(own < time)) {
       return;
     }
     nearer(i, own);

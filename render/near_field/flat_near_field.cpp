@@ -16,6 +16,9 @@ constexpr double nearest_part = 0.9;
 //! Light comes nearer to the hole by no more than so much of r for each of the affine distance, and of its energy at infinity.
 constexpr double fastest_approach = 2.0;
 
+//! Rays that are seen next to one another stay so until they are within this radius: circular orbits of light have no more than 4 M.
+constexpr double parting_r = 6.0;
+
 //! The greatest energy at infinity of light that the observer sees with energy 1.
 double greatest_energy(const CameraStation& station) {
   return station.energy.constant + std::sqrt(dot(station.energy.along, station.energy.along));
@@ -94,31 +97,43 @@ double FlatNearField::most_nearness(double farthest_r) const {
   return way > 0.0 ? std::min(most_w, fastest_approach * greatest_energy(station_) / way) : most_w;
 }
 
-void FlatNearField::draw_objects(const PictureView& view, const RowBlock& rows, float* rgba) {
+ObjectLayer FlatNearField::look_at_objects(const PictureView& view, const RowBlock& rows) const {
   const double(&m)[3][3] = view.eye.frame_from_view;
   const Vector3<double> eye = {offset_ * m[0][0], offset_ * m[1][0], offset_ * m[2][0]};
-  const ObjectLayer layer = near_field_.objects->look(
+  return near_field_.objects->look(
       view, rows,
-      {eye, most_nearness(near_field_.objects->farthest_r(view.time_s)), pixel_angle(view.projection), horizon_});
-  lay_objects(Backend::cpu, {layer, converted_projection<float>(view.projection), rows.first, rows.count, rgba});
+      {eye, most_nearness(near_field_.objects->farthest_r(view.time_s)), most_nearness(parting_r),
+       pixel_angle(view.projection), view.tolerance_px, horizon_});
+}
+
+void FlatNearField::draw_over(const PictureView& view, const RowBlock& rows, float* rgba) {
+  FlatEyeBatch batch = batch_for(view);
+  NearFieldBatch& scene = batch.near_field;
+  scene.pixels.first_row = rows.first;
+  scene.pixels.row_count = rows.count;
+  scene.rgba = rgba;
+  if (near_field_.objects != nullptr) {
+    scene.objects = look_at_objects(view, rows);
+    if (scene.drawing == DiskDrawing::none && scene.shells.count == 0) {
+      return lay_objects(backend_, {scene.objects, scene.pixels.projection, rows.first, rows.count, rgba});
+    }
+  }
+  if (near_field_.disk_grid) {
+    const EyeCamera& head = view.eye;
+    look_up_flat_eyes(
+        {batch, *near_field_.disk_grid,
+         converted_aberration<float>(aberration_to_rain(head.spin, head.r, head.theta, head.motion, head.velocity))});
+    if (near_field_.objects == nullptr) {
+      return;
+    }
+    scene.objects_alone = true;
+  }
+  draw_flat_eyes(backend_, batch);
 }
 
 void FlatNearField::draw(const PictureView& view, const RowBlock& rows, float* rgba) {
-  if (near_field_.objects != nullptr) {
-    return draw_objects(view, rows, rgba);
-  }
-  FlatEyeBatch batch = batch_for(view);
-  batch.near_field.pixels.first_row = rows.first;
-  batch.near_field.pixels.row_count = rows.count;
-  batch.near_field.rgba = rgba;
-  if (near_field_.disk_grid) {
-    const EyeCamera& head = view.eye;
-    return look_up_flat_eyes(
-        {batch, *near_field_.disk_grid,
-         converted_aberration<float>(aberration_to_rain(head.spin, head.r, head.theta, head.motion, head.velocity))});
-  }
   if (backend_ == Backend::cpu) {
-    return draw_flat_eyes(backend_, batch);
+    return draw_over(view, rows, rgba);
   }
   const std::size_t floats =
       4 * static_cast<std::size_t>(view.projection.width_px) * static_cast<std::size_t>(rows.count);
@@ -126,8 +141,7 @@ void FlatNearField::draw(const PictureView& view, const RowBlock& rows, float* r
     rows_ = Buffer<float>(backend_, floats, "flat eye's picture");
   }
   rows_.write(rgba, floats);
-  batch.near_field.rgba = rows_.data();
-  draw_flat_eyes(backend_, batch);
+  draw_over(view, rows, rows_.data());
   rows_.read(rgba, floats);
 }
 

@@ -10,7 +10,7 @@ namespace ergodome {
 //! stands at d n (kernels/flat_eyes/eye_line.h).
 class FlatNearField {
  public:
-  //! For the eyes of a head whose shadow is given; disk and shells, or objects. The disk is read from NearField::disk_grid where there is one: the head's,
+  //! For the eyes of a head whose shadow is given. The disk is read from NearField::disk_grid where there is one and no object is seen: the head's,
   //! with its nearness.
   //! `rows` is kept from picture to picture: what rows on their way through a GPU take.
   FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow,
@@ -27,7 +27,10 @@ class FlatNearField {
   [[nodiscard]] double farthest_r() const;
   //! The nearness beyond which nothing within a radius is looked for [1/M].
   [[nodiscard]] double most_nearness(double farthest_r) const;
-  void draw_objects(const PictureView& view, const RowBlock& rows, float* rgba);
+  //! Objects, as that eye sees them.
+  [[nodiscard]] ObjectLayer look_at_objects(const PictureView& view, const RowBlock& rows) const;
+  //! The same over rows in the backend's memory.
+  void draw_over(const PictureView& view, const RowBlock& rows, float* rgba);
 
   Backend backend_;
   const NearField& near_field_;

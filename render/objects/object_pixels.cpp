@@ -13,7 +13,8 @@ namespace {
 
 constexpr int object_tile_px = 4;
 constexpr int large_tile_px = 16;
-//! Along a line of sight of a flat eye a ray stands for as much of the picture, even for a pixel: less takes longer than what it saves afterwards.
+constexpr int small_tile_px = 2;
+//! Along a line of sight of a flat eye a ray stands for as much of the picture, even for a smaller tile: less takes longer than what it saves afterwards.
 constexpr int least_part_px = 4;
 //! A step in brightness from pixel to pixel that is worth finer samples.
 constexpr float visible_step = 0.2F;
@@ -132,17 +133,20 @@ void ObjectPixels::mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vect
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, large_tile_px), {}};
   tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
   tiles = parts_of(tiles, large_tile_px, object_tile_px);
-  Tiles pixels = parts_of(tiles, object_tile_px, 1);
+  tiles = parts_of(tiles, object_tile_px, small_tile_px);
   std::vector<TileMark> marks;
-  look_through(pixels, 1, marks);
+  look_through(tiles, small_tile_px, marks);
   reach_.resize(seen_.size());
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const std::int32_t* const at = &pixels.places[2 * i];
-    if (marks[i] != TileMark::nothing) {
-      std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
-      to.insert(to.end(), at, at + 2);
-      reach_[index_of(at[0], at[1])] = pixels.reach[i];
+    if (marks[i] == TileMark::nothing) {
+      continue;
     }
+    std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
+    visit_tile(objects_.projection, small_tile_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_,
+               [&](int x, int y) {
+                 to.insert(to.end(), {x, y});
+                 reach_[index_of(x, y)] = tiles.reach[i];
+               });
   }
 }
 

@@ -85,16 +85,9 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
   return scene;
 }
 
-ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
+ObjectLayer TracedObjects::look_at_rows(const PictureView& view, const RowBlock& rows,
+                                        const std::optional<FlatEyeSight>& sight) {
   ObjectPixels pixels(backend_, scene_for(view), rows.first, rows.count, sight);
-  pixels.look();
-  host_rgba_ = pixels.rgba();
-  host_time_ = pixels.time();
-  return {host_rgba_.data(), host_time_.data()};
-}
-
-ObjectLayer TracedObjects::look(const PictureView& view, const RowBlock& rows) {
-  ObjectPixels pixels(backend_, scene_for(view), rows.first, rows.count);
   pixels.look();
   const std::size_t count = pixels.time().size();
   if (time_.size() < count) {

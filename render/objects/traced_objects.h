@@ -29,10 +29,12 @@ class TracedObjects {
   TracedObjects(const Show& show, Backend backend);
 
   //! Looks at the objects in rows of a picture, where they are at its time. The layer stays until the next call.
-  ObjectLayer look(const PictureView& view, const RowBlock& rows);
+  ObjectLayer look(const PictureView& view, const RowBlock& rows) { return look_at_rows(view, rows, {}); }
 
-  //! The same for an eye of the stereo model `flat`, beside the head that the view is of; the layer is in host memory, and its time is minus the nearness.
-  ObjectLayer look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight);
+  //! The same for an eye of the stereo model `flat`, beside the head that the view is of; the layer's time is minus the nearness.
+  ObjectLayer look(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
+    return look_at_rows(view, rows, sight);
+  }
 
   //! The radius that no object reaches beyond at a time of the show [M].
   [[nodiscard]] double farthest_r(double time_s) const;
@@ -41,6 +43,7 @@ class TracedObjects {
   [[nodiscard]] long triangle_count() const;
 
  private:
+  ObjectLayer look_at_rows(const PictureView& view, const RowBlock& rows, const std::optional<FlatEyeSight>& sight);
   //! The objects of a picture as kernels have them.
   ObjectScene scene_for(const PictureView& view);
 
@@ -54,8 +57,6 @@ class TracedObjects {
   Buffer<double> cameras_;  //!< of an eye that turns
   Buffer<float> rgba_;
   Buffer<float> time_;
-  std::vector<float> host_rgba_;
-  std::vector<float> host_time_;
 };
 
 //! Those of a show whose objects are traced; else none.

@@ -23,7 +23,7 @@ void Planner::plan_flat_near_field() {
   const bool certain = (always_.disk || always_.shells || always_.traced_objects) && !eyes_are_together_at_times();
   buffer("flat shadow", WorkMoment::picture, certain ? (edge_points + places) * long{sizeof(float)} : 0,
          why("stereo.model"));
-  if (request_.backend != Backend::cpu && (needs_.disk || needs_.shells)) {
+  if (request_.backend != Backend::cpu) {
     buffer("flat eye's picture", WorkMoment::start, 0, why("stereo.model"));
   }
   pass("see_horizon", WorkMoment::picture, certain ? shown_ : 0, certain ? shown_ * places : 0, why("stereo.model"),
@@ -61,8 +61,11 @@ void Planner::plan_flat_disk(bool if_needed) {
       }
     }
   }
-  if (!may_make || !certain) {
-    flat_pass(flat_eyes_name(DiskDrawing::plain, false), reason, if_needed || may_make);
+  if (!may_make || !certain || needs_.traced_objects) {
+    // Beside a grid, pixels that show objects have rays.
+    flat_pass(flat_eyes_name(DiskDrawing::plain, false),
+              needs_.traced_objects ? reason + ", " + why("objects") : reason,
+              if_needed || (may_make && !always_.traced_objects));
   }
 }
 

@@ -119,7 +119,9 @@ void Planner::plan_traced_objects(const std::string& objects) {
   if (eyes_are_flat()) {
     pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_together_at_times());
     pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);
-    flat_pass("lay_objects", objects, false);
+    if (!always_.disk && !always_.shells) {
+      flat_pass("lay_objects", objects, needs_.disk || needs_.shells);
+    }
   }
   const bool together = !eyes_are_flat() || eyes_are_together_at_times();
   if (together) {
@@ -129,11 +131,8 @@ void Planner::plan_traced_objects(const std::string& objects) {
   if (together && !always_.disk && !always_.shells) {
     pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || eyes_are_flat());
   }
-  for (const char* const name : {"objects' tiles", "objects' pixels"}) {
+  for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {
     buffer(name, WorkMoment::picture, 0, objects);
-  }
-  if (together) {
-    buffer("objects' picture", WorkMoment::picture, 0, objects);
   }
   if (plan_.eyes > 1 && show_.stereo.model == StereoModel::omni) {
     buffer("objects' cameras", WorkMoment::picture, 0, why("stereo.model"));

@@ -154,15 +154,5 @@ TEST(FlatNearField, CountsInTheDisparityThatAPersonReads) {
   EXPECT_NEAR(sky_alone->least_px, 0.0, 1e-6);
 }
 
-TEST(FlatNearField, RefusesTracedObjectsBesideADisk) {
-  const std::string object = "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsize = 0.5\nposition = [8, 0, 0]\n";
-  const std::string camera = "[[camera.key]]\nr = 24\n";
-  EXPECT_TRUE(missing_features(flat_show(object, camera, 0.4)).empty());
-  const auto missing = missing_features(flat_show(plain_disk + object, camera, 0.4));
-  ASSERT_EQ(missing.size(), 1U);
-  EXPECT_NE(missing.front().find("without a disk or shells in the stereo model flat"), std::string::npos)
-      << missing.front();
-}
-
 }  // namespace
 }  // namespace ergodome

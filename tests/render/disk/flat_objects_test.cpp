@@ -81,6 +81,30 @@ TEST(FlatObjects, OfEyesFartherApartThanTheyAreWideAreThatToo) {
                     sanitized ? 8 : looks);
 }
 
+//! Opaque, and of another light than objects.
+const std::string grey_shell =
+    "[[shells]]\nradius = 5\nfill_opacity = 1\nfill_color = [0.3, 0.3, 0.3]\nline_opacity = 0\n";
+
+TEST(FlatObjects, ThatADiskCutsThroughAreBeforeItAndBehindIt) {
+  // Above the plane and below it, behind the hole.
+  const Show show = objects_show(white_ball("-7, 6, 0.5", "3") + plain_disk, spinning, 2.0);
+  for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
+    compare_with_walk(show, lens, 2 * looks);
+  }
+}
+
+TEST(FlatObjects, ThatAShellCutsThroughAreBeforeItAndBehindIt) {
+  expect_what_lines_of_sight_meet(objects_show(white_ball("3, 5, 2", "3") + grey_shell, spinning, 2.0, 40));
+}
+
+TEST(FlatObjects, BetweenADiskAndAShellAreInTheOrderOfTheirDistance) {
+  if (sanitized) {
+    GTEST_SKIP() << takes_long;
+  }
+  compare_with_walk(objects_show(white_ball("2, 6, 0.5", "3") + plain_disk + grey_shell, spinning, 2.0, 40),
+                    LensChoice::direct, 2 * looks);
+}
+
 //! How much eyes of the model differ from the head.
 struct Difference {
   double light = 0.0;     //!< of the head's picture
@@ -143,9 +167,16 @@ TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120);
   const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
   const Difference difference = difference_from_head(then, 1e-6);
-  EXPECT_GT(difference.light, 0.01);
-  EXPECT_LT(difference.mean, 2e-3);
-  EXPECT_NE(eyes_of(now, LensChoice::direct)[0].rgba, eyes_of(then, LensChoice::direct)[0].rgba);
+  EXPECT_GT(difference.light, 100.0);
+  // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is chance.
+  EXPECT_LT(difference.mean, 2e-2);
+  const Picture moved = eyes_of(now, LensChoice::direct)[0];
+  const Picture seen = eyes_of(then, LensChoice::direct)[0];
+  double apart = 0.0;
+  for (std::size_t i = 0; i < seen.rgba.size(); ++i) {
+    apart += static_cast<double>(i % 4 < 3 ? std::abs(moved.rgba[i] - seen.rgba[i]) : 0.0F);
+  }
+  EXPECT_GT(apart, 0.2 * difference.light);
 }
 
 }  // namespace

@@ -106,12 +106,28 @@ class FlatWalk {
     return static_cast<float>(covered) / (samples * samples);
   }
 
-  //! The disk's light at a radius, without shift.
-  [[nodiscard]] Vector3<float> light(double r) const {
-    return disk_light(look_, {1.0F, 0.0F, 1.0F, 1.0F}, {1.0F, static_cast<float>(r), 0.0F, false, 0.0F, 0.0F});
+  //! The light of what is met, without shift; of shells and objects the first one's.
+  [[nodiscard]] float light_of(const Seen& seen) const {
+    switch (seen.met) {
+      case Met::disk:
+        return luminance_of(
+            disk_light(look_, {1.0F, 0.0F, 1.0F, 1.0F}, {1.0F, static_cast<float>(seen.r), 0.0F, false, 0.0F, 0.0F}));
+      case Met::shell: {
+        const auto& color = show_.shells.front().fill_color;
+        return luminance_of(as_light({color[0], color[1], color[2]}));
+      }
+      case Met::object:
+        return luminance_of(as_light(show_.objects.front().color));
+      default:
+        return 0.0F;
+    }
   }
 
  private:
+  static Vector3<float> as_light(const Vector3<double>& color) {
+    return {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z)};
+  }
+
   //! In units of the head's radius.
   static constexpr double nearest = 0.04;
   static constexpr double farthest = 16.0;
@@ -156,8 +172,16 @@ class FlatWalk {
     return point;
   }
 
-  [[nodiscard]] bool is_in_object(const Vector3<double>& n, double distance) const {
-    const std::optional<Vector3<double>> point = show_.objects.empty() ? std::nullopt : point_at(n, distance);
+  //! Beyond a shell's near side, as seen from outside, but not beyond its far side; or beyond one about the camera.
+  [[nodiscard]] bool is_in_shell(const Vector3<double>& n, double distance,
+                                 const std::optional<Vector3<double>>& point) const {
+    return std::ranges::any_of(show_.shells, [&](const ShellSettings& shell) {
+      return shell.radius < head_.r ? point && dot(*point, *point) < shell.radius * shell.radius
+                                    : distance >= affine_distance(camera_, n, shell.radius);
+    });
+  }
+
+  [[nodiscard]] bool is_in_object(const std::optional<Vector3<double>>& point) const {
     return point && std::ranges::any_of(show_.objects, [&](const ObjectSettings& object) {
              const Vector3<double> way = *point - object.position;
              return dot(way, way) < object.size * object.size;
@@ -179,9 +203,10 @@ class FlatWalk {
       }
     }
     place.in_horizon = !direction_is_bright(camera_, n) && distance >= affine_distance(camera_, n, camera_.horizon_r);
-    place.in_object = is_in_object(n, distance);
-    for (const ShellSettings& shell : show_.shells) {
-      place.in_shell = place.in_shell || distance >= affine_distance(camera_, n, shell.radius);
+    if (!show_.objects.empty() || !show_.shells.empty()) {
+      const std::optional<Vector3<double>> point = point_at(n, distance);
+      place.in_object = is_in_object(point);
+      place.in_shell = is_in_shell(n, distance, point);
     }
     return place;
   }

@@ -142,9 +142,37 @@ TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTake) {
   }
 }
 
+TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTakeBesideADiskAndShells) {
+  Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  show.stereo.baseline = 0.5;
+  for (const bool disk : {true, false}) {
+    for (const bool shells : {true, false}) {
+      SCOPED_TRACE(testing::Message() << disk << shells);
+      show.disk = disk ? std::optional<DiskSettings>(DiskSettings{}) : std::nullopt;
+      show.shells.assign(shells ? 1 : 0, {});
+      const FramePlan plan = plan_frame(show, {});
+      const auto [first, second] = work_of(show, ViewMode::sky);
+      EXPECT_TRUE(second.contains("look_at_flat_objects"));
+      EXPECT_EQ(second.contains("lay_objects"), !disk && !shells);
+      for (const auto& [name, work] : second) {
+        EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
+                    std::ranges::find(plan.buffers, name, &PlannedBuffer::name) != plan.buffers.end())
+            << name;
+      }
+      for (const PlannedPass& pass : plan.passes) {
+        EXPECT_TRUE(pass.if_needed || first.contains(pass.name)) << pass.name;
+      }
+    }
+  }
+}
+
 TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
   Show show = show_with({traced(test::small_sphere({60.0, 0.0, 0.0}, 1.0))});
   show.view.field_of_view_deg = 10.0;
+  // Past the hole: next to the shadow's edge all is seen that there is.
+  show.camera.keys.front().yaw = 0.5;
   const Work work = work_of(show, ViewMode::sky).first;
   EXPECT_TRUE(work.contains("mark_object_tiles"));
   EXPECT_FALSE(work.contains("look_at_objects"));

@@ -114,5 +114,35 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
   }
 }
 
+// Tiles are marked by the ray in their middle, which falls into the hole where others pass it and go round.
+TEST(TracedObjects, LoseNoLightNextToTheShadowsEdge) {
+  constexpr double r = 40.0;
+  constexpr int size_px = test::sanitized ? 80 : 240;
+  const Show show = show_of(0.0, {ball({14.0, 14.0, 2.0}, 9.0)});
+  const EyeCamera eye = eye_at(0.0, r, 1.4, ObserverMotion::fixed);
+  const Projection projection = make_pinhole_projection(size_px, size_px, 0.3);
+  const Drawn drawn = draw(show, eye, projection);
+  const ObjectRays rays(show, 0.0);
+  const double edge_px = std::tan(std::asin(std::sqrt(27.0 * (1.0 - 2.0 / r)) / r)) / std::tan(0.15) * 0.5 * size_px;
+  double expected = 0.0;
+  double seen = 0.0;
+  for (int y = 0; y < size_px; ++y) {
+    for (int x = 0; x < size_px; ++x) {
+      if (std::abs(std::hypot(x + 0.5 - 0.5 * size_px, y + 0.5 - 0.5 * size_px) - edge_px) > 5.0) {
+        continue;
+      }
+      for (int i = 0; i < 16; ++i) {
+        const int row = i / 4;
+        const Vector3<double> n = observed(eye, projection, x + (i % 4 + 0.5) / 4.0, y + (row + 0.5) / 4.0);
+        const auto hit = rays.look(station(eye), n, 1e-9);
+        expected += hit && hit->mesh >= 0 ? 1.0 / 16.0 : 0.0;
+      }
+      seen += static_cast<double>(drawn.covered(x, y));
+    }
+  }
+  EXPECT_GT(expected, test::sanitized ? 20.0 : 80.0);
+  EXPECT_NEAR(seen, expected, 0.01 * expected);
+}
+
 }  // namespace
 }  // namespace ergodome
