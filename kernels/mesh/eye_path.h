@@ -81,7 +81,8 @@ class EyeStep {
     last_ = step.distance(D(step.length));
     beside_ = reach * ::fmax(change_of(first_), change_of(last_));
     // Where it would be a large part, the ray stands for its neighbours.
-    beside_ = beside_ < 0.1 * last_.value ? beside_ : 0.0;
+    parts_ = !(beside_ < 0.1 * last_.value);
+    beside_ = parts_ ? 0.0 : beside_;
   }
 
   //! Whether all of it is farther from the head than that [M].
@@ -114,7 +115,7 @@ class EyeStep {
     const Vector3<D> first_point = step_.point(D(0.0));
     const Vector3<D> last_point = step_.point(D(step_.length));
     width_ = ::fmax(width_of(first_point), width_of(last_point));
-    bends_ = bends(first_point, first_) || bends(last_point, last_);
+    bends_ = parts_ || bends(first_point, first_) || bends(last_point, last_);
     const auto point = [&](double h) { return plain_vector(step_.point(D(begin_ + h))); };
     const PathPiece piece = {0.0, length_, point(0.0), point(0.5 * length_), point(length_)};
     // Steps are long beside the parabolas that pieces are close to.
@@ -276,7 +277,8 @@ class EyeStep {
   double reach_;
   D first_;  //!< distance from the head at both ends of the step
   D last_;
-  double beside_;  //!< the eye's may be so much greater or less [M]
+  double beside_;       //!< the eye's may be so much greater or less [M]
+  bool parts_ = false;  //!< that would be a large part of it
   DistanceSpan kept_ = {0.0, 0.0};
   double begin_ = 0.0;  //!< of what is kept, in the step's time
   double length_ = 0.0;

@@ -9,7 +9,7 @@ struct ObjectLayer {
   const float* rgba =
       nullptr;  //!< four a pixel: linear light times the part of the pixel that objects cover, and that part; nullptr: there are none
   const float* time =
-      nullptr;  //!< one a pixel: Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
+      nullptr;  //!< one a pixel: Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]; of an eye of the stereo model `flat` minus the nearness
 };
 
 //! A block of rows of a picture that objects are laid over, with nothing else near the hole: four floats a pixel.

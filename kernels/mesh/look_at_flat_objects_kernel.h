@@ -57,7 +57,7 @@ struct ObjectRaysOfHead {
   [[nodiscard]] ERGO_HD double part_px(double width) const {
     constexpr double longest_px = 4.0;
     constexpr double shortest_px = 0.25;
-    const double part = 2.0 * ::sqrt(2.0 * batch.sight.tolerance_px / ::fmax(width, 1e-9));
+    const double part = 2.0 / PixelLines::corner_reach * ::sqrt(2.0 * batch.sight.tolerance_px / ::fmax(width, 1e-9));
     return ::fmax(shortest_px, ::fmin(longest_px, part));
   }
 

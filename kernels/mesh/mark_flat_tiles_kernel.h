@@ -111,7 +111,7 @@ struct MarkFlatTiles {
     const T half_px = 0.5 * batch.tiles.side_px + sweep;
     const auto start = [&camera](const Vector3<T>& at) { return start_near_ray(camera, at); };
     const MaskOf<T> by_edge = active & is_by_edge(camera.spin, start, point.n, half_px);
-    const double greatest_r = greatest_r_of_tiles(objects, point.n, 0.5 * batch.tiles.side_px);
+    const double greatest_r = greatest_r_of_tiles(objects, point.n, half_px);
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),
         {objects.scene.least_r, greatest_r}, {mark_tolerance, objects.limits.step_limit}, active,

@@ -5,7 +5,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Marks the tiles in which objects may be seen: those where the balls about them come within the footprint of the ray through the tile's middle,
-//! whichever way round the hole. Index i stands for the tiles i * lanes, i * lanes + 1, ...
+//! whichever way round the hole, and those beside the shadow's edge. Index i stands for the tiles i * lanes, i * lanes + 1, ...
 template <class T, NearParts Parts>
 struct MarkTiles {
   using D = Dual<T>;
@@ -38,7 +38,7 @@ struct MarkTiles {
     }
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start(n),
-        {objects.scene.least_r, greatest_r_of_tiles(objects, n, half)}, {mark_tolerance, objects.limits.step_limit},
+        {objects.scene.least_r, greatest_r_of_tiles(objects, n, T(half))}, {mark_tolerance, objects.limits.step_limit},
         inside > T(0.0), [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           marks[i] = look_through(step, marks[i]);
           return marks[i] == TileMark::fine;

@@ -5,12 +5,14 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! The lines of sight of a pixel's samples, for an eye of the stereo model `flat`, and the head's rays that stand for them: as the head sees them, the lines
-//! are strips beside one another, and go the same way. Its rays lie in rows along that way; each stands for the parts of all lines that pass near it.
+//! are strips beside one another, and go the same way, but where the eye looks along its own way from the head: there they are short, and part. The rays
+//! lie in rows along that way; each stands for the parts of all lines that pass near it.
 class PixelLines {
  public:
   static constexpr int most = 16;
-
-  ERGO_HD PixelLines() = default;
+  //! A row is so high for each part: its corners are little farther away than its ends.
+  static constexpr double row_part = 0.7;
+  static constexpr double corner_reach = 1.22;  //!< of what a ray stands for, over half a part: √(1 + row_part²)
 
   //! Begins with lines in so many directions, those of no unit length aside, where `reach` says that something may be. `part`: what one ray may stand for along
   //! a line, as the head sees it [rad].
@@ -97,8 +99,6 @@ class PixelLines {
 
   //! Lays rays over all the places to which the eye's way brings the lines.
   ERGO_HD void lay_rays(double part) {
-    //! A row is so high for each part: its corners are little farther away than its ends.
-    constexpr double row_part = 0.7;
     eye_ahead_ = dot(eye_, middle_);
     const Vector3<double> aside = eye_ - eye_ahead_ * middle_;
     eye_along_ = length_of(aside);
@@ -160,33 +160,42 @@ class PixelLines {
     double aside = 0.0;
     wanted_ = 0U;
     whole_ = {1e30, 0.0};
-    const Vector3<double> toward = middle_ + s * along_ + t * across_;
     for (int k = 0; k < count_; ++k) {
       const Line& line = lines_[k];
-      if (!is_in(open_, k) || row_of(line) != row) {
-        continue;
+      if (is_in(open_, k) && row_of(line) == row && set_span(k, s, half)) {
+        wanted_ |= 1U << static_cast<unsigned>(k);
+        aside = ::fmax(aside, ::fmax(::fabs(line.from_t - t), ::fabs(line.to_t - t)));
+        whole_ = {::fmin(whole_.nearest, spans_[k].nearest), ::fmax(whole_.farthest, spans_[k].farthest)};
       }
-      const double one = nearness_at(line, s - half);
-      const double other = nearness_at(line, s + half);
-      const double greatest = ::fmax(one, other);
-      const double least = ::fmin(one, other);
-      // A line that the eye's way does not bring anywhere is within one column as a whole.
-      const bool stays = ::fabs(line.from_s - line.to_s) <= 1e-6 * width_;
-      if (stays ? !(::fabs(line.from_s - s) <= half) : !(greatest > least)) {
-        continue;
-      }
-      wanted_ |= 1U << static_cast<unsigned>(k);
-      aside = ::fmax(aside, ::fmax(::fabs(line.from_t - t), ::fabs(line.to_t - t)));
-      EyeReference own = reference_;
-      own.m = line.m;
-      spans_[k] = {own.distance(stays ? from_w_ : greatest), own.distance(stays ? to_w_ : least)};
-      whole_ = {::fmin(whole_.nearest, spans_[k].nearest), ::fmax(whole_.farthest, spans_[k].farthest)};
     }
     if (wanted_ == 0U) {
       return false;
     }
+    const Vector3<double> toward = middle_ + s * along_ + t * across_;
     turn_reference((1.0 / length_of(toward)) * toward);
     reach_ = ::sqrt(half * half + aside * aside);
+    return true;
+  }
+
+  //! Sets where a line is within a column; false where it is not.
+  ERGO_HD bool set_span(int k, double s, double half) {
+    const Line& line = lines_[k];
+    const double one = nearness_at(line, s - half);
+    const double other = nearness_at(line, s + half);
+    double greatest = ::fmax(one, other);
+    double least = ::fmin(one, other);
+    // A line that the eye's way does not bring anywhere is within one column as a whole.
+    const bool stays = ::fabs(line.from_s - line.to_s) <= 1e-6 * width_;
+    if (stays ? !(::fabs(line.from_s - s) <= half) : !(greatest > least)) {
+      return false;
+    }
+    if (stays) {
+      greatest = from_w_;
+      least = to_w_;
+    }
+    EyeReference own = reference_;
+    own.m = line.m;
+    spans_[k] = {own.distance(greatest), own.distance(least)};
     return true;
   }
 

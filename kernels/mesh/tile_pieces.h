@@ -25,8 +25,8 @@ ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<doub
   set(v.z, one.z);
 }
 
-//! Lanes with the shadow's edge within `half_px` of a direction: what is seen beside it is not told by the ray in the middle. start(n) is the ray that is seen
-//! in a direction.
+//! Lanes with the edge of a shadow, larger than that, within `half_px` of a direction: what is seen beside it is not told by the ray in the middle. start(n) is
+//! the ray that is seen in a direction.
 template <class T, class Start>
 ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_px) {
   const auto falls = [&](double along, double down) {
@@ -50,12 +50,12 @@ ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual
 
 //! The radius within which the rays of tiles are looked at: they may pass the ball about all objects where that of their middle, n, does not.
 template <class T>
-ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, double half_px) {
+ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>& n, const T& half_px) {
   double beside = 0.0;
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
     const Vector3<double> x = {lane(n.x.along_x, i), lane(n.y.along_x, i), lane(n.z.along_x, i)};
     const Vector3<double> y = {lane(n.x.along_y, i), lane(n.y.along_y, i), lane(n.z.along_y, i)};
-    beside = ::fmax(beside, half_px * (length_of(x) + length_of(y)));
+    beside = ::fmax(beside, lane(half_px, i) * (length_of(x) + length_of(y)));
   }
   const double r = objects.scene.greatest_r;
   return r + footprint_slack * beside * (1.0 / objects.camera.u + r);

@@ -29,7 +29,7 @@ class FlatNearField {
   [[nodiscard]] double most_nearness(double farthest_r) const;
   //! Objects, as that eye sees them.
   [[nodiscard]] ObjectLayer look_at_objects(const PictureView& view, const RowBlock& rows) const;
-  //! The same over rows in the backend's memory.
+  //! As draw, over rows in the backend's memory.
   void draw_over(const PictureView& view, const RowBlock& rows, float* rgba);
 
   Backend backend_;

@@ -34,14 +34,22 @@ void visit_tile(const Projection& projection, int side_px, int left, int top, in
   }
 }
 
-//! Whether a tile is in one sheet of a picture.
-bool is_within_one(const std::vector<PictureSheet>& sheets, int x, int y, int side_px) {
-  return std::ranges::any_of(sheets, [&](const PictureSheet& sheet) {
-    const PixelCell& cell = sheet.cell;
-    return x >= cell.left_px && y >= cell.top_px && x + side_px <= cell.left_px + cell.width_px &&
-           y + side_px <= cell.top_px + cell.height_px;
-  });
-}
+//! The sheets of a picture that its tiles may lie across: what a tile's middle tells of does not go beyond the side of a cube.
+class Seams {
+ public:
+  explicit Seams(const Projection& projection) : sheets_(picture_sheets(projection)) {}
+
+  [[nodiscard]] bool tear(int x, int y, int side_px) const {
+    return sheets_.size() > 1 && std::ranges::none_of(sheets_, [&](const PictureSheet& sheet) {
+             const PixelCell& cell = sheet.cell;
+             return x >= cell.left_px && y >= cell.top_px && x + side_px <= cell.left_px + cell.width_px &&
+                    y + side_px <= cell.top_px + cell.height_px;
+           });
+  }
+
+ private:
+  std::vector<PictureSheet> sheets_;
+};
 
 }  // namespace
 
@@ -111,13 +119,12 @@ ObjectPixels::Tiles ObjectPixels::parts_of(const Tiles& tiles, int side_px, int 
   std::vector<TileMark> marks;
   Tiles seen = tiles;
   look_through(seen, side_px, marks);
-  const std::vector<PictureSheet> sheets = picture_sheets(objects_.projection);
+  const Seams seams(objects_.projection);
   Tiles parts;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const int x = tiles.places[2 * i];
     const int y = tiles.places[2 * i + 1];
-    // What a tile's middle tells of does not go beyond the side of a cube.
-    const bool torn = sheets.size() > 1 && !is_within_one(sheets, x, y, side_px);
+    const bool torn = seams.tear(x, y, side_px);
     if (marks[i] == TileMark::nothing && !torn) {
       continue;
     }
@@ -134,19 +141,41 @@ void ObjectPixels::mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vect
   tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
   tiles = parts_of(tiles, large_tile_px, object_tile_px);
   tiles = parts_of(tiles, object_tile_px, small_tile_px);
-  std::vector<TileMark> marks;
-  look_through(tiles, small_tile_px, marks);
+  Tiles whole;
+  Tiles single_pixels;
+  const Seams seams(objects_.projection);
+  for (std::size_t i = 0; i < tiles.reach.size(); ++i) {
+    const int left = tiles.places[2 * i];
+    const int top = tiles.places[2 * i + 1];
+    const auto add = [&tiles, i](Tiles& to, int x, int y) {
+      to.places.insert(to.places.end(), {x, y});
+      to.reach.push_back(tiles.reach[i]);
+    };
+    if (seams.tear(left, top, small_tile_px)) {
+      visit_tile(objects_.projection, small_tile_px, left, top, bottom_,
+                 [&](int x, int y) { add(single_pixels, x, y); });
+    } else {
+      add(whole, left, top);
+    }
+  }
   reach_.resize(seen_.size());
+  add_seen(whole, small_tile_px, coarse, fine);
+  add_seen(single_pixels, 1, coarse, fine);
+}
+
+void ObjectPixels::add_seen(Tiles& tiles, int side_px, std::vector<std::int32_t>& coarse,
+                            std::vector<std::int32_t>& fine) {
+  std::vector<TileMark> marks;
+  look_through(tiles, side_px, marks);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (marks[i] == TileMark::nothing) {
       continue;
     }
     std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
-    visit_tile(objects_.projection, small_tile_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_,
-               [&](int x, int y) {
-                 to.insert(to.end(), {x, y});
-                 reach_[index_of(x, y)] = tiles.reach[i];
-               });
+    visit_tile(objects_.projection, side_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_, [&](int x, int y) {
+      to.insert(to.end(), {x, y});
+      reach_[index_of(x, y)] = tiles.reach[i];
+    });
   }
 }
 
@@ -154,13 +183,15 @@ void ObjectPixels::mark_pixels(std::vector<std::int32_t>& coarse, std::vector<st
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, object_tile_px), {}};
   std::vector<TileMark> marks;
   look_through(tiles, object_tile_px, marks);
+  const Seams seams(objects_.projection);
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i] != TileMark::nothing) {
+    const int left = tiles.places[2 * i];
+    const int top = tiles.places[2 * i + 1];
+    if (marks[i] != TileMark::nothing || seams.tear(left, top, object_tile_px)) {
       std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
-      visit_tile(objects_.projection, object_tile_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_,
-                 [&](int x, int y) {
-                   to.insert(to.end(), {x, y});
-                 });
+      visit_tile(objects_.projection, object_tile_px, left, top, bottom_, [&](int x, int y) {
+        to.insert(to.end(), {x, y});
+      });
     }
   }
 }

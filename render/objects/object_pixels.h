@@ -49,6 +49,9 @@ class ObjectPixels {
   void mark_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const;
   void mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine);
 
+  //! Looks through tiles, and adds the pixels of those that see anything, which they tell where.
+  void add_seen(Tiles& tiles, int side_px, std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine);
+
   //! Where pixels may show objects.
   [[nodiscard]] std::vector<FlatReach> reach_of(const std::vector<std::int32_t>& pixels) const;
 

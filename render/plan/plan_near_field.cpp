@@ -38,6 +38,8 @@ void Planner::plan_near_field() {
   }
 }
 
+bool Planner::has_disk_always() const { return always_.disk && !disk_edges_move(); }
+
 bool Planner::disk_edges_move() const {
   return find_animation(show_, "disk.outer") != nullptr || find_animation(show_, "hole.spin") != nullptr;
 }
@@ -119,7 +121,7 @@ void Planner::plan_traced_objects(const std::string& objects) {
   if (eyes_are_flat()) {
     pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_together_at_times());
     pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);
-    if (!always_.disk && !always_.shells) {
+    if (!has_disk_always() && !always_.shells) {
       flat_pass("lay_objects", objects, needs_.disk || needs_.shells);
     }
   }
@@ -128,7 +130,7 @@ void Planner::plan_traced_objects(const std::string& objects) {
     pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_flat());
     pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
   }
-  if (together && !always_.disk && !always_.shells) {
+  if (together && !has_disk_always() && !always_.shells) {
     pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || eyes_are_flat());
   }
   for (const char* const name : {"objects' tiles", "objects' pixels", "objects' picture"}) {

@@ -54,6 +54,7 @@ class Planner {
   void plan_disk_grid(const std::string& reason, bool if_needed);
   //! Whether there may be nothing of the disk between its edges at times.
   [[nodiscard]] bool disk_edges_move() const;
+  [[nodiscard]] bool has_disk_always() const;
   void plan_streamed_disk(const std::string& reason);
   //! A disk without shells: from baked layers, or grids where they are worth their while, but for pixels that show traced objects.
   void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);

@@ -80,6 +80,33 @@ BENCHMARK_CAPTURE(stereo_disk, mono_clouds, "", clouds)->Apply(disk_pair_width);
 BENCHMARK_CAPTURE(stereo_disk, physical_clouds, physical_eyes, clouds)->Apply(disk_pair_width);
 BENCHMARK_CAPTURE(stereo_disk, flat_clouds, flat_eyes, clouds)->Apply(disk_pair_width);
 
+//! Both eyes of a ball behind a spinning hole, traced; how far apart they are in hundredths of M.
+void stereo_objects(benchmark::State& state, const char* model) {
+  const Show show = parse_show(
+      "[hole]\nspin = 0.9\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n[[objects]]\nmethod = "
+      "\"trace\"\n"
+      "shape = \"sphere\"\nsegments = 96\nrings = 48\nposition = [-7, 5, 3]\nsize = 3\n[view]\nprojection = "
+      "\"pinhole\"\n"
+      "fov_deg = 60\naspect = 1.5\n[stereo]\nlayout = \"separate\"\nmodel = \"" +
+          std::string(model) + "\"\nbaseline = " + std::to_string(0.01 * static_cast<double>(state.range(0))) + "\n",
+      "bench.toml");
+  constexpr int width_px = 300;
+  ShowRenderer renderer(show, Backend::cpu);
+  const Projection projection = make_projection(show.view, width_px, 0.0);
+  const CameraPose pose = camera_pose(show, 0.0);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(renderer.render_window_parts(pose, projection, ViewMode::sky).front().rgba.data());
+  }
+  state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
+}
+
+void object_baselines(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(10)->Arg(50)->Arg(150)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(stereo_objects, physical, "physical")->Apply(object_baselines);
+BENCHMARK_CAPTURE(stereo_objects, flat, "flat")->Apply(object_baselines);
+
 //! Seconds of processor time that all threads have taken: other programs do not count.
 double processor_s() {
   std::timespec now{};

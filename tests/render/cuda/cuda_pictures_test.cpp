@@ -192,6 +192,13 @@ std::vector<Scene> scenes() {
       {"flat_eyes", "dome-still", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
       {"flat_eyes_before_a_disk", "disk", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
       {"flat_eyes_before_shells", "shells", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
+      {"flat_eyes_before_a_planet", "planet", ViewMode::sky, LensChoice::direct, two_eyes(StereoModel::flat)},
+      {"flat_eyes_before_a_planet_alone", "planet", ViewMode::sky, LensChoice::direct,
+       [two_eyes](Show& show) {
+         two_eyes(StereoModel::flat)(show);
+         show.disk.reset();
+         show.shells.clear();
+       }},
       {"steps", "dome-still", ViewMode::steps},
       {"steps_with_shells", "shells", ViewMode::steps},
       {"image_order", "dome-still", ViewMode::image_order},

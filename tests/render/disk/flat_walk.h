@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -104,6 +105,18 @@ class FlatWalk {
       }
     }
     return static_cast<float>(covered) / (samples * samples);
+  }
+
+  //! The least and the greatest light that samples of a pixel meet.
+  [[nodiscard]] std::pair<float, float> light_range(int x, int y) const {
+    constexpr int samples = 8;
+    std::pair<float, float> range = {std::numeric_limits<float>::infinity(), 0.0F};
+    for (int i = 0; i < samples * samples; ++i) {
+      const int row = i / samples;
+      const float light = light_of(look(x + (i % samples + 0.5) / samples, y + (row + 0.5) / samples));
+      range = {std::min(range.first, light), std::max(range.second, light)};
+    }
+    return range;
   }
 
   //! The light of what is met, without shift; of shells and objects the first one's.

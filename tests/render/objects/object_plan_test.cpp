@@ -58,10 +58,19 @@ class TracedObjectPlans : public test::FolderTest {
     }
   }
 
+  //! Holds that a plan names all of some work.
+  static void expect_all_planned(const FramePlan& plan, const Work& done) {
+    for (const auto& [name, work] : done) {
+      EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
+                  std::ranges::find(plan.buffers, name, &PlannedBuffer::name) != plan.buffers.end())
+          << name;
+    }
+  }
+
   //! What a picture and one more of the same moment take.
-  static std::pair<Work, Work> work_of(const Show& show, ViewMode mode) {
+  static std::pair<Work, Work> work_of(const Show& show, ViewMode mode, LensChoice lens = LensChoice::automatic) {
     const Work start = work_done();
-    ShowRenderer renderer(show, Backend::cpu);
+    ShowRenderer renderer(show, Backend::cpu, lens);
     renderer.render(0.0, {mode, 0});
     const Work first = work_done();
     renderer.render(0.0, {mode, 0});
@@ -134,11 +143,7 @@ TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTake) {
     expect_planned({"load_meshes", apart ? "mark_flat_object_tiles" : "mark_object_tiles",
                     apart ? "look_at_flat_objects" : "look_at_objects", "lay_objects"},
                    plan, first, second);
-    for (const auto& [name, work] : second) {
-      EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
-                  std::ranges::find(plan.buffers, name, &PlannedBuffer::name) != plan.buffers.end())
-          << name;
-    }
+    expect_all_planned(plan, second);
   }
 }
 
@@ -147,25 +152,60 @@ TEST_F(TracedObjectPlans, NameWhatEyesThatSeeThroughOneLensTakeBesideADiskAndShe
   show.stereo.layout = StereoLayout::separate;
   show.stereo.model = StereoModel::flat;
   show.stereo.baseline = 0.5;
+  show.view.size_px = 32;
   for (const bool disk : {true, false}) {
     for (const bool shells : {true, false}) {
       SCOPED_TRACE(testing::Message() << disk << shells);
       show.disk = disk ? std::optional<DiskSettings>(DiskSettings{}) : std::nullopt;
       show.shells.assign(shells ? 1 : 0, {});
-      const FramePlan plan = plan_frame(show, {});
-      const auto [first, second] = work_of(show, ViewMode::sky);
+      // With shells the disk has rays, whatever is asked.
+      const LensChoice lens = shells ? LensChoice::direct : LensChoice::live;
+      FrameRequest request;
+      request.lens = lens;
+      const FramePlan plan = plan_frame(show, request);
+      const auto [first, second] = work_of(show, ViewMode::sky, lens);
       EXPECT_TRUE(second.contains("look_at_flat_objects"));
       EXPECT_EQ(second.contains("lay_objects"), !disk && !shells);
-      for (const auto& [name, work] : second) {
-        EXPECT_TRUE(std::ranges::find(plan.passes, name, &PlannedPass::name) != plan.passes.end() ||
-                    std::ranges::find(plan.buffers, name, &PlannedBuffer::name) != plan.buffers.end())
-            << name;
-      }
+      EXPECT_EQ(second.contains("look_up_flat_eyes"), disk && !shells);
+      EXPECT_EQ(second.contains("draw_flat_eyes, disk"), disk && !shells);
+      expect_all_planned(plan, second);
       for (const PlannedPass& pass : plan.passes) {
         EXPECT_TRUE(pass.if_needed || first.contains(pass.name)) << pass.name;
       }
     }
   }
+}
+
+TEST_F(TracedObjectPlans, NameWhatLaysObjectsWhereADiskHasNoWidthYet) {
+  Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  show.view.size_px = 32;
+  show.disk.emplace();
+  // Its outer edge comes from within the inner one.
+  show.disk->outer = 3.0;
+  show.timeline.animations.push_back({"disk.outer", {{0.0, 3.0}, {10.0, 20.0}}});
+  for (const double baseline : {0.0, 0.5}) {
+    show.stereo.baseline = baseline;
+    const Work work = work_of(show, ViewMode::sky).first;
+    EXPECT_TRUE(work.contains("lay_objects"));
+    expect_all_planned(plan_frame(show, {}), work);
+  }
+}
+
+TEST_F(TracedObjectPlans, NameTheRowsThatEyesOfOneLensTakeThroughAGpu) {
+  Show show = show_with({traced(test::small_sphere({10.0, 0.0, 0.0}, 1.0))});
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  show.stereo.baseline = 0.5;
+  const auto names_rows = [&show](Backend backend) {
+    FrameRequest request;
+    request.backend = backend;
+    const FramePlan plan = plan_frame(show, request);
+    return std::ranges::find(plan.buffers, "buffer: flat eye's picture", &PlannedBuffer::name) != plan.buffers.end();
+  };
+  EXPECT_TRUE(names_rows(Backend::cuda));
+  EXPECT_FALSE(names_rows(Backend::cpu));
 }
 
 TEST_F(TracedObjectPlans, LookAtNoPixelWhereNoObjectIsNear) {
