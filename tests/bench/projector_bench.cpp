@@ -89,7 +89,10 @@ void projector(benchmark::State& state) {
     Picture master;
     const double render = processor_seconds(
         [&] { sums[0] += seconds([&] { master = renderer.render_eye(pose, 0.0, projection, ViewMode::sky); }); });
-    sums[1] += seconds([&] { presenter.upload(master); });
+    sums[1] += seconds([&] {
+      presenter.upload(master);
+      glFinish();
+    });
     sums[2] += seconds([&] {
       light.update(presenter.shown());
       glFinish();
