@@ -62,8 +62,9 @@ Blob blob_about(const Blob& place, double within_px, const Picture& picture) {
   return blob;
 }
 
-//! Of the first image: the second is a sliver on the other side of the hole, whose few pixels would pull far.
-Blob blob_of(const Picture& picture) { return blob_about(blob_about({}, 1e6, picture), 60.0, picture); }
+//! Of the first image: the second is a sliver on the other side of the hole, whose few pixels would pull far, and rays see a third, next to the
+//! shadow's edge, that is not drawn as polygons.
+Blob blob_of(const Picture& picture) { return blob_about(blob_about({}, 1e6, picture), 35.0, picture); }
 
 std::array<Blob, 2> eyes_of(const BallBeforeEyes& at, const std::string& method) {
   const Show show = ball_show(at, method);
