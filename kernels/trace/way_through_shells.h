@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include "kernels/near_field/radial_fate.h"
 #include "kernels/trace/follow_rays.h"
 
