@@ -66,8 +66,10 @@ struct ObjectQuads {
   ERGO_HD Vector3<T> direction(int first, int quad, int k) const {
     const int across = batch.samples / 2;
     const int row = quad / across;
-    const double along = (2 * (quad - row * across) + k % 2 + 0.5) / batch.samples;
-    const double down = (2 * row + k / 2 + 0.5) / batch.samples;
+    const int column = quad - row * across;
+    const int below = k / 2;
+    const double along = (2 * column + k % 2 + 0.5) / batch.samples;
+    const double down = (2 * row + below + 0.5) / batch.samples;
     Vector3<T> n = {T(0.0), T(0.0), T(0.0)};
     for (int i = 0; i < lanes; ++i) {
       const std::int32_t* const at = pixel_at(first + i);
