@@ -217,6 +217,10 @@ TEST(ProjectorDrawers, DifferInTheLastBitAlone) {
     for (const ProjectorPicture& picture : {curved_picture(), grey, plain}) {
       // Larger and smaller than the raster, with odd sides, too.
       for (const int size : {33, 64, 301}) {
+        // Sanitizers see the same code with one of the curves.
+        if (sanitized && size != 33 && curve != ToneCurve::shoulder) {
+          continue;
+        }
         Picture master = master_of(size, soft_colours);
         master.tone = {curve, 1.5F, 3.0F, 2.2F};
         const FrameDifference found = between_drawers(picture, master);

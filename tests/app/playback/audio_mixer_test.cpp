@@ -33,9 +33,16 @@ AudioTrack track_of(const std::string& file, double from_s = 0.0) {
 //! A show and the sound it makes, mixed into memory a hundredth of a second at a time.
 class SoundOfShow : public test::FolderTest {
  protected:
+  //! The ramp has millions of samples: it is written once, and each test's folder has it by another name.
+  static void SetUpTestSuite() {
+    std::filesystem::create_directories(folder_of_ramp());
+    test::write_ramp(folder_of_ramp() / "ramp.wav", 44100, ramp_s);
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_of_ramp()); }
+
   void SetUp() override {
     test::FolderTest::SetUp();
-    test::write_ramp(folder_ / "ramp.wav", 44100, ramp_s);
+    std::filesystem::create_hard_link(folder_of_ramp() / "ramp.wav", folder_ / "ramp.wav");
   }
   void TearDown() override {
     mixer_.reset();
@@ -82,6 +89,10 @@ class SoundOfShow : public test::FolderTest {
   double error_s() {
     const double since_s = seconds_of(time_.now - mixed_at_) - 0.005;
     return heard_s() - (seconds_of(clock_.read().time) - clock_.speed() * since_s);
+  }
+
+  static std::filesystem::path folder_of_ramp() {
+    return std::filesystem::temp_directory_path() / ("ergodome-ramp-" + std::to_string(::getpid()));
   }
 
   static constexpr double duration_s = 120.0;

@@ -8,6 +8,7 @@
 #include "render/accuracy/stereo_axis.h"
 #include "tests/render/accuracy/accuracy_scene.h"
 #include "tests/support/gl_driver.h"
+#include "tests/support/sanitized.h"
 
 // No report of leaks where a driver was at work.
 // NOLINTNEXTLINE: the checker's name
@@ -48,8 +49,8 @@ Show with_near_things(const std::string& more, double spin) {
 
 AccuracyAxis near_of(const Show& show) {
   AccuracySettings settings = test::few();
-  settings.size_px = 96;
-  settings.lattice = 96;
+  settings.size_px = test::sanitized ? 48 : 96;
+  settings.lattice = settings.size_px;
   return measure_near(show, settings, {});
 }
 

@@ -95,10 +95,15 @@ DiskStation station_for(double spin, double r, double theta, const Aberration& o
   return build_disk_station(spin, r, theta, settings);
 }
 
-//! Crossings of the reference table, in grids that are made for their cameras.
-template <class Check>
-int compare_with_table(const Check& check) {
-  int compared = 0;
+//! A crossing of the reference table, as a grid that is made for its camera has it.
+struct TableReading {
+  test::ReferenceCrossing row;
+  ReadCrossing read;
+};
+
+//! Those that are not left to rays.
+std::vector<TableReading> read_table() {
+  std::vector<TableReading> readings;
   DiskStation station;
   for (const test::ReferenceCrossing& row : test::reference_crossings()) {
     const Aberration observer = aberration_to_rain(row.a, row.r, row.theta, row.motion, row.beta);
@@ -108,15 +113,21 @@ int compare_with_table(const Check& check) {
     }
     const ReadCrossing read = read_crossing(station, observer, row.n, table_pixel, row.order);
     if (read.good) {
-      check(row, read);
-      ++compared;
+      readings.push_back({row, read});
     }
   }
-  return compared;
+  return readings;
+}
+
+//! Read once: the grids take seconds.
+const std::vector<TableReading>& table_readings() {
+  static const std::vector<TableReading> readings = read_table();
+  return readings;
 }
 
 TEST(DiskGrid, HasTheReferenceCrossingsWithinItsBudget) {
-  const int compared = compare_with_table([](const test::ReferenceCrossing& row, const ReadCrossing& read) {
+  EXPECT_GT(table_readings().size(), 110U);
+  for (const auto& [row, read] : table_readings()) {
     EXPECT_TRUE(read.shown) << row.id;
     EXPECT_LT(std::abs(read.u.value - 1.0 / row.r_hit), table_budget_px * change_of(read.u) + 1e-6) << row.id;
     // The pattern is turned by as much as the flow turns while its light is on the way.
@@ -125,12 +136,13 @@ TEST(DiskGrid, HasTheReferenceCrossingsWithinItsBudget) {
         std::remainder(read.azimuth.value - row.phi_hit, 2.0 * pi) + rotation * (read.delay.value - row.delay);
     const Dual<double> phase = read.azimuth + read.delay * rotation;
     EXPECT_LT(std::abs(turned), table_budget_px * change_of(phase) + 2e-5) << row.id;
-  });
-  EXPECT_GT(compared, 110);
+  }
 }
 
 TEST(DiskGrid, HasTheReferenceShiftWithinItsBudget) {
-  compare_with_table([](const test::ReferenceCrossing& row, const ReadCrossing& read) {
+  for (const TableReading& reading : table_readings()) {
+    const test::ReferenceCrossing& row = reading.row;
+    const ReadCrossing& read = reading.read;
     const NearRay<double> ray = start_near_ray(test::station_of(row), row.n);
     const auto ratio = [&](double u) {
       return 1.0 /
@@ -139,7 +151,7 @@ TEST(DiskGrid, HasTheReferenceShiftWithinItsBudget) {
     // What the budget's displacement of the radius does to it.
     const double allowed = std::abs(ratio(read.u.value + table_budget_px * change_of(read.u)) - ratio(read.u.value));
     EXPECT_NEAR(ratio(read.u.value), row.g_kepler, allowed + 1e-5) << row.id;
-  });
+  }
 }
 
 //! A place for a camera.
@@ -189,7 +201,7 @@ Comparison compare_with_rays(const DiskCase& at, const DiskStation& station, con
   // As wide as the disk and its images look, at the most.
   const double wide = std::min(1.0, 2.0 * at.outer_r / at.r);
   Comparison found;
-  for (int i = 0; i < (test::sanitized ? 4000 : 8000); ++i) {
+  for (int i = 0; i < (test::sanitized ? 2000 : 8000); ++i) {
     const Vector3<double> n = at.r > at.outer_r
                                   ? normalized(Vector3<double>{-1.0, wide * unit(random), wide * unit(random)})
                                   : normalized(Vector3<double>{unit(random), unit(random), unit(random)});
@@ -259,7 +271,7 @@ TEST(DiskGrid, KeepsItsBudgetAtEveryPlace) {
     const Aberration observer = aberration_to_rain(at.spin, at.r, at.theta, at.motion, {});
     const DiskStation station = station_for(at.spin, at.r, at.theta, observer, at.outer_r, at.pixel());
     const Comparison found = compare_with_rays(at, station, observer);
-    ASSERT_GT(found.radius_px.size(), 100U);
+    ASSERT_GT(found.radius_px.size(), test::sanitized ? 50U : 100U);
     EXPECT_EQ(found.missed, 0);
     EXPECT_LT(share(found.radius_px, 0.99), table_budget_px);
     EXPECT_LT(share(found.phase_px, 0.99), table_budget_px);

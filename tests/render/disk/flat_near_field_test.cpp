@@ -19,7 +19,7 @@ const std::string above_the_plane = "[[camera.key]]\nr = 24\ntheta_deg = 75\nphi
 
 TEST(FlatNearField, OfADiskIsWhatLinesOfSightMeetInFlatSpace) {
   const int pixels = sanitized ? 8 : 80;
-  for (const double baseline : {0.5, 2.0}) {
+  for (const double baseline : sanitized ? std::vector{2.0} : std::vector{0.5, 2.0}) {
     SCOPED_TRACE(baseline);
     compare_with_walk(flat_show(plain_disk, above_the_plane, baseline), LensChoice::direct, pixels);
   }
@@ -34,7 +34,7 @@ TEST(FlatNearField, OfAMovingHeadIsWhatItsOwnFlatSpaceHas) {
       "observer = \"geodesic\"\n[[camera.key]]\nr = 12\ntheta_deg = 60\nphi_deg = 20\nroll_deg = 30\n[hole]\nspin = "
       "-0.7\n";
   for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
-    compare_with_walk(flat_show(plain_disk, moving, 0.6), lens, sanitized ? 12 : 60);
+    compare_with_walk(flat_show(plain_disk, moving, 0.6), lens, sanitized ? 6 : 60);
   }
 }
 
@@ -53,7 +53,7 @@ TEST(FlatNearField, OfAShellAboutTheCameraIsWhatLinesOfSightMeetInFlatSpace) {
 TEST(FlatNearField, OfEyesFartherApartThanWhatTheySeeIsThatToo) {
   const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
   const std::string near_the_hole = "projection = \"pinhole\"\nfov_deg = 5.5\n";
-  compare_with_walk(flat_show(plain_disk, far, 60.0, near_the_hole), LensChoice::direct, sanitized ? 60 : 200);
+  compare_with_walk(flat_show(plain_disk, far, 60.0, near_the_hole), LensChoice::direct, sanitized ? 20 : 200);
 }
 
 TEST(FlatNearField, PutsDiskAndShellsInTheOrderOfTheirDistance) {
@@ -124,7 +124,7 @@ TEST(FlatNearField, IsDrawnWhereverTheCameraIs) {
                                "[[camera.key]]\nr = 1e6\ntheta_deg = 60\n[hole]\nspin = 0.5\n"};
   for (const std::string& camera : cameras) {
     Show show = flat_show(plain_disk + "[[shells]]\nradius = 3\n[[shells]]\nradius = 20\n", camera, 0.4);
-    show.view.size_px = sanitized ? 60 : 150;
+    show.view.size_px = sanitized ? 40 : 150;
     for (const Picture& eye : eyes_of(show, LensChoice::direct)) {
       EXPECT_TRUE(is_light(eye)) << camera;
     }

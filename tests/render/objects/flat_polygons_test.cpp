@@ -5,6 +5,7 @@
 #include "render/frame/show_renderer.h"
 #include "tests/render/objects/flat_ball.h"
 #include "tests/render/objects/object_scene.h"
+#include "tests/support/sanitized.h"
 
 // Polygons as eyes of the model `flat` see them: a thing at the affine distance d in the head's direction n stands at d n.
 namespace ergodome {
@@ -13,8 +14,10 @@ namespace {
 class FlatPolygons : public test::ObjectScenes {};
 
 TEST_F(FlatPolygons, AreWhereFlatSpacePutsThemForEachEye) {
-  for (const test::BallBeforeHead& at : test::balls_before_heads()) {
-    test::expect_where_flat_space_puts(at);
+  const auto balls = test::balls_before_heads();
+  // Sanitizers see the same code in every third of them.
+  for (std::size_t i = 0; i < balls.size(); i += test::sanitized ? 3 : 1) {
+    test::expect_where_flat_space_puts(balls[i]);
   }
 }
 

@@ -176,7 +176,7 @@ TEST_F(ObjectPlaces, ASphereExactlyBehindIsARingOfTheRightRadii) {
 TEST_F(ObjectPlaces, NothingIsDrawnAcrossTheShadowWhileASphereCrossesTheAxis) {
   const Projection projection = make_pinhole_projection(128, 128, 25.0 * one_degree);
   const double shadow = std::asin(std::sqrt(27.0 * (1.0 - 2.0 / places_r_observer)) / places_r_observer);
-  for (const double y : {-0.7, -0.003, 0.0, 0.3}) {
+  for (const double y : test::sanitized ? std::vector{-0.003, 0.3} : std::vector{-0.7, -0.003, 0.0, 0.3}) {
     for (const double x : {-6.0, 6.0}) {
       ObjectSettings sphere = small_sphere({x, y, 0.0}, 0.5);
       // Coarse triangles are torn as fine ones are. Four times as many take four times as long in software, and a minute under the sanitizers.
