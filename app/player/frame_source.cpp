@@ -111,7 +111,7 @@ PictureAnswer render_for_window(const PictureRequest& request) {
     answer.measuring_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }
   if (request.disparity_asked) {
-    answer.disparity = frame_disparity(renderer.show(), frame.pose, projection);
+    answer.disparity = frame_disparity(renderer.show(), frame.pose, projection, renderer.object_outlines());
   }
   return answer;
 }

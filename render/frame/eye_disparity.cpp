@@ -5,11 +5,8 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/geodesic/taylor.h"
-#include "kernels/projection/flat_parallax.h"
 #include "kernels/shadow/critical_curve.h"
-#include "render/frame/near_distances.h"
-#include "render/frame/view_projection.h"
-#include "render/lens/eye_camera.h"
+#include "render/frame/near_disparity.h"
 
 namespace ergodome {
 
@@ -17,56 +14,14 @@ namespace {
 
 using EdgeDual = Dual<double>;
 
-constexpr int lattice = 9;
 constexpr int order = 14;
 constexpr int most_rounds = 12;
 constexpr double found = 1e-7;
 //! What moves farther than this is another image of the star [rad].
 constexpr double farthest = 0.5;
 
-//! One eye of a frame: for each direction of its view, a camera.
-class Eye {
- public:
-  Eye(const Show& show, const CameraPose& pose, double side)
-      : show_(show), pose_(pose), offset_(0.5 * side * show.stereo.baseline) {}
-
-  //! Where it sits when it looks in a direction, in the view's axes.
-  [[nodiscard]] Vector3<double> place(const Vector3<double>& view) const {
-    const StereoSettings& stereo = show_.stereo;
-    if (stereo.model != StereoModel::omni) {
-      return {stereo.model == StereoModel::flat ? 0.0 : offset_, 0.0, 0.0};
-    }
-    const double across = std::hypot(view.x, view.z);
-    const double gone = std::cos(one_degree * stereo.fade_to_deg);
-    const double ramp = std::clamp((across - gone) / (std::cos(one_degree * stereo.fade_from_deg) - gone), 0.0, 1.0);
-    const double share = across > 0.0 ? offset_ * ramp * ramp * (3.0 - 2.0 * ramp) / across : 0.0;
-    return {-view.z * share, 0.0, view.x * share};
-  }
-
-  [[nodiscard]] EyeCamera camera(const Vector3<double>& view) const { return eye_camera(show_, pose_, place(view)); }
-
-  //! What a direction of an image that converges within itself is turned by: that of the model omni.
-  [[nodiscard]] Vector3<double> convergence_turn(const Vector3<double>& view) const {
-    const StereoSettings& stereo = show_.stereo;
-    const bool turns = stereo.model == StereoModel::omni && stereo.convergence > 0.0;
-    return turns ? (1.0 / stereo.convergence) * place(view) : Vector3<double>{0.0, 0.0, 0.0};
-  }
-
-  //! The eye's image: where it has directions.
-  [[nodiscard]] Projection image(const Projection& projection) const {
-    return show_.stereo.model == StereoModel::omni
-               ? projection
-               : converged_projection(projection, offset_, show_.stereo.convergence);
-  }
-
- private:
-  const Show& show_;
-  const CameraPose& pose_;
-  double offset_;
-};
-
 //! A place of the sky with its derivatives along two directions of the view; false for the shadow.
-bool look(const Eye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
+bool look(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
   const Vector3<double> middle = {seen.x.value, seen.y.value, seen.z.value};
   const EyeCamera eye = from.camera(middle);
   const Vector3<double> turn = from.convergence_turn(middle);
@@ -92,7 +47,7 @@ bool look(const Eye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky
 Vector3<double> values(const Vector3<EdgeDual>& v) { return {v.x.value, v.y.value, v.z.value}; }
 
 //! The direction in which an eye sees a place of the sky, near to a first guess; false where it is not found.
-bool find_direction(const Eye& eye, const Vector3<double>& star, Vector3<double>& view) {
+bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<double>& view) {
   const Vector3<double> first = view;
   for (int round = 0; round < most_rounds; ++round) {
     const Vector3<double> across =
@@ -129,48 +84,8 @@ bool find_direction(const Eye& eye, const Vector3<double>& star, Vector3<double>
   return false;
 }
 
-//! Gathers what both eyes see.
-class DisparityMeter {
- public:
-  DisparityMeter(const Eye& left, const Eye& right, const Projection& projection)
-      : images_{left.image(projection), right.image(projection)}, screen_(projection) {}
-
-  void add(const Vector3<double>& left, const Vector3<double>& right) {
-    double x[2];
-    double y[2];
-    if (!pixel_from_direction(images_[0], left, x[0], y[0]) || !pixel_from_direction(images_[1], right, x[1], y[1])) {
-      return;
-    }
-    double pixels = x[1] - x[0];
-    if (wraps_around(images_[0])) {
-      pixels = std::remainder(pixels, images_[0].width_px);
-    }
-    // Where a viewer sees them: through an image that does not converge.
-    const Vector3<double> from = direction_from_pixel(screen_, x[0], y[0]);
-    const Vector3<double> to = direction_from_pixel(screen_, x[1], y[1]);
-    const double turn = std::atan2(to.x, -to.z) - std::atan2(from.x, -from.z);
-    // Azimuths lie closer towards the zenith.
-    const double level = 0.5 * (std::hypot(from.x, from.z) + std::hypot(to.x, to.z));
-    const double turned = 60.0 / one_degree * level * std::remainder(turn, 360.0 * one_degree);
-    if (!any_) {
-      disparity_ = {pixels, pixels, turned, turned};
-      any_ = true;
-    }
-    disparity_ = {std::min(disparity_.least_px, pixels), std::max(disparity_.greatest_px, pixels),
-                  std::min(disparity_.least_arcmin, turned), std::max(disparity_.greatest_arcmin, turned)};
-  }
-
-  [[nodiscard]] std::optional<Disparity> result() const { return any_ ? std::optional(disparity_) : std::nullopt; }
-
- private:
-  Projection images_[2];
-  Projection screen_;
-  Disparity disparity_{};
-  bool any_ = false;
-};
-
 //! The places of the shadow's edge that lie farthest to the left and to the right.
-void edge_sides(const Eye& eye, Vector3<double> (&sides)[2]) {
+void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   const EyeCamera camera = eye.camera({0.0, 0.0, -1.0});
   const CameraStation station =
       make_camera_station(camera.spin, camera.r, camera.theta, 0.0, camera.motion, camera.velocity);
@@ -194,56 +109,25 @@ void edge_sides(const Eye& eye, Vector3<double> (&sides)[2]) {
   }
 }
 
-//! Adds what stands near the hole where flat space has it for both eyes of one lens.
-void add_near_things(const Show& show, const CameraPose& pose, const Projection& projection, DisparityMeter& meter) {
-  if (!show.disk && show.shells.empty()) {
-    return;
-  }
-  const EyeCamera head = eye_camera(show, pose, 0.0);
-  const Vector3<double> right = {0.5 * show.stereo.baseline, 0.0, 0.0};
-  for (int row = 0; row < lattice; ++row) {
-    for (int column = 0; column < lattice; ++column) {
-      const double x = (column + 0.5) / lattice * projection.width_px;
-      const double y = (row + 0.5) / lattice * projection.height_px;
-      if (!(image_coverage(projection, x, y) > 0.0)) {
-        continue;
-      }
-      const Vector3<double> view = direction_from_pixel(projection, x, y);
-      for (const double distance : near_distances(show, head, view)) {
-        meter.add(seen_by_eye(view, distance, -1.0 * right), seen_by_eye(view, distance, right));
-      }
-    }
-  }
-}
-
 }  // namespace
 
-std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection) {
+std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,
+                                         std::span<const PlacedOutline> objects) {
   if (eye_count(show.stereo) < 2) {
     return std::nullopt;
   }
-  const Eye left(show, pose, -1.0);
-  const Eye right(show, pose, 1.0);
+  const StereoEye left(show, pose, -1.0);
+  const StereoEye right(show, pose, 1.0);
   DisparityMeter meter(left, right, projection);
-  for (int row = 0; row < lattice; ++row) {
-    for (int column = 0; column < lattice; ++column) {
-      const double x = (column + 0.5) / lattice * projection.width_px;
-      const double y = (row + 0.5) / lattice * projection.height_px;
-      if (!(image_coverage(projection, x, y) > 0.0)) {
-        continue;
-      }
-      const Vector3<double> view = direction_from_pixel(projection, x, y);
-      Vector3<EdgeDual> sky{};
-      Vector3<double> other = view;
-      if (look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
-          find_direction(right, values(sky), other)) {
-        meter.add(view, other);
-      }
+  visit_lattice(projection, [&](const Vector3<double>& view) {
+    Vector3<EdgeDual> sky{};
+    Vector3<double> other = view;
+    if (look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
+        find_direction(right, values(sky), other)) {
+      meter.add(view, other);
     }
-  }
-  if (show.stereo.model == StereoModel::flat) {
-    add_near_things(show, pose, projection, meter);
-  }
+  });
+  add_near_things(show, pose, projection, objects, meter);
   if (show.stereo.model == StereoModel::physical) {
     Vector3<double> sides[2][2];
     edge_sides(left, sides[0]);

@@ -132,6 +132,9 @@ class ShowRenderer {
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
 
+  //! The outlines of the show's objects at the time that its numbers are of: what they do to two eyes is read from these.
+  [[nodiscard]] std::vector<PlacedOutline> object_outlines() const;
+
  private:
   //! One eye's picture, or both: left, right.
   std::vector<Picture> render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,

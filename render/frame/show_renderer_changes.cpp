@@ -127,4 +127,11 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   renderer_.set_stream(stream_);
 }
 
+std::vector<PlacedOutline> ShowRenderer::object_outlines() const {
+  if (traced_objects_) {
+    return traced_objects_->outlines(time_s_);
+  }
+  return objects_ ? objects_->outlines(time_s_) : std::vector<PlacedOutline>{};
+}
+
 }  // namespace ergodome

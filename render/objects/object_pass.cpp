@@ -63,6 +63,7 @@ ObjectPass::ObjectPass(const Show& show) : show_name_(show.name), objects_(show.
   }
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     placed_.push_back({&objects_[i], loaded.mesh_of[i], {}});
+    outlines_.push_back(outline_of(meshes_[loaded.mesh_of[i]]));
   }
   gl_.run([this] { drawing_ = std::make_unique<ObjectDrawing>(meshes_); });
 }

@@ -7,6 +7,7 @@
 #include "render/lens/eye_camera.h"
 #include "render/objects/gl_thread.h"
 #include "render/objects/object_drawing.h"
+#include "render/objects/object_outline.h"
 
 namespace ergodome {
 
@@ -27,6 +28,11 @@ class ObjectPass {
   void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
             const TurningView* turning = nullptr, double beside = 0.0);
 
+  //! The objects' outlines, where they are at a time of the show.
+  [[nodiscard]] std::vector<PlacedOutline> outlines(double time_s) const {
+    return place_outlines(objects_, outlines_, time_s);
+  }
+
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;
 
@@ -42,6 +48,7 @@ class ObjectPass {
   std::optional<PointLight> light_;
   std::vector<TriangleMesh> meshes_;
   std::vector<double> mesh_radii_;
+  std::vector<MeshOutline> outlines_;  //!< one an object
   std::vector<PlacedObject> placed_;
   std::vector<RadialRange> ranges_;  //!< of each object, as placed
   GlThread gl_;

@@ -17,6 +17,7 @@ SurfaceStore::SurfaceStore(const Show& show, Backend backend) {
   for (const std::size_t index : loaded.mesh_of) {
     const Stored& mesh = meshes_[index];
     trees_.push_back({mesh.nodes.data(), mesh.corners.data(), mesh.triangles.data(), mesh.middle, mesh.radius});
+    outlines_.push_back(mesh.outline);
     surfaces_.push_back({mesh.vertices.data(), mesh.indices.data(), mesh.part_of.data(), mesh.parts.data()});
     triangle_count_ += loaded.meshes[index].triangle_count();
   }
@@ -47,6 +48,7 @@ SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backe
   stored.parts = {backend, parts, "meshes"};
   stored.middle = boxes.middle;
   stored.radius = boxes.radius;
+  stored.outline = outline_of(mesh);
   return stored;
 }
 

@@ -7,6 +7,7 @@
 #include "content/show.h"
 #include "kernels/mesh/surface.h"
 #include "render/backend/buffer.h"
+#include "render/objects/object_outline.h"
 
 namespace ergodome {
 
@@ -19,6 +20,8 @@ class SurfaceStore {
   //! One an object.
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+
+  [[nodiscard]] const std::vector<MeshOutline>& outlines() const { return outlines_; }
 
   [[nodiscard]] long triangle_count() const { return triangle_count_; }
 
@@ -35,6 +38,7 @@ class SurfaceStore {
     std::deque<Buffer<std::uint16_t>> images;
     Vector3<double> middle{};
     double radius = 0.0;
+    MeshOutline outline;
   };
 
   static Stored store(const TriangleMesh& mesh, Backend backend);
@@ -42,6 +46,7 @@ class SurfaceStore {
   std::deque<Stored> meshes_;
   std::vector<TriangleTree> trees_;
   std::vector<Surface> surfaces_;
+  std::vector<MeshOutline> outlines_;
   long triangle_count_ = 0;
 };
 

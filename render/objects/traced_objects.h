@@ -39,6 +39,11 @@ class TracedObjects {
   //! The radius that no object reaches beyond at a time of the show [M].
   [[nodiscard]] double farthest_r(double time_s) const;
 
+  //! The objects' outlines, where they are at a time of the show.
+  [[nodiscard]] std::vector<PlacedOutline> outlines(double time_s) const {
+    return place_outlines(objects_, surfaces_.outlines(), time_s);
+  }
+
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;
 

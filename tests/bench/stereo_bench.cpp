@@ -9,6 +9,7 @@
 
 #include "content/show_reader.h"
 #include "kernels/launch/parallel_for.h"
+#include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 
 // Frames of both eyes beside those of one, memory to memory, with a camera that comes nearer all the time: nothing is kept from frame to frame.
@@ -106,6 +107,31 @@ void object_baselines(benchmark::internal::Benchmark* benchmark) {
 
 BENCHMARK_CAPTURE(stereo_objects, physical, "physical")->Apply(object_baselines);
 BENCHMARK_CAPTURE(stereo_objects, flat, "flat")->Apply(object_baselines);
+
+//! What the read-out of a pair's disparity takes.
+void stereo_disparity(benchmark::State& state, const char* things, const char* model) {
+  const Show show = parse_show(
+      std::string("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n"
+                  "[view]\nprojection = \"pinhole\"\nfov_deg = 70\n") +
+          things + "[stereo]\nlayout = \"separate\"\nbaseline = 0.1\nmodel = \"" + model + "\"\n",
+      "bench.toml");
+  const ShowRenderer renderer(show, Backend::cpu);
+  const CameraPose pose = camera_pose(show, 0.0);
+  const Projection projection = make_projection(show.view, 1024, 0.0);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(frame_disparity(show, pose, projection, renderer.object_outlines()));
+  }
+}
+
+constexpr const char* bench_ball =
+    "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nposition = [12, 4, 3]\nsize = 1\n";
+constexpr const char* disk_and_shell = "[disk]\nouter = 12\n[[shells]]\nradius = 9\n";
+
+BENCHMARK_CAPTURE(stereo_disparity, sky, "", "physical")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_disparity, ball, bench_ball, "physical")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_disparity, disk_and_shell, disk_and_shell, "physical")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_disparity, disk_and_shell_omni, disk_and_shell, "omni")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_disparity, disk_and_shell_flat, disk_and_shell, "flat")->Unit(benchmark::kMillisecond);
 
 //! Seconds of processor time that all threads have taken: other programs do not count.
 double processor_s() {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "content/show.h"
+#include "render/lens/eye_camera.h"
+
+namespace ergodome {
+
+//! A place that a head sees in some direction, on light's way to it.
+struct NearSight {
+  Vector3<double> place;  //!< pseudo-Cartesian [M]
+  double distance;        //!< affine, from the head [M]
+  bool first;             //!< of all places where that way meets the same thing
+};
+
+//! What of a show's disk and shells a head may see in a direction of its view: everything on the way, nothing hides anything. Double rays.
+std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view);
+
+//! The affine distance from a head of a place that it sees in a direction of its view [M]; nothing where light from there does not pass by the place.
+std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<double>& view,
+                                        const Vector3<double>& place);
+
+}  // namespace ergodome

@@ -1,0 +1,77 @@
+#include "render/frame/stereo_eye.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/angles.h"
+#include "kernels/mesh/light_ray.h"
+#include "kernels/metric/frame_boost.h"
+#include "render/frame/view_projection.h"
+
+namespace ergodome {
+
+Vector3<double> StereoEye::place(const Vector3<double>& view) const {
+  const StereoSettings& stereo = show_.stereo;
+  if (stereo.model != StereoModel::omni) {
+    return {stereo.model == StereoModel::flat ? 0.0 : offset_, 0.0, 0.0};
+  }
+  const double across = std::hypot(view.x, view.z);
+  const double gone = std::cos(one_degree * stereo.fade_to_deg);
+  const double ramp = std::clamp((across - gone) / (std::cos(one_degree * stereo.fade_from_deg) - gone), 0.0, 1.0);
+  const double share = across > 0.0 ? offset_ * ramp * ramp * (3.0 - 2.0 * ramp) / across : 0.0;
+  return {-view.z * share, 0.0, view.x * share};
+}
+
+Vector3<double> StereoEye::convergence_turn(const Vector3<double>& view) const {
+  const StereoSettings& stereo = show_.stereo;
+  const bool turns = stereo.model == StereoModel::omni && stereo.convergence > 0.0;
+  return turns ? (1.0 / stereo.convergence) * place(view) : Vector3<double>{0.0, 0.0, 0.0};
+}
+
+Projection StereoEye::image(const Projection& projection) const {
+  return show_.stereo.model == StereoModel::omni ? projection
+                                                 : converged_projection(projection, offset_, show_.stereo.convergence);
+}
+
+std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
+  // An eye that turns sits where the direction says, which hangs on where it sits by little.
+  const int rounds = show_.stereo.model == StereoModel::omni ? 6 : 1;
+  constexpr double near_enough = 1e-5;
+  Vector3<double> view = {0.0, 0.0, -1.0};
+  for (int round = 0; round < rounds; ++round) {
+    const auto seen = seen_by_camera(camera(view), thing);
+    if (!seen) {
+      return std::nullopt;
+    }
+    const Vector3<double> last = view;
+    view = normalized(seen->view + convergence_turn(view));
+    if (dot(view - last, view - last) < near_enough * near_enough) {
+      break;
+    }
+  }
+  return view;
+}
+
+std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
+  const double sine = std::sin(eye.theta);
+  const Vector3<double> at = {eye.r * sine * std::cos(eye.phi), eye.r * sine * std::sin(eye.phi),
+                              eye.r * std::cos(eye.theta)};
+  const LocalFrame frame = local_frame(eye.spin, at);
+  // What moves is slower than light: each round leaves a part of how far off the last one was.
+  const int rounds = thing.moves() ? 8 : 1;
+  Vector3<double> place = thing.place;
+  Vector3<double> correction = {0.0, 0.0, 0.0};
+  LightRay ray{};
+  for (int round = 0; round < rounds; ++round) {
+    place = round > 0 ? thing.at(ray.travel_time) : place;
+    if (!light_ray(eye.spin, frame, at, place, 1, correction, ray)) {
+      return std::nullopt;
+    }
+  }
+  const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity));
+  double energy = 1.0;
+  const Vector3<double> n = aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch}, ray.direction, energy);
+  return SeenPlace{in_view(eye, n), place};
+}
+
+}  // namespace ergodome

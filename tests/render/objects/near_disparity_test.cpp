@@ -1,0 +1,174 @@
+#include "render/frame/near_disparity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "content/show_reader.h"
+#include "kernels/core/angles.h"
+#include "kernels/projection/make_projection.h"
+#include "render/frame/near_sights.h"
+#include "render/frame/show_renderer.h"
+#include "tests/support/sanitized.h"
+
+// What stands near the hole, in the disparity that a person reads.
+namespace ergodome {
+namespace {
+
+const std::string spinning = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 15\ntheta_deg = 75\nphi_deg = 20\n";
+const std::string wide = "[view]\nprojection = \"pinhole\"\nfov_deg = 90\nsize_px = 400\n";
+
+std::string small_ball(const std::string& place, const std::string& method = "trace") {
+  return "[[objects]]\nmethod = \"" + method + "\"\nshape = \"sphere\"\nsegments = 24\nrings = 12\nsize = 0.08\n" +
+         place + "\n";
+}
+
+std::string eyes(const std::string& model, const std::string& more = "baseline = 0.4\n") {
+  return "[stereo]\nmodel = \"" + model + "\"\nlayout = \"separate\"\n" + more;
+}
+
+Show black_show(const std::string& scene) { return parse_show("[sky]\nmap = \"black\"\n" + scene, "disparity.toml"); }
+
+Projection projection_of(const Show& show) { return make_projection(show.view, show.view.size_px, 0.0); }
+
+//! Of what stands near the hole alone.
+std::optional<Disparity> near_disparity_of(const Show& show) {
+  const ShowRenderer renderer(show, Backend::cpu);
+  const CameraPose pose = camera_pose(show, 0.0);
+  DisparityMeter meter(StereoEye(show, pose, -1.0), StereoEye(show, pose, 1.0), projection_of(show));
+  add_near_things(show, pose, projection_of(show), renderer.object_outlines(), meter);
+  return meter.result();
+}
+
+Disparity disparity_of(const Show& show) {
+  const auto disparity = near_disparity_of(show);
+  EXPECT_TRUE(disparity);
+  return disparity.value_or(Disparity{});
+}
+
+//! How far to the right the middle of the right eye's light is of the left one's [px].
+double apart_in_pictures(const Show& show) {
+  ShowRenderer renderer(show, Backend::cpu);
+  const auto parts = renderer.render_window_parts(camera_pose(show, 0.0), projection_of(show), ViewMode::sky);
+  double middle[2] = {0.0, 0.0};
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    // Of the first image: others are slivers on the other side of the hole.
+    const Picture& picture = parts[eye];
+    const auto most = std::ranges::max_element(picture.rgba, {}, [](float value) { return value; });
+    double light = 0.0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      light += static_cast<double>(picture.rgba[i]);
+      middle[eye] += static_cast<double>(picture.rgba[i]) *
+                     (static_cast<double>(i / 4 % static_cast<std::size_t>(picture.width)) + 0.5);
+    }
+    EXPECT_GT(*most, 0.5F);
+    middle[eye] /= light;
+  }
+  return middle[1] - middle[0];
+}
+
+//! Holds the nearest thing that is counted to the middle of a small ball's light, which is a little farther away.
+void expect_ball_of_pictures(const std::string& scene) {
+  const Show show = black_show(scene);
+  const double drawn = apart_in_pictures(show);
+  const double counted = disparity_of(show).least_px;
+  EXPECT_LT(drawn, -5.0);
+  EXPECT_LT(counted, drawn);
+  EXPECT_GT(counted, 1.04 * drawn);
+}
+
+TEST(NearDisparity, OfATracedBallIsThatOfItsPicturesInEveryModel) {
+  // Pictures of the others take long under sanitizers, which see the same code in tests of those.
+  for (const char* const model : test::sanitized ? std::vector{"physical"} : std::vector{"physical", "flat", "omni"}) {
+    SCOPED_TRACE(model);
+    expect_ball_of_pictures(spinning + wide + small_ball("position = [11, 4, 2.5]") + eyes(model));
+  }
+}
+
+TEST(NearDisparity, OfPolygonsIsThatOfTheirPictures) {
+  const std::string still = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 15\ntheta_deg = 75\nphi_deg = 20\n";
+  expect_ball_of_pictures(still + wide + small_ball("position = [11, 4, 2.5]", "polygon") + eyes("physical"));
+}
+
+TEST(NearDisparity, OfWhatMovesWhileItsLightIsOnTheWayIsWhereItIsSeen) {
+  const std::string orbit = "orbit = { r = 12, phi_deg = 32, speed = 1 }\nretarded = true";
+  expect_ball_of_pictures(spinning + wide + small_ball(orbit) + eyes("physical"));
+}
+
+TEST(NearDisparity, OfEyesThatConvergeIsThatOfTheirPictures) {
+  const std::string scene = spinning + wide + small_ball("position = [11, 4, 2.5]");
+  for (const char* const model : {"physical", "omni"}) {
+    const double apart = disparity_of(black_show(scene + eyes(model))).least_px;
+    const Show show = black_show(scene + eyes(model, "baseline = 0.4\nconvergence = 9\n"));
+    EXPECT_NEAR(disparity_of(show).least_px, apart_in_pictures(show), 0.04 * std::abs(apart)) << model;
+  }
+}
+
+TEST(NearDisparity, FarFromTheHoleIsTheBaselineOverTheDistance) {
+  const std::string far = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n";
+  for (const char* const model : {"physical", "flat", "omni"}) {
+    const Show show = black_show(far + wide + small_ball("position = [1980, 0, 0]") + eyes(model));
+    EXPECT_NEAR(disparity_of(show).least_arcmin, -60.0 / one_degree * 0.4 / (20.0 - 0.08), 0.2) << model;
+  }
+}
+
+TEST(NearDisparity, OfWhatNoPictureShowsDoesNotCount) {
+  for (const char* const place : {"position = [18, 7, 4]", "position = [13, -9, 4]"}) {
+    EXPECT_FALSE(near_disparity_of(black_show(spinning + wide + small_ball(place) + eyes("physical")))) << place;
+  }
+}
+
+TEST(NearDisparity, IsPartOfThatOfTheFrame) {
+  for (const char* const model : {"physical", "flat", "omni"}) {
+    const Show show = black_show(spinning + wide + small_ball("position = [13.5, 4.6, 3.4]") + eyes(model));
+    const ShowRenderer renderer(show, Backend::cpu);
+    const auto frame = frame_disparity(show, camera_pose(show, 0.0), projection_of(show), renderer.object_outlines());
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->least_px, disparity_of(show).least_px) << model;
+    EXPECT_GT(frame->greatest_px, frame->least_px) << model;
+  }
+}
+
+TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
+  // Straight ahead, in the middle of the lattice.
+  const std::string camera = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 90\n";
+  const std::string shell = "[[shells]]\nradius = 18\n";
+  for (const char* const model : {"physical", "flat"}) {
+    const double of_shell = disparity_of(black_show(camera + wide + shell + eyes(model))).least_px;
+    const double of_ball =
+        disparity_of(black_show(camera + wide + small_ball("position = [17.92, 0, 0]") + eyes(model))).least_px;
+    EXPECT_LT(of_shell, -5.0);
+    EXPECT_NEAR(of_shell, of_ball, 0.02) << model;
+  }
+}
+
+TEST(NearSights, AreSeenWhereTheyWereLookedAt) {
+  const Show show = black_show(
+      "[hole]\nspin = 0.9\n[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 24\ntheta_deg = 75\nroll_deg = 30\n" +
+      wide + "[disk]\nouter = 12\n[[shells]]\nradius = 9\n");
+  const EyeCamera head = eye_camera(show, camera_pose(show, 0.0), 0.0);
+  int compared = 0;
+  visit_lattice(make_projection(show.view, 400, 45.0), [&](const Vector3<double>& view) {
+    for (const NearSight& sight : near_sights(show, head, view)) {
+      if (!sight.first) {
+        continue;
+      }
+      const auto seen = seen_by_camera(head, {sight.place});
+      ASSERT_TRUE(seen);
+      const Vector3<double> off = seen->view - view;
+      EXPECT_LT(std::sqrt(dot(off, off)), 1e-5);
+      const auto distance = distance_of_place(head, seen->view, sight.place);
+      ASSERT_TRUE(distance);
+      EXPECT_NEAR(*distance, sight.distance, 1e-4 * sight.distance);
+      ++compared;
+    }
+  });
+  EXPECT_GT(compared, 40);
+}
+
+}  // namespace
+}  // namespace ergodome
