@@ -16,7 +16,7 @@ namespace {
 constexpr double ray_tolerance = 1e-7;
 constexpr int most_steps = 2000;
 //! Nearer to the horizon than this share of its radius nothing is looked for.
-constexpr double beside_horizon = 1e-6;
+constexpr double horizon_margin = 1e-6;
 
 using Step = PathStep<near_order, NearParts::azimuth_and_distance, double>;
 
@@ -26,7 +26,7 @@ void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBoun
   const CameraStation camera = station_of(head);
   const double(&m)[3][3] = head.frame_from_view;
   const auto row = [&](int i) { return m[i][0] * view.x + m[i][1] * view.y + m[i][2] * view.z; };
-  const RadialBounds outside = {std::max(bounds.least, camera.horizon_r * (1.0 + beside_horizon)),
+  const RadialBounds outside = {std::max(bounds.least, camera.horizon_r * (1.0 + horizon_margin)),
                                 std::max(bounds.greatest, 1.01 * camera.horizon_r)};
   follow_path<near_order, NearParts::azimuth_and_distance>(
       camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)}),

@@ -22,8 +22,12 @@ MeshOutline outline_of(const TriangleMesh& mesh) {
     return outline;
   }
   const std::size_t stride = 1 + mesh.vertices.size() / most_vertices;
-  for (int direction = 0; direction < 27; ++direction) {
-    const Vector3<double> n = {direction % 3 - 1.0, direction / 3 % 3 - 1.0, direction / 9 - 1.0};
+  constexpr int directions = 27;
+  for (int direction = 0; direction < directions; ++direction) {
+    const int x = direction % 3;
+    const int y = direction / 3 % 3;
+    const int z = direction / 9;
+    const Vector3<double> n = {x - 1.0, y - 1.0, z - 1.0};
     if (dot(n, n) == 0.0) {
       continue;
     }

@@ -28,7 +28,7 @@ constexpr const char* takes_long = "takes long under sanitizers, which see the s
 
 //! A scene in a picture on a flat screen.
 Show objects_show(const std::string& scene, const std::string& camera, double baseline, int fov_deg = 60,
-                  int size_px = sanitized ? 48 : 96) {
+                  int size_px = sanitized ? 48 : 72) {
   return flat_show(scene, camera, baseline, "projection = \"pinhole\"\nfov_deg = " + std::to_string(fov_deg) + "\n",
                    size_px);
 }

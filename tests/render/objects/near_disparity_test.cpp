@@ -100,10 +100,12 @@ TEST(NearDisparity, OfWhatMovesWhileItsLightIsOnTheWayIsWhereItIsSeen) {
 }
 
 TEST(NearDisparity, OfEyesThatConvergeIsThatOfTheirPictures) {
-  const std::string scene = spinning + wide + small_ball("position = [11, 4, 2.5]");
+  const auto show_of = [](const std::string& stereo) {
+    return black_show(spinning + wide + small_ball("position = [11, 4, 2.5]") + stereo);
+  };
   for (const char* const model : {"physical", "omni"}) {
-    const double apart = disparity_of(black_show(scene + eyes(model))).least_px;
-    const Show show = black_show(scene + eyes(model, "baseline = 0.4\nconvergence = 9\n"));
+    const double apart = disparity_of(show_of(eyes(model))).least_px;
+    const Show show = show_of(eyes(model, "baseline = 0.4\nconvergence = 9\n"));
     EXPECT_NEAR(disparity_of(show).least_px, apart_in_pictures(show), 0.04 * std::abs(apart)) << model;
   }
 }
@@ -135,14 +137,14 @@ TEST(NearDisparity, IsPartOfThatOfTheFrame) {
 
 TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
   // Straight ahead, in the middle of the lattice.
-  const std::string camera = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 90\n";
-  const std::string shell = "[[shells]]\nradius = 18\n";
+  const auto least_of = [](const std::string& thing, const std::string& stereo) {
+    const std::string camera = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 90\n";
+    return disparity_of(black_show(camera + wide + thing + stereo)).least_px;
+  };
   for (const char* const model : {"physical", "flat"}) {
-    const double of_shell = disparity_of(black_show(camera + wide + shell + eyes(model))).least_px;
-    const double of_ball =
-        disparity_of(black_show(camera + wide + small_ball("position = [17.92, 0, 0]") + eyes(model))).least_px;
+    const double of_shell = least_of("[[shells]]\nradius = 18\n", eyes(model));
     EXPECT_LT(of_shell, -5.0);
-    EXPECT_NEAR(of_shell, of_ball, 0.02) << model;
+    EXPECT_NEAR(of_shell, least_of(small_ball("position = [17.92, 0, 0]"), eyes(model)), 0.02) << model;
   }
 }
 
