@@ -84,11 +84,6 @@ ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye) {
   return outline;
 }
 
-Vector3<double> place_of(const EyeCamera& eye) {
-  return {eye.r * std::sin(eye.theta) * std::cos(eye.phi), eye.r * std::sin(eye.theta) * std::sin(eye.phi),
-          eye.r * std::cos(eye.theta)};
-}
-
 Vector3<double> forward_of(const EyeCamera& eye) { return ViewTurn(eye)({0.0, 0.0, -1.0}); }
 
 }  // namespace ergodome

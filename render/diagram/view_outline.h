@@ -18,9 +18,6 @@ struct ViewOutline {
 //! directions are aberrated.
 ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye);
 
-//! Where an eye is [M].
-Vector3<double> place_of(const EyeCamera& eye);
-
 //! Where the middle of an eye's view points to, in the same sense as the border.
 Vector3<double> forward_of(const EyeCamera& eye);
 

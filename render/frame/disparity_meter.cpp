@@ -16,6 +16,12 @@ bool is_shown(const Projection& image, double x, double y) {
 
 }  // namespace
 
+bool DisparityMeter::shows(const Vector3<double>& view) const {
+  double x = 0.0;
+  double y = 0.0;
+  return pixel_from_direction(screen_, view, x, y) && is_shown(screen_, x, y);
+}
+
 void DisparityMeter::add(const Vector3<double>& left, const Vector3<double>& right) {
   double x[2];
   double y[2];

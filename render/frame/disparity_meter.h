@@ -17,6 +17,9 @@ class DisparityMeter {
   //! A thing, in the directions of both eyes' images; what neither shows does not count.
   void add(const Vector3<double>& left, const Vector3<double>& right);
 
+  //! Whether an image that does not converge shows a direction.
+  [[nodiscard]] bool shows(const Vector3<double>& view) const;
+
   //! Nothing where no thing was seen.
   [[nodiscard]] std::optional<Disparity> result() const { return any_ ? std::optional(disparity_) : std::nullopt; }
 

@@ -1,6 +1,5 @@
 #include "render/frame/eye_disparity.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "kernels/core/angles.h"

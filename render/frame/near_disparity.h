@@ -7,9 +7,10 @@
 
 namespace ergodome {
 
-//! Adds what stands near the hole to the disparities of a frame: places of disk and shells in directions across the image, and those of objects that are
-//! nearest to the head and farthest from it, by light that comes the short way round. What hides what is not asked. In the model `flat` things stand where flat
-//! space has them, and longer ways round count for disk and shells.
+//! Adds what stands near the hole to the disparities of a frame, where a picture shows it: places of disk and shells in directions across the image, and of the
+//! sixteen nearest objects the nearest, the farthest and the outermost places. Both eyes' light comes the short way round, and neither end is within 2 M of the hole's middle. In
+//! the model `flat` things stand where flat space has them; there disk and shells count wherever they are, and the long way round, too. What hides what is
+//! not asked.
 void add_near_things(const Show& show, const CameraPose& pose, const Projection& projection,
                      std::span<const PlacedOutline> objects, DisparityMeter& meter);
 

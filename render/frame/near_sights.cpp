@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "kernels/core/find_root.h"
 #include "kernels/mesh/path_step.h"
@@ -36,71 +39,97 @@ void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBoun
       });
 }
 
-//! Finds where a function of the way changes its sign within a step; one that does so twice within a half of it goes by.
+//! Finds where a function of the way changes its sign between times of a step, one after the other.
 template <class Function, class Found>
-void find_crossings(const Step& step, Function&& function, Found&& found) {
-  const double at[3] = {0.0, 0.5 * step.length, step.length};
-  const double value[3] = {function(at[0]), function(at[1]), function(at[2])};
-  for (int i = 0; i < 2; ++i) {
-    if ((value[i] < 0.0) != (value[i + 1] < 0.0)) {
-      const double side = value[i] < 0.0 ? 1.0 : -1.0;
-      found(find_root(at[i], at[i + 1], [&](double h) { return side * function(h); }));
+void find_crossings(std::span<const double> times, Function&& function, Found&& found) {
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double from = function(times[i]);
+    if ((from < 0.0) != (function(times[i + 1]) < 0.0)) {
+      const double side = from < 0.0 ? 1.0 : -1.0;
+      found(find_root(times[i], times[i + 1], [&](double h) { return side * function(h); }));
     }
   }
 }
 
-//! Gathers what a way meets of one thing.
+//! Times between which r only falls or only grows: outside the horizon light turns at most once.
+std::vector<double> radial_legs(const Step& step) {
+  const auto rate = [&](double h) { return series_rate(step.series.u, h); };
+  const double side = rate(0.0) < 0.0 ? 1.0 : -1.0;
+  if (!(side * rate(step.length) > 0.0)) {
+    return {0.0, step.length};
+  }
+  return {0.0, find_root(0.0, step.length, [&](double h) { return side * rate(h); }), step.length};
+}
+
+//! Where light comes to a radius.
+template <class Found>
+void find_radius(const Step& step, std::span<const double> legs, double r, Found&& found) {
+  find_crossings(
+      legs, [&](double h) { return series_value(step.series.u, h) - 1.0 / r; }, found);
+}
+
+//! Gathers where a way meets one thing, between radii.
 class Meetings {
  public:
-  explicit Meetings(std::vector<NearSight>& all) : all_(all) {}
+  Meetings(double least_r, double greatest_r) : least_r_(least_r), greatest_r_(greatest_r) {}
 
-  //! A place counts between radii; where the way begins, nothing is met.
-  void add(const Step& step, double h, double least_r, double greatest_r) {
+  //! Where the way begins nothing is met.
+  void add(const Step& step, double h, std::vector<NearSight>& sights) {
     const Vector3<double> place = step.point(h);
     const double r = std::sqrt(dot(place, place));
     const double distance = step.distance(h);
     if (!(distance > 1e-9 * r)) {
       return;
     }
-    if (r >= least_r && r <= greatest_r) {
-      all_.push_back({place, distance, !any_});
+    if (r >= least_r_ && r <= greatest_r_) {
+      sights.push_back({place, distance, !any_});
     }
     any_ = true;
   }
 
  private:
-  std::vector<NearSight>& all_;
+  double least_r_;
+  double greatest_r_;
   bool any_ = false;
 };
 
 }  // namespace
 
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view) {
-  std::vector<NearSight> sights;
+  constexpr double everywhere = std::numeric_limits<double>::infinity();
+  RadialBounds bounds = {everywhere, 0.0};
+  const auto reach = [&](double least_r, double greatest_r) {
+    bounds = {std::min(bounds.least, least_r), std::max(bounds.greatest, greatest_r)};
+  };
+  std::optional<Meetings> disk;
   if (show.disk && show.disk->opacity > 0.0) {
     const double inner = inner_edge(*show.disk, show.spin);
-    const double outer = show.disk->outer;
-    Meetings disk(sights);
+    disk.emplace(inner, show.disk->outer);
     // Where light went through the plane beside the disk counts, too: after that it comes the long way round.
-    follow(head, view, {inner, std::max(outer, 1.01 * head.r)}, [&](const Step& step) {
-      find_crossings(
-          step, [&](double h) { return step.point(h).z; }, [&](double h) { disk.add(step, h, inner, outer); });
-    });
+    reach(inner, std::max(show.disk->outer, 1.01 * head.r));
   }
+  std::vector<std::pair<double, Meetings>> shells;
   for (const ShellSettings& shell : show.shells) {
-    if (!is_visible(shell)) {
-      continue;
+    if (is_visible(shell)) {
+      shells.emplace_back(shell.radius, Meetings(0.0, everywhere));
+      reach(0.999 * shell.radius, 1.001 * shell.radius);
     }
-    constexpr double beside = 1e-6;
-    Meetings sphere(sights);
-    const double least = (1.0 - beside) * shell.radius;
-    const double greatest = (1.0 + beside) * shell.radius;
-    follow(head, view, {least, greatest}, [&](const Step& step) {
-      find_crossings(
-          step, [&](double h) { return series_value(step.series.u, h) - 1.0 / shell.radius; },
-          [&](double h) { sphere.add(step, h, least, greatest); });
-    });
   }
+  std::vector<NearSight> sights;
+  if (!(bounds.greatest > 0.0)) {
+    return sights;
+  }
+  follow(head, view, bounds, [&](const Step& step) {
+    if (disk) {
+      const double times[3] = {0.0, 0.5 * step.length, step.length};
+      find_crossings(
+          times, [&](double h) { return step.point(h).z; }, [&](double h) { disk->add(step, h, sights); });
+    }
+    const std::vector<double> legs = radial_legs(step);
+    for (auto& [radius, shell] : shells) {
+      find_radius(step, legs, radius, [&, &sphere = shell](double h) { sphere.add(step, h, sights); });
+    }
+  });
   return sights;
 }
 
@@ -109,17 +138,21 @@ std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<dou
   const double r = std::sqrt(dot(place, place));
   double least_off = 1e-3 * r;
   std::optional<double> distance;
-  follow(head, view, {0.999 * r, 1.001 * r}, [&](const Step& step) {
-    find_crossings(
-        step, [&](double h) { return series_value(step.series.u, h) - 1.0 / r; },
-        [&](double h) {
-          const Vector3<double> aside = step.point(h) - place;
-          const double off = std::sqrt(dot(aside, aside));
-          if (off < least_off) {
-            least_off = off;
-            distance = step.distance(h);
-          }
-        });
+  follow(head, view, {0.99 * r, 1.01 * r}, [&](const Step& step) {
+    const auto look_at = [&](double h) {
+      const Vector3<double> aside = step.point(h) - place;
+      const double off = std::sqrt(dot(aside, aside));
+      if (off < least_off) {
+        least_off = off;
+        distance = step.distance(h);
+      }
+    };
+    const std::vector<double> legs = radial_legs(step);
+    find_radius(step, legs, r, look_at);
+    // Light that turns right there may not come to the radius itself.
+    if (legs.size() > 2) {
+      look_at(legs[1]);
+    }
   });
   return distance;
 }

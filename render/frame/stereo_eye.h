@@ -28,7 +28,7 @@ class StereoEye {
   //! The eye's image: where it has directions.
   [[nodiscard]] Projection image(const Projection& projection) const;
 
-  //! Where in its image it sees a thing outside the hole by light that comes the short way round; nothing where no such light is found, or from within 2 M.
+  //! Where in its image it sees a thing by light that comes the short way round; nothing where no such light is found, or where either end is within 2 M.
   [[nodiscard]] std::optional<Vector3<double>> sees(const SeenThing& thing) const;
 
  private:
@@ -43,7 +43,10 @@ struct SeenPlace {
   Vector3<double> place;  //!< where the light left it, pseudo-Cartesian [M]
 };
 
-//! For a camera outside 2 M; nothing where no such light is found.
+//! Nothing where no such light is found, or where either end is within 2 M.
 std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing);
+
+//! About where a place is seen, as if light came straight.
+Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& place);
 
 }  // namespace ergodome

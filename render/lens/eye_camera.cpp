@@ -64,4 +64,9 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   return eye;
 }
 
+Vector3<double> place_of(const EyeCamera& eye) {
+  return {eye.r * std::sin(eye.theta) * std::cos(eye.phi), eye.r * std::sin(eye.theta) * std::sin(eye.phi),
+          eye.r * std::cos(eye.theta)};
+}
+
 }  // namespace ergodome

@@ -27,6 +27,9 @@ inline EyeCamera eye_camera(const Show& show, const CameraPose& pose, double to_
   return eye_camera(show, pose, {to_the_right, 0.0, 0.0});
 }
 
+//! Where an eye is, pseudo-Cartesian [M].
+Vector3<double> place_of(const EyeCamera& eye);
+
 //! A vector of the observer's frame in the view's axes.
 inline Vector3<double> in_view(const EyeCamera& eye, const Vector3<double>& v) {
   const double(&m)[3][3] = eye.frame_from_view;

@@ -8,15 +8,15 @@
 
 namespace ergodome {
 
-//! Vertices of a mesh that lie farthest out in directions all round, in its own unit: what of it comes nearest to anything is not far from one of them.
+//! Triangles of a mesh, three corners each, in its own unit: what tells how near it comes. Of many there is every so-many-th.
 using MeshOutline = std::vector<Vector3<double>>;
 
-//! Looks at some ten thousand of a mesh's vertices at the most.
+//! Some two thousand triangles at the most; such as have corners that are no numbers are left out.
 MeshOutline outline_of(const TriangleMesh& mesh);
 
 //! An object's outline in space at an instant.
 struct PlacedOutline {
-  std::vector<Vector3<double>> places;  //!< pseudo-Cartesian [M]
+  std::vector<Vector3<double>> corners;  //!< of triangles, pseudo-Cartesian [M]
   ObjectPlacement placement;
   bool retarded = false;  //!< light shows the object where it was when the light left it
 
@@ -39,5 +39,8 @@ struct SeenThing {
 //! Puts the outlines of a show's objects, one each, where the objects are at a show time.
 std::vector<PlacedOutline> place_outlines(const std::vector<ObjectSettings>& objects,
                                           std::span<const MeshOutline> outlines, double time_s);
+
+//! The place of a triangle that is nearest to a point.
+Vector3<double> nearest_of_triangle(const Vector3<double>& point, std::span<const Vector3<double>, 3> corners);
 
 }  // namespace ergodome

@@ -145,7 +145,7 @@ TEST(StereoModels, SwapTheirPicturesWhenEyesAreSwapped) {
 
 Disparity disparity_of(const std::string& stereo, const std::string& place = "r = 9\n") {
   const Show show = show_of_eyes(stereo, "projection = \"pinhole\"\nfov_deg = 100\n", place);
-  return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0)).value();
+  return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0), {}).value();
 }
 
 TEST(Disparities, AreNoneAtBaselineZeroAndInTheSkyOfTheFlatModel) {
@@ -159,6 +159,10 @@ TEST(Disparities, AreNoneAtBaselineZeroAndInTheSkyOfTheFlatModel) {
 TEST(Disparities, OfAFarShadowAreTheBaselineOverTheDistance) {
   const Disparity disparity = disparity_of("baseline = 2\n", "r = 1000\n");
   EXPECT_NEAR(disparity.least_arcmin, -60.0 * 180.0 / pi * 2.0 / 1000.0, 0.3);
+}
+
+TEST(Disparities, OfAShadowThatNoPictureShowsDoNotCount) {
+  EXPECT_NEAR(disparity_of("baseline = 2\n", "r = 1000\nyaw_deg = 180\n").least_arcmin, 0.0, 0.1);
 }
 
 TEST(Disparities, OfConvergingEyesAreShiftedByTheirTurn) {

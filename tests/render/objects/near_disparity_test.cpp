@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "content/show_reader.h"
 #include "kernels/core/angles.h"
+#include "kernels/geodesic/affine_distance.h"
 #include "kernels/projection/make_projection.h"
 #include "render/frame/near_sights.h"
 #include "render/frame/show_renderer.h"
+#include "render/lens/direct_lens.h"
 #include "tests/support/sanitized.h"
 
 // What stands near the hole, in the disparity that a person reads.
@@ -50,25 +53,32 @@ Disparity disparity_of(const Show& show) {
   return disparity.value_or(Disparity{});
 }
 
+//! The middle, across, of the light within some pixels of the brightest [px].
+double middle_of_light(const Picture& picture) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  std::size_t brightest = 0;
+  for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i) {
+    brightest = picture.rgba[4 * i] > picture.rgba[4 * brightest] ? i : brightest;
+  }
+  EXPECT_GT(picture.rgba[4 * brightest], 0.5F);
+  double light = 0.0;
+  double middle = 0.0;
+  for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i) {
+    const double x = static_cast<double>(i % width) - static_cast<double>(brightest % width);
+    const double y = static_cast<double>(i / width) - static_cast<double>(brightest / width);
+    if (std::hypot(x, y) < 25.0) {
+      light += static_cast<double>(picture.rgba[4 * i]);
+      middle += (static_cast<double>(i % width) + 0.5) * static_cast<double>(picture.rgba[4 * i]);
+    }
+  }
+  return middle / light;
+}
+
 //! How far to the right the middle of the right eye's light is of the left one's [px].
 double apart_in_pictures(const Show& show) {
   ShowRenderer renderer(show, Backend::cpu);
   const auto parts = renderer.render_window_parts(camera_pose(show, 0.0), projection_of(show), ViewMode::sky);
-  double middle[2] = {0.0, 0.0};
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    // Of the first image: others are slivers on the other side of the hole.
-    const Picture& picture = parts[eye];
-    const auto most = std::ranges::max_element(picture.rgba, {}, [](float value) { return value; });
-    double light = 0.0;
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-      light += static_cast<double>(picture.rgba[i]);
-      middle[eye] += static_cast<double>(picture.rgba[i]) *
-                     (static_cast<double>(i / 4 % static_cast<std::size_t>(picture.width)) + 0.5);
-    }
-    EXPECT_GT(*most, 0.5F);
-    middle[eye] /= light;
-  }
-  return middle[1] - middle[0];
+  return middle_of_light(parts[1]) - middle_of_light(parts[0]);
 }
 
 //! Holds the nearest thing that is counted to the middle of a small ball's light, which is a little farther away.
@@ -118,6 +128,81 @@ TEST(NearDisparity, FarFromTheHoleIsTheBaselineOverTheDistance) {
   }
 }
 
+TEST(NearDisparity, OfALargeThingIsThatOfItsNearestPlace) {
+  const std::string far = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n" + wide;
+  const std::string ball =
+      "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsegments = 96\nrings = 48\nsize = 15\n"
+      "position = [1980, 0, 0]\n";
+  const std::string plate =
+      "[[objects]]\nmethod = \"trace\"\nshape = \"triangle\"\ncorners = [[0, -30, -30], [0, 40, -20], [0, -10, 50]]\n"
+      "position = [1995, 0, 0]\n";
+  for (const std::string& thing : {ball, plate}) {
+    for (const char* const model : {"physical", "flat"}) {
+      const Disparity found = disparity_of(black_show(far + thing + eyes(model)));
+      EXPECT_NEAR(found.least_arcmin, -60.0 / one_degree * 0.4 / 5.0, 3.0) << model;
+    }
+  }
+}
+
+TEST(NearDisparity, OfAThingAboutTheCameraIsThatOfWhatThePictureShows) {
+  const std::string far = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n" + wide;
+  const std::string ball =
+      "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsegments = 96\nrings = 48\nsize = 15\n"
+      "position = [1990, 0, 0]\n";
+  // Ahead its surface is 25 M away; in the picture's corners it is 10.6 M deep, behind the camera 5 M away.
+  const Disparity found = disparity_of(black_show(far + ball + eyes("physical")));
+  EXPECT_NEAR(found.greatest_px, -200.0 * 0.4 / 25.0, 0.1);
+  EXPECT_NEAR(found.least_px, -200.0 * 0.4 / 10.6, 0.3);
+}
+
+TEST(NearDisparity, IsThereForWhatStandsAbreastOfTheHole) {
+  for (int phi_deg = 90; phi_deg <= 130; phi_deg += 4) {
+    const std::string at = "position = [" + std::to_string(7.0 * std::cos(phi_deg * one_degree)) + ", " +
+                           std::to_string(7.0 * std::sin(phi_deg * one_degree)) + ", 0]";
+    const Show show = black_show(spinning + wide + small_ball(at) + eyes("flat"));
+    ASSERT_TRUE(near_disparity_of(show)) << phi_deg;
+    EXPECT_LT(near_disparity_of(show)->least_px, -3.0) << phi_deg;
+  }
+}
+
+TEST(NearDisparity, OnTheAxisIsThatOfPictures) {
+  const std::string above = "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 15\ntheta_deg = 0\nphi_deg = 30\n";
+  for (const char* const model : test::sanitized ? std::vector{"physical"} : std::vector{"physical", "flat"}) {
+    SCOPED_TRACE(model);
+    expect_ball_of_pictures(above + wide + small_ball("position = [1.5, 1.5, 11]") + eyes(model));
+  }
+}
+
+TEST(NearDisparity, OfWhatIsWithinTwoMCountsInTheFlatModelAlone) {
+  const std::string near = "[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\nr = 6\ntheta_deg = 75\n" + wide;
+  const auto of = [&](const std::string& model) {
+    return near_disparity_of(black_show(near + "[[shells]]\nradius = 1.5\n" + eyes(model)));
+  };
+  EXPECT_FALSE(of("physical"));
+  EXPECT_FALSE(of("omni"));
+  EXPECT_TRUE(of("flat"));
+}
+
+TEST(NearDisparity, OfEyesFartherApartThanAThingIsAwayIsANumber) {
+  for (const char* const model : {"physical", "flat", "omni"}) {
+    const Show show =
+        black_show(spinning + wide + small_ball("position = [13, 4.7, 3.7]") + eyes(model, "baseline = 6\n"));
+    const auto found = near_disparity_of(show);
+    EXPECT_TRUE(!found || std::abs(found->least_px) < 4000.0) << model;
+  }
+}
+
+TEST(NearDisparity, LeavesOutCornersThatAreNoNumbersOrOfNoTriangle) {
+  TriangleMesh mesh;
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const float x : {0.0F, 1.0F, 2.0F, infinity, 50.0F}) {
+    mesh.vertices.emplace_back().position[0] = x;
+  }
+  mesh.indices = {0, 1, 2, 0, 1, 3};
+  EXPECT_EQ(outline_of(mesh).size(), 3U);
+  EXPECT_TRUE(outline_of({}).empty());
+}
+
 TEST(NearDisparity, OfWhatNoPictureShowsDoesNotCount) {
   for (const char* const place : {"position = [18, 7, 4]", "position = [13, -9, 4]"}) {
     EXPECT_FALSE(near_disparity_of(black_show(spinning + wide + small_ball(place) + eyes("physical")))) << place;
@@ -151,10 +236,17 @@ TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
 TEST(NearSights, AreSeenWhereTheyWereLookedAt) {
   const Show show = black_show(
       "[hole]\nspin = 0.9\n[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 24\ntheta_deg = 75\nroll_deg = 30\n" +
-      wide + "[disk]\nouter = 12\n[[shells]]\nradius = 9\n");
+      wide + "[disk]\nouter = 12\n[[shells]]\nradius = 3\n");
   const EyeCamera head = eye_camera(show, camera_pose(show, 0.0), 0.0);
-  int compared = 0;
+  const CameraStation camera = station_of(head);
+  int of_disk = 0;
+  int of_shell = 0;
+  int at_once = 0;
   visit_lattice(make_projection(show.view, 400, 45.0), [&](const Vector3<double>& view) {
+    const auto row = [&](int i) {
+      const double(&m)[3][3] = head.frame_from_view;
+      return m[i][0] * view.x + m[i][1] * view.y + m[i][2] * view.z;
+    };
     for (const NearSight& sight : near_sights(show, head, view)) {
       if (!sight.first) {
         continue;
@@ -166,10 +258,17 @@ TEST(NearSights, AreSeenWhereTheyWereLookedAt) {
       const auto distance = distance_of_place(head, seen->view, sight.place);
       ASSERT_TRUE(distance);
       EXPECT_NEAR(*distance, sight.distance, 1e-4 * sight.distance);
-      ++compared;
+      const double r = std::sqrt(dot(sight.place, sight.place));
+      (std::abs(r - 3.0) < 1e-6 ? of_shell : of_disk) += 1;
+      // Other series find where light comes to a radius for the first time: there, or before it turns. They go past what it only grazes.
+      const double to_radius = affine_distance(camera, {row(0), row(1), row(2)}, r);
+      EXPECT_TRUE(std::isinf(to_radius) || sight.distance > (1.0 - 1e-5) * to_radius);
+      at_once += sight.distance < (1.0 + 1e-5) * to_radius ? 1 : 0;
     }
   });
-  EXPECT_GT(compared, 40);
+  EXPECT_GT(of_disk, 12);
+  EXPECT_GT(of_shell, 3);
+  EXPECT_GT(at_once, 20);
 }
 
 }  // namespace
