@@ -64,9 +64,10 @@ double middle_of_light(const Picture& picture) {
   double light = 0.0;
   double middle = 0.0;
   for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i) {
-    const double x = static_cast<double>(i % width) - static_cast<double>(brightest % width);
-    const double y = static_cast<double>(i / width) - static_cast<double>(brightest / width);
-    if (std::hypot(x, y) < 25.0) {
+    const auto off = [&](std::size_t one, std::size_t other) {
+      return static_cast<double>(one) - static_cast<double>(other);
+    };
+    if (std::hypot(off(i % width, brightest % width), off(i / width, brightest / width)) < 25.0) {
       light += static_cast<double>(picture.rgba[4 * i]);
       middle += (static_cast<double>(i % width) + 0.5) * static_cast<double>(picture.rgba[4 * i]);
     }
