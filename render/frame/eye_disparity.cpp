@@ -6,6 +6,7 @@
 #include "kernels/geodesic/taylor.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/near_disparity.h"
+#include "render/frame/near_sights.h"
 
 namespace ergodome {
 
@@ -118,7 +119,12 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
   const StereoEye left(show, pose, -1.0);
   const StereoEye right(show, pose, 1.0);
   DisparityMeter meter(left, right, projection);
+  const EyeCamera head = eye_camera(show, pose, 0.0);
   visit_lattice(projection, [&](const Vector3<double>& view) {
+    const std::vector<NearSight> before = near_sights(show, head, view);
+    if (!before.empty() && before.back().opaque) {
+      return;
+    }
     Vector3<EdgeDual> sky{};
     Vector3<double> other = view;
     if (look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&

@@ -7,10 +7,10 @@
 
 namespace ergodome {
 
-//! Adds what stands near the hole to the disparities of a frame, where a picture shows it: places of disk and shells in directions across the image, and of the
-//! sixteen nearest objects the nearest, the farthest and the outermost places. Both eyes' light comes the short way round, and neither end is within 2 M of the hole's middle. In
-//! the model `flat` things stand where flat space has them; there disk and shells count wherever they are, and the long way round, too. What hides what is
-//! not asked.
+//! Adds what stands near the hole to the disparities of a frame, where a picture shows it: places of disk and shells in directions across the image, up to what
+//! is opaque, and of the sixteen nearest objects the nearest, the farthest and the outermost places, which nothing hides. Light comes to both eyes the short way
+//! round, and neither end is within 2 M of the hole's middle. In the model `flat` things stand where flat space has them; there disk and shells count wherever
+//! they are, and the long way round, too.
 void add_near_things(const Show& show, const CameraPose& pose, const Projection& projection,
                      std::span<const PlacedOutline> objects, DisparityMeter& meter);
 

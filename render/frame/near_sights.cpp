@@ -71,7 +71,8 @@ void find_radius(const Step& step, std::span<const double> legs, double r, Found
 //! Gathers where a way meets one thing, between radii.
 class Meetings {
  public:
-  Meetings(double least_r, double greatest_r) : least_r_(least_r), greatest_r_(greatest_r) {}
+  Meetings(double least_r, double greatest_r, double opacity)
+      : least_r_(least_r), greatest_r_(greatest_r), opaque_(opacity > 0.9) {}
 
   //! Where the way begins nothing is met.
   void add(const Step& step, double h, std::vector<NearSight>& sights) {
@@ -82,7 +83,7 @@ class Meetings {
       return;
     }
     if (r >= least_r_ && r <= greatest_r_) {
-      sights.push_back({place, distance, !any_});
+      sights.push_back({place, distance, !any_, opaque_});
     }
     any_ = true;
   }
@@ -90,6 +91,7 @@ class Meetings {
  private:
   double least_r_;
   double greatest_r_;
+  bool opaque_;
   bool any_ = false;
 };
 
@@ -104,14 +106,14 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
   std::optional<Meetings> disk;
   if (show.disk && show.disk->opacity > 0.0) {
     const double inner = inner_edge(*show.disk, show.spin);
-    disk.emplace(inner, show.disk->outer);
+    disk.emplace(inner, show.disk->outer, show.disk->opacity);
     // Where light went through the plane beside the disk counts, too: after that it comes the long way round.
     reach(inner, std::max(show.disk->outer, 1.01 * head.r));
   }
   std::vector<std::pair<double, Meetings>> shells;
   for (const ShellSettings& shell : show.shells) {
     if (is_visible(shell)) {
-      shells.emplace_back(shell.radius, Meetings(0.0, everywhere));
+      shells.emplace_back(shell.radius, Meetings(0.0, everywhere, shell.fill_opacity));
       reach(0.999 * shell.radius, 1.001 * shell.radius);
     }
   }
@@ -130,6 +132,11 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
       find_radius(step, legs, radius, [&, &sphere = shell](double h) { sphere.add(step, h, sights); });
     }
   });
+  std::ranges::sort(sights, {}, &NearSight::distance);
+  const auto last = std::ranges::find_if(sights, &NearSight::opaque);
+  if (last != sights.end()) {
+    sights.erase(last + 1, sights.end());
+  }
   return sights;
 }
 

@@ -13,9 +13,10 @@ struct NearSight {
   Vector3<double> place;  //!< pseudo-Cartesian [M]
   double distance;        //!< affine, from the head [M]
   bool first;             //!< of all places where that way meets the same thing
+  bool opaque;            //!< next to nothing is seen through the thing
 };
 
-//! What of a show's disk and shells a head may see in a direction of its view: everything on the way, nothing hides anything. Double rays.
+//! What of a show's disk and shells a head sees in a direction of its view, the nearest first, up to what is opaque. Double rays.
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view);
 
 //! The affine distance from a head of a place that it sees in a direction of its view [M]; nothing where light from there does not pass by the place.

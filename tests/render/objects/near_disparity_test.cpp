@@ -221,6 +221,18 @@ TEST(NearDisparity, IsPartOfThatOfTheFrame) {
   }
 }
 
+TEST(NearDisparity, OfTheSkyCountsWhereNothingOpaqueIsBeforeIt) {
+  const auto least_of_frame = [](const std::string& opacity) {
+    const Show show =
+        black_show(spinning + wide + "[[shells]]\nradius = 18\nfill_opacity = " + opacity + "\n" + eyes("omni"));
+    return frame_disparity(show, camera_pose(show, 0.0), projection_of(show), {}).value().least_px -
+           near_disparity_of(show).value().least_px;
+  };
+  EXPECT_EQ(least_of_frame("1"), 0.0);
+  // Images of stars next to the shadow's edge are farther apart than anything.
+  EXPECT_LT(least_of_frame("0.3"), -10.0);
+}
+
 TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
   // Straight ahead, in the middle of the lattice.
   const auto least_of = [](const std::string& thing, const std::string& stereo) {
