@@ -16,6 +16,7 @@
 #include "render/frame/near_sights.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"
+#include "tests/render/objects/object_scene.h"
 #include "tests/support/sanitized.h"
 
 // What stands near the hole, in the disparity that a person reads.
@@ -100,7 +101,9 @@ TEST(NearDisparity, OfATracedBallIsThatOfItsPicturesInEveryModel) {
   }
 }
 
-TEST(NearDisparity, OfPolygonsIsThatOfTheirPictures) {
+class NearDisparityOfPolygons : public test::ObjectScenes {};
+
+TEST_F(NearDisparityOfPolygons, IsThatOfTheirPictures) {
   const std::string still = "[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 15\ntheta_deg = 75\nphi_deg = 20\n";
   expect_ball_of_pictures(still + wide + small_ball("position = [11, 4, 2.5]", "polygon") + eyes("physical"));
 }
