@@ -12,7 +12,7 @@ namespace ergodome {
 
 namespace {
 
-//! The same things for either kind of eyes.
+//! Puts things into the meter as both eyes see them: eyes at places of their own, or beside a head whose lens they share.
 class NearThings {
  public:
   NearThings(const Show& show, const CameraPose& pose, DisparityMeter& meter)
@@ -33,7 +33,7 @@ class NearThings {
     }
   }
 
-  //! `by_distance`: places of it.
+  //! `by_distance`: places of it, in the order of their distance from the head; at least one.
   void add(const PlacedOutline& object, const std::vector<Vector3<double>>& by_distance) {
     for (const Vector3<double>& place : ends_shown(by_distance)) {
       const SeenThing thing = {place, &object};
