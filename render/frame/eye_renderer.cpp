@@ -178,7 +178,8 @@ std::future<std::vector<StarPoint>> EyeRenderer::seek_stars(const EyeCamera& eye
   return std::async(meanwhile ? std::launch::async : std::launch::deferred, [this, &eye, &projection, &settings] {
     const UrgentDeviceWork urgent(backend_);
     const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
-    return settings.stars != nullptr ? settings.stars->find(seen_by, projection, settings.shutter)
+    const PixelMatch match = settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
+    return settings.stars != nullptr ? settings.stars->find(seen_by, projection, settings.shutter, match)
                                      : std::vector<StarPoint>();
   });
 }

@@ -33,6 +33,10 @@ double least_star_cell_px(double budget_px) {
   return std::clamp(cell_of_budget * budget_px, finest_cell_px, coarsest_cell_px);
 }
 
+bool serves_pixel(double found_for, double pixel, bool about) {
+  return about ? found_for <= 1.01 * pixel && found_for >= 0.5 * pixel : found_for == pixel;
+}
+
 LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer) {
   GridSettings grid;
   grid.pixel = settings.pixel;

@@ -21,12 +21,18 @@ struct StarSettings {
   ViewCone view{};             //!< images outside of it may be left out
   bool redshift = true;        //!< light is shifted and beamed
   bool magnification = true;   //!< images are as bright as the lens makes them; else as bright as the star
+  bool about =
+      false;  //!< what was found for pixels about as large serves: for windows, whose pictures are as wide as the time allows
 };
 
 //! Where a grid for stars ends, for a show's lens budget [px]: at a budget of 0.0625 px no image of 5,000 stars is lost about a hole of spin
 //! 0.999 that finer grids have; at four times that ten of 8,691 are, next to the shadow's edge, and a new place takes three fifths of
 //! the time.
 double least_star_cell_px(double budget_px);
+
+//! Whether what was found for pixels of an angle serves others [rad]: the same, or where `about` says so up to a hundredth smaller and down to half as
+//! large.
+bool serves_pixel(double found_for, double pixel, bool about);
 
 //! A device's search, with the patches that are searched where it reads them.
 struct DeviceSearch {

@@ -20,9 +20,6 @@ namespace {
 
 //! Beyond the view images are sought, which may move on their way from the grid's place to theirs [rad].
 constexpr double view_margin = 0.05;
-//! Both eyes.
-constexpr std::size_t kept = 2;
-
 //! Illuminance of a magnitude [lx].
 float illuminance_of(double magnitude) {
   return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
@@ -66,17 +63,6 @@ bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
   return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
 }
 
-//! Whether one grid serves two eyes: a camera that turns or goes round the axis keeps its own.
-bool served_alike(const StarEye& first, const StarEye& second) {
-  if (first.omni || second.omni) {
-    return first.omni && second.omni && see_alike(*first.omni, *second.omni);
-  }
-  const EyeCamera& a = first.camera;
-  const EyeCamera& b = second.camera;
-  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion &&
-         dot(a.velocity - b.velocity, a.velocity - b.velocity) < 1e-12;
-}
-
 }  // namespace
 
 StarPass::StarPass(const Show& show, Backend backend)
@@ -113,7 +99,8 @@ void StarPass::set_numbers(const Show& show) {
 const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
   const auto found = std::ranges::find_if(turned_, [&](const Turned& each) {
-    return each.pixel == pixel && each.least_cell_px == asked.least_cell_px && served_alike(each.eye, eye);
+    return serves_pixel(each.pixel, pixel, asked.about) && each.least_cell_px == asked.least_cell_px &&
+           served_alike(each.eye, eye);
   });
   if (found != turned_.end()) {
     if (found->faintest != asked.faintest) {
@@ -132,7 +119,7 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
   LensStation station = build_star_station(eye, asked, &tracer_);
   StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
   Turned turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches), nullptr};
-  if (turned_.size() == kept) {
+  if (turned_.size() == most_eyes) {
     // A place that is left hands its memory on.
     turned.on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
@@ -164,11 +151,7 @@ std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Proje
   return images;
 }
 
-std::vector<StarImage> StarPass::images(const StarEye& eye, const Projection& projection,
-                                        const StarSettings& settings) {
-  if (tree_) {
-    return gathered_images(eye, projection, settings);
-  }
+std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSettings& settings) {
   const Turned& turned = patches_for(eye, settings);
   if (!search_) {
     return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
@@ -178,23 +161,28 @@ std::vector<StarImage> StarPass::images(const StarEye& eye, const Projection& pr
 }
 
 std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,
-                                      const std::optional<Shutter>& shutter) {
+                                      const std::optional<Shutter>& shutter, PixelMatch match) {
   if (field_.stars().empty()) {
     return {};
   }
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
+  settings.about = match == PixelMatch::about;
   const SplatSettings splat = scaled_to(splat_, projection);
   // Trails may come in from anywhere.
   if (!shutter) {
     const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
     settings.view = view_cone(eye.camera, projection, view_margin + reach_px * largest_pixel_angle(projection));
   }
-  const std::vector<StarImage> found = images(eye, projection, settings);
-  if (!shutter) {
-    return star_points(found, eye.camera, projection, splat, order_);
+  const auto points_of = [&](const std::vector<StarImage>& found) {
+    return shutter
+               ? trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_)
+               : star_points(found, eye.camera, projection, splat, order_);
+  };
+  if (tree_) {
+    return points_of(gathered_images(eye, projection, settings));
   }
-  return trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_);
+  return points_of(images_.images(eye, settings, [&](const StarSettings& asked) { return sought_images(eye, asked); }));
 }
 
 void StarPass::draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,

@@ -7,6 +7,7 @@
 #include "render/effects/diffraction.h"
 #include "render/lens/grid_tracer.h"
 #include "render/stars/blackbody_colours.h"
+#include "render/stars/kept_star_images.h"
 #include "render/stars/star_finder.h"
 #include "render/stars/star_gather.h"
 #include "render/stars/star_splat.h"
@@ -17,8 +18,12 @@ namespace ergodome {
 //! light of all faint stars together (some 85 stars of magnitude 10 a square degree), its brightest clouds 20 mag a square arcsecond.
 inline constexpr double luminance_of_white = 0.0114;
 
+//! What pictures before may lend one: what was found for its own pixels, so that it hangs on none of them, or for about such pixels, so that a window may
+//! change its size.
+enum class PixelMatch { exact, about };
+
 //! Draws the stars of a show. Keeps the last lens grids turned round: a camera that turns, moves otherwise or goes round the axis needs
-//! no new one.
+//! no new one. One that only turns has the images of the last picture, too.
 class StarPass {
  public:
   //! Loads the catalogue. Throws Error when it cannot be read. Where pictures are made on a device, it seeks images too.
@@ -28,7 +33,8 @@ class StarPass {
   void set_numbers(const Show& show);
 
   //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
-  std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter);
+  std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
+                              PixelMatch match = PixelMatch::exact);
 
   //! How they are drawn on a picture's pixels, and what spikes look like: nullptr where the show has none.
   [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
@@ -39,7 +45,7 @@ class StarPass {
             float* rgba) const;
 
  private:
-  std::vector<StarImage> images(const StarEye& eye, const Projection& projection, const StarSettings& settings);
+  std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
   std::vector<StarImage> gathered_images(const StarEye& eye, const Projection& projection,
                                          const StarSettings& settings) const;
   void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
@@ -73,6 +79,7 @@ class StarPass {
   std::optional<DiffractionSettings> pattern_;  //!< of these spikes
   GridTracer<float> tracer_;
   std::vector<Turned> turned_;  //!< of the last eyes
+  KeptStarImages images_;
 };
 
 }  // namespace ergodome

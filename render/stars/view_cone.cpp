@@ -70,10 +70,21 @@ ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double ma
   const bool whole_sky = wraps_around(projection) ||
                          (projection.kind == ProjectionKind::cube && projection.cube.layout != CubeLayout::face);
   if (!whole_sky) {
-    cone.half_angle = widest_angle(projection, n) + margin;
-    cone.cosine = std::cos(std::min(cone.half_angle, pi));
+    cone.half_angle = widest_angle(projection, n);
+    return widened(cone, margin);
   }
   return cone;
+}
+
+ViewCone widened(const ViewCone& view, double margin) {
+  const double half_angle = view.half_angle + margin;
+  return {view.axis, half_angle, std::cos(std::min(half_angle, pi))};
+}
+
+bool holds(const ViewCone& outer, const ViewCone& inner) {
+  constexpr double rounding = 1e-6;
+  const double apart = std::acos(std::clamp(dot(outer.axis, inner.axis), -1.0, 1.0));
+  return outer.half_angle >= pi || outer.half_angle + rounding >= apart + inner.half_angle;
 }
 
 bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius) {

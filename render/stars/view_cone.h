@@ -15,6 +15,12 @@ struct ViewCone {
 //! The cone that holds a picture, and `margin` [rad] more.
 ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double margin);
 
+//! The same about a wider angle, by `margin` [rad].
+ViewCone widened(const ViewCone& view, double margin);
+
+//! Whether all that is seen in one is seen in another, to a millionth of a radian.
+bool holds(const ViewCone& outer, const ViewCone& inner);
+
 //! Whether a cone about `axis` (unit vector) of half angle `radius` [rad] may share directions with the view.
 bool may_touch(const ViewCone& view, const Vector3<double>& axis, double radius);
 

@@ -84,6 +84,53 @@ void star_gathered_picture(benchmark::State& state) {
   state.counters["images"] = static_cast<double>(images);
 }
 
+//! How a camera changes from picture to picture.
+enum class Way { turns, goes_round, goes_round_in_sizes };
+
+//! Stars of a window's pictures one after the other, drawn: a camera that turns on its spot by two degrees a picture, goes round the hole, or does so
+//! while pictures are as wide as the time allows.
+void star_pictures(benchmark::State& state, Way way) {
+  Show show;
+  show.sky.stars = state.range(0) > 10'000 ? "all_stars" : "bright_stars";
+  show.sky.faintest_mag = 10.0;
+  StarPass pass(show);
+  EyeCamera camera = eye();
+  std::vector<float> rgba(4UL * 1100UL * 1100UL);
+  int picture = 0;
+  const auto show_next = [&] {
+    const int width = way == Way::goes_round_in_sizes ? 1000 + 7 * (picture % 7) : 1024;
+    const Projection projection = make_dome_projection(width, pi, 0.5);
+    camera.phi += way == Way::turns ? 0.0 : 1e-3;
+    const double turn = way == Way::turns ? 2.0 * one_degree * picture : 0.0;
+    const double at_hole[3][3] = {
+        {std::sin(turn), 0, std::cos(turn)}, {0, -1, 0}, {std::cos(turn), 0, -std::sin(turn)}};
+    std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &camera.frame_from_view[0][0]);
+    pass.draw(pass.find(camera, projection, {}, PixelMatch::about), projection, 0, width, rgba.data());
+    ++picture;
+  };
+  while (picture < 8) {
+    show_next();
+  }
+  for (auto _ : state) {
+    show_next();
+  }
+}
+
+BENCHMARK_CAPTURE(star_pictures, turns, Way::turns)
+    ->Arg(8874)
+    ->Arg(118'216)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(star_pictures, goes_round, Way::goes_round)
+    ->Arg(8874)
+    ->Arg(118'216)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(star_pictures, goes_round_in_sizes, Way::goes_round_in_sizes)
+    ->Arg(8874)
+    ->Arg(118'216)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(star_place)
     ->Args({5000, 250})
     ->Args({118216, 250})
