@@ -6,7 +6,6 @@
 #include "kernels/geodesic/taylor.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/near_disparity.h"
-#include "render/frame/near_sights.h"
 
 namespace ergodome {
 
@@ -119,20 +118,17 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
   const StereoEye left(show, pose, -1.0);
   const StereoEye right(show, pose, 1.0);
   DisparityMeter meter(left, right, projection);
-  const EyeCamera head = eye_camera(show, pose, 0.0);
-  visit_lattice(projection, [&](const Vector3<double>& view) {
-    const std::vector<NearSight> before = near_sights(show, head, view);
-    if (!before.empty() && before.back().opaque) {
-      return;
-    }
+  const std::vector<SeenDirection> directions = seen_directions(show, pose, projection);
+  for (const SeenDirection& direction : directions) {
+    const Vector3<double>& view = direction.view;
     Vector3<EdgeDual> sky{};
     Vector3<double> other = view;
-    if (look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
+    if (direction.shows_sky() && look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
         find_direction(right, values(sky), other)) {
       meter.add(view, other);
     }
-  });
-  add_near_things(show, pose, projection, objects, meter);
+  }
+  add_near_things(show, pose, directions, objects, meter);
   if (show.stereo.model == StereoModel::physical) {
     Vector3<double> sides[2][2];
     edge_sides(left, sides[0]);

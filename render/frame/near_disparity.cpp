@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "kernels/launch/parallel_for.h"
 #include "kernels/projection/flat_parallax.h"
-#include "render/frame/near_sights.h"
 
 namespace ergodome {
 
@@ -90,57 +91,71 @@ class NearThings {
   DisparityMeter& meter_;
 };
 
-//! The nearest place of each of an object's triangles, the nearest first. What moves while its light is on the way is about where it is seen.
-std::vector<Vector3<double>> places_by_distance(const PlacedOutline& object, const Vector3<double>& from) {
-  const auto square = [&](const Vector3<double>& v) { return dot(v, v); };
-  const Vector3<double>& middle = object.placement.position;
-  const Vector3<double> moved = object.seen(middle, std::sqrt(square(middle - from))) - middle;
-  std::vector<Vector3<double>> places;
-  const std::span<const Vector3<double>> corners = object.corners;
-  for (std::size_t i = 0; i + 3 <= corners.size(); i += 3) {
-    places.push_back(nearest_of_triangle(from - moved, std::span<const Vector3<double>, 3>(corners.subspan(i, 3))));
-  }
-  std::ranges::sort(places, {}, [&](const Vector3<double>& place) { return square(place + moved - from); });
-  return places;
-}
-
-//! An object and its places.
+//! An object and places of it.
 struct RankedObject {
   const PlacedOutline* object;
-  std::vector<Vector3<double>> places;
-  double distance;  //!< of the nearest one
+  std::vector<Vector3<double>> places;  //!< the nearest one of each of its triangles, the nearest of all first
+  double square;                        //!< of the distance of that one
 };
+
+//! How far an object's places are, about where they are seen: it may move while its light is on the way.
+RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
+  const auto square = [](const Vector3<double>& v) { return dot(v, v); };
+  const Vector3<double>& middle = object.placement.position;
+  const Vector3<double> moved = object.seen(middle, std::sqrt(square(middle - from))) - middle;
+  RankedObject it{&object, {}, std::numeric_limits<double>::infinity()};
+  const std::span<const Vector3<double>> corners = object.corners;
+  for (std::size_t i = 0; i + 3 <= corners.size(); i += 3) {
+    it.places.push_back(nearest_of_triangle(from - moved, std::span<const Vector3<double>, 3>(corners.subspan(i, 3))));
+  }
+  std::ranges::sort(it.places, {}, [&](const Vector3<double>& place) { return square(place + moved - from); });
+  if (!it.places.empty()) {
+    it.square = square(it.places.front() + moved - from);
+  }
+  return it;
+}
 
 //! The nearest of the objects that have any places: of many the others stand behind these.
 std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects, const Vector3<double>& from) {
   constexpr std::size_t most = 16;
-  std::vector<RankedObject> ranked;
+  std::vector<RankedObject> nearest;
   for (const PlacedOutline& object : objects) {
-    std::vector<Vector3<double>> places = places_by_distance(object, from);
-    if (!places.empty()) {
-      const Vector3<double> way = places.front() - from;
-      ranked.push_back({&object, std::move(places), std::sqrt(dot(way, way))});
+    RankedObject it = ranked(object, from);
+    if (!it.places.empty()) {
+      nearest.push_back(std::move(it));
     }
   }
-  std::ranges::sort(ranked, {}, &RankedObject::distance);
-  ranked.resize(std::min(ranked.size(), most));
-  return ranked;
+  std::ranges::sort(nearest, {}, &RankedObject::square);
+  nearest.resize(std::min(nearest.size(), most));
+  return nearest;
 }
 
 }  // namespace
 
-void add_near_things(const Show& show, const CameraPose& pose, const Projection& projection,
-                     std::span<const PlacedOutline> objects, DisparityMeter& meter) {
-  NearThings things(show, pose, meter);
+std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection) {
+  std::vector<SeenDirection> directions;
+  visit_lattice(projection, [&](const Vector3<double>& view) { directions.push_back({view, {}}); });
   if (show.disk || !show.shells.empty()) {
-    visit_lattice(projection, [&](const Vector3<double>& view) {
-      for (const NearSight& sight : near_sights(show, things.head(), view)) {
-        things.add(sight, view);
+    const EyeCamera head = eye_camera(show, pose, 0.0);
+    parallel_for(static_cast<int>(directions.size()), 4, [&](int begin, int end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        directions[i].sights = near_sights(show, head, directions[i].view);
       }
     });
   }
-  for (const RankedObject& ranked : nearest_objects(objects, place_of(things.head()))) {
-    things.add(*ranked.object, ranked.places);
+  return directions;
+}
+
+void add_near_things(const Show& show, const CameraPose& pose, std::span<const SeenDirection> directions,
+                     std::span<const PlacedOutline> objects, DisparityMeter& meter) {
+  NearThings things(show, pose, meter);
+  for (const SeenDirection& direction : directions) {
+    for (const NearSight& sight : direction.sights) {
+      things.add(sight, direction.view);
+    }
+  }
+  for (const RankedObject& near : nearest_objects(objects, place_of(things.head()))) {
+    things.add(*near.object, near.places);
   }
 }
 

@@ -44,7 +44,7 @@ std::optional<Disparity> near_disparity_of(const Show& show) {
   const ShowRenderer renderer(show, Backend::cpu);
   const CameraPose pose = camera_pose(show, 0.0);
   DisparityMeter meter(StereoEye(show, pose, -1.0), StereoEye(show, pose, 1.0), projection_of(show));
-  add_near_things(show, pose, projection_of(show), renderer.object_outlines(), meter);
+  add_near_things(show, pose, seen_directions(show, pose, projection_of(show)), renderer.object_outlines(), meter);
   return meter.result();
 }
 
@@ -211,6 +211,23 @@ TEST(NearDisparity, OfWhatNoPictureShowsDoesNotCount) {
   for (const char* const place : {"position = [18, 7, 4]", "position = [13, -9, 4]"}) {
     EXPECT_FALSE(near_disparity_of(black_show(spinning + wide + small_ball(place) + eyes("physical")))) << place;
   }
+}
+
+TEST(NearDisparity, OfManyThingsIsThatOfTheOneThatIsSeenNearest) {
+  // Sixteen balls stand nearer than where another has gone by now, whose light shows it before them.
+  const std::string mover = small_ball("retarded = true\norbit = { r = 12, phi_deg = 73, speed = 20 }");
+  std::string balls;
+  for (int i = 0; i < 16; ++i) {
+    balls += small_ball("position = [10.69, -5." + std::to_string(450 + i) + ", 0]");
+  }
+  const auto least_of = [&](const std::string& objects) {
+    return disparity_of(
+               black_show(spinning + "[view]\nprojection = \"equirect\"\nsize_px = 1000\n" + objects + eyes("omni")))
+        .least_px;
+  };
+  const double of_mover = least_of(mover);
+  EXPECT_LT(of_mover, least_of(balls));
+  EXPECT_EQ(least_of(balls + mover), of_mover);
 }
 
 TEST(NearDisparity, IsPartOfThatOfTheFrame) {
