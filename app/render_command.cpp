@@ -111,7 +111,7 @@ void run(RenderOptions options) {
   }
   if (!options.pattern.empty()) {
     const int files = write_patterns(options, show, setup);
-    fmt::print("{} files in {}\n", files, options.out);
+    fmt::print("{} file{} in {}\n", files, files == 1 ? "" : "s", options.out);
     return;
   }
   require_features(show);

@@ -107,6 +107,15 @@ FrustumAngles read_frustum(const toml::table& table, const std::string& file) {
   return angles;
 }
 
+//! A view that always shows the whole sky has no field of view to choose.
+void check_whole_sky(const TomlTable& reader, const ViewSettings& view) {
+  if (view.field_of_view_deg != usual_field_of_view_deg(view.projection)) {
+    throw reader.error_at("fov_deg",
+                          fmt::format("is {}, and this projection shows the whole sky", view.field_of_view_deg),
+                          "leave it out, or choose the projection dome, cylinder or pinhole");
+  }
+}
+
 }  // namespace
 
 void read_view(const toml::table& table, const std::string& file, ViewSettings& view) {
@@ -126,6 +135,7 @@ void read_view(const toml::table& table, const std::string& file, ViewSettings& 
       read_dome(reader, file, view);
       break;
     case ViewProjection::cube:
+      check_whole_sky(reader, view);
       view.cube_files = static_cast<CubeFiles>(reader.choice("cube_layout", 0, {"cross", "strip", "faces"}));
       break;
     case ViewProjection::cylinder:
@@ -137,6 +147,7 @@ void read_view(const toml::table& table, const std::string& file, ViewSettings& 
       }
       break;
     case ViewProjection::equirect:
+      check_whole_sky(reader, view);
       break;
   }
   reader.refuse_unknown_keys();

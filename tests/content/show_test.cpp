@@ -234,6 +234,15 @@ TEST(View, OfAFrustumReadsBackAsItIsWritten) {
 //! The message about lines under [view], which begin at line 5.
 std::string view_problem(const std::string& lines) { return problem_of(minimal + "[view]\n" + lines); }
 
+TEST(View, RefusesAFieldWhereItShowsTheWholeSky) {
+  for (const char* const projection : {"equirect", "cube"}) {
+    const std::string view = std::string("projection = \"") + projection + "\"\n";
+    EXPECT_THAT(view_problem(view + "fov_deg = 90\n"),
+                AllOf(HasSubstr("show.toml:"), HasSubstr("view.fov_deg"), HasSubstr("the whole sky")));
+    EXPECT_EQ(view_problem(view + "fov_deg = 360\n"), "");
+  }
+}
+
 TEST(View, RefusesFieldsThatALensCannotSee) {
   EXPECT_THAT(view_problem("lens = \"orthographic\"\nfov_deg = 190\n"),
               AllOf(HasSubstr("show.toml:6"), HasSubstr("view.fov_deg"), HasSubstr("at most 180")));
