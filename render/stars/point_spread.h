@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! Pixels to one side that a point's light reaches at the most: a spread of 20 px.
-inline constexpr int widest_splat_px = 60;
+//! Pixels to one side that a point's light reaches at the most: a spread of 100 px, in a dome that is four times as fine as it was given for.
+inline constexpr int widest_splat_px = 1201;
 
 //! Parts of a Gaussian that fall on neighbouring pixels, from pixel `first` on; they add up to 1.
 struct PointSpread {

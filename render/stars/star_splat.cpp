@@ -89,7 +89,8 @@ SplatSettings scaled_to(const SplatSettings& settings, const Projection& project
   constexpr double pixel_of_4k = 3.14159265358979323846 / 4096;
   SplatSettings scaled = settings;
   if (projection.kind != ProjectionKind::pinhole) {
-    const double scale = std::max(pixel_of_4k / pixel_angle(projection), 1.0);
+    const double most = (widest_splat_px - 1.0) / std::max(settings.reach_px() - 1.0, 1.0);
+    const double scale = std::clamp(pixel_of_4k / pixel_angle(projection), 1.0, std::max(most, 1.0));
     scaled.sigma_px *= scale;
     scaled.cutoff_px *= scale;
   }

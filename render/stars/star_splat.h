@@ -24,7 +24,7 @@ struct SplatSettings {
 };
 
 //! The same for a picture: a spot of a dome or a whole sky is given in pixels of 4k ones, and keeps its angle in finer ones, where it
-//! would shrink below what an eye in the dome can tell from nothing.
+//! would shrink below what an eye in the dome can tell from nothing. None reaches beyond widest_splat_px.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
 
 //! In which order points are: as splat_points() wants them, or as their images came, which is all that TiledStars asks.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernels/projection/make_projection.h"
+#include "render/stars/point_spread.h"
 #include "tests/render/star_cameras.h"
 
 namespace ergodome {
@@ -65,6 +66,28 @@ TEST(StarSplat, SpotsKeepTheirAngleInPicturesFinerThan4k) {
   // Twice as wide each way, and a Gaussian's middle is that much lower but for the pixels' own width.
   EXPECT_NEAR(of_8k / of_4k, 0.25, 0.02);
   EXPECT_EQ(scaled_to(settings, make_pinhole_projection(8192, 4096, 0.1)).sigma_px, 1.0);
+}
+
+TEST(StarSplat, WideSpotsAreGaussians) {
+  constexpr double sigma_px = 100.0;
+  constexpr int size_px = 700;
+  const Projection projection = make_pinhole_projection(size_px, size_px, 1.0);
+  const std::vector<StarPoint> points = {{350.5, 350.5, {1.0F, 1.0F, 1.0F}, {}}};
+  std::vector<float> rgba(4UL * size_px * size_px);
+  splat_points(points, projection, {sigma_px, 1.0F}, 0, size_px, rgba.data());
+  const auto light = [&](int x, int y) { return rgba[4UL * static_cast<std::size_t>(y * size_px + x) + 1UL]; };
+  for (const int off_px : {50, 100, 200, 290}) {
+    const double expected = std::exp(-0.5 * std::pow(off_px / sigma_px, 2));
+    EXPECT_NEAR(light(350 + off_px, 350) / light(350, 350), expected, 2e-3 * expected + 1e-4) << off_px;
+    EXPECT_NEAR(light(350, 350 - off_px) / light(350, 350), expected, 2e-3 * expected + 1e-4) << off_px;
+  }
+  EXPECT_EQ(light(350 + 302, 350), 0.0F);
+}
+
+TEST(StarSplat, SpotsReachNoFartherThanTheyMayInTheFinestPictures) {
+  const Projection narrow = make_dome_projection(16384, 0.1, 0.0);
+  EXPECT_LE(scaled_to({100.0, 1.0F}, narrow).reach_px(), widest_splat_px);
+  EXPECT_GT(scaled_to({100.0, 1.0F}, narrow).reach_px(), 1000.0);
 }
 
 TEST(StarSplat, SpotsEndAtTheirCutOff) {
