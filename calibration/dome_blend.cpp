@@ -30,14 +30,16 @@ DomeBlend::DomeBlend(std::vector<ProjectorOptics> projectors, const DomeScreen& 
       const auto point = projectors_[i].dome_point(place);
       if (point && master_place(screen_, *point, u, v)) {
         const double own = part(i, place);
-        if (own > least_part) {
-          level = std::min(level, evened_light(i, place) / own);
+        const double light = evened_light(i, place);
+        if (own > least_part && light > 0.0) {
+          level = std::min(level, light / own);
         }
       }
     }
   }
   if (!(level < std::numeric_limits<double>::infinity())) {
-    throw Error("blend", "no projector lights the dome", "check positions and angles of the projectors");
+    throw Error("blend", "no projector lights the dome",
+                "check position_m, yaw_deg and pitch_deg: without angles a lens looks to the dome's front");
   }
   level_ = level;
 }

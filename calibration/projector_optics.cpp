@@ -179,14 +179,18 @@ double ProjectorOptics::depth(const RasterPlace& place) const {
 double ProjectorOptics::spread_m2(const RasterPlace& place) const {
   // Differences of third order in this are far below what a pixel is.
   constexpr double step = 1e-4;
-  const auto left = dome_point({place.x - step, place.y});
-  const auto right = dome_point({place.x + step, place.y});
-  const auto above = dome_point({place.x, place.y - step});
-  const auto below = dome_point({place.x, place.y + step});
-  if (!left || !right || !above || !below) {
+  const auto here = dome_point(place);
+  if (!here) {
     return 0.0;
   }
-  return length(cross(*right - *left, *below - *above)) / (4.0 * step * step);
+  // Next to where light passes the dome by, one side tells.
+  const auto rate = [&](double dx, double dy) {
+    const auto before = dome_point({place.x - dx, place.y - dy});
+    const auto after = dome_point({place.x + dx, place.y + dy});
+    const double way = (before ? step : 0.0) + (after ? step : 0.0);
+    return way > 0.0 ? (1.0 / way) * (after.value_or(*here) - before.value_or(*here)) : Vector3<double>{0.0, 0.0, 0.0};
+  };
+  return length(cross(rate(step, 0.0), rate(0.0, step)));
 }
 
 }  // namespace ergodome

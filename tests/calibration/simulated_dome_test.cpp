@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "calibration/dome_blend.h"
 #include "calibration/mpcdi_writer.h"
@@ -159,6 +161,40 @@ TEST_F(SimulatedDome, AProjectorThatLooksAwayIsRefused) {
   const ProjectorOptics optics(setup, setup.projectors[0]);
   EXPECT_THROW(dome_warp(optics, {0.0, 180.0}, master_px, 0.1), Error);
   EXPECT_THROW(DomeBlend({optics}, {0.0, 180.0}, {}), Error);
+}
+
+//! The light of a setup's only projector.
+DomeBlend blend_of(const std::string& projector, double evenness) {
+  const DomeSetup setup = parse_dome_setup("[dome]\nradius_m = 7\n[[projector]]\nname = \"a\"\n" + projector,
+                                           "dome.toml", NamedFiles::unchecked);
+  return {{ProjectorOptics(setup, setup.projectors[0])}, {0.0, 180.0}, {2.0, evenness}};
+}
+
+//! The mean of its mask, and the greatest value.
+std::pair<double, double> mask_of(const DomeBlend& blend) {
+  const BlendMap mask = blend.mask(0, 128, 96);
+  const double sum = std::accumulate(mask.values.begin(), mask.values.end(), 0.0);
+  return {sum / static_cast<double>(mask.values.size()), *std::ranges::max_element(mask.values)};
+}
+
+TEST_F(SimulatedDome, LightThatPassesTheDomeByLeavesTheRestAsItIs) {
+  const std::string beside =
+      "position_m = [0, 0, 20]\nresolution_px = [640, 400]\nfrustum = { left_deg = -22, right_deg = 22, up_deg = 22, "
+      "down_deg = -5 }\n";
+  const auto [mean, most] = mask_of(blend_of(beside, 0.0));
+  EXPECT_GT(mean, 0.4);
+  EXPECT_EQ(most, 1.0);
+  EXPECT_GT(mask_of(blend_of(beside, 1.0)).second, 0.7);
+}
+
+TEST_F(SimulatedDome, AMirrorsLightIsNoDarkerThanItHasToBe) {
+  const auto [mean, most] =
+      mask_of(blend_of("yaw_deg = 180\nfrustum = { left_deg = -10, right_deg = 10, up_deg = 12, down_deg = -3 "
+                       "}\nmirror = { position_m = [0, 0, 1.5], radius_m = 0.3 }\n"
+                       "resolution_px = [1400, 1050]\n",
+                       1.0));
+  EXPECT_GT(mean, 0.1);
+  EXPECT_GT(most, 0.7);
 }
 
 }  // namespace
