@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
@@ -120,6 +121,7 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
 }
 
 void run(const BakeOptions& options) {
+  require_other_file("--out", options.out, {options.show});
   const auto start = std::chrono::steady_clock::now();
   const Show show = load_show(options.show);
   if (show.grid_scheme != GridScheme::conforming) {

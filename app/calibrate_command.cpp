@@ -11,8 +11,10 @@
 #include "app/calibration_window.h"
 #include "app/commands.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "app/progress.h"
 #include "app/projector_folder.h"
+#include "app/setup_show.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
@@ -79,15 +81,8 @@ void run_live(const CalibrateOptions& options) {
   CalibrationWindow(live).run();
 }
 
-void run(const CalibrateOptions& options) {
-  if (options.live) {
-    run_live(options);
-    return;
-  }
-  if (options.out.empty()) {
-    throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
-  }
-  DomeSetup setup = read_dome_setup(options.setup);
+//! Writes warps and masks, and a setup that names them.
+void compute(const CalibrateOptions& options, DomeSetup& setup) {
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> projectors;
   projectors.reserve(setup.projectors.size());
@@ -127,6 +122,20 @@ void run(const CalibrateOptions& options) {
   }
 }
 
+void run(const CalibrateOptions& options) {
+  require_other_file("--mpcdi", options.mpcdi, {options.setup});
+  require_other_png("--screenshot", options.shown.screenshot, {});
+  if (options.live) {
+    run_live(options);
+    return;
+  }
+  if (options.out.empty()) {
+    throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
+  }
+  DomeSetup setup = read_dome_setup(options.setup);
+  of_setup_file(options.setup, [&] { compute(options, setup); });
+}
+
 }  // namespace
 
 void add_calibrate_command(CLI::App& app) {
@@ -140,13 +149,16 @@ void add_calibrate_command(CLI::App& app) {
   const CLI::Option* const size = command->add_option("--size", options->master_px, "width of the domemaster in pixels")
                                       ->check(CLI::Range(64, 16'384));
   command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
-      ->check(number_between(0.01, 10.0));
+      ->check(number_between(0.01, 10.0))
+      ->capture_default_str();
   command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
-      ->check(number_between(0.5, 8.0));
+      ->check(number_between(0.5, 8.0))
+      ->capture_default_str();
   command
       ->add_option("--evenness", options->blend.evenness,
                    "1 evens out what is spread over more of the dome, 0 leaves it")
-      ->check(number_between(0.0, 1.0));
+      ->check(number_between(0.0, 1.0))
+      ->capture_default_str();
   command->add_flag("--live", options->live,
                     "show test patterns on the projectors and adjust the setup by keys, instead of computing warps");
   command->add_flag("--no-control", options->shown.hide_control, "with --live: the projectors' windows alone");

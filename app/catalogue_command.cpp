@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"
 
@@ -35,6 +36,7 @@ void print_summary(const StarCatalogue& catalogue) {
 }
 
 void run(const CatalogueOptions& options) {
+  require_other_file("--out", options.out, {options.stars});
   Show show;
   show.sky.stars = options.stars;
   StarCatalogue catalogue = load_stars(show);

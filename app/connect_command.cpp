@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/output_file.h"
 #include "app/progress.h"
 #include "content/files/atomic_file.h"
 #include "content/pair_table.h"
@@ -103,6 +104,7 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
 }
 
 void run_connect(const ConnectOptions& options) {
+  require_other_file("--out", options.out, {options.pairs});
   const std::vector<PairRow> rows = read_pair_table(options.pairs);
   const std::vector<Answer> answers =
       options.method == "table" ? connect_through_tables(rows, options) : connect_in_closed_form(rows);

@@ -7,6 +7,8 @@
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
+#include "content/fingerprint.h"
+#include "content/show_reader.h"
 #include "kernels/core/angles.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
@@ -16,6 +18,14 @@
 namespace ergodome {
 
 namespace {
+
+//! What tells frames apart that are asked for differently. Devices and folders may differ.
+std::string request_of(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
+  return fingerprint(fmt::format("{}\n{}\n{} {} {} {} {} {} {} {} {}\n{}", ERGODOME_VERSION, to_toml(show),
+                                 options.format, options.compression, options.alpha, options.size_px, options.view,
+                                 options.method, options.lens.lens, options.lens.trajectory, options.language,
+                                 setup ? to_toml(*setup) : ""));
+}
 
 FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::optional<CubeFace> face) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
@@ -46,9 +56,12 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
       format_(format_of(options)),
       choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show)},
       backend_(choose_backend(options.backend)),
-      renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)) {
+      renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)),
+      request_(request_of(options, show, setup)) {
+  renderer_.overlays().set_language(options.language);
   if (setup) {
-    const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
+    const std::vector<ProjectorPicture> pictures =
+        of_setup_file(options.setup, [&] { return projector_pictures(*setup); });
     projectors_.emplace(*setup, pictures);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
     fmt::print("domemasters of {} pixels for {} projectors\n", choice_.size_px, pictures.size());
@@ -72,9 +85,10 @@ void FrameWriter::write(int frame) {
     const FramePart part = views ? FramePart::whole : image.part;
     const std::filesystem::path path = path_of(frame, part, image.face);
     make_folder(path.parent_path());
-    const FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
+    FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
+    metadata.emplace_back("request", request_);
     if (projectors_) {
-      projectors_->write(path, image.picture);
+      projectors_->write(path, image.picture, metadata);
     } else if (views) {
       write_views(path, format_, image.picture, images[i + 1].picture, metadata);
     } else {
@@ -123,7 +137,7 @@ bool FrameWriter::is_there(int frame) const {
 bool FrameWriter::is_there(int frame, FramePart part) const {
   const Show& show = renderer_.show();
   if (projectors_) {
-    return projectors_->are_there(path_of(frame, part, std::nullopt));
+    return projectors_->are_there(path_of(frame, part, std::nullopt), request_);
   }
   const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
   const bool faces = has_face_files(show.view);
@@ -131,7 +145,8 @@ bool FrameWriter::is_there(int frame, FramePart part) const {
       layout_size(show.stereo.layout, {faces ? eye.width_px / cube_faces : eye.width_px, eye.height_px});
   const int parts = show.stereo.layout == StereoLayout::multiview ? 2 : 1;
   const auto complete = [&](std::optional<CubeFace> face) {
-    return is_complete_image(path_of(frame, part, face), size.width, size.height, parts);
+    const std::filesystem::path path = path_of(frame, part, face);
+    return fact_of_image(path, "request") == request_ && is_complete_image(path, size.width, size.height, parts);
   };
   if (!faces) {
     return complete(std::nullopt);

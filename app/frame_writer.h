@@ -21,6 +21,7 @@ struct RenderOptions {
   std::string projection;
   std::string objects;
   std::string stereo;
+  std::optional<double> baseline;
   bool tint_eyes = false;
   bool from_outside = false;
   std::string backend = "auto";
@@ -32,6 +33,7 @@ struct RenderOptions {
   std::string view = "sky";
   std::string method;
   std::string setup;
+  std::string language;  //!< of captions, by its tag
   LensOptions lens;
   bool resume = false;
   std::string pattern;
@@ -48,7 +50,7 @@ class FrameWriter {
   //! `setup`: the dome whose projectors' frames are written instead of the master's. The options have to outlive the writer.
   FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup);
 
-  //! Renders and writes a frame, counted from 0; with --resume only where it is not there yet.
+  //! Renders and writes a frame, counted from 0; with --resume only where none is there that was asked for alike.
   void write(int frame);
 
   //! Puts the frames first to last together as films: one, or one for each eye that has files of its own.
@@ -72,6 +74,7 @@ class FrameWriter {
   ViewChoice choice_;
   Backend backend_;
   ShowRenderer renderer_;
+  std::string request_;  //!< a fingerprint of all that frames are made by
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
   long unresolved_ = 0;

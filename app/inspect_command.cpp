@@ -12,6 +12,7 @@
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
 #include "content/camera_path.h"
@@ -170,6 +171,7 @@ void run_for_trajectory(const InspectOptions& options) {
 }
 
 void run(const InspectOptions& options) {
+  require_other_png("--picture", options.picture, {options.file});
   if (is_trajectory(options.file)) {
     return run_for_trajectory(options);
   }

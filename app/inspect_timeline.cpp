@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "content/animated_show.h"
+#include "content/show_files.h"
 
 namespace ergodome {
 
@@ -13,11 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-json file_facts(const Show& show, const std::string& file) {
-  std::error_code problem;
-  return {{"file", file},
-          {"there", std::filesystem::is_regular_file(std::filesystem::path(show.folder) / file, problem)}};
-}
+json file_facts(const Show& show, const std::string& file) { return {{"file", file}, {"there", is_there(show, file)}}; }
 
 json presence_facts(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
 
@@ -52,7 +48,11 @@ std::string times(const json& facts) {
 
 json facts_of_timeline(const Show& show) {
   const Timeline& timeline = show.timeline;
-  json facts = {{"languages", languages(timeline)}};
+  json facts = {{"languages", languages(timeline)}, {"duration_s", show.duration_s}};
+  for (const NamedFile& file : files_of_pictures(show)) {
+    json& added = facts["files"].emplace_back(file_facts(show, file.name));
+    added["key"] = file.key;
+  }
   for (const Animation& animation : timeline.animations) {
     const NumberLimits range = range_of(animation);
     facts["animated"].push_back({{"number", animation.path},
@@ -93,15 +93,23 @@ void print_timeline(const json& facts) {
   if (!facts["languages"].empty()) {
     fmt::print("{:<16}{}\n", "languages", fmt::join(facts["languages"].get<std::vector<std::string>>(), ", "));
   }
+  const double end_s = facts["duration_s"].get<double>();
+  const auto late = [&](const json& one, const char* from) {
+    return one[from].get<double>() > end_s ? "  AFTER THE END" : "";
+  };
+  each("files", [](const json& one) { print_file(one, one["key"].get<std::string>()); });
   each("animated", [](const json& one) {
     fmt::print("  {:<34} {}  {} keys, {:.6g} to {:.6g}\n", one["number"].get<std::string>(), times(one),
                one["keys"].get<int>(), one["least"].get<double>(), one["greatest"].get<double>());
   });
-  each("chapters",
-       [](const json& one) { fmt::print("  {:>9.3f} s  {}\n", one["t_s"].get<double>(), shown(one["title"])); });
-  each("captions", [](const json& one) { fmt::print("  {}  {}\n", times(one), shown(one["text"])); });
-  each("overlays",
-       [](const json& one) { print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "")); });
+  each("chapters", [&](const json& one) {
+    fmt::print("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one, "t_s"));
+  });
+  each("captions",
+       [&](const json& one) { fmt::print("  {}  {}{}\n", times(one), shown(one["text"]), late(one, "from_s")); });
+  each("overlays", [&](const json& one) {
+    print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "") + late(one, "from_s"));
+  });
   each("audio", [](const json& one) {
     const std::string language = one["language"].get<std::string>();
     print_file(one,

@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-//! What a show does with time: numbers that change, chapters, captions, overlays and audio tracks, in which languages, and whether the
+//! The files that a show names, and what it does with time: numbers that change, chapters, captions, overlays and audio tracks, in which languages, and whether the
 //! files that they name are there.
 nlohmann::json facts_of_timeline(const Show& show);
 

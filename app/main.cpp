@@ -1,11 +1,31 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "content/files/toml_table.h"
 #include "kernels/core/error.h"
 #include "render/backend/kept_memory.h"
+
+namespace {
+
+//! A word that is no command.
+int refuse_word(const CLI::App& app) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    commands.push_back(command->get_name());
+  }
+  const std::string word = app.remaining().front();
+  const std::string nearest = ergodome::nearest_word(word, commands);
+  const std::string remedy = nearest.empty() ? "try --help" : "did you mean " + nearest + "?";
+  std::fprintf(stderr, "ergodome: there is no command %s; %s\n", word.c_str(), remedy.c_str());
+  return 2;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   ergodome::keep_freed_memory();
@@ -33,6 +53,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
+    if (app.get_subcommands().empty() && !app.remaining().empty()) {
+      return refuse_word(app);
+    }
     return app.exit(problem) == 0 ? 0 : 2;
   } catch (const std::bad_alloc&) {
     std::fputs("ergodome: not enough memory; choose a smaller size\n", stderr);

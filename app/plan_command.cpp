@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/backend_choice.h"
 #include "app/commands.h"
@@ -23,6 +24,7 @@ struct PlanOptions {
   std::string projection;
   std::string objects;
   std::string stereo;
+  std::optional<double> baseline;
   std::string backend = "auto";
   std::string view = "sky";
   std::string method;
@@ -136,6 +138,7 @@ void print(const Measured& measured) {
 void run(const PlanOptions& options) {
   Show show = load_show(options.show);
   override_view(show, options.projection, options.stereo);
+  override_baseline(show, options.baseline);
   override_objects(show, options.objects);
   require_features(show);
   const Backend backend = choose_backend(options.backend);
@@ -195,6 +198,8 @@ void add_plan_command(CLI::App& app) {
       ->check(CLI::IsMember(projection_names()));
   command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
+  command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
+      ->check(number_between(0.0, 1e3));
   command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))

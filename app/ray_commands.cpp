@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/near_ray_commands.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "app/pixel_text.h"
 #include "app/ray_groups.h"
 #include "content/files/atomic_file.h"
@@ -284,6 +285,7 @@ void add_trace_command(CLI::App& app) {
       ->check(number_between(0.0, 1e3));
   const auto near_field = add_near_ray_options(*command, {method, precision});
   command->callback([options, near_field] {
+    require_other_file("--out", options->out, {options->rays, near_field->objects});
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
       run_trace(*options);
     }
@@ -298,7 +300,10 @@ void add_edge_command(CLI::App& app) {
   command->add_option("--out", options->out, "table to write")->required();
   command->add_option("--points", options->points, "write this many points of the edge for each camera instead")
       ->check(CLI::Range(1, 1'000'000));
-  command->callback([options] { run_edge(*options); });
+  command->callback([options] {
+    require_other_file("--out", options->out, {options->rays});
+    run_edge(*options);
+  });
 }
 
 }  // namespace ergodome

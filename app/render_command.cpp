@@ -43,6 +43,7 @@ Show chosen_show(const RenderOptions& options) {
   }
   Show show = options.show.empty() ? Show{} : load_show(options.show);
   override_view(show, options.projection, options.stereo);
+  override_baseline(show, options.baseline);
   override_objects(show, options.objects);
   show.view.from_outside = show.view.from_outside || options.from_outside;
   show.stereo.tint_eyes = show.stereo.tint_eyes || options.tint_eyes;
@@ -83,7 +84,7 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
 
 int write_patterns(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   if (setup) {
-    return write_pattern_frames(options.pattern, *setup, options.size_px, options.out);
+    return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
   }
   require_file_layout(options, show);
   return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
@@ -103,7 +104,35 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   }
 }
 
+//! Throws Error for options that would change nothing in what is written.
+void refuse_idle_options(const RenderOptions& options) {
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given) {
+      throw Error(option, why, "leave it out");
+    }
+  };
+  if (!options.setup.empty()) {
+    constexpr const char* why = "changes nothing of projectors' frames, whose domemasters the setup tells";
+    refuse(!options.projection.empty(), "--projection", why);
+    refuse(options.from_outside, "--from-outside", why);
+  }
+  if (!options.pattern.empty()) {
+    constexpr const char* why = "changes nothing of a test pattern";
+    refuse(!options.frames.empty(), "--frames", why);
+    refuse(!options.movie.empty(), "--movie", why);
+    refuse(options.frame_rate_hz > 0.0, "--fps", why);
+    refuse(options.view != "sky", "--view", why);
+    refuse(!options.method.empty(), "--method", why);
+    refuse(!options.budget.empty(), "--budget", why);
+    refuse(options.checked_moments > 0, "--check", why);
+    refuse(options.resume, "--resume", why);
+    refuse(options.baseline.has_value(), "--baseline", why);
+    refuse(!options.language.empty(), "--language", why);
+  }
+}
+
 void run(RenderOptions options) {
+  refuse_idle_options(options);
   Show show = chosen_show(options);
   const std::optional<DomeSetup> setup = chosen_setup(options);
   if (setup) {
@@ -115,6 +144,7 @@ void run(RenderOptions options) {
     return;
   }
   require_features(show);
+  tell_equal_eyes(show);
   require_file_layout(options, show);
   require_movie(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
@@ -161,6 +191,8 @@ void add_render_command(CLI::App& app) {
   command->add_flag("--from-outside", options->from_outside, "the mirror image: a dome as it is seen from outside");
   command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
+  command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
+      ->check(number_between(0.0, 1e3));
   command->add_flag("--tint-eyes", options->tint_eyes, "the left eye's picture reddish, the right one's cyan");
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
@@ -191,7 +223,8 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::IsMember(pattern_choices()));
   command->add_option("--setup", options->setup,
                       "dome setup (.toml): write what each of its projectors shows, as NAME_000001_PROJECTOR.png");
-  command->add_flag("--resume", options->resume, "skip frames that are there and complete");
+  command->add_option("--language", options->language, "of captions, by its tag (en, de)");
+  command->add_flag("--resume", options->resume, "skip frames that are there, complete, and were asked for alike");
   command->callback([options] { run(*options); });
 }
 

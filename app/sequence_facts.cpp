@@ -23,7 +23,12 @@ void add_view(const Show& show, int size_px, Facts& facts) {
   facts["eye_height_px"] = projection.height_px;
   facts["projection"] = projection_names()[static_cast<std::size_t>(show.view.projection)];
   const bool zooms = find_animation(show, "view.fov_deg") != nullptr;
-  if (!zooms && show.view.projection != ViewProjection::equirect && show.view.projection != ViewProjection::cube) {
+  if (show.view.projection == ViewProjection::pinhole && show.view.frustum) {
+    const FrustumAngles& frustum = *show.view.frustum;
+    facts["frustum_deg"] = {
+        {"left", frustum.left_deg}, {"right", frustum.right_deg}, {"up", frustum.up_deg}, {"down", frustum.down_deg}};
+  } else if (!zooms && show.view.projection != ViewProjection::equirect &&
+             show.view.projection != ViewProjection::cube) {
     facts["fov_deg"] = show.view.field_of_view_deg;
   }
   if (show.view.projection == ViewProjection::dome) {
@@ -39,7 +44,9 @@ void add_view(const Show& show, int size_px, Facts& facts) {
 void add_stereo(const Show& show, Facts& facts) {
   facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
   if (show.stereo.layout != StereoLayout::mono) {
-    facts["baseline_M"] = show.stereo.baseline;
+    if (find_animation(show, "stereo.baseline") == nullptr) {
+      facts["baseline_M"] = show.stereo.baseline;
+    }
     facts["eyes_swapped"] = show.stereo.swap_eyes;
   }
 }
@@ -56,12 +63,28 @@ void add_format(const FrameFormat& format, Facts& facts) {
   }
 }
 
+//! The files of the first frame: one, or one for each eye or each face of a cube.
+Facts first_files(const Show& show, const FrameFormat& format) {
+  const bool separate = show.stereo.layout == StereoLayout::separate;
+  std::vector<std::string> files;
+  for (const FramePart part : {FramePart::whole, FramePart::left, FramePart::right}) {
+    if (separate == (part == FramePart::whole)) {
+      continue;
+    }
+    for (int face = 0; face < (has_face_files(show.view) ? cube_faces : 1); ++face) {
+      const auto of_face = has_face_files(show.view) ? std::optional(static_cast<CubeFace>(face)) : std::nullopt;
+      files.push_back(
+          frame_path(show.name, 0, frame_count(show), part, file_ending(format.image), of_face).generic_string());
+    }
+  }
+  return files.size() == 1 ? Facts(files.front()) : Facts(files);
+}
+
 Facts facts_of(const Show& show, const FrameFormat& format, int size_px) {
   Facts facts;
   facts["title"] = show.title;
   facts["made_by"] = "Ergodome " ERGODOME_VERSION;
-  facts["files"] =
-      frame_path(show.name, 0, frame_count(show), FramePart::whole, file_ending(format.image)).generic_string();
+  facts["files"] = first_files(show, format);
   facts["frames"] = frame_count(show);
   facts["first_frame"] = 1;
   facts["frame_rate_hz"] = show.frame_rate_hz;

@@ -9,6 +9,7 @@
 #include "content/files/atomic_file.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
+#include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
 #include "render/output/tone_map.h"
 #include "render/patterns/test_pattern.h"
@@ -30,7 +31,7 @@ Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
 
 void fit_to_setup(Show& show, const DomeSetup& setup) {
   if (show.stereo.layout != StereoLayout::mono && show.stereo.layout != StereoLayout::separate) {
-    throw Error(show.name, "puts both eyes into one picture, which projectors do not take apart",
+    throw Error(show.name + ".toml", "puts both eyes into one picture, which projectors do not take apart",
                 "choose --stereo mono, or separate for frames of each eye");
   }
   ViewSettings view;
@@ -69,10 +70,10 @@ std::filesystem::path ProjectorFrames::path_of(const std::filesystem::path& fram
   return path;
 }
 
-void ProjectorFrames::write(const std::filesystem::path& frame, const Picture& master) {
+void ProjectorFrames::write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata) {
   projectors_.show(master);
   for (std::size_t i = 0; i < rasters_.size(); ++i) {
-    write_png(path_of(frame, rasters_[i]), projectors_.frame(i), rasters_[i].width_px, rasters_[i].height_px);
+    write_png(path_of(frame, rasters_[i]), projectors_.frame(i), rasters_[i].width_px, rasters_[i].height_px, metadata);
   }
 }
 
@@ -83,30 +84,37 @@ Projection upright_master(const DomeSetup& setup, int size_px) {
   return make_projection(show.view, size_px, 0.0);
 }
 
-int write_pattern_frames(const std::string& pattern, const DomeSetup& setup, int size_px,
-                         const std::filesystem::path& out) {
+int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup) {
   const std::vector<ProjectorPicture> pictures = projector_pictures(setup);
   ProjectorFrames frames(setup, pictures);
-  const Projection master = upright_master(setup, size_px > 0 ? size_px : enough_master_px(pictures));
-  const bool all = pattern == "all";
-  const std::vector<std::string> patterns = all ? test_pattern_names() : std::vector<std::string>{pattern};
-  make_folder(out);
-  for (const std::string& name : patterns) {
-    frames.write(out / (name + ".png"), draw_test_pattern(test_pattern(name), master));
+  const Projection master = upright_master(setup, asked.size_px > 0 ? asked.size_px : enough_master_px(pictures));
+  const bool all = asked.pattern == "all";
+  const std::vector<std::string> patterns = all ? test_pattern_names() : std::vector<std::string>{asked.pattern};
+  const std::vector<FramePart> parts = asked.layout == StereoLayout::separate
+                                           ? std::vector<FramePart>{FramePart::left, FramePart::right}
+                                           : std::vector<FramePart>{FramePart::whole};
+  for (const FramePart part : parts) {
+    const std::filesystem::path folder = asked.out / eye_folder(part);
+    make_folder(folder);
+    for (const std::string& name : patterns) {
+      frames.write(folder / (name + ".png"), draw_test_pattern(test_pattern(name), master, part));
+    }
   }
   const std::vector<std::string> names = plain_names(setup);
   for (std::size_t i = 0; all && i < names.size(); ++i) {
     const ProjectorPicture& raster = pictures[i];
     const Picture sheet =
         draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
-    write_png(out / fmt::format("number_{}.png", names[i]), tone_mapped(sheet), raster.width_px, raster.height_px);
+    write_png(asked.out / fmt::format("number_{}.png", names[i]), tone_mapped(sheet), raster.width_px,
+              raster.height_px);
   }
-  return static_cast<int>(names.size() * (patterns.size() + (all ? 1 : 0)));
+  return static_cast<int>(names.size() * (parts.size() * patterns.size() + (all ? 1 : 0)));
 }
 
-bool ProjectorFrames::are_there(const std::filesystem::path& frame) const {
+bool ProjectorFrames::are_there(const std::filesystem::path& frame, const std::string& request) const {
   return std::ranges::all_of(rasters_, [&](const Raster& raster) {
-    return is_complete_image(path_of(frame, raster), raster.width_px, raster.height_px);
+    const std::filesystem::path path = path_of(frame, raster);
+    return fact_of_image(path, "request") == request && is_complete_image(path, raster.width_px, raster.height_px);
   });
 }
 

@@ -6,6 +6,8 @@
 
 #include "calibration/dome_setup.h"
 #include "content/show.h"
+#include "kernels/core/error.h"
+#include "render/output/image_writer.h"
 #include "render/present/headless_projectors.h"
 
 namespace ergodome {
@@ -13,6 +15,17 @@ namespace ergodome {
 //! Makes a show's pictures the domemaster that warps of a setup look up: 180°, equidistant, uncut, from inside, right as seen from the
 //! setup's viewer. How far it is tilted stays the show's. Throws Error for layouts that put two eyes into one picture.
 void fit_to_setup(Show& show, const DomeSetup& setup);
+
+//! Does `work` with a setup that was read from a file; what is wrong with its projectors is told with that file's name.
+template <class Work>
+auto of_setup_file(const std::string& file, Work&& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const bool of_projector = error.place().starts_with("projector ") || error.place() == "blend";
+    throw of_projector ? Error(file + ", " + error.place(), error.problem(), error.remedy()) : error;
+  }
+}
 
 //! The projectors' names for files: what of them is plain, and different for each.
 std::vector<std::string> plain_names(const DomeSetup& setup);
@@ -24,10 +37,10 @@ class ProjectorFrames {
   ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures);
 
   //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes FOLDER/NAME_000001_PROJECTOR.png).
-  void write(const std::filesystem::path& frame, const Picture& master);
+  void write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata = {});
 
-  //! Whether all of these files are there and complete.
-  [[nodiscard]] bool are_there(const std::filesystem::path& frame) const;
+  //! Whether all of these files are there and complete, and were asked for alike (FrameMetadata's "request").
+  [[nodiscard]] bool are_there(const std::filesystem::path& frame, const std::string& request) const;
 
  private:
   struct Raster {
@@ -41,11 +54,17 @@ class ProjectorFrames {
   HeadlessProjectors projectors_;
 };
 
-//! Writes what the projectors show of a test pattern, or of "all", to `out`: PATTERN_PROJECTOR.png, and with all of them a sheet with its
-//! number for each, number_PROJECTOR.png. Patterns stand upright in the dome as it is tilted. `size_px`: width of the domemaster; 0: enough.
-//! Returns how many files.
-int write_pattern_frames(const std::string& pattern, const DomeSetup& setup, int size_px,
-                         const std::filesystem::path& out);
+//! Test patterns that projectors are to show.
+struct ProjectedPatterns {
+  std::string pattern;                       //!< its name, or "all"
+  StereoLayout layout = StereoLayout::mono;  //!< or `separate`: each eye's own, in L/ and R/
+  int size_px = 0;                           //!< width of the domemaster; 0: enough
+  std::filesystem::path out;
+};
+
+//! Writes what the projectors show of them: PATTERN_PROJECTOR.png, and with all of them a sheet with its number for each, number_PROJECTOR.png. Patterns stand
+//! upright in the dome as it is tilted. Returns how many files.
+int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup);
 
 //! The projection of a setup's domemasters whose up is straight up.
 Projection upright_master(const DomeSetup& setup, int size_px);

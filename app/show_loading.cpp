@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "content/animated_show.h"
 #include "content/objects/object_reader.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
@@ -86,10 +87,24 @@ void override_view(Show& show, const std::string& projection, const std::string&
   }
 }
 
+void override_baseline(Show& show, const std::optional<double>& baseline) {
+  if (baseline) {
+    show.stereo.baseline = *baseline;
+    std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path == "stereo.baseline"; });
+  }
+}
+
+void tell_equal_eyes(const Show& show) {
+  if (eye_count(show.stereo) > 1 && !(show_at_most(show).stereo.baseline > 0.0)) {
+    fmt::print(stderr,
+               "ergodome: both eyes see the same, as the show's stereo.baseline is 0; --baseline sets another\n");
+  }
+}
+
 void require_features(const Show& show) {
   const std::vector<std::string> missing = missing_features(show);
   if (!missing.empty()) {
-    throw Error(show.name, fmt::format("{}", fmt::join(missing, "; ")), "take it out of the show for now");
+    throw Error(show.name + ".toml", fmt::format("{}", fmt::join(missing, "; ")), "take it out of the show for now");
   }
 }
 

@@ -22,6 +22,12 @@ std::vector<std::string> stereo_names();
 //! Puts the projection and stereo layout of the command line (empty: none) in place of the show's.
 void override_view(Show& show, const std::string& projection, const std::string& stereo);
 
+//! Puts a distance of the eyes [M] in place of the show's, and of what changes it with time.
+void override_baseline(Show& show, const std::optional<double>& baseline);
+
+//! Says on the terminal where a show has two eyes that see the same all the time.
+void tell_equal_eyes(const Show& show);
+
 //! The words for ObjectMethod, in its order.
 std::vector<std::string> object_method_names();
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "content/sky_map.h"
+#include "content/stars/star_catalogue.h"
+
 namespace ergodome {
 
 Error named_by(const Show& show, const std::string& key, const Error& error) {
@@ -12,6 +15,36 @@ Error named_by(const Show& show, const std::string& key, const Error& error) {
     place += line == show.lines.end() ? "" : fmt::format(":{}", line->second);
   }
   return {error.place(), fmt::format("{} ({})", error.problem(), place), error.remedy()};
+}
+
+std::vector<NamedFile> files_of_pictures(const Show& show) {
+  std::vector<NamedFile> files;
+  const auto add = [&](const std::string& key, const std::string& name) {
+    if (!name.empty()) {
+      files.push_back({key, name});
+    }
+  };
+  if (!is_built_in_sky(show.sky.map)) {
+    add("sky.map", show.sky.map);
+  }
+  if (!is_built_in_catalogue(show.sky.stars)) {
+    add("sky.stars", show.sky.stars);
+  }
+  if (show.effects.diffraction) {
+    add("effects.diffraction.pattern", show.effects.diffraction->pattern);
+  }
+  for (std::size_t i = 0; i < show.shells.size(); ++i) {
+    add(fmt::format("shells[{}].texture", i), show.shells[i].texture);
+  }
+  for (std::size_t i = 0; i < show.objects.size(); ++i) {
+    add(fmt::format("objects[{}].mesh", i), show.objects[i].mesh);
+  }
+  return files;
+}
+
+bool is_there(const Show& show, const std::string& name) {
+  std::error_code problem;
+  return std::filesystem::is_regular_file(std::filesystem::path(show.folder) / name, problem);
 }
 
 }  // namespace ergodome

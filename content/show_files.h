@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "content/show.h"
 #include "kernels/core/error.h"
@@ -22,5 +23,17 @@ auto read_named(const Show& show, const std::string& key, const std::string& nam
     throw named_by(show, key, error);
   }
 }
+
+//! A file that a show names for its pictures.
+struct NamedFile {
+  std::string key;   //!< "shells[1].texture"
+  std::string name;  //!< as the show gives it, from its folder
+};
+
+//! The files of sky, stars, spikes, shells and objects that a show names, in this order; what is built in is none.
+std::vector<NamedFile> files_of_pictures(const Show& show);
+
+//! Whether a file that a show names is there.
+bool is_there(const Show& show, const std::string& name);
 
 }  // namespace ergodome

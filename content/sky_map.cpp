@@ -61,6 +61,8 @@ std::filesystem::path built_in_content_folder() {
   throw Error("built-in content", "is not there", "set ERGODOME_CONTENT to the project's folder content/");
 }
 
+bool is_built_in_sky(const std::string& name) { return name == "grid" || name == "milky_way" || name == "black"; }
+
 EnvironmentImage load_sky_map(const Show& show) {
   if (show.sky.map == "grid") {
     return make_grid_sky(2048);

@@ -12,6 +12,9 @@ namespace ergodome {
 //! A folder with the built-in maps and shows: $ERGODOME_CONTENT, or beside the program, or the source folder it was built from.
 std::filesystem::path built_in_content_folder();
 
+//! Whether a show's word for its map names no file.
+bool is_built_in_sky(const std::string& name);
+
 //! Loads the sky map of a show: a built-in name ("milky_way", "grid", "black") or a path, relative to the show's folder.
 EnvironmentImage load_sky_map(const Show& show);
 

@@ -64,7 +64,8 @@ constexpr ActionFacts actions[] = {
     {next_layout, "next_layout", presenter, "L", "next stereo layout", "nächste Stereo-Anordnung"},
     {next_model, "next_model", presenter, "M", "next stereo model: physical, flat, omni",
      "nächstes Stereo-Modell: physical, flat, omni"},
-    {leave_exhibit, "leave_exhibit", presenter, "Ctrl+Shift+Q", "leave the exhibit", "Ausstellung verlassen"},
+    {leave_exhibit, "leave_exhibit", presenter, "Ctrl+Alt+Q", "leave the exhibit: hold for 3 s",
+     "Ausstellung verlassen: 3 s halten"},
     {quit, "quit", presenter, "Escape", "quit", "beenden"},
 };
 

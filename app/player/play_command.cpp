@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "app/exhibit/kept_settings.h"
 #include "app/lens_options.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "app/player/player.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
@@ -29,6 +31,7 @@ struct PlayArguments {
   std::string stereo;
   std::string setup;
   bool size_given = false;
+  std::optional<double> baseline;
   bool tint_eyes = false;
   bool exhibit = false;
   ExhibitOptions exhibit_options;
@@ -53,7 +56,7 @@ std::string key_help() {
 void use_setup(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
   options.setup = read_dome_setup(arguments.setup);
-  options.projectors = projector_pictures(*options.setup);
+  options.projectors = of_setup_file(arguments.setup, [&] { return projector_pictures(*options.setup); });
   if (!arguments.size_given) {
     options.size_px = enough_master_px(options.projectors);
   }
@@ -63,6 +66,7 @@ void use_setup(PlayArguments& arguments) {
 Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   Show show = load_show(name);
   override_view(show, arguments.projection, arguments.stereo);
+  override_baseline(show, arguments.baseline);
   override_objects(show, arguments.objects);
   if (has_face_files(show.view)) {
     // A window has them in one picture.
@@ -117,6 +121,8 @@ void run(PlayArguments arguments) {
     return;
   }
   PlayOptions& options = arguments.options;
+  require_other_png("--screenshot", options.screenshot, {arguments.show, arguments.setup});
+  require_other_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
   options.free_flight = options.free_flight || arguments.show.empty();
   if (!arguments.setup.empty()) {
     use_setup(arguments);
@@ -126,6 +132,7 @@ void run(PlayArguments arguments) {
   }
   options.load = [arguments](const std::string& name) { return loaded_show(arguments, name); };
   const Show show = options.load(arguments.show.empty() ? "free-flight" : arguments.show);
+  tell_equal_eyes(show);
   const Backend backend = choose_backend(arguments.backend);
   const bool may_fall_back = arguments.backend == "auto";
   const RendererLoader::Make make = [backend, may_fall_back, lens = arguments.lens](const Show& any) {
@@ -164,6 +171,8 @@ void add_play_command(CLI::App& app) {
       ->check(CLI::IsMember(projection_names()));
   command->add_option("--stereo", arguments->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
+  command->add_option("--baseline", arguments->baseline, "distance of the eyes [M], instead of the show's")
+      ->check(number_between(0.0, 1e3));
   command->add_flag("--tint-eyes", arguments->tint_eyes, "the left eye's picture reddish, the right one's cyan");
   add_lens_options(*command, arguments->lens);
   const CLI::Option* const size =
@@ -171,9 +180,12 @@ void add_play_command(CLI::App& app) {
           ->check(CLI::Range(16, 8192))
           ->capture_default_str();
   add_budget_option(*command, arguments->budget);
-  command->add_option("--setup", arguments->setup, "dome setup (.toml): a window for each of its projectors, too");
-  command->add_flag("--no-control", arguments->options.hide_control,
-                    "with --setup: the projectors' windows alone; keys work in them");
+  CLI::Option* const setup =
+      command->add_option("--setup", arguments->setup, "dome setup (.toml): a window for each of its projectors, too");
+  command
+      ->add_flag("--no-control", arguments->options.hide_control,
+                 "with --setup: the projectors' windows alone; keys work in them")
+      ->needs(setup);
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
   command->add_flag("--times", arguments->options.times_shown,
                     "show the frame time and the lens in the picture (key I)");
@@ -206,16 +218,20 @@ void add_play_command(CLI::App& app) {
                    "seconds by which sound is heard later, for displays that take their time")
       ->check(number_between(-1.0, 1.0));
   add_remote_options(*command, arguments->options.services.remote);
-  command->add_flag("--exhibit", arguments->exhibit,
-                    "full screen, locked: an attract show until somebody touches something, then free flight");
+  CLI::Option* const locked =
+      command->add_flag("--exhibit", arguments->exhibit,
+                        "full screen, locked: an attract show until somebody touches something, then free flight");
   ExhibitOptions& exhibit = arguments->exhibit_options;
   command->add_option("--attract", exhibit.attract, "with --exhibit: the show that runs by itself")
+      ->needs(locked)
       ->capture_default_str();
   command->add_option("--idle", exhibit.times.idle_s, "with --exhibit: seconds without a touch that end a flight")
       ->check(number_between(1.0, 86400.0))
+      ->needs(locked)
       ->capture_default_str();
   command->add_option("--session", exhibit.times.session_s, "with --exhibit: seconds of one flight; 0: no limit")
       ->check(number_between(0.0, 86400.0))
+      ->needs(locked)
       ->capture_default_str();
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
   command->callback([arguments, size] {

@@ -81,11 +81,16 @@ void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
 
 void PlayerInputs::find_chord(const PadState& pad) {
   const auto holds = [&](int left, int right) { return held_keys_.contains(left) || held_keys_.contains(right); };
+  // A map of controls may have other keys for it, and must not lock an operator in.
   const bool keys = held_keys_.contains(GLFW_KEY_Q) && holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) &&
                     holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  const bool bound = std::ranges::any_of(held_keys_, [&](int key) {
+    const std::vector<KeyAction> actions = controls_.pressed(key, held_keys_);
+    return std::ranges::find(actions, KeyAction::leave_exhibit) != actions.end();
+  });
   const bool buttons = pad.pressed(PadButton::select) && pad.pressed(PadButton::start) &&
                        pad.pressed(PadButton::left_shoulder) && pad.pressed(PadButton::right_shoulder);
-  chord_held_ = keys || buttons;
+  chord_held_ = keys || bound || buttons;
 }
 
 PlayerInput PlayerInputs::gather(std::span<const WindowEvent> events, const PadSnapshot& pads, double radians_per_px) {

@@ -72,7 +72,8 @@ void Player::post_status() {
 
 void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
-    fmt::print("{} pictures after the first in {:.1f} s\n", pictures_.report().pictures - 1, options_.for_seconds);
+    fmt::print("{} pictures after the first in {:.1f} s\n", pictures_.report().pictures - 1,
+               std::chrono::duration<double>(Clock::now() - *first_answer_).count());
     if (budget_) {
       fmt::print("{}\n", budget_->summary_text());
     }

@@ -80,7 +80,7 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    throw Error(folder.string(), "cannot be made: " + problem.message(), "choose another folder with --out");
+    throw Error(folder.string(), "cannot be made: " + problem.message(), "choose another folder");
   }
 }
 

@@ -17,7 +17,7 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
 //! Copies a file that is there to NAME.bak, in place of an older one of that name. Throws Error where that cannot be.
 void keep_older(const std::filesystem::path& path);
 
-//! Makes a folder, with those above it, where there is none. Throws Error, which advises another --out, where that cannot be.
+//! Makes a folder, with those above it, where there is none. Throws Error where that cannot be.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace ergodome

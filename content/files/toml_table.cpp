@@ -33,7 +33,7 @@ std::string shown(std::string_view key) { return std::string(key.substr(0, 60));
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
   const std::string_view bounded = word.substr(0, 100);
   std::string nearest;
-  std::size_t least = bounded.size() / 2 + 2;
+  std::size_t least = bounded.size() / 3 + 3;
   for (const std::string& candidate : words) {
     const std::size_t distance = edit_distance(bounded, candidate);
     if (distance < least) {
@@ -194,6 +194,9 @@ void TomlTable::refuse_unknown_keys() const {
 toml::table parse_toml(std::string_view text, const std::string& file, std::size_t largest_mib, std::string_view kind) {
   if (text.size() > (largest_mib << 20U)) {
     throw Error(file, fmt::format("is larger than {} MiB", largest_mib), fmt::format("{} is a short text file", kind));
+  }
+  if (text.substr(0, 4096).find('\0') != std::string_view::npos) {
+    throw Error(file, "is no text", fmt::format("{} is a text file (.toml)", kind));
   }
   try {
     return toml::parse(text, file);

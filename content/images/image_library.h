@@ -47,6 +47,9 @@ class ImageInput {
   //! Reads all rows, and keeps none.
   virtual bool read_through() = 0;
 
+  //! A fact of the part by OpenImageIO's name; empty where it has none.
+  [[nodiscard]] virtual std::string text(const std::string& name) const = 0;
+
   //! The last message, which is taken away.
   virtual std::string error() = 0;
 };

@@ -85,6 +85,10 @@ class Input final : public ImageInput {
     return true;
   }
 
+  [[nodiscard]] std::string text(const std::string& name) const override {
+    return std::string(input_->spec().get_string_attribute(name));
+  }
+
   std::string error() override { return input_->geterror(); }
 
  private:

@@ -1,5 +1,7 @@
 #include "content/stars/star_catalogue.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,8 @@ Vector3<double> equatorial_direction(double ra_deg, double dec_deg) {
           std::sin(dec_deg * one_degree)};
 }
 
+bool is_built_in_catalogue(const std::string& name) { return name == "bright_stars" || name == "all_stars"; }
+
 StarCatalogue load_stars(const Show& show) {
   const std::string& name = show.sky.stars;
   if (name.empty()) {
@@ -39,7 +43,7 @@ StarCatalogue load_stars(const Show& show) {
   static WorkCounter counter("load_stars");
   const WorkScope work(counter, 1);
   const bool bright = name == "bright_stars";
-  if (bright || name == "all_stars") {
+  if (is_built_in_catalogue(name)) {
     StarCatalogue built_in = read_star_file(built_in_content_folder() / "stars" / "hipparcos.stars");
     if (bright) {
       std::erase_if(built_in.stars, [](const CatalogueStar& star) { return star.v_mag > faintest_bright_star; });
@@ -53,7 +57,12 @@ StarCatalogue load_stars(const Show& show) {
       throw Error(path.string(), "is not a file that can be read",
                   "give a built-in catalogue (bright_stars, all_stars) or the path of one");
     }
-    return read_stars(path);
+    StarCatalogue read = read_stars(path);
+    if (read.stars.empty() && read.left_out > 0) {
+      throw Error(path.string(), fmt::format("has no star in {} row{}", read.left_out, read.left_out == 1 ? "" : "s"),
+                  "stars have a right ascension, a declination and a magnitude; the sun is none");
+    }
+    return read;
   });
 }
 

@@ -32,6 +32,9 @@ void sort_by_brightness(std::vector<CatalogueStar>& stars);
 //! Unit vector of a place on the sky, equatorial J2000: x to the vernal equinox, z to the north celestial pole.
 Vector3<double> equatorial_direction(double ra_deg, double dec_deg);
 
+//! Whether a show's word for its stars names no file.
+bool is_built_in_catalogue(const std::string& name);
+
 //! Loads the stars of a show: a built-in name ("bright_stars": V <= 6.5, "all_stars"), or the path of a file, relative to the show's
 //! folder. Empty when the show has none.
 StarCatalogue load_stars(const Show& show);

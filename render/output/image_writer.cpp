@@ -1,6 +1,8 @@
 #include "render/output/image_writer.h"
 
 #include <algorithm>
+#include <fstream>
+#include <string_view>
 
 #include "content/files/atomic_file.h"
 #include "content/images/image_library.h"
@@ -13,6 +15,9 @@ namespace {
 
 //! CIE 1931 chromaticities of Rec. 709: red, green, blue, D65 white.
 constexpr float rec709[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
+
+//! Before the names of facts in files.
+const std::string fact_prefix = "ergodome:";
 
 //! Finite, and within what a half float can hold.
 std::vector<float> bounded_rgb(const Picture& picture) {
@@ -42,6 +47,14 @@ ImageSample sample_of(ImageFormat format) {
   }
 }
 
+std::vector<std::pair<std::string, std::string>> texts_of(const FrameMetadata& metadata) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const auto& [name, value] : metadata) {
+    texts.emplace_back(fact_prefix + name, value);
+  }
+  return texts;
+}
+
 ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const FrameMetadata& metadata) {
   constexpr const char* compressions[] = {"zip", "none", "dwaa"};
   ImagePlan plan;
@@ -49,10 +62,8 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
   plan.height = picture.height;
   plan.channels = format.alpha ? 4 : 3;
   plan.sample = sample_of(format.image);
+  plan.texts = texts_of(metadata);
   plan.texts.emplace_back("Software", "Ergodome " ERGODOME_VERSION);
-  for (const auto& [name, value] : metadata) {
-    plan.texts.emplace_back("ergodome:" + name, value);
-  }
   if (format.image == ImageFormat::exr) {
     plan.texts.emplace_back("compression", compressions[static_cast<int>(format.compression)]);
     plan.texts.emplace_back("oiio:ColorSpace", "Linear");
@@ -157,10 +168,11 @@ void write_views(const std::filesystem::path& path, const FrameFormat& format, c
   });
 }
 
-void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height) {
+void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height,
+               const FrameMetadata& metadata) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
     const auto output = writer_of("png");
-    const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, {}, {}, {}}};
+    const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
     if (!written) {
       throw Error(path.string(), "cannot be written", "check the folder, its permissions and the space left");
@@ -168,9 +180,25 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
   });
 }
 
+namespace {
+
+//! Whether a file that calls itself a PNG ends as one: what reads a cut one complains on the terminal.
+bool may_be_whole(const std::filesystem::path& path) {
+  constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
+  if (path.extension() != ".png") {
+    return true;
+  }
+  std::ifstream file(path, std::ios::binary);
+  char last[8] = {};
+  return file.seekg(-static_cast<std::streamoff>(sizeof last), std::ios::end) && file.read(last, sizeof last) &&
+         std::string_view(last, sizeof last) == end;
+}
+
+}  // namespace
+
 bool is_complete_image(const std::filesystem::path& path, int width, int height, int parts) {
   std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) {
+  if (!std::filesystem::is_regular_file(path, problem) || !may_be_whole(path)) {
     return false;
   }
   std::string reason;
@@ -185,6 +213,30 @@ bool is_complete_image(const std::filesystem::path& path, int width, int height,
     }
   }
   return true;
+}
+
+std::string fact_of_image(const std::filesystem::path& path, const std::string& name) {
+  std::error_code problem;
+  std::string reason;
+  const auto input = std::filesystem::is_regular_file(path, problem) && may_be_whole(path)
+                         ? image_library().open(path.string(), {}, reason)
+                         : nullptr;
+  if (!input) {
+    return {};
+  }
+  const std::string own = input->text(fact_prefix + name);
+  if (!own.empty()) {
+    return own;
+  }
+  // TIFF has all of them in its description, a line each.
+  const std::string description = "\n" + input->text("ImageDescription");
+  const std::string before = "\n" + name + "=";
+  const std::size_t at = description.find(before);
+  if (at == std::string::npos) {
+    return {};
+  }
+  const std::size_t begin = at + before.size();
+  return description.substr(begin, description.find('\n', begin) - begin);
 }
 
 }  // namespace ergodome

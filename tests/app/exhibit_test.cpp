@@ -1,6 +1,10 @@
 #include "app/exhibit/exhibit.h"
 
+#include <GLFW/glfw3.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "app/player/player_inputs.h"
 
 namespace ergodome {
 namespace {
@@ -93,6 +97,32 @@ TEST(HeldSwitch, BeginsAnewWhenItWasLetGo) {
   chord.advance(6.0, false);
   EXPECT_FALSE(chord.advance(6.5, true));
   EXPECT_FALSE(chord.advance(8.0, true));
+}
+
+//! Whether keys that go down one after the other are the operator's chord.
+bool is_chord(const std::string& controls, std::initializer_list<int> keys) {
+  PlayerInputs inputs(parse_controls(controls, "controls.toml"));
+  inputs.set_lock(InputLock::visitors);
+  std::vector<WindowEvent> events;
+  for (const int key : keys) {
+    events.push_back({WindowEvent::Kind::key_down, key});
+  }
+  static_cast<void>(inputs.gather(events, {}, 1e-3));
+  return inputs.chord_held();
+}
+
+TEST(OperatorsChord, IsWhatTheKeysSay) {
+  EXPECT_THAT(Controls().help_text({}), testing::HasSubstr("Ctrl+Alt+Q"));
+  EXPECT_TRUE(is_chord("", {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_ALT, GLFW_KEY_Q}));
+  EXPECT_FALSE(is_chord("", {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_Q}));
+  EXPECT_FALSE(is_chord("", {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_Q}));
+}
+
+TEST(OperatorsChord, MayBeBoundToOtherKeys) {
+  const std::string controls = "[actions]\nleave_exhibit = \"Ctrl+F9\"\n";
+  EXPECT_TRUE(is_chord(controls, {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F9}));
+  EXPECT_TRUE(is_chord(controls, {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_ALT, GLFW_KEY_Q}));
+  EXPECT_FALSE(is_chord(controls, {GLFW_KEY_F9}));
 }
 
 }  // namespace

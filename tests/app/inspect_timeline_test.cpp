@@ -36,6 +36,25 @@ TEST_F(CommandLine, InspectTellsWhatAShowDoesWithTime) {
   EXPECT_THAT(output_.substr(words), Not(HasSubstr("NOT THERE")));
 }
 
+TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
+  write("named.toml",
+        "duration_s = 2\n[[camera.key]]\nr = 20\n[sky]\nmap = \"nomap.png\"\nstars = \"nostars.csv\"\n[effects]\n"
+        "diffraction = { pattern = \"nopattern.exr\" }\n[[shells]]\nradius = 30\ntexture = \"notexture.png\"\n"
+        "[[objects]]\nmesh = \"there.obj\"\nmethod = \"trace\"\nposition = [12, 0, 0]\n[[caption]]\nfrom_s = 5\n"
+        "to_s = 6\ntext = \"too late\"\n");
+  write("there.obj", "");
+  ASSERT_EQ(run("inspect named.toml"), 0) << output_;
+  const auto line_of = [&](const std::string& name) {
+    const std::size_t at = output_.rfind(name);
+    return at == std::string::npos ? "" : output_.substr(at, output_.find('\n', at) - at);
+  };
+  for (const char* const name : {"nomap.png", "nostars.csv", "nopattern.exr", "notexture.png"}) {
+    EXPECT_THAT(line_of(name), HasSubstr("NOT THERE")) << name;
+  }
+  EXPECT_THAT(line_of("there.obj"), AllOf(HasSubstr("objects[0].mesh"), Not(HasSubstr("NOT THERE"))));
+  EXPECT_THAT(line_of("too late"), HasSubstr("AFTER THE END"));
+}
+
 TEST_F(CommandLine, InspectTellsItAsJson) {
   write("long.toml", long_show);
   ASSERT_EQ(run("inspect long.toml --json"), 0) << output_;

@@ -1,0 +1,27 @@
+#include "app/output_file.h"
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+void require_other_file(const std::string& option, const std::filesystem::path& written,
+                        std::initializer_list<std::filesystem::path> read) {
+  for (const std::filesystem::path& each : read) {
+    // Where one of them is not there they are not the same.
+    std::error_code not_there;
+    if (std::filesystem::equivalent(written, each, not_there)) {
+      throw Error(option + " " + written.string(), "is the file that is read, and would be lost",
+                  "choose another name");
+    }
+  }
+}
+
+void require_other_png(const std::string& option, const std::filesystem::path& written,
+                       std::initializer_list<std::filesystem::path> read) {
+  if (!written.empty() && written.extension() != ".png") {
+    throw Error(option + " " + written.string(), "is no name of a PNG", "let it end in .png");
+  }
+  require_other_file(option, written, read);
+}
+
+}  // namespace ergodome

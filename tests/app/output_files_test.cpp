@@ -1,0 +1,139 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "content/files/whole_file.h"
+#include "render/output/image_reader.h"
+#include "tests/app/command_line.h"
+
+// What commands write, and what they must leave as it is.
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CommandLine;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string tiny_show =
+    "duration_s = 0.1\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 8\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 48\n";
+
+TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
+  write("small.toml", tiny_show);
+  const std::string render = "render small.toml --out frames --frames 1:1 --backend cpu --resume";
+  for (const char* const options : {"--format png", "--format tiff", "--format exr", "--format png --alpha",
+                                    "--format png --from-outside", "--format exr --stereo multiview"}) {
+    ASSERT_EQ(run(render + " " + options), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("1 frame in")) << options;
+    ASSERT_EQ(run(render + " " + options), 0);
+    EXPECT_THAT(output_, HasSubstr("0 frames in")) << options;
+  }
+  write("small.toml", tiny_show + "[tone]\nexposure_stops = 1\n");
+  ASSERT_EQ(run(render), 0);
+  EXPECT_THAT(output_, HasSubstr("1 frame in"));
+}
+
+TEST_F(CommandLine, OutputsAreNoFilesThatAreRead) {
+  const std::string rays = "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,1,0,0\n";
+  write("small.toml", tiny_show);
+  write("rays.csv", rays);
+  fs::create_symlink("small.toml", folder_ / "link.toml");
+  for (const char* const command :
+       {"bake small.toml --out ./small.toml", "bake link.toml --out small.toml", "bake small.toml --out link.toml",
+        "play small.toml --record small.toml", "trace --rays rays.csv --out rays.csv",
+        "edge --rays rays.csv --out rays.csv", "connect --pairs rays.csv --out rays.csv",
+        "catalogue rays.csv --out rays.csv", "calibrate small.toml --out c --mpcdi small.toml"}) {
+    EXPECT_EQ(run(command), 1) << command;
+    EXPECT_THAT(output_, HasSubstr("is the file that is read")) << command;
+  }
+  EXPECT_EQ(run("inspect small.toml --picture small.toml"), 1);
+  EXPECT_EQ(run("play small.toml --screenshot small.toml"), 1);
+  EXPECT_EQ(read_whole_file(folder_ / "small.toml", 10'000, ""), tiny_show);
+  EXPECT_EQ(read_whole_file(folder_ / "rays.csv", 10'000, ""), rays);
+}
+
+TEST_F(CommandLine, RenderRefusesOptionsThatWouldChangeNothing) {
+  write("small.toml", tiny_show);
+  write("dome.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"up\"\npitch_deg = 90\nfisheye = { fov_deg = 90 }\n");
+  for (const char* const options :
+       {"--setup dome.toml --projection pinhole", "--setup dome.toml --from-outside", "--pattern checker --movie a.mp4",
+        "--pattern checker --frames 1:2", "--pattern checker --view g", "--pattern checker --budget 1px",
+        "--pattern checker --fps 30", "--pattern checker --resume", "--pattern checker --baseline 1"}) {
+    EXPECT_EQ(run(std::string("render small.toml --out o ") + options), 1) << options;
+    EXPECT_THAT(output_, HasSubstr("changes nothing of")) << options;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "o"));
+}
+
+TEST_F(CommandLine, RenderSaysWhereBothEyesSeeTheSame) {
+  write("small.toml", tiny_show);
+  const std::string render = "render small.toml --out o --frames 1:1 --backend cpu --stereo separate";
+  ASSERT_EQ(run(render), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("both eyes see the same"));
+  ASSERT_EQ(run(render + " --baseline 0.5"), 0) << output_;
+  EXPECT_THAT(output_, Not(HasSubstr("both eyes see the same")));
+  const auto bytes_of = [&](const char* name) { return read_whole_file(folder_ / "o" / name, 1'000'000, ""); };
+  EXPECT_NE(bytes_of("L/small_000001.png"), bytes_of("R/small_000001.png"));
+  const auto facts = nlohmann::json::parse(bytes_of("small.json"));
+  EXPECT_EQ(facts["baseline_M"], 0.5);
+  EXPECT_EQ(facts["files"][1], "R/small_000001.png");
+}
+
+TEST_F(CommandLine, RenderWritesCaptionsInALanguage) {
+  write("small.toml",
+        "duration_s = 1\n[sky]\nmap = \"sky.ppm\"\n[[camera.key]]\nr = 8\n[view]\nsize_px = 200\n[[caption]]\nfrom_s = "
+        "0\nto_s = "
+        "1\ntext = { en = \"Light\", de = \"Schatten und Licht\" }\n");
+  const auto rendered = [&](const std::string& language) {
+    EXPECT_EQ(run("render small.toml --frames 15:15 --backend cpu --out o" + language), 0) << output_;
+    return read_display_pixels(folder_ / "o/small_000015.png").rgb;
+  };
+  const auto english = rendered("");
+  EXPECT_EQ(rendered(" --language en"), english);
+  EXPECT_NE(rendered(" --language de"), english);
+}
+
+TEST_F(CommandLine, TellsACommandThatIsNoneByItsName) {
+  EXPECT_EQ(run("rendr once-around"), 2);
+  EXPECT_THAT(output_, HasSubstr("no command rendr; did you mean render?"));
+  EXPECT_EQ(run("--frobnicate"), 2);
+  EXPECT_THAT(output_, HasSubstr("--frobnicate"));
+}
+
+TEST_F(CommandLine, TellsFilesOfAnotherKind) {
+  write("a.mpcdi", std::string("PK\x03\x04\0\0", 6));
+  write("a.toml", std::string("PK\x03\x04\0\0", 6));
+  EXPECT_EQ(run("render dome-still --setup a.mpcdi"), 1);
+  EXPECT_THAT(output_, HasSubstr("ergodome convert a.mpcdi dome.toml"));
+  EXPECT_EQ(run("render a.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("a.toml: is no text"));
+}
+
+TEST_F(CommandLine, TellsACatalogueWithoutAStar) {
+  write("stars.csv", "ra,dec,mag\n1,2,\n");
+  EXPECT_EQ(run("catalogue stars.csv"), 1);
+  EXPECT_THAT(output_, HasSubstr("stars.csv: has no star in 1 row"));
+}
+
+TEST_F(CommandLine, TellsOptionsThatWantAnother) {
+  EXPECT_NE(run("play dome-still --no-control"), 0);
+  EXPECT_THAT(output_, HasSubstr("--setup"));
+  EXPECT_NE(run("play dome-still --idle 60"), 0);
+  EXPECT_THAT(output_, HasSubstr("--exhibit"));
+}
+
+TEST_F(CommandLine, NamesTheSetupOfAProjectorThatLightsNothing) {
+  write("dome.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"down\"\npitch_deg = -80\nresolution_px = [64, 48]\nfrustum = { "
+        "left_deg = -5, right_deg = "
+        "5, up_deg = 5, "
+        "down_deg = -5 }\n");
+  EXPECT_EQ(run("calibrate dome.toml --out c"), 1);
+  EXPECT_THAT(output_, HasSubstr("dome.toml, "));
+}
+
+}  // namespace
+}  // namespace ergodome
