@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/number_check.h"
+#include "app/output_file.h"
 #include "app/projector_folder.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_reader.h"
@@ -103,6 +104,7 @@ void convert_mesh(const ConvertOptions& options) {
 }
 
 void run(const ConvertOptions& options) {
+  require_other_file("TO", options.to, {options.from});
   const FileKind from = kind_of(options.from);
   const FileKind to = kind_of(options.to);
   if (from == FileKind::setup && (to == FileKind::mpcdi || to == FileKind::folder)) {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/backend_choice.h"
 #include "app/movie.h"
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
-#include "content/fingerprint.h"
-#include "content/show_reader.h"
 #include "kernels/core/angles.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
@@ -18,14 +18,6 @@
 namespace ergodome {
 
 namespace {
-
-//! What tells frames apart that are asked for differently. Devices and folders may differ.
-std::string request_of(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
-  return fingerprint(fmt::format("{}\n{}\n{} {} {} {} {} {} {} {} {}\n{}", ERGODOME_VERSION, to_toml(show),
-                                 options.format, options.compression, options.alpha, options.size_px, options.view,
-                                 options.method, options.lens.lens, options.lens.trajectory, options.language,
-                                 setup ? to_toml(*setup) : ""));
-}
 
 FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::optional<CubeFace> face) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
@@ -51,13 +43,14 @@ FrameFormat format_of(const RenderOptions& options) {
   return frame_format(options.format, options.compression, options.alpha);
 }
 
-FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup)
+FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup,
+                         std::string request)
     : options_(options),
       format_(format_of(options)),
       choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show)},
       backend_(choose_backend(options.backend)),
       renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)),
-      request_(request_of(options, show, setup)) {
+      request_(std::move(request)) {
   renderer_.overlays().set_language(options.language);
   if (setup) {
     const std::vector<ProjectorPicture> pictures =

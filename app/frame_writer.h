@@ -47,8 +47,9 @@ FrameFormat format_of(const RenderOptions& options);
 //! Renders and writes the frames of one run.
 class FrameWriter {
  public:
-  //! `setup`: the dome whose projectors' frames are written instead of the master's. The options have to outlive the writer.
-  FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup);
+  //! `setup`: the dome whose projectors' frames are written instead of the master's; `request`: see frame_request. The options have to outlive the writer.
+  FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup,
+              std::string request);
 
   //! Renders and writes a frame, counted from 0; with --resume only where none is there that was asked for alike.
   void write(int frame);
@@ -74,7 +75,7 @@ class FrameWriter {
   ViewChoice choice_;
   Backend backend_;
   ShowRenderer renderer_;
-  std::string request_;  //!< a fingerprint of all that frames are made by
+  std::string request_;
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
   long unresolved_ = 0;

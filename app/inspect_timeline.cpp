@@ -110,11 +110,12 @@ void print_timeline(const json& facts) {
   each("overlays", [&](const json& one) {
     print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "") + late(one, "from_s"));
   });
-  each("audio", [](const json& one) {
+  each("audio", [&](const json& one) {
     const std::string language = one["language"].get<std::string>();
     print_file(one,
                fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(), language.empty() ? "" : "  " + language,
-                           one["loop"].get<bool>() ? "  again and again" : ""));
+                           one["loop"].get<bool>() ? "  again and again" : "") +
+                   late(one, "from_s"));
   });
 }
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -13,12 +14,11 @@
 namespace {
 
 //! A word that is no command.
-int refuse_word(const CLI::App& app) {
+int refuse_word(const CLI::App& app, const std::string& word) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) {
     commands.push_back(command->get_name());
   }
-  const std::string word = app.remaining().front();
   const std::string nearest = ergodome::nearest_word(word, commands);
   const std::string remedy = nearest.empty() ? "try --help" : "did you mean " + nearest + "?";
   std::fprintf(stderr, "ergodome: there is no command %s; %s\n", word.c_str(), remedy.c_str());
@@ -53,8 +53,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
-    if (app.get_subcommands().empty() && !app.remaining().empty()) {
-      return refuse_word(app);
+    const std::vector<std::string> words = app.remaining();
+    const auto word = std::ranges::find_if(words, [](const std::string& each) { return !each.starts_with("-"); });
+    if (problem.get_exit_code() != 0 && app.get_subcommands().empty() && word != words.end()) {
+      return refuse_word(app, *word);
     }
     return app.exit(problem) == 0 ? 0 : 2;
   } catch (const std::bad_alloc&) {

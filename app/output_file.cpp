@@ -1,5 +1,8 @@
 #include "app/output_file.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -18,7 +21,9 @@ void require_other_file(const std::string& option, const std::filesystem::path& 
 
 void require_other_png(const std::string& option, const std::filesystem::path& written,
                        std::initializer_list<std::filesystem::path> read) {
-  if (!written.empty() && written.extension() != ".png") {
+  std::string ending = written.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!written.empty() && ending != ".png") {
     throw Error(option + " " + written.string(), "is no name of a PNG", "let it end in .png");
   }
   require_other_file(option, written, read);

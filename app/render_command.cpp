@@ -8,6 +8,7 @@
 #include "app/budget/render_budget.h"
 #include "app/commands.h"
 #include "app/frame_range.h"
+#include "app/frame_request.h"
 #include "app/frame_writer.h"
 #include "app/interrupt.h"
 #include "app/movie.h"
@@ -84,7 +85,9 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
 
 int write_patterns(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   if (setup) {
-    return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
+    return of_setup_file(options.setup, [&] {
+      return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
+    });
   }
   require_file_layout(options, show);
   return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
@@ -104,7 +107,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   }
 }
 
-//! Throws Error for options that would change nothing in what is written.
+//! Throws Error for options that say something else than what projectors' frames and test patterns are.
 void refuse_idle_options(const RenderOptions& options) {
   const auto refuse = [](bool given, const char* option, const char* why) {
     if (given) {
@@ -113,7 +116,7 @@ void refuse_idle_options(const RenderOptions& options) {
   };
   if (!options.setup.empty()) {
     constexpr const char* why = "changes nothing of projectors' frames, whose domemasters the setup tells";
-    refuse(!options.projection.empty(), "--projection", why);
+    refuse(!options.projection.empty() && options.projection != "dome", "--projection", why);
     refuse(options.from_outside, "--from-outside", why);
   }
   if (!options.pattern.empty()) {
@@ -148,11 +151,13 @@ void run(RenderOptions options) {
   require_file_layout(options, show);
   require_movie(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
+  // What a budget leaves open is chosen by times that are others in each run.
+  const std::string request = frame_request(options, show, setup);
   if (!use_render_budget(options, show, setup)) {
     return;
   }
   make_folder(options.out);
-  FrameWriter writer(options, show, setup);
+  FrameWriter writer(options, show, setup, request);
   write_frames(options, writer, first, last);
   fmt::print("{} frame{} in {}\n", writer.written(), writer.written() == 1 ? "" : "s", options.out);
   if (!options.movie.empty()) {

@@ -31,7 +31,8 @@ Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
 
 void fit_to_setup(Show& show, const DomeSetup& setup) {
   if (show.stereo.layout != StereoLayout::mono && show.stereo.layout != StereoLayout::separate) {
-    throw Error(show.name + ".toml", "puts both eyes into one picture, which projectors do not take apart",
+    throw Error(show.name.empty() ? "--stereo" : show.name + ".toml",
+                "puts both eyes into one picture, which projectors do not take apart",
                 "choose --stereo mono, or separate for frames of each eye");
   }
   ViewSettings view;

@@ -106,7 +106,7 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
 DomeSetup read_dome_setup(const std::filesystem::path& path) {
   if (path.extension() == ".mpcdi") {
     throw Error(path.string(), "is a calibration, not a setup",
-                fmt::format("make one of it: ergodome convert {} dome.toml", path.filename().string()));
+                fmt::format("make one of it: ergodome convert {} dome.toml", path.string()));
   }
   return parse_dome_setup(read_whole_file(path, largest_mib << 20U, "give the path of a dome setup (.toml)"),
                           path.string(), NamedFiles::must_exist);

@@ -27,7 +27,7 @@ class PlayerInputs {
   //! Whether somebody did anything in the last frame, bound or not: a visitor is there.
   [[nodiscard]] bool touched() const { return touched_; }
 
-  //! Whether the operator's chord is held: Ctrl + Alt + Q, what is bound to leaving the exhibit, or select, start and both shoulders of a pad.
+  //! Whether the operator's chord is held: Ctrl + Alt + Q, keys that are bound to leaving the exhibit, or select, start and both shoulders of a pad.
   [[nodiscard]] bool chord_held() const { return chord_held_; }
 
   [[nodiscard]] const Controls& controls() const { return controls_; }

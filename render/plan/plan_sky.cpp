@@ -66,16 +66,18 @@ void Planner::plan_stars() {
   } else {
     plan_grid(stars, false);
     buffer("shadow edge", WorkMoment::place, 0, stars);
-    // A camera that goes round the hole is at a new place, too, though its grid stays; one that turns is not.
-    const bool may_share = plan_.eyes > 1 && eyes_are_together_at_times();
-    pass("search_patches", WorkMoment::place, may_share ? 0 : plan_.eyes, 0, stars);
-    pass("find_star_images", WorkMoment::place, 0, 0, stars, true);
-    pass("find_star_images, double", WorkMoment::place, 0, 0, stars, true);
+    // Not where the picture before had the same camera, which may have turned a little, and eyes that see the same share what is found.
+    const bool may_share = plan_.eyes > 1 && (eyes_are_flat() || eyes_are_together_at_times());
+    pass("search_patches", WorkMoment::picture, may_share ? 0 : plan_.eyes, 0, stars, true);
+    pass("find_star_images", WorkMoment::picture, 0, 0, stars, true);
+    pass("find_star_images, double", WorkMoment::picture, 0, 0, stars, true);
   }
   if (needs_.trails) {
     pass("follow_trails", WorkMoment::picture, plan_.eyes, 0, why("effects.trails"), !always_.trails);
-    pass("find_star_images", WorkMoment::picture, 0, 0, why("effects.trails"), true);
-    pass("find_star_images, double", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+    if (needs_.gather) {
+      pass("find_star_images", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+      pass("find_star_images, double", WorkMoment::picture, 0, 0, why("effects.trails"), true);
+    }
   }
   if (request_.backend != Backend::cpu) {
     // Sought and drawn where the picture is.

@@ -13,9 +13,10 @@ constexpr double turning_margin = 0.25;
 
 //! Whether images that were found are those that are asked for, but for the view.
 bool serve(const StarSettings& found, const StarSettings& asked) {
-  return serves_pixel(found.pixel, asked.pixel, asked.about) && found.grid_px == asked.grid_px &&
-         found.least_cell_px == asked.least_cell_px && found.faintest == asked.faintest &&
-         found.redshift == asked.redshift && found.magnification == asked.magnification;
+  return (asked.about || !found.about) && serves_pixel(found.pixel, asked.pixel, asked.about) &&
+         found.grid_px == asked.grid_px && found.least_cell_px == asked.least_cell_px &&
+         found.faintest == asked.faintest && found.redshift == asked.redshift &&
+         found.magnification == asked.magnification;
 }
 
 }  // namespace

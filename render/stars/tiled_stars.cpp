@@ -13,12 +13,12 @@ namespace ergodome {
 namespace {
 
 //! Throws where so many points, each on so many tiles, are more than a device should list.
-void require_listable(std::size_t points, double reach_px) {
+void require_listable(std::size_t points, double reach_px, const char* remedy) {
   constexpr double most = 2.5e8;
   const double across = 2.0 * reach_px / star_tile_px + 2.0;
   if (static_cast<double>(points) * across * across > most) {
     throw Error("stars", "shine on more pixels than can be listed on a GPU",
-                "let fewer have spikes (effects.diffraction.brighter_than_mag), or run with --backend cpu");
+                std::string(remedy) + ", or run with --backend cpu");
   }
 }
 
@@ -81,14 +81,15 @@ void TiledStars::set(const std::vector<StarPoint>& points, const Projection& pro
   }
   reserve(backend_, points.size(), "star points", points_);
   points_.write(points.data(), points.size());
-  require_listable(points.size(), splat.reach_px());
+  require_listable(points.size(), splat.reach_px(),
+                   "choose a smaller effects.psf.sigma_px or cutoff_px, or leave out faint stars (sky.faintest_mag)");
   place(splat.reach_px(), false, spots_);
   const auto has_spikes = [](const StarPoint& p) { return p.spikes.x + p.spikes.y + p.spikes.z > 0.0F; };
   const auto spiked = static_cast<std::size_t>(pattern != nullptr ? std::ranges::count_if(points, has_spikes) : 0);
   if (spiked > 0) {
     set_pattern(*pattern);
     const double reach_px = 0.5 * pattern_px_ + 1.0;
-    require_listable(spiked, reach_px);
+    require_listable(spiked, reach_px, "let fewer have spikes (effects.diffraction.brighter_than_mag)");
     place(reach_px, true, spikes_);
   }
 }

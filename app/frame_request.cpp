@@ -1,0 +1,59 @@
+#include "app/frame_request.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "content/fingerprint.h"
+#include "content/show_files.h"
+#include "content/show_reader.h"
+
+namespace ergodome {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! What tells one state of a file from another; nothing where it is not there.
+std::string state_of(const fs::path& file) {
+  std::error_code size_problem;
+  std::error_code time_problem;
+  const auto size = fs::file_size(file, size_problem);
+  const auto time = fs::last_write_time(file, time_problem);
+  return size_problem || time_problem ? "" : fmt::format("{} {}", size, time.time_since_epoch().count());
+}
+
+std::string states_of_files(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
+  std::string states;
+  const auto add = [&](const fs::path& folder, const std::string& name) {
+    if (!name.empty()) {
+      states += fmt::format("{} {}\n", name, state_of(folder / name));
+    }
+  };
+  for (const NamedFile& file : files_of_pictures(show)) {
+    add(show.folder, file.name);
+  }
+  for (const Overlay& overlay : show.timeline.overlays) {
+    add(show.folder, overlay.image);
+  }
+  add("", options.lens.trajectory);
+  add(show.folder, show.name + ".trajectory");
+  for (const ProjectorSetup& projector : setup ? setup->projectors : std::vector<ProjectorSetup>()) {
+    add(setup->folder, projector.warp ? projector.warp->file : "");
+    add(setup->folder, projector.blend_mask);
+    add(setup->folder, projector.black_level_mask);
+  }
+  return states;
+}
+
+}  // namespace
+
+std::string frame_request(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
+  const std::string written = fmt::format("{} {} {} {} {} {} {}", options.format, options.compression, options.alpha,
+                                          options.size_px, options.view, options.method, options.language);
+  const std::string light = fmt::format("{} {}", options.lens.lens, fmt::join(options.budget, " "));
+  return fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", ERGODOME_VERSION, to_toml(show),
+                                 setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup)));
+}
+
+}  // namespace ergodome
