@@ -224,7 +224,7 @@ std::string fact_of_image(const std::filesystem::path& path, const std::string& 
   if (!input) {
     return {};
   }
-  const std::string own = input->text(fact_prefix + name);
+  std::string own = input->text(fact_prefix + name);
   if (!own.empty()) {
     return own;
   }
