@@ -17,10 +17,13 @@ namespace {
 
 using namespace ergodome;
 
-//! How a frame's lens comes about, and whether its camera goes on.
+//! What a frame's camera does: it stands, goes round the hole by a hair, so that stars are sought, or comes to a new place.
+enum class CameraWay { stands, goes_round, moves };
+
+//! How a frame's lens comes about.
 struct FrameWay {
   LensChoice lens;
-  bool moving;
+  CameraWay camera;
 };
 
 Show built_in(const char* name) {
@@ -49,7 +52,8 @@ void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) 
   const char* lens = renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}).first.lens;
   const auto before = work_done();
   for (auto _ : state) {
-    pose.r += way.moving ? 1e-9 : 0.0;
+    pose.r += way.camera == CameraWay::moves ? 1e-9 : 0.0;
+    pose.phi += way.camera == CameraWay::goes_round ? 1e-9 : 0.0;
     benchmark::DoNotOptimize(renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}));
   }
   state.SetLabel(std::string(lens) + times_of(work_between(before, work_done()), state.iterations()));
@@ -119,17 +123,18 @@ void ergodome::add_cuda_benchmarks() {
   if (cuda_unavailable_reason() != nullptr) {
     return;
   }
-  const FrameWay direct = {LensChoice::direct, false};
-  const FrameWay kept = {LensChoice::live, false};
-  const FrameWay live = {LensChoice::live, true};
+  const FrameWay direct = {LensChoice::direct, CameraWay::goes_round};
+  const FrameWay kept = {LensChoice::live, CameraWay::goes_round};
+  const FrameWay live = {LensChoice::live, CameraWay::moves};
   add("sky/direct", dome(""), direct, {1024, 4096});
   add("sky/kept_grid", dome(""), kept, {1024, 4096});
   add("sky/live_grid", dome(""), live, {1024, 4096});
   add("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), direct, {1024, 4096});
   add("all_stars", dome("stars = \"all_stars\"\nfaintest_mag = 10\n", every_effect), direct, {4096});
   add("bright_stars_moving", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect),
-      {LensChoice::direct, true}, {1024});
+      {LensChoice::direct, CameraWay::moves}, {1024});
   add("published", published(), direct, {1920});
+  add("published_standing", published(), {LensChoice::direct, CameraWay::stands}, {1920});
   add("two_eyes", two_eyes(), direct, {2048});
   for (const char* const name : {"disk", "shells", "planet"}) {
     add(name, built_in(name), direct, {1920});
