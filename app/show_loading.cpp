@@ -41,7 +41,7 @@ Show load_show(const std::string& name_or_path) {
   if (name_or_path.find('/') == std::string::npos && std::filesystem::exists(built_in, problem)) {
     return read_show(built_in);
   }
-  throw Error(name_or_path, "is neither a file nor a built-in show",
+  throw Error(name_or_path.empty() ? "\"\"" : name_or_path, "is neither a file nor a built-in show",
               fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
 }
 
@@ -104,7 +104,7 @@ void tell_equal_eyes(const Show& show) {
 void require_features(const Show& show) {
   const std::vector<std::string> missing = missing_features(show);
   if (!missing.empty()) {
-    throw Error(show.name + ".toml", fmt::format("{}", fmt::join(missing, "; ")), "take it out of the show for now");
+    throw Error(show.name + ".toml", fmt::format("{}", fmt::join(missing, "; ")), "change that in the show");
   }
 }
 

@@ -82,7 +82,9 @@ Animation read_animation(TomlTable& table, const std::string& file, const Show& 
   if (!number.get(show)) {
     const std::string_view part = number.path.substr(0, number.path.rfind('.'));
     throw table.error_at("number", fmt::format("is \"{}\", but the show has no {}", number.path, part),
-                         fmt::format("write [{}] into it", part));
+                         part.find('[') == std::string_view::npos
+                             ? fmt::format("write [{}] into it", part)
+                             : fmt::format("write [[{}]] once more", part.substr(0, part.find('['))));
   }
   if (number.path == "view.fov_deg") {
     check_field_of_view(table, show.view);

@@ -28,7 +28,8 @@ std::vector<std::string> missing_features(const Show& show) {
   const StereoSettings& stereo = show.stereo;
   if (has_objects(show, ObjectMethod::polygon) && (show.disk || !show.shells.empty())) {
     missing.emplace_back(
-        "objects drawn as polygons have no common depth with a disk or shells (objects.method, disk, shells)");
+        "objects drawn as polygons have no common depth with a disk or shells (objects.method, disk, shells): write "
+        "method = \"trace\"");
   }
   if (eye_count(stereo) < 2) {
     return missing;

@@ -59,8 +59,8 @@ KeptSettings read_kept_settings(const std::filesystem::path& file, std::string& 
   try {
     return parse(read_whole_file(file, largest_mib << 20U, "settings are a short text file"), file.string());
   } catch (const std::exception& error) {
-    problem = error.what();
     std::filesystem::rename(file, file.string() + ".bad", failure);
+    problem = fmt::format("{} (it is {}.bad now)", error.what(), file.filename().string());
     return {};
   }
 }

@@ -203,6 +203,9 @@ void Player::reload(bool now) {
     return;
   }
   services_.tell(spdlog::level::err, result->problem);
+  if (!result->problem.empty() && !exhibit_) {
+    session_->say(result->problem);
+  }
   if (result->show) {
     session_->set_show(*result->show);
     services_.set_show(*result->show, options_.load);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ergodome {
 
@@ -35,11 +36,11 @@ void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput
   touched_ = true;
   switch (event.kind) {
     case WindowEvent::Kind::key_down:
-      add(controls_.pressed(event.key, held_keys_), input);
-      held_keys_.insert(event.key);
+      press(event.key, input);
       break;
     case WindowEvent::Kind::key_up:
       held_keys_.erase(event.key);
+      spent_keys_.erase(event.key);
       break;
     case WindowEvent::Kind::button_down:
       add(controls_.mouse_pressed(event.key), input);
@@ -58,6 +59,15 @@ void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput
       break;
   }
   mouse.buttons.insert(held_buttons_.begin(), held_buttons_.end());
+}
+
+void PlayerInputs::press(int key, PlayerInput& input) {
+  const std::vector<KeyAction> actions = controls_.pressed(key, held_keys_);
+  add(actions, input);
+  held_keys_.insert(key);
+  if (!actions.empty()) {
+    spent_keys_.insert(key);
+  }
 }
 
 void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
@@ -104,7 +114,10 @@ PlayerInput PlayerInputs::gather(std::span<const WindowEvent> events, const PadS
   }
   take_pads(pads, input);
   find_chord(pad_before_);
-  input.steering = controls_.steering(held_keys_, mouse, pad_before_);
+  // What was pressed as Ctrl + R is no R when Ctrl goes first.
+  std::set<int> steering_keys;
+  std::ranges::set_difference(held_keys_, spent_keys_, std::inserter(steering_keys, steering_keys.end()));
+  input.steering = controls_.steering(steering_keys, mouse, pad_before_);
   return input;
 }
 

@@ -33,6 +33,7 @@ class PlayerInputs {
   [[nodiscard]] const Controls& controls() const { return controls_; }
 
  private:
+  void press(int key, PlayerInput& input);
   void take(const WindowEvent& event, MouseState& mouse, PlayerInput& input);
   void take_pads(const PadSnapshot& pads, PlayerInput& input);
   void find_chord(const PadState& pad);
@@ -41,6 +42,7 @@ class PlayerInputs {
   Controls controls_;
   InputLock lock_ = InputLock::open;
   std::set<int> held_keys_;
+  std::set<int> spent_keys_;  //!< those of them that went down for an action
   std::set<int> held_buttons_;
   PadState pad_before_;
   bool touched_ = false;

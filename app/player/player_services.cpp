@@ -51,6 +51,9 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     : ring_(std::make_shared<LogRing>()), log_(open_log(options.log_file, sinks_of(options, ring_))) {
   const std::optional<TimeCode> start = clock_start(options);
   if (options.clock == "osc") {
+    if (!options.remote.osc_port) {
+      throw Error("--clock osc", "has no port to listen at", "add --osc PORT");
+    }
     clock_ = std::make_shared<ExternalClock>("OSC", osc_patience);
   } else if (options.clock.starts_with("mtc")) {
     clock_ = make_midi_clock();
@@ -77,6 +80,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
 
 void PlayerServices::set_show(const Show& show, ShowReload::Loader load) {
   reload_ = std::make_unique<ShowReload>(file_of(show), show, std::move(load));
+  reload_problem_.clear();
   if (sound_) {
     sound_->set_soundtrack(soundtrack_of(show));
   }
@@ -94,11 +98,15 @@ void PlayerServices::follow(const Playback& playback) {
   sound_->follow(playback.audio_cue());
   for (const std::string& problem : sound_->take_problems()) {
     tell(spdlog::level::warn, problem);
+    sound_problem_ = problem;
   }
 }
 
 void PlayerServices::post(PlayerStatus status) {
   status.sound = sound_ ? sound_->state() : "off";
+  if (status.problem.empty()) {
+    status.problem = reload_problem_.empty() ? sound_problem_ : reload_problem_;
+  }
   board_.post(std::move(status));
 }
 
@@ -106,7 +114,11 @@ std::optional<ShowReload::Result> PlayerServices::reloaded(bool now) {
   if (!reload_) {
     return std::nullopt;
   }
-  return now ? std::optional(reload_->reload()) : reload_->poll(steady_time());
+  auto result = now ? std::optional(reload_->reload()) : reload_->poll(steady_time());
+  if (result) {
+    reload_problem_ = result->problem;
+  }
+  return result;
 }
 
 void PlayerServices::tell(spdlog::level::level_enum level, const std::string& message) {

@@ -43,6 +43,7 @@ class PlayerServices {
 
   //! Once a frame: sound goes where the show is.
   void follow(const Playback& playback);
+  //! What is wrong with the show's file or with sound is put in where pictures have no problem.
   void post(PlayerStatus status);
 
   //! A version of the show's file that was saved since the last call, or why there is none; `now` reads it, changed or not.
@@ -55,6 +56,8 @@ class PlayerServices {
   std::shared_ptr<LogRing> ring_;
   std::shared_ptr<spdlog::logger> log_;
   std::string told_;
+  std::string reload_problem_;  //!< why the show's file as it is now is not the one that runs
+  std::string sound_problem_;
   CommandQueue queue_;
   StatusBoard board_;
   std::shared_ptr<ExternalClock> clock_;  //!< none: the show's own

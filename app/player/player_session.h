@@ -54,6 +54,9 @@ class PlayerSession {
   //! A stereo layout in place of the show's.
   void use_layout(StereoLayout layout) { stereo_.layout = layout; }
 
+  //! Shows a line for a while.
+  void say(std::string message);
+
   //! What was asked for and is not the session's matter, since the last call: quit, full_screen, reload, leave_exhibit.
   [[nodiscard]] std::vector<KeyAction> take_requests();
 
@@ -81,7 +84,6 @@ class PlayerSession {
   void adjust_stereo(KeyAction action);
   void navigate(const PlayerInput& input, double seconds);
   void look(double seconds);
-  void say(std::string message);
   [[nodiscard]] StereoSettings stereo_now() const;
   [[nodiscard]] double field_of_view_deg() const;
 

@@ -52,17 +52,25 @@ std::vector<NetAddress> reachable(const NetAddress& bound) {
 
 void add_remote_options(CLI::App& command, RemoteOptions& options) {
   const auto port = CLI::Range(0, 65'535);
-  command.add_option("--web", options.web_port, "port of the status page for browsers (0: any); see app/remote/WEB.md")
-      ->check(port);
+  CLI::Option* const web =
+      command
+          .add_option("--web", options.web_port, "port of the status page for browsers (0: any); see app/remote/WEB.md")
+          ->check(port);
   command
       .add_option("--web-bind", options.web_bind, "address that the page listens at; others than loopback need a token")
+      ->needs(web)
       ->capture_default_str();
-  command.add_option("--web-token", options.web_token,
-                     "token that other machines have to give (default: a new one, printed once)");
-  command.add_option("--web-token-file", options.web_token_file, "file that holds the token, made where there is none");
-  command.add_option("--osc", options.osc_port, "UDP port for OSC (0: any); see app/remote/OSC.md")->check(port);
+  command
+      .add_option("--web-token", options.web_token,
+                  "token that other machines have to give (default: a new one, printed once)")
+      ->needs(web);
+  command.add_option("--web-token-file", options.web_token_file, "file that holds the token, made where there is none")
+      ->needs(web);
+  CLI::Option* const osc =
+      command.add_option("--osc", options.osc_port, "UDP port for OSC (0: any); see app/remote/OSC.md")->check(port);
   command
       .add_option("--osc-bind", options.osc_bind, "address that OSC listens at; whoever reaches it controls the show")
+      ->needs(osc)
       ->capture_default_str();
 }
 

@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "content/files/whole_file.h"
+#include "content/mesh/named_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -84,16 +85,7 @@ class MeshFiles : public Assimp::IOSystem {
   [[nodiscard]] const std::string& missing() const { return missing_; }
 
  private:
-  //! The path of a file that the mesh names; empty where it is not there or not in the folder.
-  [[nodiscard]] std::filesystem::path inside(const std::string& file) const {
-    const std::filesystem::path named = std::filesystem::path(file).lexically_normal();
-    if (folder_.empty() || named.is_absolute() || named.empty() || *named.begin() == "..") {
-      return {};
-    }
-    std::error_code problem;
-    const std::filesystem::path path = folder_ / named;
-    return std::filesystem::is_regular_file(path, problem) ? path : std::filesystem::path();
-  }
+  [[nodiscard]] std::filesystem::path inside(const std::string& file) const { return file_of_mesh(folder_, file); }
 
   std::string name_;
   std::string_view bytes_;
@@ -187,7 +179,8 @@ MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& pl
     throw Error(place, fmt::format("names an image outside its folder (\"{}\")", named.string()),
                 "keep images beside the mesh");
   }
-  part.image.name = (folder / named).string();
+  const std::filesystem::path there = file_of_mesh(folder, named.string());
+  part.image.name = (there.empty() ? folder / named : there).string();
   return part;
 }
 

@@ -105,6 +105,9 @@ ObjectOrbit read_orbit(const toml::table& from, const std::string& file, const s
 }
 
 void read_way(TomlTable& table, const std::string& file, std::array<Animation, 3>& way) {
+  if (table.has("key") && table.tables("key", most_way_keys).empty()) {
+    throw table.error_at("key", "has no place", "write [{ t_s = 0, position = [10, 0, 0] }], or position alone");
+  }
   for (const toml::table* each : table.tables("key", most_way_keys)) {
     TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), way[0].keys.size()));
     const double time_s = reader.number("t_s", 0.0, -1e12, 1e12);

@@ -17,7 +17,11 @@ TriangleMesh make_mesh(const Show& show, std::size_t number) {
   const ObjectSettings& object = show.objects[number];
   switch (object.form) {
     case ObjectForm::triangle:
-      return make_triangle(object.triangle);
+      try {
+        return make_triangle(object.triangle);
+      } catch (const Error& error) {
+        throw named_by(show, fmt::format("objects[{}]", number), error);
+      }
     case ObjectForm::sphere:
       return make_sphere(object.sphere);
     case ObjectForm::disk:

@@ -164,7 +164,7 @@ TEST(Controls, SaysWhereAFileIsWrongAndWhatWasMeant) {
   EXPECT_THAT(error_of("[actions]\npause = \"Shift+J\"\n[steer]\nup = \"J\"\n"),
               HasSubstr("which actions.pause has already"));
   EXPECT_THAT(error_of("[actions]\npause = \"pad.left_x\"\n"), HasSubstr("which is moved, not pressed"));
-  EXPECT_THAT(error_of("[steer]\nup = [\"1e9*J\"]\n"), HasSubstr("no input"));
+  EXPECT_THAT(error_of("[steer]\nup = [\"1e9*J\"]\n"), HasSubstr("is no input here; CONTROLS.md"));
   EXPECT_THAT(error_of("[steer]\nup = 3\n"), HasSubstr("is not a list of inputs"));
   EXPECT_THAT(error_of("[steering]\nup = \"J\"\n"), HasSubstr("did you mean \"steer\"?"));
   EXPECT_THAT(error_of("[actions\n"), HasSubstr("c.toml:1"));

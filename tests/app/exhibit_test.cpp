@@ -125,5 +125,19 @@ TEST(OperatorsChord, MayBeBoundToOtherKeys) {
   EXPECT_FALSE(is_chord(controls, {GLFW_KEY_F9}));
 }
 
+TEST(PlayerInputs, DoNotSteerByAKeyThatWasPressedForAnAction) {
+  PlayerInputs inputs{Controls()};
+  const auto after = [&](WindowEvent::Kind kind, int key) {
+    const std::vector<WindowEvent> events = {{kind, key}};
+    return inputs.gather(events, {}, 1e-3);
+  };
+  after(WindowEvent::Kind::key_down, GLFW_KEY_LEFT_CONTROL);
+  const PlayerInput pressed = after(WindowEvent::Kind::key_down, GLFW_KEY_R);
+  EXPECT_EQ(pressed.actions, std::vector{KeyAction::reload});
+  EXPECT_EQ(after(WindowEvent::Kind::key_up, GLFW_KEY_LEFT_CONTROL).steering.rates.up, 0.0);
+  after(WindowEvent::Kind::key_up, GLFW_KEY_R);
+  EXPECT_EQ(after(WindowEvent::Kind::key_down, GLFW_KEY_R).steering.rates.up, 1.0);
+}
+
 }  // namespace
 }  // namespace ergodome

@@ -168,6 +168,7 @@ TEST(Timeline, RefusesNumbersThatCannotBeAnimated) {
               AllOf(HasSubstr("show.toml:5"), HasSubstr("cannot be animated"), HasSubstr("one size")));
   EXPECT_THAT(problem("camera.key"), HasSubstr("by its own keys"));
   EXPECT_THAT(problem("effects.bloom.strength"), AllOf(HasSubstr("no effects.bloom"), HasSubstr("[effects.bloom]")));
+  EXPECT_THAT(problem("shells[1].radius"), HasSubstr("write [[shells]] once more"));
   EXPECT_THAT(timeline_problem("[[animate]]\nkey = [{ t_s = 0, value = 1 }]\n"), HasSubstr("number is missing"));
   EXPECT_THAT(timeline_problem("[view]\nprojection = \"cylinder\"\n[[animate]]\nnumber = \"view.fov_deg\"\n"),
               HasSubstr("height"));

@@ -11,6 +11,7 @@
 
 #include "content/mesh/built_in_meshes.h"
 #include "content/mesh/mesh_reader.h"
+#include "content/mesh/named_file.h"
 #include "content/mesh/triangle_boxes.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -255,6 +256,18 @@ TEST(MeshReader, RefusesAnImageInsideTheFileOfNoKnownKind) {
                 parse_mesh(gltf_with_image(R"({"bufferView":2,"mimeType":"image/../x"})"), MeshFormat::gltf, "a.gltf");
               }),
               testing::HasSubstr("neither PNG nor JPEG"));
+}
+
+TEST_F(MeshFilesOnDisk, NamesOfAGltfMayBeUris) {
+  write("skin t\u00fcr.png", "");
+  write("d.gltf", gltf_with_image(R"({"uri":"skin%20t%C3%BCr.png"})"));
+  EXPECT_EQ(read_mesh(folder_ / "d.gltf").parts.front().image.name, (folder_ / "skin t\u00fcr.png").string());
+  EXPECT_EQ(file_of_mesh(folder_, "skin%20t\u00fcr.png"), folder_ / "skin t\u00fcr.png");
+  write("50%.png", "");
+  EXPECT_EQ(file_of_mesh(folder_, "50%.png"), folder_ / "50%.png");
+  EXPECT_EQ(file_of_mesh(folder_, "50%25.png"), folder_ / "50%.png");
+  EXPECT_EQ(file_of_mesh(folder_ / "inside", "%2e%2e/50%25.png"), "");
+  EXPECT_EQ(file_of_mesh(folder_, "%2Fetc%2Fpasswd"), "");
 }
 
 TEST_F(MeshFilesOnDisk, NothingOutsideTheFolderIsNamed) {
