@@ -40,7 +40,7 @@ bool clash(const Use& a, const Use& b) {
 //! An error about a name in a list: the nearest one is named where there is one.
 Error unknown(const TomlTable& table, std::string_view key, const std::string& text) {
   const std::string bare = text.substr(std::min(text.size(), text.find_last_of("*+-") + 1));
-  const std::vector<std::string> names = input_names();
+  const std::vector<std::string>& names = input_names();
   if (std::ranges::find(names, bare) != names.end()) {
     return table.error_at(key, fmt::format("names \"{}\", which is no input here", text.substr(0, 60)),
                           "CONTROLS.md tells what acts and what steers; factors go up to 100");
