@@ -14,8 +14,17 @@ namespace ergodome {
 
 namespace {
 
-unsigned texture_of(const MeshImage& from) {
-  const OverlayImage image = read_mesh_image(from);
+//! Whether a part shows its image once, so that nothing of one side of it is to be seen at the other.
+bool shows_image_once(const TriangleMesh& mesh, const MeshPart& part) {
+  const auto first = mesh.indices.begin() + static_cast<std::ptrdiff_t>(part.first_index);
+  return std::all_of(first, first + static_cast<std::ptrdiff_t>(part.index_count), [&](std::uint32_t index) {
+    const auto& at = mesh.vertices[index].texture;
+    return std::ranges::all_of(at, [](float place) { return place >= 0.0F && place <= 1.0F; });
+  });
+}
+
+unsigned texture_of(const TriangleMesh& mesh, const MeshPart& part) {
+  const OverlayImage image = read_mesh_image(part.image);
   GLuint texture = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &texture);
   glTextureStorage2D(texture, image.level_count, GL_RGBA16, image.width, image.height);
@@ -27,6 +36,9 @@ unsigned texture_of(const MeshImage& from) {
   }
   glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  const GLint beyond = shows_image_once(mesh, part) ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, beyond);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, beyond);
   return texture;
 }
 
@@ -47,7 +59,7 @@ std::uint32_t software_patches(double most_level) {
 
 GlMesh::GlMesh(const TriangleMesh& mesh) : in_software_(draws_in_software()) {
   for (const MeshPart& part : mesh.parts) {
-    parts_.push_back({part.first_index, part.index_count, part.color, part.image.empty() ? 0 : texture_of(part.image)});
+    parts_.push_back({part.first_index, part.index_count, part.color, part.image.empty() ? 0 : texture_of(mesh, part)});
   }
   while (glGetError() != GL_NO_ERROR) {
   }

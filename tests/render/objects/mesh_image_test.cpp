@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
+#include "content/show_reader.h"
 #include "kernels/core/error.h"
+#include "render/frame/show_renderer.h"
 #include "render/objects/object_meshes.h"
 #include "render/output/image_writer.h"
 #include "tests/support/folder_test.h"
@@ -48,6 +51,43 @@ TEST_F(MeshImages, ThatAreTornAreErrorsWithTheMeshsName) {
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("ship.glb"));
     }
+  }
+}
+
+TEST_F(MeshImages, AreNotSeenAroundTheirSides) {
+  // Red to the left and blue to the right, on a square that looks at the camera.
+  std::vector<std::uint8_t> rgb;
+  for (int i = 0; i < 64; ++i) {
+    rgb.insert(rgb.end(), i % 8 < 4 ? std::initializer_list<std::uint8_t>{255, 0, 0}
+                                    : std::initializer_list<std::uint8_t>{0, 0, 255});
+  }
+  write_png(folder_ / "halves.png", rgb, 8, 8);
+  std::ofstream(folder_ / "q.mtl") << "newmtl halves\nKd 1 1 1\nmap_Kd halves.png\n";
+  std::ofstream(folder_ / "q.obj")
+      << "mtllib q.mtl\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nv 0 -1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+         "usemtl halves\nf 1/1 2/2 3/3 4/4\n";
+  for (const char* const method : {"polygon", "trace"}) {
+    std::ofstream(folder_ / "q.toml")
+        << "[hole]\nspin = 0\n[[camera.key]]\nr = 30\n[view]\nprojection = \"pinhole\"\nfov_deg = 20\n"
+           "size_px = 100\n[sky]\nmap = \"black\"\n[[objects]]\nmesh = \"q.obj\"\n"
+           "position = [20, 0, 0]\nmethod = \""
+        << method << "\"\n";
+    ShowRenderer renderer(read_show(folder_ / "q.toml"), Backend::cpu);
+    const PixelValues rgba = renderer.render(0.0, {}).front().picture.rgba;
+    const auto light = [&](int x, std::size_t channel) {
+      return rgba[4UL * (50UL * 100UL + static_cast<std::size_t>(x)) + channel];
+    };
+    double red_right = 0.0;
+    double blue_left = 0.0;
+    double all = 0.0;
+    // Farther out there is the second image.
+    for (int x = 25; x < 75; ++x) {
+      (x < 40 ? blue_left : all) += static_cast<double>(light(x, 2));
+      (x >= 60 ? red_right : all) += static_cast<double>(light(x, 0));
+    }
+    EXPECT_GT(all, 20.0) << method;
+    EXPECT_EQ(blue_left, 0.0) << method;
+    EXPECT_EQ(red_right, 0.0) << method;
   }
 }
 
