@@ -15,7 +15,7 @@
 namespace ergodome {
 namespace {
 
-Show star_show(const std::string& faintest_mag) {
+Show show_of_stars(const std::string& faintest_mag) {
   return parse_show("[hole]\nspin = 0.5\n[[camera.key]]\nr = 8\n[sky]\nstars = \"bright_stars\"\nfaintest_mag = " +
                         faintest_mag + "\n[effects]\nmagnification = true\nredshift = true\n",
                     "stars.toml");
@@ -52,10 +52,10 @@ class KeptStars : public testing::Test {
     return pass_.find(eye, window(width_px), {}, match);
   }
 
-  StarPass pass_{star_show("6")};
+  StarPass pass_{show_of_stars("6")};
 };
 
-void expect_same(std::vector<StarPoint> points, std::vector<StarPoint> exact) {
+void expect_same_points(std::vector<StarPoint> points, std::vector<StarPoint> exact) {
   const auto place = [](const StarPoint& point) { return std::tuple(point.y_px, point.x_px, point.light.y); };
   std::ranges::sort(points, {}, place);
   std::ranges::sort(exact, {}, place);
@@ -69,11 +69,11 @@ void expect_same(std::vector<StarPoint> points, std::vector<StarPoint> exact) {
 
 TEST_F(KeptStars, AreThoseOfANewSearchWhereverACameraTurns) {
   for (double turn_deg = 0.0; turn_deg < 200.0; turn_deg += test::sanitized ? 60.0 : 12.0) {
-    StarPass fresh(star_show("6"));
+    StarPass fresh(show_of_stars("6"));
     const EyeCamera eye = turned(turn_deg);
     const std::vector<StarPoint> exact = fresh.find(eye, window(400), {});
     EXPECT_GT(exact.size(), 50U);
-    expect_same(find(eye), exact);
+    expect_same_points(find(eye), exact);
   }
 }
 
@@ -103,7 +103,7 @@ TEST_F(KeptStars, AreSoughtAnewWhereACameraMovesOtherwise) {
   find(eye);
   eye.motion = ObserverMotion::geodesic;
   const std::vector<StarPoint> moving = find(eye);
-  expect_same(moving, StarPass(star_show("6")).find(eye, window(400), {}));
+  expect_same_points(moving, StarPass(show_of_stars("6")).find(eye, window(400), {}));
 }
 
 TEST_F(KeptStars, OfBothEyesAreKept) {
@@ -121,7 +121,7 @@ TEST_F(KeptStars, OfBothEyesAreKept) {
 
 TEST_F(KeptStars, AreSoughtAnewWhereFainterOnesAreAskedFor) {
   const std::size_t bright = find(turned(0.0)).size();
-  pass_.set_numbers(star_show("6.5"));
+  pass_.set_numbers(show_of_stars("6.5"));
   EXPECT_GT(find(turned(0.0)).size(), bright);
 }
 
@@ -138,7 +138,7 @@ TEST_F(KeptStars, HaveNoNewGridWhereAPictureIsALittleNarrower) {
 
 TEST_F(KeptStars, OfNarrowerPicturesAreAsExact) {
   find(turned(0.0), 400);
-  expect_same(find(turned(0.0), 220), StarPass(star_show("6")).find(turned(0.0), window(220), {}));
+  expect_same_points(find(turned(0.0), 220), StarPass(show_of_stars("6")).find(turned(0.0), window(220), {}));
 }
 
 TEST_F(KeptStars, HaveANewGridForEachSizeWhereAPictureMustNotHangOnOthers) {
