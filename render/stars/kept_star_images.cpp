@@ -7,7 +7,7 @@ namespace ergodome {
 
 namespace {
 
-//! How far beyond the view of a camera that turns images are sought [rad]: a dome has a fifth more of them then, a window of 60 degrees seven tenths more, and a
+//! How far beyond the view of a camera that turns images are sought [rad]: by solid angle a dome has a fifth more of them then, a window of 60 degrees seven tenths, and a
 //! camera that turns by two degrees a picture seeks them for every seventh.
 constexpr double turning_margin = 0.25;
 

@@ -148,11 +148,11 @@ TEST_F(CommandLine, TellsACatalogueWithoutAStar) {
 
 TEST_F(CommandLine, TellsOptionsThatWantAnother) {
   EXPECT_NE(run("play dome-still --no-control"), 0);
-  EXPECT_THAT(output_, HasSubstr("--setup"));
+  EXPECT_THAT(output_, HasSubstr("requires --setup"));
   EXPECT_NE(run("play dome-still --idle 60"), 0);
-  EXPECT_THAT(output_, HasSubstr("--exhibit"));
+  EXPECT_THAT(output_, HasSubstr("requires --exhibit"));
   EXPECT_NE(run("play dome-still --web-bind 0.0.0.0"), 0);
-  EXPECT_THAT(output_, HasSubstr("--web"));
+  EXPECT_THAT(output_, HasSubstr("requires --web"));
 }
 
 TEST_F(CommandLine, NamesTheSetupOfAProjectorThatLightsNothing) {

@@ -116,26 +116,17 @@ void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
   }
 }
 
-BENCHMARK_CAPTURE(star_pictures, turns, Way::turns, PixelMatch::about)
-    ->Arg(8874)
-    ->Arg(118'216)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(star_pictures, goes_round, Way::goes_round, PixelMatch::about)
-    ->Arg(8874)
-    ->Arg(118'216)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+//! Of bright stars, and of all.
+void of_both_catalogues(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(8874)->Arg(118'216)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(star_pictures, turns, Way::turns, PixelMatch::about)->Apply(of_both_catalogues);
+BENCHMARK_CAPTURE(star_pictures, goes_round, Way::goes_round, PixelMatch::about)->Apply(of_both_catalogues);
 BENCHMARK_CAPTURE(star_pictures, goes_round_in_sizes, Way::goes_round_in_sizes, PixelMatch::about)
-    ->Arg(8874)
-    ->Arg(118'216)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->Apply(of_both_catalogues);
 BENCHMARK_CAPTURE(star_pictures, goes_round_in_sizes_of_their_own, Way::goes_round_in_sizes, PixelMatch::exact)
-    ->Arg(8874)
-    ->Arg(118'216)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->Apply(of_both_catalogues);
 BENCHMARK(star_place)
     ->Args({5000, 250})
     ->Args({118216, 250})
