@@ -3,18 +3,9 @@
 #include "content/disk_station.h"
 #include "render/disk/disk_camera.h"
 #include "render/disk/disk_grid_tracer.h"
+#include "render/lens/growing_grid.h"
 
 namespace ergodome {
-
-//! What a build did.
-struct DiskGridStatistics {
-  int nodes = 0;
-  int leaves = 0;
-  int flagged_leaves = 0;
-  long traced_nodes = 0;
-  long traced_checks = 0;
-  double flagged_px = 0.0;  //!< area of the flagged leaves on the screen [px²]
-};
 
 //! Builds the grid of a disk for a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon. The disk must have an outside.
 //!
@@ -23,6 +14,6 @@ struct DiskGridStatistics {
 //! near the plane sees the disk as a line. What stays bad at the depth limit or at `least_area_px` is flagged: its pixels are to be traced. A
 //! camera on the equator gets half a grid, mirrored on reading. Rays are in float, as those of pixels are.
 DiskStation build_disk_station(double spin, double r, double theta, const DiskGridSettings& settings,
-                               DiskGridStatistics* statistics = nullptr, DiskGridTracer* tracer = nullptr);
+                               GridStatistics* statistics = nullptr, DiskGridTracer* tracer = nullptr);
 
 }  // namespace ergodome

@@ -78,7 +78,7 @@ DiskGrids::Grid DiskGrids::make(const DiskGridRequest& request) {
   DiskGridSettings settings = disk_grid_settings(eye, request.disk, request.pixel);
   settings.budget_px = request.budget_px;
   settings.nearness = request.nearness;
-  DiskGridStatistics statistics;
+  GridStatistics statistics;
   const DiskStation station = build_disk_station(eye.spin, eye.r, eye.theta, settings, &statistics, &tracer_);
   ++built_;
   return {

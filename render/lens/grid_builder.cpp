@@ -1,15 +1,14 @@
 #include "render/lens/grid_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <unordered_map>
 #include <utility>
 
 #include "kernels/core/angles.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/lens/edge_table.h"
+#include "render/lens/growing_grid.h"
 #include "render/lens/hanging_nodes.h"
 #include "render/lens/station_derivatives.h"
 
@@ -23,13 +22,6 @@ constexpr int deepest_a_side = 10;
 //! Errors are sampled; the worst between the samples is about a quarter larger.
 constexpr double safety = 0.8;
 constexpr int grid_step_limit = 400;
-
-//! A cell on its way: its place in units of the finest cells, and its slot in the tree.
-struct OpenCell {
-  CellBox box;
-  int slot;
-  std::array<int, 4> corners;
-};
 
 //! What a cell's checks say of all of it.
 float worst_of(const float* checks) {
@@ -67,14 +59,17 @@ class GridBuilder {
   using RaysAt = std::function<Camera(const LensPlace& place)>;
 
   GridBuilder(LensStation& station, const GridSettings& settings, GridTracer<S, Camera>& tracer, RaysAt rays_at)
-      : station_(station), settings_(settings), tracer_(tracer), rays_at_(std::move(rays_at)) {}
+      : station_(station),
+        settings_(settings),
+        tracer_(tracer),
+        rays_at_(std::move(rays_at)),
+        grid_(station, root_columns, root_rows) {}
 
   GridStatistics build() {
     tracer_.begin(make_camera({station_.r, station_.theta}, grid_view(station_).chart),
                   converted_aberration<S>(settings_.observer), settings_.pixel);
-    std::vector<OpenCell> open = root_cells();
+    std::vector<OpenCell> open = grid_.root_cells();
     while (!open.empty()) {
-      place_corners(open);
       check(open);
       open = decide(open);
     }
@@ -85,10 +80,9 @@ class GridBuilder {
     if (settings_.derivatives) {
       trace_derivatives();
     }
-    mend_hanging_nodes(station_, node_by_place_, boxes_);
-    statistics_.nodes = static_cast<int>(station_.node_count());
-    statistics_.leaves = static_cast<int>(station_.leaf_count());
-    return statistics_;
+    mend_hanging_nodes(station_, grid_.nodes(), grid_.leaf_boxes());
+    grid_.statistics().nodes = static_cast<int>(station_.node_count());
+    return grid_.statistics();
   }
 
  private:
@@ -98,75 +92,19 @@ class GridBuilder {
         rays_at_(place), chart, {std::clamp(tolerance, sizeof(S) == 4 ? 3e-7 : 1e-12, 1e-5), grid_step_limit, true}};
   }
 
-  std::vector<OpenCell> root_cells() {
-    station_.columns = station_.mirrored ? root_columns / 2 : root_columns;
-    station_.rows = root_rows;
-    std::vector<OpenCell> open;
-    for (int row = 0; row < station_.rows; ++row) {
-      for (int column = 0; column < station_.columns; ++column) {
-        const CellBox box = {column * finest_a_root, row * finest_a_root, finest_a_root, finest_a_root};
-        open.push_back({box, static_cast<int>(station_.tree.size()), {}});
-        station_.tree.push_back(0);
-      }
-    }
-    return open;
-  }
-
-  [[nodiscard]] float gamma_turns(int place) const {
-    const int columns = station_.mirrored ? 2 * station_.columns : station_.columns;
-    return static_cast<float>(place) / static_cast<float>(columns * finest_a_root);
-  }
-
-  [[nodiscard]] float s_of(int place) const {
-    return static_cast<float>(place) / static_cast<float>(station_.rows * finest_a_root);
-  }
-
-  //! Finds or makes the nodes of new cells, and traces the new ones.
-  void place_corners(std::vector<OpenCell>& open) {
-    const int first = tracer_.node_count();
-    std::vector<float> gamma;
-    std::vector<float> s;
-    for (OpenCell& cell : open) {
-      for (int corner = 0; corner < 4; ++corner) {
-        const NodePlace place = corner_place(station_, cell.box, corner);
-        const auto [found, fresh] = node_by_place_.try_emplace(place.key(), first + static_cast<int>(gamma.size()));
-        if (fresh) {
-          gamma.push_back(gamma_turns(place.gamma));
-          s.push_back(s_of(place.s));
-        }
-        cell.corners[static_cast<std::size_t>(corner)] = found->second;
-      }
-    }
-    tracer_.add_nodes(gamma, s);
-    statistics_.traced_nodes += static_cast<long>(gamma.size());
-  }
-
   void trace_derivatives() {
-    std::vector<float> gamma(station_.node_count());
-    std::vector<float> s(station_.node_count());
-    for (const auto& [key, node] : node_by_place_) {
-      gamma[static_cast<std::size_t>(node)] = gamma_turns(static_cast<int>(key >> 32U));
-      s[static_cast<std::size_t>(node)] = s_of(static_cast<int>(key & 0xFFFFFFFFU));
-    }
+    const ChartPlaces places = grid_.node_places(station_.node_count());
     add_derivatives(station_, [&](const LensPlace& place, const LensChart& chart) {
-      statistics_.traced_nodes += static_cast<long>(gamma.size());
-      return tracer_.nodes_of(make_camera(place, chart), gamma, s);
+      grid_.statistics().traced_nodes += static_cast<long>(places.s.size());
+      return tracer_.nodes_of(make_camera(place, chart), places.gamma_turns, places.s);
     });
   }
 
-  void check(const std::vector<OpenCell>& open) {
-    std::vector<GridCell> cells;
-    cells.reserve(open.size());
-    for (const OpenCell& cell : open) {
-      const auto& c = cell.corners;
-      cells.push_back({{c[0], c[1], c[2], c[3]},
-                       gamma_turns(cell.box.gamma),
-                       s_of(cell.box.s),
-                       gamma_turns(cell.box.width),
-                       s_of(cell.box.height)});
-    }
-    tracer_.check(cells, checks_);
-    statistics_.traced_checks += static_cast<long>(checks_.error_px.size());
+  void check(std::vector<OpenCell>& open) {
+    const ChartPlaces fresh = grid_.place_corners(open, tracer_.node_count());
+    tracer_.add_nodes(fresh.gamma_turns, fresh.s);
+    tracer_.check(grid_.checked_cells(open), checks_);
+    grid_.statistics().traced_checks += static_cast<long>(checks_.error_px.size());
   }
 
   //! Makes leaves of what is good or cannot be made good, and splits the rest.
@@ -186,9 +124,9 @@ class GridBuilder {
       const bool may_split_s = box.height > finest_a_root >> deepest_a_side;
       if (worst <= limit || full || area < settings_.least_area_px || !(may_split_gamma || may_split_s)) {
         keep_displacements(i);
-        make_leaf(open[i], worst, worst > limit, area);
+        grid_.make_leaf(open[i], worst, worst > limit, area);
       } else {
-        split(open[i], may_split_gamma && (across_gamma >= across_s || !may_split_s) ? 0 : 1, next);
+        grid_.split(open[i], may_split_gamma && (across_gamma >= across_s || !may_split_s) ? 0 : 1, next);
       }
     }
     return next;
@@ -203,35 +141,12 @@ class GridBuilder {
     }
   }
 
-  void make_leaf(const OpenCell& cell, float error_px, bool flagged, float area_px) {
-    const auto leaf = static_cast<int>(station_.leaf_count());
-    station_.leaves.insert(station_.leaves.end(), cell.corners.begin(), cell.corners.end());
-    station_.leaf_error_px.push_back(error_px);
-    boxes_.push_back(cell.box);
-    station_.tree[static_cast<std::size_t>(cell.slot)] = -1 - (2 * leaf + (flagged ? 1 : 0));
-    statistics_.flagged_leaves += flagged ? 1 : 0;
-    statistics_.flagged_px += flagged ? static_cast<double>(area_px) * (station_.mirrored ? 2.0 : 1.0) : 0.0;
-  }
-
-  void split(const OpenCell& cell, int axis, std::vector<OpenCell>& next) {
-    const auto children = static_cast<int>(station_.tree.size());
-    station_.tree[static_cast<std::size_t>(cell.slot)] = 2 * children + axis;
-    station_.tree.insert(station_.tree.end(), 2, 0);
-    CellBox box = cell.box;
-    (axis == 0 ? box.width : box.height) /= 2;
-    next.push_back({box, children, {}});
-    (axis == 0 ? box.gamma : box.s) += axis == 0 ? box.width : box.height;
-    next.push_back({box, children + 1, {}});
-  }
-
   LensStation& station_;
   const GridSettings& settings_;
   GridTracer<S, Camera>& tracer_;
   RaysAt rays_at_;
-  NodeByPlace node_by_place_;
-  std::vector<CellBox> boxes_;
+  GrowingGrid grid_;
   CellChecks checks_;
-  GridStatistics statistics_;
 };
 
 }  // namespace

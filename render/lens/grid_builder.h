@@ -4,6 +4,7 @@
 #include "kernels/metric/frame_boost.h"
 #include "kernels/shadow/shadow_chart.h"
 #include "render/lens/grid_tracer.h"
+#include "render/lens/growing_grid.h"
 
 namespace ergodome {
 
@@ -18,16 +19,6 @@ struct GridSettings {
   bool derivatives = false;     //!< also how the nodes change along r and θ; the grid is then never mirrored
   bool inverted = false;        //!< images of stars are sought in it: what LensStation keeps for these
   double range = 0.0;           //!< of the chart; 0: what the budget asks for at the place, see chart_range()
-};
-
-//! What a build did.
-struct GridStatistics {
-  int nodes = 0;
-  int leaves = 0;
-  int flagged_leaves = 0;
-  long traced_nodes = 0;
-  long traced_checks = 0;
-  double flagged_px = 0.0;  //!< area of the flagged leaves on the screen [px²]
 };
 
 //! Builds the lens grid of a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
