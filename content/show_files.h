@@ -33,6 +33,9 @@ struct NamedFile {
 //! The files of sky, stars, spikes, shells and objects that a show names, in this order; what is built in is none.
 std::vector<NamedFile> files_of_pictures(const Show& show);
 
+//! These, and after them those of overlays and sound: all that a show names.
+std::vector<NamedFile> files_of_show(const Show& show);
+
 //! Whether a file that a show names is there.
 bool is_there(const Show& show, const std::string& name);
 

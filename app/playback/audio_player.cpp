@@ -9,6 +9,8 @@ namespace ergodome {
 
 namespace {
 
+const std::string no_device = "there is no sound device; the show goes on in silence";
+
 constexpr auto pace = std::chrono::milliseconds(20);
 constexpr auto between_looks = std::chrono::seconds(5);
 //! A player that says nothing for so long hangs; its sound ends.
@@ -53,6 +55,11 @@ std::vector<std::string> AudioPlayer::take_problems() {
   return std::exchange(problems_, {});
 }
 
+std::string AudioPlayer::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problem_;
+}
+
 std::string AudioPlayer::state() const {
   const std::lock_guard lock(mutex_);
   return state_;
@@ -62,8 +69,16 @@ void AudioPlayer::say(std::string problem) {
   // Nobody may be there to read them.
   constexpr std::size_t most = 100;
   const std::lock_guard lock(mutex_);
+  problem_ = problem;
   if (problems_.size() < most) {
     problems_.push_back(std::move(problem));
+  }
+}
+
+void AudioPlayer::unsay(const std::string& problem) {
+  const std::lock_guard lock(mutex_);
+  if (problem_ == problem) {
+    problem_.clear();
   }
 }
 
@@ -88,13 +103,22 @@ void AudioPlayer::find_output() {
   if (!output_ || stand_in) {
     set_state("no sound device");
     if (!std::exchange(said_silent_, true)) {
-      say("there is no sound device; the show goes on in silence");
+      say(no_device);
     }
     output_.reset();
     return;
   }
   said_silent_ = false;
+  unsay(no_device);
   set_state(output_->name());
+}
+
+void AudioPlayer::take_over(Soundtrack soundtrack) {
+  mixer_.reset();
+  soundtrack_ = std::move(soundtrack);
+  // Another show's sound: what was wrong with the one before says nothing of it.
+  looked_at_.reset();
+  said_silent_ = false;
 }
 
 void AudioPlayer::mix(const AudioCue& cue) {
@@ -118,8 +142,8 @@ void AudioPlayer::run() {
   std::unique_lock lock(mutex_);
   while (!ends_) {
     if (auto soundtrack = std::exchange(new_soundtrack_, std::nullopt)) {
-      mixer_.reset();
-      soundtrack_ = std::move(*soundtrack);
+      problem_.clear();
+      take_over(std::move(*soundtrack));
     }
     const std::optional<AudioCue> cue = cue_;
     lock.unlock();

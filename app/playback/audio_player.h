@@ -14,8 +14,8 @@ namespace ergodome {
 
 //! Plays a show's sound on the machine's device, from a thread of its own.
 //!
-//! Without a device, or when it is unplugged, the show goes on in silence, which is said once; a device is looked for again every
-//! few seconds.
+//! Without a device, or when it is unplugged, the show goes on in silence, which is said once a show; a device is looked for again
+//! every few seconds.
 class AudioPlayer {
  public:
   explicit AudioPlayer(double later_s = 0.0);
@@ -30,6 +30,8 @@ class AudioPlayer {
 
   //! Sentences about what went wrong since the last call, each once.
   std::vector<std::string> take_problems();
+  //! What is wrong with this show's sound: the last of them; empty where nothing is, or is no more.
+  [[nodiscard]] std::string problem() const;
   //! Where sound goes, or that there is none: for the status.
   [[nodiscard]] std::string state() const;
 
@@ -37,7 +39,9 @@ class AudioPlayer {
   void run();
   void find_output();
   void mix(const AudioCue& cue);
+  void take_over(Soundtrack soundtrack);
   void say(std::string problem);
+  void unsay(const std::string& problem);
   void set_state(std::string state);
 
   double later_s_;
@@ -47,6 +51,7 @@ class AudioPlayer {
   std::optional<Soundtrack> new_soundtrack_;
   std::optional<AudioCue> cue_;
   std::vector<std::string> problems_;
+  std::string problem_;
   std::string state_ = "no sound yet";
 
   // The thread's own.

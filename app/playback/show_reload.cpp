@@ -6,6 +6,8 @@
 #include <exception>
 #include <utility>
 
+#include "content/show_files.h"
+
 namespace ergodome {
 
 namespace {
@@ -87,22 +89,11 @@ std::filesystem::path file_of(const Show& show) { return std::filesystem::path(s
 
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Show& show) {
   std::vector<std::filesystem::path> files = {file};
-  const auto add = [&](const std::string& name) {
-    const std::filesystem::path path = std::filesystem::path(show.folder) / name;
-    if (!name.empty() && std::ranges::find(files, path) == files.end()) {
+  for (const NamedFile& named : files_of_show(show)) {
+    const std::filesystem::path path = std::filesystem::path(show.folder) / named.name;
+    if (std::ranges::find(files, path) == files.end()) {
       files.push_back(path);
     }
-  };
-  add(show.sky.map);
-  add(show.sky.stars);
-  if (show.effects.diffraction) {
-    add(show.effects.diffraction->pattern);
-  }
-  for (const Overlay& overlay : show.timeline.overlays) {
-    add(overlay.image);
-  }
-  for (const AudioTrack& track : show.timeline.audio) {
-    add(track.file);
   }
   return files;
 }

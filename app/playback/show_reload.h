@@ -88,8 +88,7 @@ class ShowReload {
 //! The file that a show was read from.
 std::filesystem::path file_of(const Show& show);
 
-//! The show's own file first, and those it names, there or not: its map, stars, spikes, overlays and sound. What is built in is a name
-//! of no file, which does no harm.
+//! The show's own file first, and those it names, there or not, each once.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Show& show);
 
 }  // namespace ergodome

@@ -98,14 +98,13 @@ void PlayerServices::follow(const Playback& playback) {
   sound_->follow(playback.audio_cue());
   for (const std::string& problem : sound_->take_problems()) {
     tell(spdlog::level::warn, problem);
-    sound_problem_ = problem;
   }
 }
 
 void PlayerServices::post(PlayerStatus status) {
   status.sound = sound_ ? sound_->state() : "off";
   if (status.problem.empty()) {
-    status.problem = reload_problem_.empty() ? sound_problem_ : reload_problem_;
+    status.problem = reload_problem_.empty() && sound_ ? sound_->problem() : reload_problem_;
   }
   board_.post(std::move(status));
 }

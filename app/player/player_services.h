@@ -57,7 +57,6 @@ class PlayerServices {
   std::shared_ptr<spdlog::logger> log_;
   std::string told_;
   std::string reload_problem_;  //!< why the show's file as it is now is not the one that runs
-  std::string sound_problem_;
   CommandQueue queue_;
   StatusBoard board_;
   std::shared_ptr<ExternalClock> clock_;  //!< none: the show's own

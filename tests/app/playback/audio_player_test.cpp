@@ -43,6 +43,23 @@ TEST_F(SoundWithoutDevice, IsSaidOnceAndTheShowGoesOn) {
   EXPECT_EQ(player.state(), "no sound device");
 }
 
+TEST_F(SoundWithoutDevice, IsAProblemUntilAShowWithoutSoundComes) {
+  test::write_ramp(folder_ / "a.wav", 8000, 1.0);
+  AudioTrack track;
+  track.file = "a.wav";
+  AudioPlayer player;
+  player.set_soundtrack({{track}, folder_, 10.0});
+  first_problems(player);
+  EXPECT_EQ(player.problem(), "there is no sound device; the show goes on in silence");
+  player.set_soundtrack({{track}, folder_, 20.0});
+  EXPECT_FALSE(first_problems(player).empty()) << "another show with sound says it again";
+  player.set_soundtrack({{}, folder_, 10.0});
+  for (const auto end = steady_time() + 20s; !player.problem().empty() && steady_time() < end;) {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(player.problem(), "");
+}
+
 TEST_F(SoundWithoutDevice, IsNoneOfTheBusinessOfAShowWithoutSound) {
   AudioPlayer player;
   player.set_soundtrack({{}, folder_, 10.0});

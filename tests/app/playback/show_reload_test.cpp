@@ -136,13 +136,18 @@ TEST_F(HotReload, FilesOfAShowAreThoseItNames) {
   show.name = "a";
   show.sky.map = "sky.exr";
   show.sky.stars = "stars.csv";
+  show.shells.resize(2);
+  show.shells[1].texture = "clouds.png";
+  show.objects.resize(1);
+  show.objects[0].mesh = "planet.glb";
   show.timeline.overlays.resize(2);
   show.timeline.overlays[0].image = "logo.png";
   show.timeline.overlays[1].image = "logo.png";
   show.timeline.audio.resize(1);
   show.timeline.audio[0].file = "/music/a.flac";
-  EXPECT_THAT(files_of(file_of(show), show), testing::ElementsAre("/shows/a.toml", "/shows/sky.exr", "/shows/stars.csv",
-                                                                  "/shows/logo.png", "/music/a.flac"));
+  EXPECT_THAT(files_of(file_of(show), show),
+              testing::ElementsAre("/shows/a.toml", "/shows/sky.exr", "/shows/stars.csv", "/shows/clouds.png",
+                                   "/shows/planet.glb", "/shows/logo.png", "/music/a.flac"));
 }
 
 }  // namespace
