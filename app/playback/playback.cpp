@@ -12,25 +12,6 @@ namespace {
 
 using Kind = TransportCommand::Kind;
 
-//! Whether a command moves the show's time, which a clock from outside does alone.
-bool moves_time(Kind kind) {
-  switch (kind) {
-    case Kind::play:
-    case Kind::pause:
-    case Kind::toggle_pause:
-    case Kind::seek:
-    case Kind::seek_by:
-    case Kind::step:
-    case Kind::speed:
-    case Kind::chapter:
-    case Kind::next_chapter:
-    case Kind::previous_chapter:
-      return true;
-    default:
-      return false;
-  }
-}
-
 std::string wider(const std::string& language) { return language.substr(0, language.find('-')); }
 
 }  // namespace
@@ -262,6 +243,7 @@ void Playback::fill(PlayerStatus& status) const {
     status.chapters.push_back({chapter.time_s, text_in(chapter.title, language_)});
   }
   status.clock = clock_text();
+  status.follows = external_ ? external_->name() : "";
   status.dropped_frames = clock_.dropped_frames();
 }
 

@@ -42,6 +42,26 @@ struct TransportCommand {
   bool operator==(const TransportCommand&) const = default;
 };
 
+//! Whether a command moves the show's time, which a clock from outside does alone.
+constexpr bool moves_time(TransportCommand::Kind kind) {
+  using Kind = TransportCommand::Kind;
+  switch (kind) {
+    case Kind::play:
+    case Kind::pause:
+    case Kind::toggle_pause:
+    case Kind::seek:
+    case Kind::seek_by:
+    case Kind::step:
+    case Kind::speed:
+    case Kind::chapter:
+    case Kind::next_chapter:
+    case Kind::previous_chapter:
+      return true;
+    default:
+      return false;
+  }
+}
+
 //! Commands on their way from other threads to the player, in order. Bounded: a flood loses its oldest.
 class CommandQueue {
  public:
@@ -96,6 +116,7 @@ struct PlayerStatus {
   int chapter = -1;  //!< index of the one that is running
   std::vector<ChapterStatus> chapters;
   std::string clock;     //!< what the show's time follows, and how: "own", "MIDI time code"
+  std::string follows;   //!< the clock from outside that moves its time alone; empty: none does
   std::string sound;     //!< the audio device, or that there is none
   std::string observer;  //!< the mode of the camera's motion
   std::string lens;

@@ -1,6 +1,7 @@
 #include "app/remote/command_rules.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -90,6 +91,17 @@ std::string language_of(std::string_view place, const CommandArgument& argument)
   return *tag;
 }
 
+//! The same, where the show has it.
+std::string spoken_language(std::string_view place, const CommandArgument& argument,
+                            const std::vector<std::string>& spoken) {
+  std::string tag = language_of(place, argument);
+  if (std::find(spoken.begin(), spoken.end(), tag) == spoken.end()) {
+    throw Error(std::string(place), fmt::format("the show does not speak \"{}\"", tag),
+                spoken.empty() ? "it has one language" : fmt::format("it speaks {}", fmt::join(spoken, ", ")));
+  }
+  return tag;
+}
+
 //! Index of the chapter with a title: written the same, or else but for upper and lower case.
 double index_of_title(std::string_view place, const std::string& title, const std::vector<ChapterStatus>& chapters) {
   const auto same = [&](const auto& change) {
@@ -155,6 +167,10 @@ double checked_number(std::string_view place, double number, double least, doubl
 }
 
 TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {
+  if (moves_time(rule.kind) && !status.follows.empty()) {
+    throw Error(std::string(rule.name), fmt::format("the show's time follows {}", status.follows),
+                "move the time there, or start the player with its own clock");
+  }
   TransportCommand command = {rule.kind, 0.0, {}};
   switch (rule.argument) {
     case Argument::none:
@@ -171,7 +187,7 @@ TransportCommand checked_command(const CommandRule& rule, const CommandArgument&
       command.value = truth(rule.name, argument) ? 1.0 : 0.0;
       break;
     case Argument::language_tag:
-      command.text = language_of(rule.name, argument);
+      command.text = spoken_language(rule.name, argument, status.languages);
       break;
     case Argument::chapter:
       command.value = chapter_index(rule, argument, status);

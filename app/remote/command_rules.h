@@ -41,7 +41,8 @@ std::string nearest_command(std::string_view word);
 using CommandArgument = std::variant<std::monostate, bool, double, std::string>;
 
 //! The command, with its argument held to the rule; titles of chapters are looked up in the status. Throws Error with the command's name as
-//! its place where the argument is missing, of another type, not finite or out of range.
+//! its place where the argument is missing, of another type, not finite or out of range, and where the show as it runs cannot do it: its time
+//! follows a clock from outside, it has no such chapter or language.
 TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status);
 
 //! A number held to bounds; throws Error where it is NaN, infinite or outside.

@@ -190,6 +190,7 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   clock->post({40s, 1.0, time_.now});
   EXPECT_EQ(now_s(), 40.0);
   EXPECT_EQ(status().clock, "MIDI time code");
+  EXPECT_EQ(status().follows, "MIDI time code");
   EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "the show follows MIDI time code");
   EXPECT_EQ(tell(Kind::exposure, 1.0), CommandOutcome::done);
@@ -198,6 +199,7 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   time_.pass(5.0);
   EXPECT_EQ(status().clock, "MIDI time code, lost, stopped");
   playback_.follow(nullptr);
+  EXPECT_EQ(status().follows, "");
   EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::done);
 }
 

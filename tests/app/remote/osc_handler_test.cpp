@@ -89,6 +89,22 @@ TEST_F(Osc, WhatIsWrongIsAnsweredWithASentence) {
   EXPECT_THAT(complaint_about({std::byte{'?'}}), HasSubstr("address"));
 }
 
+TEST_F(Osc, AShowThatFollowsAClockSaysSoToWhoMovesItsTime) {
+  PlayerStatus status = test::example_status();
+  status.follows = "MIDI time code";
+  board_.post(status);
+  for (const char* name : {"play", "pause", "next_chapter"}) {
+    now_.steady += seconds(1);
+    EXPECT_THAT(complaint_about(packet_of(std::string("/ergodome/") + name, "")), HasSubstr("follows MIDI time code"));
+  }
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "f", 3.0)), HasSubstr("follows MIDI time code"));
+  EXPECT_THAT(commands_of("/ergodome/blackout", "T"), ElementsAre(TransportCommand{Kind::blackout, 1.0, ""}));
+}
+
+TEST_F(Osc, LanguagesThatTheShowDoesNotSpeakAreRefusedWithThoseItDoes) {
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/language", "s", "fr")), HasSubstr("it speaks en, de"));
+}
+
 TEST_F(Osc, NumbersThatAreNotFiniteOrTooLargeAreRefused) {
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity(), 1e300}) {
