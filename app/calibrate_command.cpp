@@ -98,10 +98,10 @@ void compute(const CalibrateOptions& options, DomeSetup& setup) {
     ProjectorSetup& projector = setup.projectors[i];
     const WarpMesh warp = dome_warp(projectors[i], screen, options.master_px, options.tolerance_px);
     const std::string name = projector_file_name(i, projector.name);
-    write_text_atomically(out / (name + ".data"),
-                          to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px));
-    write_text_atomically(out / (name + "_blend.png"),
-                          to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"));
+    write_text_keeping_older(out / (name + ".data"),
+                             to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px));
+    write_text_keeping_older(out / (name + "_blend.png"),
+                             to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"));
     projector.warp.emplace();
     projector.warp->file = name + ".data";
     projector.blend_mask = name + "_blend.png";

@@ -11,17 +11,12 @@ namespace ergodome {
 
 namespace {
 
-void write_keeping_older(const std::filesystem::path& path, const std::string& bytes) {
-  keep_older(path);
-  write_text_atomically(path, bytes);
-}
-
 //! A mask where the corners take it, as a PNG beside the setup; its name.
 std::string write_mask(const std::filesystem::path& folder, const std::string& name, const CornerOffsets& corners,
                        const BlendMap& mask) {
   BlendMap moved = moved_mask(corners, mask);
   moved.bit_depth = 16;
-  write_keeping_older(folder / name, to_png(moved, name));
+  write_text_keeping_older(folder / name, to_png(moved, name));
   return name;
 }
 
@@ -58,9 +53,9 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
         continue;
       }
       const std::string name = projector_file_name(i, projector.name);
-      write_keeping_older(setup.folder / (name + ".data"),
-                          to_bourke_mesh(moved_warp(picture.corners, picture.warp),
-                                         static_cast<double>(picture.width_px) / picture.height_px));
+      write_text_keeping_older(setup.folder / (name + ".data"),
+                               to_bourke_mesh(moved_warp(picture.corners, picture.warp),
+                                              static_cast<double>(picture.width_px) / picture.height_px));
       projector.warp.emplace();
       projector.warp->file = name + ".data";
       if (picture.blend.width > 0) {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "content/files/whole_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -74,6 +75,17 @@ void keep_older(const std::filesystem::path& path) {
       throw Error(kept.string(), "cannot be written: " + failed.message(), "check the folder and its permissions");
     }
   });
+}
+
+void write_text_keeping_older(const std::filesystem::path& path, std::string_view text) {
+  std::error_code problem;
+  const auto bytes = std::filesystem::file_size(path, problem);
+  if (!problem && bytes == text.size() &&
+      read_whole_file(path, text.size(), "check the file and its permissions") == text) {
+    return;
+  }
+  keep_older(path);
+  write_text_atomically(path, text);
 }
 
 void make_folder(const std::filesystem::path& folder) {

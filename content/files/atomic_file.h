@@ -17,6 +17,9 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
 //! Copies a file that is there to NAME.bak, in place of an older one of that name. Throws Error where that cannot be.
 void keep_older(const std::filesystem::path& path);
 
+//! Writes text, and keeps what a file of that name held before as NAME.bak. A file that holds the same already stays, as does its .bak.
+void write_text_keeping_older(const std::filesystem::path& path, std::string_view text);
+
 //! Makes a folder, with those above it, where there is none. Throws Error where that cannot be.
 void make_folder(const std::filesystem::path& folder);
 

@@ -53,11 +53,6 @@ class BakeCommand : public CommandLine {
     write("moving.toml", moving_show);
   }
 
-  [[nodiscard]] std::string text_of(const std::string& name) const {
-    std::ifstream from(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(from), {}};
-  }
-
   //! Starts the program without waiting for it.
   [[nodiscard]] pid_t start(std::vector<std::string> words) const {
     const pid_t child = ::fork();
@@ -111,13 +106,13 @@ TEST_F(BakeCommand, KilledFiftyTimesTheFileIsTheSame) {
     } else {
       ++finished;
       ASSERT_EQ(WEXITSTATUS(status), 0);
-      EXPECT_TRUE(text_of("killed.trajectory") == text_of("whole.trajectory"));
+      EXPECT_TRUE(text("killed.trajectory") == text("whole.trajectory"));
       fs::remove(folder_ / "killed.trajectory");
     }
   }
   EXPECT_EQ(killed, wanted);
   ASSERT_EQ(run("bake moving.toml --out killed.trajectory --no-derivatives --budget 0.05"), 0) << output_;
-  EXPECT_TRUE(text_of("killed.trajectory") == text_of("whole.trajectory"));
+  EXPECT_TRUE(text("killed.trajectory") == text("whole.trajectory"));
   // Nothing else is left behind.
   for (const auto& entry : fs::directory_iterator(folder_)) {
     EXPECT_TRUE(entry.path().extension() == ".trajectory" || entry.path().extension() == ".toml" ||
@@ -142,7 +137,7 @@ TEST_F(BakeCommand, PartsOfSeveralProcessesJoinToTheSameFile) {
   }
   ASSERT_EQ(run("bake moving.toml --out joined.trajectory"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("(0 built now)"));
-  EXPECT_TRUE(text_of("joined.trajectory") == text_of("whole.trajectory"));
+  EXPECT_TRUE(text("joined.trajectory") == text("whole.trajectory"));
   EXPECT_FALSE(fs::exists(folder_ / "joined.trajectory.part-1-of-3"));
 }
 
@@ -153,7 +148,7 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
   ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
   ASSERT_EQ(run("render moving.toml --size 64 --frames 100:101 --backend cpu"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("streamed: 4 lenses"));
-  std::string bytes = text_of("moving.trajectory");
+  std::string bytes = text("moving.trajectory");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 16);
   write("moving.trajectory", bytes);
   EXPECT_NE(run("inspect moving.trajectory"), 0);

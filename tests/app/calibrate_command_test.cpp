@@ -59,6 +59,14 @@ TEST_F(CalibrateCommand, AndInspectTellTheSamePartsOfTheDome) {
   EXPECT_THAT(output_, testing::ContainsRegex("yes +29.[0-6] %"));
 }
 
+TEST_F(CalibrateCommand, KeepsWhatTheSetupsOwnFolderHeld) {
+  write("dome.toml", dome_of_two);
+  write("2_right.data", "measured by hand");
+  ASSERT_EQ(run("calibrate dome.toml --out . --size 512"), 0) << output_;
+  EXPECT_EQ(text("2_right.data.bak"), "measured by hand");
+  EXPECT_EQ(text("dome.toml.bak"), dome_of_two);
+}
+
 TEST_F(CalibrateCommand, WritesAnMpcdiCalibrationOfTheSame) {
   write("dome.toml", dome_of_two);
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512 --mpcdi made.mpcdi"), 0) << output_;

@@ -30,12 +30,7 @@ class ExhibitInAWindow : public test::CommandLine {
         "XDG_STATE_HOME='" + folder_.string() + "/state' XDG_CONFIG_HOME='" + folder_.string() + "'");
   }
 
-  [[nodiscard]] std::string log() const {
-    std::ifstream file(folder_ / "state/ergodome/ergodome.log");
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
+  [[nodiscard]] std::string log() const { return text("state/ergodome/ergodome.log"); }
 
   std::string scene_ =
       "[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 64\n";

@@ -18,11 +18,6 @@ using testing::HasSubstr;
 
 class AtomicFile : public test::FolderTest {
  protected:
-  [[nodiscard]] std::string text(const std::string& name) const {
-    std::ifstream file(folder_ / name);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   [[nodiscard]] long files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
 };
 
@@ -31,6 +26,16 @@ TEST_F(AtomicFile, ReplacesAnOlderFileWhole) {
   write_text_atomically(folder_ / "a.txt", "new");
   EXPECT_EQ(text("a.txt"), "new");
   EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, KeepsWhatWasThereBesideWhatIsWrittenOverIt) {
+  const auto file = folder_ / "warp.data";
+  write_text_keeping_older(file, "first");
+  EXPECT_FALSE(fs::exists(folder_ / "warp.data.bak"));
+  write_text_keeping_older(file, "other");
+  write_text_keeping_older(file, "other");
+  EXPECT_EQ(text("warp.data"), "other");
+  EXPECT_EQ(text("warp.data.bak"), "first");
 }
 
 TEST_F(AtomicFile, KeepsTheOlderFileWhenWritingFails) {
