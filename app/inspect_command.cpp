@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/idle_line_facts.h"
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
@@ -69,6 +70,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["budget_px"] = show.quality.budget_px;
   facts["not_drawn_yet"] = missing_features(show);
   facts["timeline"] = facts_of_timeline(show);
+  facts["idle"] = facts_of_idle_lines(show);
   for (const CameraKey& key : show.camera.keys) {
     facts["keys"].push_back({{"t_s", key.time_s},
                              {"r", key.r},
@@ -81,7 +83,7 @@ nlohmann::json facts_of(const Show& show) {
 
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    if (name != "keys" && name != "grid" && name != "timeline") {
+    if (name != "keys" && name != "grid" && name != "timeline" && name != "idle") {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
   }
@@ -96,6 +98,9 @@ void print_facts(const nlohmann::json& facts) {
   }
   if (facts.contains("timeline")) {
     print_timeline(facts["timeline"]);
+  }
+  if (facts.contains("idle")) {
+    print_idle_lines(facts["idle"]);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/backend_choice.h"
 #include "app/commands.h"
+#include "app/idle_line_facts.h"
 #include "app/lens_options.h"
 #include "app/number_check.h"
 #include "app/show_loading.h"
@@ -92,6 +93,7 @@ nlohmann::json json_of(const Show& show, const FramePlan& plan) {
                               {"bytes", known(buffer.bytes)},
                               {"why", buffer.why}});
   }
+  all["idle"] = facts_of_idle_lines(show);
   return all;
 }
 
@@ -120,6 +122,7 @@ void print(const nlohmann::json& plan) {
                buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
   }
   fmt::print("\n-: as many as it takes\n");
+  print_idle_lines(plan["idle"]);
 }
 
 void print(const Measured& measured) {

@@ -1,0 +1,83 @@
+#include "content/idle_lines.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::string_view animated = "animate.";
+
+class Idle {
+ public:
+  explicit Idle(const Show& show) : show_(show) {}
+
+  //! These keys, what is in their tables and what animates them change nothing.
+  void add(std::initializer_list<std::string_view> keys, const std::string& why) {
+    for (const auto& [path, line] : show_.lines) {
+      std::string_view of = path;
+      if (of.starts_with(animated)) {
+        of.remove_prefix(animated.size());
+      }
+      if (std::ranges::any_of(keys, [&](std::string_view key) { return is_of(key, of, path.size() > of.size()); })) {
+        lines_.push_back({path, line, why});
+      }
+    }
+  }
+
+  std::vector<IdleLine> in_order() {
+    std::ranges::stable_sort(lines_, {}, &IdleLine::line);
+    return lines_;
+  }
+
+ private:
+  //! Whether a path is the key's, or that of a number in its table, which is told by the table's own line where the file has one.
+  [[nodiscard]] bool is_of(std::string_view key, std::string_view path, bool animation) const {
+    const bool below = path.starts_with(key) && path.substr(key.size()).starts_with('.');
+    return path == key || (below && (animation || !show_.lines.contains(std::string(key))));
+  }
+
+  const Show& show_;
+  std::vector<IdleLine> lines_;
+};
+
+void add_sky(const Show& show, Idle& idle) {
+  if (show.sky.map == "black") {
+    idle.add({"sky.filter", "sky.shift", "sky.brightening", "sky.exposure"}, "is for a map, and this one is black");
+  } else if (!show.effects.redshift) {
+    idle.add({"sky.shift"}, "is for effects.redshift = true");
+  }
+  if (show.sky.stars.empty()) {
+    idle.add({"stars.method", "sky.faintest_mag", "effects.magnification", "effects.psf", "effects.trails",
+              "effects.diffraction"},
+             "is for stars, and sky.stars names none");
+  } else if (show.effects.diffraction && !show.effects.diffraction->pattern.empty()) {
+    idle.add({"effects.diffraction.blades", "effects.diffraction.vanes", "effects.diffraction.obstruction",
+              "effects.diffraction.size_px", "effects.diffraction.scale"},
+             "is for an aperture, and effects.diffraction.pattern stands in its place");
+  }
+}
+
+}  // namespace
+
+std::vector<IdleLine> idle_lines(const Show& show) {
+  Idle idle(show);
+  if (show.tone.curve != ToneCurve::reinhard) {
+    idle.add({"tone.white"}, "is for curve = \"reinhard\"");
+  }
+  if (show.tone.curve != ToneCurve::gamma) {
+    idle.add({"tone.gamma"}, "is for curve = \"gamma\"");
+  }
+  if (show.disk && show.disk->pattern == DiskPattern::none) {
+    idle.add({"disk.contrast", "disk.speed"}, "is for pattern = \"procedural\"");
+  }
+  if (show.stereo.model != StereoModel::omni) {
+    idle.add({"stereo.fade"}, "is for model = \"omni\"");
+  }
+  add_sky(show, idle);
+  return idle.in_order();
+}
+
+}  // namespace ergodome

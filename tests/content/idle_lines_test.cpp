@@ -1,0 +1,72 @@
+#include "content/idle_lines.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "content/show_reader.h"
+
+namespace ergodome {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<IdleLine> idle_in(const std::string& text) {
+  return idle_lines(parse_show(text + "[camera]\n[[camera.key]]\nr = 30\n", "film.toml"));
+}
+
+auto idle(int line, const std::string& key, const std::string& why) {
+  return AllOf(Field(&IdleLine::line, line), Field(&IdleLine::key, key), Field(&IdleLine::why, HasSubstr(why)));
+}
+
+TEST(IdleLines, AreNumbersOfAnotherCurve) {
+  EXPECT_THAT(idle_in("[tone]\ncurve = \"filmic\"\ngamma = 2\nwhite = 3\n"),
+              ElementsAre(idle(3, "tone.gamma", "curve = \"gamma\""), idle(4, "tone.white", "curve = \"reinhard\"")));
+  EXPECT_THAT(idle_in("[tone]\ncurve = \"gamma\"\ngamma = 2\n"), IsEmpty());
+  EXPECT_THAT(idle_in("[tone]\ncurve = \"reinhard\"\nwhite = 2\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreCloudsOfADiskWithout) {
+  EXPECT_THAT(idle_in("[disk]\nspeed = 3\n"), ElementsAre(idle(2, "disk.speed", "pattern")));
+  EXPECT_THAT(idle_in("[disk]\npattern = \"procedural\"\nspeed = 3\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreWhatConcernsStarsWhereThereAreNone) {
+  EXPECT_THAT(idle_in("[sky]\nfaintest_mag = 7\n[effects]\npsf = { sigma_px = 1 }\nredshift = true\n"),
+              ElementsAre(idle(2, "sky.faintest_mag", "stars"), idle(4, "effects.psf", "stars")));
+  EXPECT_THAT(idle_in("[sky]\nstars = \"bright_stars\"\nfaintest_mag = 7\n[effects]\npsf = { sigma_px = 1 }\n"),
+              IsEmpty());
+}
+
+TEST(IdleLines, AreTheApertureBesideAPattern) {
+  const std::string stars = "[sky]\nstars = \"bright_stars\"\n[effects.diffraction]\nblades = 5\n";
+  EXPECT_THAT(idle_in(stars), IsEmpty());
+  EXPECT_THAT(idle_in(stars + "pattern = \"spikes.png\"\n"),
+              ElementsAre(idle(4, "effects.diffraction.blades", "pattern")));
+}
+
+TEST(IdleLines, AreWhatConcernsAMapWhereTheSkyIsBlack) {
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nfilter = \"point\"\n"), ElementsAre(idle(3, "sky.filter", "black")));
+  EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n"), ElementsAre(idle(2, "sky.shift", "redshift")));
+}
+
+TEST(IdleLines, AreAnimationsToo) {
+  EXPECT_THAT(idle_in("[[animate]]\nnumber = \"tone.gamma\"\nkey = [{ t_s = 0, value = 2 }]\n"),
+              ElementsAre(idle(1, "animate.tone.gamma", "curve")));
+}
+
+TEST(IdleLines, AreInNoBuiltInShow) {
+  for (const auto& entry : std::filesystem::directory_iterator(ERGODOME_SOURCE_DIR "/content/shows")) {
+    if (entry.path().extension() == ".toml") {
+      EXPECT_THAT(idle_lines(read_show(entry.path())), IsEmpty()) << entry.path();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ergodome
