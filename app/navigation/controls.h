@@ -23,12 +23,16 @@ struct MouseState {
   double radians_per_px = 0;  //!< angle of the view that a pixel of the window is
 };
 
+//! How a help stands on the page: in columns, for letters of one width; as lines of cells parted by tabs, for fit_list(); or as lines of
+//! words for any letters, of the pad alone where there is one.
+enum class HelpForm { columns, cells, words };
+
 //! What a help lists.
 struct HelpChoice {
   bool pads = true;                           //!< a column for them, too
   ActionUser reader = ActionUser::presenter;  //!< visitors get their own actions alone
   std::string_view language = "en";           //!< "de", or English
-  bool columns = true;  //!< else lines of words for any letters: of the pad alone where there is one
+  HelpForm form = HelpForm::columns;
 };
 
 //! What keys, mouse and pads do: a map that a file may change (CONTROLS.md).

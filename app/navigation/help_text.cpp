@@ -1,17 +1,16 @@
-#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
+#include <string>
+#include <vector>
 
 #include "app/navigation/controls.h"
+#include "app/navigation/help_layout.h"
 
 namespace ergodome {
 
 namespace {
-
-//! Letters of a text in UTF-8: bytes that do not go on with one.
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 //! A line: keys and mouse, pad, what they do.
 using HelpLine = std::array<std::string, 3>;
@@ -41,7 +40,16 @@ class HelpLines {
     }
   }
 
-  [[nodiscard]] std::string text() const { return choice_.columns ? in_columns() : in_words(); }
+  [[nodiscard]] std::string text() const {
+    switch (choice_.form) {
+      case HelpForm::words:
+        return in_words();
+      case HelpForm::cells:
+        return in_cells();
+      default:
+        return in_blocks(in_cells(), 1);
+    }
+  }
 
  private:
   [[nodiscard]] std::string in_words() const {
@@ -55,21 +63,10 @@ class HelpLines {
     return text;
   }
 
-  [[nodiscard]] std::string in_columns() const {
-    std::array<std::size_t, 2> widths = {0, 0};
-    for (const HelpLine& line : lines_) {
-      for (std::size_t i = 0; i < widths.size(); ++i) {
-        widths[i] = std::max(widths[i], letters(line[i]));
-      }
-    }
+  [[nodiscard]] std::string in_cells() const {
     std::string text;
     for (const HelpLine& line : lines_) {
-      for (std::size_t i = 0; i < widths.size(); ++i) {
-        text += line[i];
-        text.append(widths[i] > 0 ? widths[i] + 2 - letters(line[i]) : 0, ' ');
-      }
-      text += line[2];
-      text += '\n';
+      text += fmt::format("{}\n", fmt::join(line, "\t"));
     }
     return text;
   }

@@ -72,7 +72,7 @@ class Player {
   void note_budget();
   //! Puts what visitors are to read into the picture; whether that is something else than before.
   bool add_words(PictureRequest& wish);
-  [[nodiscard]] std::string help_text(bool columns) const;
+  [[nodiscard]] std::string help_text(HelpForm form) const;
   void update_texts();
   void post_status();
   void keep_recording();

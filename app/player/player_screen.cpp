@@ -1,10 +1,10 @@
 #include "app/player/player_screen.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "app/setup_show.h"
 #include "render/output/image_writer.h"
+#include "render/output/text_image.h"
 
 namespace ergodome {
 
@@ -14,22 +14,6 @@ namespace {
 constexpr int widest_px = 1600;
 constexpr int highest_px = 1000;
 constexpr int beside_projectors_px = 700;
-
-//! The largest letters of one width with which a text fits into a window.
-int fitting_px(const std::string& text, int width, int height) {
-  constexpr double letter_width = 0.61;
-  constexpr double line_height = 1.5;
-  std::stringstream lines(text);
-  std::size_t longest = 1;
-  int count = 0;
-  for (std::string line; std::getline(lines, line); ++count) {
-    const auto letters = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    longest = std::max(longest, static_cast<std::size_t>(letters));
-  }
-  const double by_width = width / (letter_width * static_cast<double>(longest) + 1.0);
-  const double by_height = height / (line_height * count + 1.0);
-  return std::max(static_cast<int>(std::min(by_width, by_height)), 6);
-}
 
 }  // namespace
 
@@ -72,12 +56,26 @@ void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
     int width = 0;
     int height = 0;
     window_.framebuffer_size(width, height);
-    // Help, in the middle, has columns, and is as large as the window lets it.
-    const bool help = place == PanelPlace::middle;
     const int usual_px = std::clamp(std::min(width, height) / 50, 11, 36);
-    panel.panel.set(text, help ? std::min(usual_px, fitting_px(text, width, height)) : usual_px,
-                    help ? TextFace::monospaced : TextFace::proportional);
+    if (place == PanelPlace::middle) {
+      // Help is a list in columns, and as large as the window lets it.
+      const FittedText& list = fitted_help(text, {width, height}, usual_px);
+      panel.panel.set(list.text, list.letter_px, TextFace::monospaced);
+    } else {
+      panel.panel.set(text, usual_px);
+    }
   }
+}
+
+const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextSize& window, int usual_px) {
+  if (list != help_.list || window != help_.window) {
+    const MeasureText measure = [](const std::string& text, int letter_px) {
+      const TextLinesSize size = text_lines_size(text, letter_px, TextFace::monospaced);
+      return TextSize{size.width, size.height};
+    };
+    help_ = {list, window, fit_list(list, window, usual_px, measure)};
+  }
+  return help_.fitted;
 }
 
 void PlayerScreen::draw_window(int width, int height, bool by_eye) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/navigation/help_layout.h"
 #include "app/player/frame_source.h"
 #include "render/present/presenter.h"
 #include "render/present/projector_windows.h"
@@ -41,7 +42,7 @@ class PlayerScreen {
   [[nodiscard]] std::vector<WindowEvent> events();
   [[nodiscard]] bool closed() const;
 
-  //! Lines of text over the picture, at a place; none where it is empty.
+  //! Lines of text over the picture, at a place; none where it is empty. In the middle they are a list whose cells tabs part.
   void set_text(PanelPlace place, const std::string& text);
 
   //! Factor on the light of pictures, 0 to 1; text keeps its own.
@@ -55,6 +56,7 @@ class PlayerScreen {
 
  private:
   void draw_window(int width, int height, bool by_eye);
+  const FittedText& fitted_help(const std::string& list, const TextSize& window, int usual_px);
 
   std::optional<DomeSetup> setup_;
   Window window_;
@@ -64,6 +66,12 @@ class PlayerScreen {
     std::string words;
   };
   std::map<PanelPlace, Text> texts_;
+  struct Help {
+    std::string list;
+    TextSize window;
+    FittedText fitted;
+  };
+  Help help_;                                     //!< as it was fitted last
   std::unique_ptr<ProjectorWindows> projectors_;  //!< where there is a setup
 };
 

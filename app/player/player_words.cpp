@@ -14,7 +14,7 @@ bool Player::add_words(PictureRequest& wish) {
     return false;
   }
   if (options_.setup && session_->help_shown()) {
-    wish.captions = {help_caption(help_text(false))};
+    wish.captions = {help_caption(help_text(HelpForm::words))};
     wish.captions_opacity = 1.0;
   } else {
     wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());
@@ -29,12 +29,12 @@ bool Player::add_words(PictureRequest& wish) {
   return std::exchange(words_, words) != words || faded;
 }
 
-std::string Player::help_text(bool columns) const {
+std::string Player::help_text(HelpForm form) const {
   HelpChoice choice;
   choice.pads = !pad_snapshot_.pads.empty();
   choice.reader = exhibit_ ? ActionUser::visitor : ActionUser::presenter;
   choice.language = session_->playback().language();
-  choice.columns = columns;
+  choice.form = form;
   return inputs_.controls().help_text(choice);
 }
 
@@ -46,7 +46,7 @@ void Player::update_texts() {
   }
   screen_.set_text(PanelPlace::top_left, times);
   screen_.set_text(PanelPlace::bottom_middle, session_->caption());
-  screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(true) : "");
+  screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
 }
 
 void Player::post_status() {

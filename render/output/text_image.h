@@ -18,6 +18,13 @@ enum class TextFace { proportional, monospaced };
 //! A line of text, cut out close around it; empty where no font is installed.
 TextImage text_image(const std::string& text, int font_px);
 
+//! The size of text_lines_image() [px], without drawing it; 0 where that is empty.
+struct TextLinesSize {
+  int width = 0;
+  int height = 0;
+};
+TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face = TextFace::proportional);
+
 //! Lines of any UTF-8 text one below the other, with some room about them; empty where there is nothing to see or no font.
 TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional);
 

@@ -20,29 +20,50 @@ using Owned = std::unique_ptr<T, Free>;
 
 constexpr int longest_px = 8192;
 
-}  // namespace
+//! Lines on their way into a picture; without a layout where there are none.
+struct LaidLines {
+  Owned<PangoContext> context;
+  Owned<PangoLayout> layout;
+  TextLinesSize size;
+  int margin_px = 0;
+};
 
-TextImage text_lines_image(const std::string& text, int font_px, TextFace face) {
-  const Owned<PangoContext> context(pango_font_map_create_context(pango_cairo_font_map_get_default()));
-  const Owned<PangoLayout> layout(pango_layout_new(context.get()));
+LaidLines laid_lines(const std::string& text, int font_px, TextFace face) {
+  LaidLines laid;
+  laid.context.reset(pango_font_map_create_context(pango_cairo_font_map_get_default()));
+  laid.layout.reset(pango_layout_new(laid.context.get()));
   const Owned<PangoFontDescription> font(
       pango_font_description_from_string(face == TextFace::monospaced ? "DejaVu Sans Mono" : "DejaVu Sans"));
   pango_font_description_set_absolute_size(font.get(), static_cast<double>(font_px) * PANGO_SCALE);
-  pango_layout_set_font_description(layout.get(), font.get());
-  pango_layout_set_spacing(layout.get(), font_px * PANGO_SCALE / 4);
-  pango_layout_set_text(layout.get(), text.c_str(), -1);
+  pango_layout_set_font_description(laid.layout.get(), font.get());
+  pango_layout_set_spacing(laid.layout.get(), font_px * PANGO_SCALE / 4);
+  pango_layout_set_text(laid.layout.get(), text.c_str(), -1);
   int width = 0;
   int height = 0;
-  pango_layout_get_pixel_size(layout.get(), &width, &height);
-  const int margin_px = font_px / 2;
-  if (text.empty() || width <= 0 || width > longest_px || height > longest_px) {
+  pango_layout_get_pixel_size(laid.layout.get(), &width, &height);
+  laid.margin_px = font_px / 2;
+  if (!text.empty() && width > 0 && width <= longest_px && height <= longest_px) {
+    laid.size = {width + 2 * laid.margin_px, height + 2 * laid.margin_px};
+  }
+  return laid;
+}
+
+}  // namespace
+
+TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face) {
+  return laid_lines(text, font_px, face).size;
+}
+
+TextImage text_lines_image(const std::string& text, int font_px, TextFace face) {
+  const LaidLines laid = laid_lines(text, font_px, face);
+  if (laid.size.width == 0) {
     return {};
   }
-  TextImage image{width + 2 * margin_px, height + 2 * margin_px, {}};
+  TextImage image{laid.size.width, laid.size.height, {}};
   const Owned<cairo_surface_t> surface(cairo_image_surface_create(CAIRO_FORMAT_A8, image.width, image.height));
   const Owned<cairo_t> drawing(cairo_create(surface.get()));
-  cairo_move_to(drawing.get(), margin_px, margin_px);
-  pango_cairo_show_layout(drawing.get(), layout.get());
+  cairo_move_to(drawing.get(), laid.margin_px, laid.margin_px);
+  pango_cairo_show_layout(drawing.get(), laid.layout.get());
   cairo_surface_flush(surface.get());
   const unsigned char* const rows = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());

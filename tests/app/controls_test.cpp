@@ -185,11 +185,11 @@ TEST(ControlsHelp, LeavesOutForVisitorsWhatIsThePresenters) {
 }
 
 TEST(Controls, HelpInWordsTellsOfThePadAloneWhereThereIsOne) {
-  const std::string with = Controls().help_text({.reader = ActionUser::visitor, .columns = false});
+  const std::string with = Controls().help_text({.reader = ActionUser::visitor, .form = HelpForm::words});
   EXPECT_THAT(with, HasSubstr(": this help\n"));
   EXPECT_THAT(with, Not(HasSubstr("F1")));
   EXPECT_THAT(with, Not(HasSubstr("  ")));
-  EXPECT_THAT(Controls().help_text({.pads = false, .columns = false}), HasSubstr("F1: this help\n"));
+  EXPECT_THAT(Controls().help_text({.pads = false, .form = HelpForm::words}), HasSubstr("F1: this help\n"));
 }
 
 TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
