@@ -10,6 +10,7 @@
 #include "app/calibration_keys.h"
 #include "app/calibration_window.h"
 #include "app/commands.h"
+#include "app/interrupt.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/progress.h"
@@ -132,8 +133,9 @@ void run(const CalibrateOptions& options) {
   if (options.out.empty()) {
     throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
   }
+  end_on_interrupts();
   DomeSetup setup = read_dome_setup(options.setup);
-  of_setup_file(options.setup, [&] { compute(options, setup); });
+  compute(options, setup);
 }
 
 }  // namespace

@@ -100,8 +100,12 @@ void CalibrationWindow::act(CalibrationAction action) {
 
 void CalibrationWindow::save() {
   try {
+    const bool behind = state_.leaves_warps_behind();
     state_.note_saved(save_calibration(options_.setup, state_.setup(), state_.corners()));
     message_ = "saved to " + options_.setup;
+    message_ += behind ? "; patterns follow the new tilt, and warps in files are those of the old one:\nrun ergodome "
+                         "calibrate again, which makes them from where the projectors stand"
+                       : "";
     // What is shown from now on is what the files hold.
     files_ = files_of(state_.setup());
     pictures_ = projector_pictures(state_.setup());

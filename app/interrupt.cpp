@@ -20,6 +20,11 @@ void catch_interrupts() {
   std::signal(SIGTERM, note_signal);
 }
 
+void end_on_interrupts() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
 bool interrupted() { return stop_wanted != 0; }
 
 }  // namespace ergodome

@@ -8,4 +8,7 @@ void catch_interrupts();
 //! Whether a stop was asked for.
 bool interrupted();
 
+//! From now on SIGINT and SIGTERM end the program at once, for work that asks nobody whether to go on and writes whole files alone.
+void end_on_interrupts();
+
 }  // namespace ergodome

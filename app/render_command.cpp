@@ -85,9 +85,7 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
 
 int write_patterns(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   if (setup) {
-    return of_setup_file(options.setup, [&] {
-      return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
-    });
+    return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
   }
   require_file_layout(options, show);
   return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);

@@ -6,7 +6,6 @@
 
 #include "calibration/dome_setup.h"
 #include "content/show.h"
-#include "kernels/core/error.h"
 #include "render/output/image_writer.h"
 #include "render/present/headless_projectors.h"
 
@@ -15,17 +14,6 @@ namespace ergodome {
 //! Makes a show's pictures the domemaster that warps of a setup look up: 180°, equidistant, uncut, from inside, right as seen from the
 //! setup's viewer. How far it is tilted stays the show's. Throws Error for layouts that put two eyes into one picture.
 void fit_to_setup(Show& show, const DomeSetup& setup);
-
-//! Does `work` with a setup that was read from a file; what is wrong with its projectors is told with that file's name.
-template <class Work>
-auto of_setup_file(const std::string& file, Work&& work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    const bool of_projector = error.place().starts_with("projector ") || error.place() == "blend";
-    throw of_projector ? Error(file + ", " + error.place(), error.problem(), error.remedy()) : error;
-  }
-}
 
 //! The projectors' names for files: what of them is plain, and different for each.
 std::vector<std::string> plain_names(const DomeSetup& setup);
@@ -62,8 +50,8 @@ struct ProjectedPatterns {
   std::filesystem::path out;
 };
 
-//! Writes what the projectors show of them: PATTERN_PROJECTOR.png, and with all of them a sheet with its number for each, number_PROJECTOR.png. Patterns stand
-//! upright in the dome as it is tilted. Returns how many files.
+//! Writes what the projectors show of them: PATTERN_PROJECTOR.png, and with all of them a sheet with its number for each,
+//! number_PROJECTOR.png. Patterns stand upright in the dome as it is tilted. Returns how many files.
 int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup);
 
 //! The projection of a setup's domemasters whose up is straight up.

@@ -38,7 +38,8 @@ DomeBlend::DomeBlend(std::vector<ProjectorOptics> projectors, const DomeScreen& 
     }
   }
   if (!(level < std::numeric_limits<double>::infinity())) {
-    throw Error("blend", "no projector lights the dome",
+    throw Error(projectors_.empty() ? "blend" : projectors_.front().place(),
+                "lights no part of the dome, and no other projector does",
                 "check position_m, yaw_deg and pitch_deg: without angles a lens looks to the dome's front");
   }
   level_ = level;

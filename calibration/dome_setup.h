@@ -42,6 +42,7 @@ struct WarpFile {
 
 struct ProjectorSetup {
   std::string name;
+  std::string read_from;  //!< file and line, for messages ("dome.toml:12"); empty where it came from no file
   Vector3<double> position_m{};
   Orientation orientation;
   Lens lens;
@@ -57,6 +58,9 @@ struct ProjectorSetup {
   double gamma = 2.2;                               //!< of the projector: light = value ^ gamma
   Vector3<double> gain{1.0, 1.0, 1.0};              //!< factors of linear light, red, green, blue
 };
+
+//! How messages call a projector: "dome.toml:12, projector north".
+std::string place_of(const ProjectorSetup& projector);
 
 struct DomeSetup {
   double radius_m = 5.0;

@@ -79,6 +79,10 @@ void check_places(const TomlTable& table, const ProjectorSetup& projector, doubl
 
 }  // namespace
 
+std::string place_of(const ProjectorSetup& projector) {
+  return fmt::format("{}{}projector {}", projector.read_from, projector.read_from.empty() ? "" : ", ", projector.name);
+}
+
 DomeSetup parse_dome_setup(std::string_view text, const std::string& file, NamedFiles named_files) {
   const toml::table parsed = parse_toml(text, file, largest_mib, "a dome setup");
   DomeSetup setup;
@@ -93,6 +97,7 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
   for (std::size_t i = 0; i < tables.size(); ++i) {
     TomlTable table(*tables[i], file, fmt::format("projector[{}]", i));
     ProjectorSetup projector = read_projector(table, file, setup.folder, named_files);
+    projector.read_from = fmt::format("{}:{}", file, tables[i]->source().begin.line);
     check_places(table, projector, setup.radius_m);
     for (const ProjectorSetup& other : setup.projectors) {
       check_apart(table, projector, other);

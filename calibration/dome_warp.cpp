@@ -100,7 +100,7 @@ WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, i
   const bool lit = std::ranges::any_of(
       mesh.nodes, [](const WarpNode& node) { return node.valid && rim_part(node.u, node.v) <= 1.0; });
   if (!lit) {
-    throw Error("projector " + projector.name(), "lights no part of the dome",
+    throw Error(projector.place(), "lights no part of the dome",
                 "check its position_m, its angles, and the dome's radius_m and tilt_deg");
   }
   return mesh;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_conversion.h"
 #include "calibration/mpcdi_reader.h"
@@ -66,6 +69,33 @@ void load_warp(const WarpFile& warp, const std::filesystem::path& path, double a
   }
 }
 
+//! What `read` makes of a file that a projector names under `key`; what is wrong with it is told with that projector's place.
+template <class Read>
+auto read_for(const ProjectorSetup& projector, const char* key, const Read& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    throw Error(error.place(), fmt::format("{} ({} of {})", error.problem(), key, place_of(projector)), error.remedy());
+  }
+}
+
+//! A mask in the shape of the projector's raster, in any size.
+BlendMap read_mask(const DomeSetup& setup, const ProjectorSetup& projector, const char* key, const std::string& file) {
+  return read_for(projector, key, [&] {
+    const std::filesystem::path path = setup.folder / file;
+    BlendMap mask = read_blend_map(path);
+    const double height = static_cast<double>(mask.width) * projector.height_px / projector.width_px;
+    // Small ones are rounded.
+    if (std::abs(mask.height - height) > std::max(1.0, 0.02 * height)) {
+      throw Error(path.string(),
+                  fmt::format("is a mask of {} x {} for a raster of {} x {}, which has another shape", mask.width,
+                              mask.height, projector.width_px, projector.height_px),
+                  "save it in the raster's size, or a part of that");
+    }
+    return mask;
+  });
+}
+
 }  // namespace
 
 LoadedProjector load_projector(const DomeSetup& setup, const ProjectorSetup& projector) {
@@ -75,13 +105,15 @@ LoadedProjector load_projector(const DomeSetup& setup, const ProjectorSetup& pro
   loaded.orientation = projector.orientation;
   if (projector.warp) {
     const double aspect = static_cast<double>(projector.width_px) / projector.height_px;
-    load_warp(*projector.warp, setup.folder / projector.warp->file, aspect, loaded);
+    read_for(projector, "warp",
+             [&] { load_warp(*projector.warp, setup.folder / projector.warp->file, aspect, loaded); });
   }
   if (!projector.blend_mask.empty()) {
-    loaded.blend = MpcdiMask{read_blend_map(setup.folder / projector.blend_mask), projector.blend_mask_gamma};
+    loaded.blend =
+        MpcdiMask{read_mask(setup, projector, "blend_mask", projector.blend_mask), projector.blend_mask_gamma};
   }
   if (!projector.black_level_mask.empty()) {
-    loaded.black_level = read_blend_map(setup.folder / projector.black_level_mask);
+    loaded.black_level = read_mask(setup, projector, "black_level_mask", projector.black_level_mask);
   }
   const Vector3<double>& lift = projector.black_level_lift;
   if (lift.x > 0.0 || lift.y > 0.0 || lift.z > 0.0) {

@@ -30,7 +30,7 @@ FisheyeLens<double> law_of(const ProjectorFisheye& lens) {
 }  // namespace
 
 ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& projector)
-    : name_(projector.name),
+    : place_(place_of(projector)),
       dome_radius_m_(setup.radius_m),
       position_m_(projector.position_m),
       axes_(axes_of(projector.orientation)),
@@ -43,7 +43,7 @@ ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& p
     fisheye_ = *fisheye;
     law_ = law_of(*fisheye);
   } else {
-    throw Error("projector " + name_, "has no lens, so nothing tells where its picture goes",
+    throw Error(place_, "has no lens, so nothing tells where its picture goes",
                 "give it a frustum or a fisheye, with position_m and its angles");
   }
 }

@@ -33,7 +33,8 @@ class ProjectorOptics {
   //! Area of the sphere that the raster would light if all of it were lit as this place is [m²]; 0 where there is none.
   [[nodiscard]] double spread_m2(const RasterPlace& place) const;
 
-  [[nodiscard]] const std::string& name() const { return name_; }
+  //! How messages call the projector (place_of()).
+  [[nodiscard]] const std::string& place() const { return place_; }
   [[nodiscard]] double dome_radius_m() const { return dome_radius_m_; }
   [[nodiscard]] int longer_side_px() const { return longer_side_px_; }
 
@@ -45,7 +46,7 @@ class ProjectorOptics {
                                                             const Vector3<double>& way) const;
   [[nodiscard]] Vector3<double> mirror_point(const Vector3<double>& point) const;
 
-  std::string name_;
+  std::string place_;
   double dome_radius_m_;
   Vector3<double> position_m_;
   ProjectorAxes axes_;

@@ -66,7 +66,7 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
     if (const auto* const frustum = std::get_if<Frustum>(&loaded.lens)) {
       return through_lens(screen, *warp, loaded.orientation, *frustum);
     }
-    throw Error("projector " + projector.name, "has a warp of what its lens shows, and no flat lens",
+    throw Error(place_of(projector), "has a warp of what its lens shows, and no flat lens",
                 "write its frustum, or export the calibration as MPCDI profile 2d");
   }
   ProjectorSetup placed = projector;
@@ -161,7 +161,7 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
     return node.valid && node.u >= 0.0F && node.u <= 1.0F && node.v >= 0.0F && node.v <= 1.0F;
   });
   if (!shows_master) {
-    throw Error("projector " + projector.name, "has a warp that shows no part of the domemaster",
+    throw Error(place_of(projector), "has a warp that shows no part of the domemaster",
                 "check that it was made for this dome, and how it is read (rows, texture, x_range)");
   }
   turn(warp, one_degree * setup.rotation_deg);

@@ -6,7 +6,7 @@
 
 #include "app/backend_choice.h"
 #include "app/budget/budget_texts.h"
-#include "app/setup_show.h"
+#include "calibration/projector_picture.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -57,9 +57,7 @@ bool use_render_budget(RenderOptions& options, Show& show, const std::optional<D
   ShowRenderer renderer(show, backend, lens_choice(options.lens), open_stream(show, options.lens, backend));
   MeasurementOrder order;
   order.budget = budget;
-  order.size_px = options.size_px == 0 && setup
-                      ? of_setup_file(options.setup, [&] { return enough_master_px(projector_pictures(*setup)); })
-                      : options.size_px;
+  order.size_px = options.size_px == 0 && setup ? enough_master_px(projector_pictures(*setup)) : options.size_px;
   order.lens = lens_choice(options.lens);
   const SettingsMeasurement measured = measure_settings(renderer, show, order);
   const BudgetChoice choice = choose_setting(measured.settings, budget, BudgetFirst::error);

@@ -85,7 +85,7 @@ ProjectorWindow::ProjectorWindow(const Window& control, const ProjectorSetup& pr
   if (state_->window == nullptr) {
     const char* reason = nullptr;
     glfwGetError(&reason);
-    throw Error("projector " + projector.name,
+    throw Error(place_of(projector),
                 fmt::format("its window cannot be opened: {}", reason != nullptr ? reason : "no reason given"),
                 "check its monitor or window_px, and that the driver has OpenGL 4.5");
   }
@@ -123,7 +123,7 @@ void require_monitors(const DomeSetup& setup) {
   const int count = static_cast<int>(monitors().size());
   for (const ProjectorSetup& projector : setup.projectors) {
     if (projector.output.monitor.value_or(0) >= count && projector.output.monitor) {
-      throw Error("projector " + projector.name, fmt::format("there is no monitor {}", *projector.output.monitor),
+      throw Error(place_of(projector), fmt::format("there is no monitor {}", *projector.output.monitor),
                   count > 0 ? "choose from " + monitor_list() + ", or give it a window_px"
                             : "connect one, or give it a window_px");
     }

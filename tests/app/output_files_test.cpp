@@ -162,7 +162,7 @@ TEST_F(CommandLine, NamesTheSetupOfAProjectorThatLightsNothing) {
         "5, up_deg = 5, "
         "down_deg = -5 }\n");
   EXPECT_EQ(run("calibrate dome.toml --out c"), 1);
-  EXPECT_THAT(output_, HasSubstr("dome.toml, "));
+  EXPECT_THAT(output_, HasSubstr("dome.toml:3, projector down: lights no part of the dome"));
 }
 
 }  // namespace

@@ -142,7 +142,8 @@ TEST_F(SetupCommands, MissingMonitorsAreToldWithThoseThatThereAre) {
     return;
   }
   EXPECT_NE(code_, 0);
-  EXPECT_THAT(output_, HasSubstr("projector left / one: there is no monitor 7; choose from 0 ("));
+  EXPECT_THAT(output_, testing::ContainsRegex(
+                           "far.toml:[0-9]+, projector left / one: there is no monitor 7; choose from 0 \\("));
 }
 
 TEST_F(SetupCommands, WithoutADisplaySayWhatToDo) {

@@ -16,6 +16,7 @@ namespace ergodome {
 namespace {
 
 using namespace test;
+using testing::AllOf;
 using testing::HasSubstr;
 
 //! u = x, v = y, at full intensity, on a raster of 2:1.
@@ -86,7 +87,15 @@ TEST_F(SetupConversion, LensOfTheSetupComesBeforeThatOfACalibration) {
 TEST_F(SetupConversion, MaskThatIsNoImageIsAnErrorWithItsName) {
   write("a.data", plain_mesh);
   write("a.png", "nothing");
-  EXPECT_THAT(error_of([&] { loaded("warp = \"a.data\"\nblend_mask = \"a.png\"\n"); }), HasSubstr("a.png"));
+  EXPECT_THAT(error_of([&] { loaded("warp = \"a.data\"\nblend_mask = \"a.png\"\n"); }),
+              AllOf(HasSubstr("a.png"), HasSubstr("(blend_mask of "), HasSubstr("dome.toml:3, projector P)")));
+}
+
+TEST_F(SetupConversion, MaskOfAnotherShapeThanTheRasterIsAnError) {
+  write("a.data", plain_mesh);
+  write("a.png", png_by_hand(6, 6, 1, 8, std::vector<std::uint32_t>(36, 255)));
+  EXPECT_THAT(error_of([&] { loaded("warp = \"a.data\"\nblend_mask = \"a.png\"\n"); }),
+              HasSubstr("is a mask of 6 x 6 for a raster of 8 x 4"));
 }
 
 TEST_F(SetupConversion, WarpMaskAndLiftBecomeAMediaCalibration) {
