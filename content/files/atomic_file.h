@@ -6,7 +6,7 @@
 namespace ergodome {
 
 //! Writes a file so that it is there whole or not at all: `write` fills a file beside it, which is then flushed to the disk and
-//! renamed. When anything fails (a full disk, a folder without permission, an exception of `write`) the partial file is removed,
+//! renamed; a link stays, and what it names is written. Throws Error where the name is that of a device, a pipe or a folder. When anything fails (a full disk, a folder without permission, an exception of `write`) the partial file is removed,
 //! an older file of that name stays as it was, and Error says what happened.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& partial)>& write);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <fstream>
@@ -26,6 +27,24 @@ TEST_F(AtomicFile, ReplacesAnOlderFileWhole) {
   write_text_atomically(folder_ / "a.txt", "new");
   EXPECT_EQ(text("a.txt"), "new");
   EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, WritesWhatALinkNamesAndKeepsTheLink) {
+  write_text_atomically(folder_ / "a.txt", "old");
+  fs::create_symlink("a.txt", folder_ / "link.txt");
+  write_text_atomically(folder_ / "link.txt", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_EQ(text("a.txt"), "new");
+}
+
+TEST_F(AtomicFile, ReplacesNoPipeAndNoFolder) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  fs::create_directory(folder_ / "folder");
+  for (const char* name : {"pipe", "folder"}) {
+    EXPECT_THAT(test::error_of([&] { write_text_atomically(folder_ / name, "text"); }), HasSubstr("is no file"));
+  }
+  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+  EXPECT_EQ(files(), 2);
 }
 
 TEST_F(AtomicFile, KeepsWhatWasThereBesideWhatIsWrittenOverIt) {
