@@ -40,8 +40,12 @@ void run(const CatalogueOptions& options) {
   Show show;
   show.sky.stars = options.stars;
   StarCatalogue catalogue = load_stars(show);
-  std::erase_if(catalogue.stars, [&](const CatalogueStar& star) { return star.v_mag > options.faintest; });
+  const auto fainter =
+      std::erase_if(catalogue.stars, [&](const CatalogueStar& star) { return star.v_mag > options.faintest; });
   print_summary(catalogue);
+  if (fainter > 0) {
+    fmt::print("{} fainter than V {} left out\n", fainter, options.faintest);
+  }
   if (!options.out.empty()) {
     write_star_file(catalogue, options.out);
     fmt::print("written to {}: {} bytes\n", options.out, std::filesystem::file_size(options.out));

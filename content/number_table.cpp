@@ -81,12 +81,14 @@ NumberTable::NumberTable(std::istream& stream, std::string file) : stream_(strea
 }
 
 std::optional<std::size_t> NumberTable::find(std::string_view name) const {
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (names_[i] == name) {
-      return i;
-    }
+  const auto found = std::ranges::find(names_, name);
+  if (found == names_.end()) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  if (std::find(found + 1, names_.end(), name) != names_.end()) {
+    throw Error(file_ + ":1", fmt::format("has two columns {}", name), "leave one of them, or rename it");
+  }
+  return static_cast<std::size_t>(found - names_.begin());
 }
 
 std::size_t NumberTable::need(std::string_view name) const {
@@ -109,6 +111,11 @@ bool NumberTable::next(TableLine& line) {
     }
     ++rows_;
     line.cells = split(text_);
+    const auto extra = line.cells.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), line.cells.size()));
+    if (std::any_of(extra, line.cells.end(), [](std::string_view cell) { return !cell.empty(); })) {
+      throw Error(line.place, fmt::format("has {} cells, and the first line names {}", line.cells.size(), names_.size()),
+                  "name every column; a number has a point, and no comma");
+    }
     return true;
   }
   return false;

@@ -32,12 +32,12 @@ class NumberTable {
   //! Reads the first line; `file` is how messages call the table.
   NumberTable(std::istream& stream, std::string file);
 
-  //! A column's number by its name.
+  //! A column's number by its name; throws Error where two have it.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   //! The same; throws Error where there is none.
   [[nodiscard]] std::size_t need(std::string_view name) const;
 
-  //! Takes the next line that is not empty; false at the end.
+  //! Takes the next line that is not empty; false at the end. Throws Error where it has more cells than the first line names.
   bool next(TableLine& line);
 
  private:

@@ -63,6 +63,26 @@ void check(const RayRow& row, const TableLine& line) {
   }
 }
 
+//! A velocity beside an observer who has his own must be that one; cells that are empty, and zeros, say nothing.
+void check_velocity(const RayRow& row, const TableLine& line, const Columns& columns) {
+  constexpr double same = 1e-6;
+  if (row.motion == ObserverMotion::velocity) {
+    return;
+  }
+  const Vector3<double> v = observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
+  const double own[3] = {v.x, v.y, v.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool given = columns.beta[i] && !line.cell(*columns.beta[i]).empty();
+    const double beta = given ? line.number(*columns.beta[i], "beta") : 0.0;
+    if (beta != 0.0 && !(std::abs(beta - own[i]) < same)) {
+      throw Error(line.place,
+                  fmt::format("gives another velocity than {} has there ({:.6g}, {:.6g}, {:.6g})",
+                              line.cell(columns.observer), own[0], own[1], own[2]),
+                  "write the observer boost, or leave the cells beta_* empty");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions) {
@@ -91,6 +111,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
       row.velocity = vector_of(line, columns.beta, "beta");
     }
     check(row, line);
+    check_velocity(row, line, columns);
     if (columns.direction[0] && columns.direction[1] && columns.direction[2]) {
       const Vector3<double> n = vector_of(line, columns.direction, "n");
       const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});

@@ -63,6 +63,9 @@ class TableBuilder {
       name_column(cell);
     } else if (cell_ < columns_.size() && columns_[cell_]) {
       take_number(*columns_[cell_], cell);
+    } else if (cell_ >= named_ && !cell.empty()) {
+      fail(fmt::format("has more cells than the {} that the first line names", named_),
+           "name every column, and put cells that hold commas in quotes");
     }
     ++cell_;
   }
@@ -110,6 +113,9 @@ class TableBuilder {
       column.reset();
     }
     if (column) {
+      if (has_[*column]) {
+        fail(fmt::format("has two columns for {}", column_words[*column]), "leave one of them, or rename it");
+      }
       has_[*column] = true;
     }
     semicolons_ = semicolons_ || cell.find(';') != std::string_view::npos;
@@ -120,6 +126,7 @@ class TableBuilder {
 
   void end_header() {
     in_header_ = false;
+    named_ = cell_;
     values_.fill(std::numeric_limits<double>::quiet_NaN());
     if (!(has_[ra_deg] || has_[ra_hours]) || !has_[dec_deg] || !has_[magnitude]) {
       fail(
@@ -180,6 +187,7 @@ class TableBuilder {
   std::string file_;
   std::size_t line_ = 1;
   std::size_t cell_ = 0;
+  std::size_t named_ = 0;  //!< columns of the header
   bool in_header_ = true;
   bool semicolons_ = false;  //!< in the header
   std::vector<std::optional<Column>> columns_;

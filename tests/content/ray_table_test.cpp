@@ -83,6 +83,15 @@ TEST(RayTable, ProblemsNameTheLine) {
   EXPECT_THAT(ray_problem(header + std::string(70'000, '1') + "\n"), HasSubstr("too much"));
 }
 
+TEST(RayTable, NothingInALineIsIgnored) {
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1,0,0,7\n"), AllOf(HasSubstr("rays.csv:2"), HasSubstr("has 8 cells")));
+  EXPECT_EQ(ray_problem(header + "0,9,1,zamo,1,0,0,,\n"), "");
+  EXPECT_THAT(ray_problem("a,r,r,theta,observer,n_r,n_theta,n_phi\n0,9,9,1,zamo,1,0,0\n"),
+              HasSubstr("has two columns r"));
+  EXPECT_THAT(ray_problem("a,r,theta,observer,n_r,n_theta,n_phi,beta_phi\n0,9,1,zamo,1,0,0,0.5\n"),
+              HasSubstr("gives another velocity than zamo has there"));
+}
+
 TEST(RayTable, MissingFileIsAnErrorWithItsName) {
   EXPECT_THAT(test::error_of([] { read_ray_table("no/such.csv"); }), HasSubstr("no/such.csv"));
 }

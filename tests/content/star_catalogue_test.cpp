@@ -117,6 +117,13 @@ TEST(StarTable, TextForANumberIsAnErrorWithItsLine) {
               AllOf(HasSubstr("stars.csv:3"), HasSubstr("two"), HasSubstr("a declination should be")));
 }
 
+TEST(StarTable, CellsWithoutAColumnAndColumnsGivenTwiceAreErrors) {
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,2,3,4\n"),
+              AllOf(HasSubstr("stars.csv:2"), HasSubstr("more cells")));
+  EXPECT_EQ(parsed_stars("ra_deg,dec_deg,v_mag\n1,2,3,,\n").stars.size(), 1U);
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag,mag\n1,2,3,4\n"), HasSubstr("two columns for a magnitude"));
+}
+
 TEST(StarTable, ColumnsMayBeNamedInCapitals) {
   const StarCatalogue read = parsed_stars("RA,Dec,Mag,CI\n1,2,3,0.5\n");
   ASSERT_EQ(read.stars.size(), 1U);
