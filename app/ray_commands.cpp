@@ -5,7 +5,10 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/near_ray_commands.h"
@@ -18,7 +21,6 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
-#include "kernels/shadow/critical_curve.h"
 #include "render/lens/grid_builder.h"
 #include "render/lens/quadtree_builder.h"
 
@@ -32,7 +34,6 @@ struct RayOptions {
   std::string method = "taylor";
   std::string precision = "double";
   double tolerance = 0.0;
-  int points = 0;
   std::string budget = "0.1px";
   int size_px = 4096;
   int level = 10;
@@ -89,9 +90,9 @@ RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchAr
   return batch;
 }
 
-//! Lines of the table that is written.
+//! What is written: a line for each ray.
 struct SkyTable {
-  std::string text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
+  std::vector<std::string> lines;
   std::size_t unresolved = 0;  //!< rays that did not converge
 };
 
@@ -99,11 +100,10 @@ struct SkyTable {
 template <class S>
 void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
   constexpr const char* words[] = {"escaped", "captured", "not_converged"};
-  std::string& text = table.text;
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
     const bool unresolved = status == static_cast<std::size_t>(RayStatus::not_converged);
-    text += fmt::format("{},{},", rows[begin + i].id, words[status]);
+    std::string text = fmt::format("{},{},", rows[begin + i].id, words[status]);
     if (status == 0) {
       text += fmt::format("{:.17g},{:.17g},{:.17g},", arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]);
     } else {
@@ -111,6 +111,7 @@ void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const Batch
     }
     text += fmt::format("{:.17g},{:.0f},", arrays.g[i], arrays.steps[i]);
     text += unresolved ? "\n" : fmt::format("{:.17g}\n", arrays.error_estimate[i]);
+    table.lines.push_back(std::move(text));
     table.unresolved += unresolved ? 1 : 0;
   }
 }
@@ -199,8 +200,11 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
 }
 
 void run_trace(const RayOptions& options) {
-  const std::vector<RayRow> rows = read_ray_table(options.rays);
+  // A grid is built once for each camera, wherever its rows stand.
+  const GroupedRows grouped = grouped_by_camera(read_ray_table(options.rays));
+  const std::vector<RayRow>& rows = grouped.rows;
   SkyTable table;
+  table.lines.reserve(rows.size());
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
     if (options.method == "grid") {
       look_up_group(rows, begin, end, options, table);
@@ -212,38 +216,12 @@ void run_trace(const RayOptions& options) {
       trace_group<double>(rows, begin, end, options, table);
     }
   });
-  write_text_atomically(options.out, table.text);
+  write_text_atomically(options.out, "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" +
+                                         joined_in_place(table.lines, grouped.place));
   if (table.unresolved > 0) {
     fmt::print(stderr, "ergodome: {} of {} rays did not converge; give a coarser --tolerance, or another --method\n",
                table.unresolved, rows.size());
   }
-}
-
-void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
-                   std::string& text) {
-  for (int i = 0; i < count; ++i) {
-    const double gamma = full_turn * i / count;
-    const double alpha = edge_polar_angle(camera, chart, gamma);
-    const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
-    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", id, i, n.x, n.y, n.z);
-  }
-}
-
-void run_edge(const RayOptions& options) {
-  const std::vector<RayRow> rows = read_ray_table(options.rays);
-  std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
-  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
-    const CameraStation camera = station_of(rows[begin]);
-    const ShadowChart chart = make_shadow_chart(camera);
-    if (options.points > 0) {
-      append_points(camera, chart, rows[begin].id, options.points, text);
-      return;
-    }
-    for (std::size_t i = begin; i < end; ++i) {
-      text += fmt::format("{},{:.17g}\n", rows[i].id, edge_distance(camera, chart, rows[i].direction));
-    }
-  });
-  write_text_atomically(options.out, text);
 }
 
 }  // namespace
@@ -289,20 +267,6 @@ void add_trace_command(CLI::App& app) {
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
       run_trace(*options);
     }
-  });
-}
-
-void add_edge_command(CLI::App& app) {
-  auto options = std::make_shared<RayOptions>();
-  CLI::App* command =
-      app.add_subcommand("edge", "Signed angle of directions from the shadow's edge, or points of the edge");
-  command->add_option("--rays", options->rays, "table of rays (CSV), as for trace")->required();
-  command->add_option("--out", options->out, "table to write")->required();
-  command->add_option("--points", options->points, "write this many points of the edge for each camera instead")
-      ->check(CLI::Range(1, 1'000'000));
-  command->callback([options] {
-    require_other_file("--out", options->out, {options->rays});
-    run_edge(*options);
   });
 }
 

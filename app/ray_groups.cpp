@@ -1,6 +1,10 @@
 #include "app/ray_groups.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -10,12 +14,43 @@ namespace ergodome {
 
 namespace {
 
-bool same_camera(const RayRow& a, const RayRow& b) {
-  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion && a.velocity.x == b.velocity.x &&
-         a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
+//! What tells cameras apart.
+auto camera_of(const RayRow& row) {
+  return std::tuple(row.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
 }
 
+bool same_camera(const RayRow& a, const RayRow& b) { return camera_of(a) == camera_of(b); }
+
 }  // namespace
+
+GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
+  std::map<decltype(camera_of(rows[0])), std::size_t> number_of;
+  std::vector<std::size_t> camera(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    camera[i] = number_of.try_emplace(camera_of(rows[i]), number_of.size()).first->second;
+  }
+  GroupedRows grouped;
+  grouped.place.resize(rows.size());
+  std::iota(grouped.place.begin(), grouped.place.end(), std::size_t{0});
+  std::ranges::stable_sort(grouped.place, {}, [&](std::size_t i) { return camera[i]; });
+  grouped.rows.reserve(rows.size());
+  for (const std::size_t i : grouped.place) {
+    grouped.rows.push_back(std::move(rows[i]));
+  }
+  return grouped;
+}
+
+std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& place) {
+  std::vector<std::size_t> from(place.size());
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    from[place[i]] = i;
+  }
+  std::string text;
+  for (const std::size_t i : from) {
+    text += lines[i];
+  }
+  return text;
+}
 
 void for_each_camera(const std::vector<RayRow>& rows, const std::function<void(std::size_t, std::size_t)>& work) {
   constexpr std::size_t longest_run = 1'000'000;

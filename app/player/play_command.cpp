@@ -18,6 +18,7 @@
 #include "app/player/player.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
+#include "render/output/stereo_layout.h"
 
 namespace ergodome {
 
@@ -56,7 +57,7 @@ std::string key_help() {
 void use_setup(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
   options.setup = read_dome_setup(arguments.setup);
-  options.projectors = of_setup_file(arguments.setup, [&] { return projector_pictures(*options.setup); });
+  options.projectors = projector_pictures(*options.setup);
   if (!arguments.size_given) {
     options.size_px = enough_master_px(options.projectors);
   }
@@ -133,11 +134,18 @@ void run(PlayArguments arguments) {
   options.load = [arguments](const std::string& name) { return loaded_show(arguments, name); };
   const Show show = options.load(arguments.show.empty() ? "free-flight" : arguments.show);
   tell_equal_eyes(show);
+  if (keeps_eyes_apart(show.stereo.layout) && !options.setup) {
+    fmt::print(stderr, "ergodome: the window shows the eyes of layout {} side by side; render writes them apart\n",
+               stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
+  }
   const Backend backend = choose_backend(arguments.backend);
   const bool may_fall_back = arguments.backend == "auto";
-  const RendererLoader::Make make = [backend, may_fall_back, lens = arguments.lens](const Show& any) {
+  const RendererLoader::Make make = [backend, may_fall_back, lens = arguments.lens,
+                                     size_px = options.size_px](const Show& any) {
     const auto on = [&](Backend chosen) {
-      return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), open_stream(any, lens, chosen));
+      std::shared_ptr<StationStream> stream = open_stream(any, lens, chosen);
+      tell_coarse_stream(stream.get(), any, lens, size_px);
+      return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), std::move(stream));
     };
     try {
       return on(backend);

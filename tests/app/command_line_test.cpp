@@ -4,16 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 
 #include "kernels/launch/instruction_set.h"
 #include "render/output/image_reader.h"
 #include "render/output/image_writer.h"
-#include "tests/support/csv_table.h"
 
 // The program as a person runs it.
 namespace ergodome {
@@ -66,91 +61,6 @@ TEST_F(CommandLine, NumbersThatAreNoneAreOneLineAndNotZero) {
     EXPECT_THAT(output_, testing::HasSubstr("\"nan\" is not a number from")) << arguments;
     EXPECT_EQ(std::count(output_.begin(), output_.end(), '\n'), 1) << output_;
   }
-}
-
-TEST_F(CommandLine, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
-  const std::string rays = ERGODOME_TEST_DATA_DIR "/rays.csv";
-  const auto expected = test::read_csv(rays);
-  for (const char* method : {"taylor", "closed_form"}) {
-    ASSERT_EQ(run("trace --rays '" + rays + "' --out out.csv --method " + method), 0) << output_;
-    const auto traced = test::read_csv(folder_ / "out.csv");
-    ASSERT_EQ(traced.size(), expected.size());
-    for (std::size_t i = 0; i < traced.size(); ++i) {
-      const auto& want = expected[i];
-      const auto& got = traced[i];
-      ASSERT_EQ(got.at("id"), want.at("id"));
-      ASSERT_EQ(got.at("status"), want.at("status")) << method << " " << want.at("id");
-      const double g = std::stod(want.at("g"));
-      EXPECT_NEAR(std::stod(got.at("g")), g, 1e-12 * std::abs(g)) << method << " " << want.at("id");
-      if (want.at("status") == "escaped") {
-        const auto difference = [&](const char* axis) { return std::stod(got.at(axis)) - std::stod(want.at(axis)); };
-        const double error = std::hypot(difference("sky_x"), difference("sky_y"), difference("sky_z"));
-        EXPECT_LT(error, 1e-10 + 1e-13 / std::abs(std::stod(want.at("edge_distance"))))
-            << method << " " << want.at("id");
-      }
-    }
-  }
-}
-
-TEST_F(CommandLine, TraceWorksByEveryMethodInBothPrecisions) {
-  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
-  for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
-    for (const char* precision : {"float", "double"}) {
-      ASSERT_EQ(run(std::string("trace --rays rays.csv --out out.csv --tolerance 1e-5 --method ") + method +
-                    " --precision " + precision),
-                0)
-          << output_;
-      const auto rows = test::read_csv(folder_ / "out.csv");
-      ASSERT_EQ(rows.size(), 2U);
-      EXPECT_EQ(rows[0].at("status"), "escaped") << method;
-      EXPECT_EQ(rows[1].at("status"), "captured") << method;
-      EXPECT_EQ(rows[1].at("sky_x"), "");
-    }
-  }
-}
-
-TEST_F(CommandLine, TraceTellsOfRaysThatDoNotConverge) {
-  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi,id\n0.9,10,1.57,zamo,-0.3,0.2,0.9,x\n");
-  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34"), 0) << output_;
-  EXPECT_THAT(output_, testing::HasSubstr("1 of 1 rays did not converge"));
-  std::ifstream written(folder_ / "sky.csv");
-  std::string line;
-  std::getline(written, line);
-  std::getline(written, line);
-  EXPECT_TRUE(line.starts_with("x,not_converged,,,,") && line.ends_with(",")) << line;
-}
-
-TEST_F(CommandLine, EdgeOfTheReferencePointsIsNowhere) {
-  ASSERT_EQ(run("edge --rays '" ERGODOME_TEST_DATA_DIR "/edge.csv' --out out.csv"), 0) << output_;
-  const auto rows = test::read_csv(folder_ / "out.csv");
-  ASSERT_EQ(rows.size(), 1088U);
-  for (const auto& row : rows) {
-    EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-10);
-  }
-}
-
-TEST_F(CommandLine, EdgeWritesPointsThatLieOnTheEdge) {
-  write("camera.csv", "id,a,r,theta,observer,n_r,n_theta,n_phi\nmy camera,0.9,6,1.2,rain,1,0,0\n");
-  ASSERT_EQ(run("edge --rays camera.csv --out points.csv --points 8"), 0) << output_;
-  const auto points = test::read_csv(folder_ / "points.csv");
-  ASSERT_EQ(points.size(), 8U);
-  EXPECT_EQ(points[3].at("id"), "my camera");
-  std::string rays = "a,r,theta,observer,n_r,n_theta,n_phi\n";
-  for (const auto& point : points) {
-    rays += "0.9,6,1.2,rain," + point.at("n_r") + "," + point.at("n_theta") + "," + point.at("n_phi") + "\n";
-  }
-  write("rays.csv", rays);
-  ASSERT_EQ(run("edge --rays rays.csv --out out.csv"), 0);
-  for (const auto& row : test::read_csv(folder_ / "out.csv")) {
-    EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-13);
-  }
-}
-
-TEST_F(CommandLine, ProblemsInATableNameTheLineAndLeaveNoFile) {
-  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,0.5,1.2,zamo,1,0,0\n");
-  EXPECT_EQ(run("trace --rays rays.csv --out out.csv"), 1);
-  EXPECT_THAT(output_, HasSubstr("rays.csv:2"));
-  EXPECT_FALSE(fs::exists(folder_ / "out.csv"));
 }
 
 TEST_F(CommandLine, RenderWritesNumberedFramesAndResumesWhatIsMissing) {
@@ -321,6 +231,14 @@ TEST_F(PlayInAWindow, ShowsAPicture) {
 TEST_F(PlayInAWindow, TakesPicturesSmallerThanItsOwnSmallest) {
   play("--size 32 --for 0.5 --times");
   EXPECT_TRUE(fs::exists(folder_ / "shot.png"));
+}
+
+TEST_F(PlayInAWindow, SaysThatEyesOfSeparateFilesAreSideBySide) {
+  write("small.toml", small_show);
+  ASSERT_EQ(run_on_display("play small.toml --stereo separate --baseline 0.1 --backend cpu --no-sound --for 0.3", ""),
+            0)
+      << output_;
+  EXPECT_THAT(output_, HasSubstr("the window shows the eyes of layout separate side by side"));
 }
 
 TEST_F(CommandLine, InspectDrawsTheGridOfAShowAtATime) {

@@ -1,0 +1,155 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "tests/app/command_line.h"
+#include "tests/support/csv_table.h"
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+
+//! Tables of rays as a person gives them to the program.
+class RayCommands : public test::CommandLine {};
+
+TEST_F(RayCommands, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
+  const std::string rays = ERGODOME_TEST_DATA_DIR "/rays.csv";
+  const auto expected = test::read_csv(rays);
+  for (const char* method : {"taylor", "closed_form"}) {
+    ASSERT_EQ(run("trace --rays '" + rays + "' --out out.csv --method " + method), 0) << output_;
+    const auto traced = test::read_csv(folder_ / "out.csv");
+    ASSERT_EQ(traced.size(), expected.size());
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+      const auto& want = expected[i];
+      const auto& got = traced[i];
+      ASSERT_EQ(got.at("id"), want.at("id"));
+      ASSERT_EQ(got.at("status"), want.at("status")) << method << " " << want.at("id");
+      const double g = std::stod(want.at("g"));
+      EXPECT_NEAR(std::stod(got.at("g")), g, 1e-12 * std::abs(g)) << method << " " << want.at("id");
+      if (want.at("status") == "escaped") {
+        const auto difference = [&](const char* axis) { return std::stod(got.at(axis)) - std::stod(want.at(axis)); };
+        const double error = std::hypot(difference("sky_x"), difference("sky_y"), difference("sky_z"));
+        EXPECT_LT(error, 1e-10 + 1e-13 / std::abs(std::stod(want.at("edge_distance"))))
+            << method << " " << want.at("id");
+      }
+    }
+  }
+}
+
+TEST_F(RayCommands, TraceWorksByEveryMethodInBothPrecisions) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
+  for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
+    for (const char* precision : {"float", "double"}) {
+      ASSERT_EQ(run(std::string("trace --rays rays.csv --out out.csv --tolerance 1e-5 --method ") + method +
+                    " --precision " + precision),
+                0)
+          << output_;
+      const auto rows = test::read_csv(folder_ / "out.csv");
+      ASSERT_EQ(rows.size(), 2U);
+      EXPECT_EQ(rows[0].at("status"), "escaped") << method;
+      EXPECT_EQ(rows[1].at("status"), "captured") << method;
+      EXPECT_EQ(rows[1].at("sky_x"), "");
+    }
+  }
+}
+
+TEST_F(RayCommands, TraceInClosedFormKnowsWhatTheHorizonsOfAnExtremalHoleDoToIt) {
+  std::string rays = "a,r,theta,observer,n_r,n_theta,n_phi\n";
+  for (const char* camera : {"1,1.5,1.57,zamo,", "-1,1.5,1.57,zamo,", "1,1.05,1,rain,", "1,6,1,zamo,"}) {
+    for (int i = 0; i < 40; ++i) {
+      const double z = (i + 0.5) / 20.0 - 1.0;
+      const double across = std::sqrt(1.0 - z * z);
+      rays += camera + std::to_string(z) + "," + std::to_string(across * std::cos(2.4 * i)) + "," +
+              std::to_string(across * std::sin(2.4 * i)) + "\n";
+    }
+  }
+  write("rays.csv", rays);
+  ASSERT_EQ(run("trace --rays rays.csv --out exact.csv --method taylor"), 0) << output_;
+  ASSERT_EQ(run("trace --rays rays.csv --out closed.csv --method closed_form"), 0) << output_;
+  const auto exact = test::read_csv(folder_ / "exact.csv");
+  const auto closed = test::read_csv(folder_ / "closed.csv");
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    ASSERT_EQ(exact[i].at("status"), closed[i].at("status")) << i;
+    if (exact[i].at("status") == "escaped") {
+      const auto difference = [&](const char* axis) {
+        return std::stod(exact[i].at(axis)) - std::stod(closed[i].at(axis));
+      };
+      const double error = std::hypot(difference("sky_x"), difference("sky_y"), difference("sky_z"));
+      EXPECT_LT(error, 1e-12 + std::stod(closed[i].at("error_estimate")) + std::stod(exact[i].at("error_estimate")))
+          << i;
+    }
+  }
+}
+
+TEST_F(RayCommands, TraceTellsOfRaysThatDoNotConverge) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi,id\n0.9,10,1.57,zamo,-0.3,0.2,0.9,x\n");
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("1 of 1 rays did not converge"));
+  std::istringstream written(text("sky.csv"));
+  std::string line;
+  std::getline(written, line);
+  std::getline(written, line);
+  EXPECT_TRUE(line.starts_with("x,not_converged,,,,") && line.ends_with(",")) << line;
+}
+
+TEST_F(RayCommands, EdgeOfTheReferencePointsIsNowhere) {
+  ASSERT_EQ(run("edge --rays '" ERGODOME_TEST_DATA_DIR "/edge.csv' --out out.csv"), 0) << output_;
+  const auto rows = test::read_csv(folder_ / "out.csv");
+  ASSERT_EQ(rows.size(), 1088U);
+  for (const auto& row : rows) {
+    EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-10);
+  }
+}
+
+TEST_F(RayCommands, EdgeWritesPointsThatLieOnTheEdge) {
+  write("camera.csv", "id,a,r,theta,observer,n_r,n_theta,n_phi\nmy camera,0.9,6,1.2,rain,1,0,0\n");
+  ASSERT_EQ(run("edge --rays camera.csv --out points.csv --points 8"), 0) << output_;
+  const auto points = test::read_csv(folder_ / "points.csv");
+  ASSERT_EQ(points.size(), 8U);
+  EXPECT_EQ(points[3].at("id"), "my camera");
+  std::string rays = "a,r,theta,observer,n_r,n_theta,n_phi\n";
+  for (const auto& point : points) {
+    rays += "0.9,6,1.2,rain," + point.at("n_r") + "," + point.at("n_theta") + "," + point.at("n_phi") + "\n";
+  }
+  write("rays.csv", rays);
+  ASSERT_EQ(run("edge --rays rays.csv --out out.csv"), 0);
+  for (const auto& row : test::read_csv(folder_ / "out.csv")) {
+    EXPECT_LT(std::abs(std::stod(row.at("edge_distance"))), 1e-13);
+  }
+}
+
+TEST_F(RayCommands, TraceBuildsAGridOnceForEachCameraWhereverItsRowsStand) {
+  const std::string header = "a,r,theta,observer,n_r,n_theta,n_phi,id\n";
+  const std::string near = "0.5,8,1.2,zamo,-0.2,0.3,0.9,near\n";
+  const std::string far = "0.5,12,1.2,zamo,-0.2,0.3,0.9,far\n";
+  write("mixed.csv", header + near + far + near + far + near);
+  ASSERT_EQ(run("trace --rays mixed.csv --out mixed.out --method grid --size 512"), 0) << output_;
+  std::istringstream told(output_);
+  int grids = 0;
+  for (std::string line; std::getline(told, line);) {
+    grids += line.starts_with("a 0.5 r ") ? 1 : 0;
+  }
+  EXPECT_EQ(grids, 2) << output_;
+  const auto rows = test::read_csv(folder_ / "mixed.out");
+  ASSERT_EQ(rows.size(), 5U);
+  const char* const ids[] = {"near", "far", "near", "far", "near"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].at("id"), ids[i]);
+    EXPECT_EQ(rows[i].at("sky_x"), rows[i % 2].at("sky_x")) << i;
+  }
+  EXPECT_NE(rows[0].at("sky_x"), rows[1].at("sky_x"));
+}
+
+TEST_F(RayCommands, ProblemsInATableNameTheLineAndLeaveNoFile) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,0.5,1.2,zamo,1,0,0\n");
+  EXPECT_EQ(run("trace --rays rays.csv --out out.csv"), 1);
+  EXPECT_THAT(output_, HasSubstr("rays.csv:2"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.csv"));
+}
+
+}  // namespace
+}  // namespace ergodome
