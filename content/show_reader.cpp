@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
-#include "content/animated_show.h"
+#include "content/camera_reader.h"
 #include "content/disk_reader.h"
 #include "content/effects_reader.h"
 #include "content/files/toml_table.h"
@@ -17,124 +15,12 @@
 #include "content/shell_reader.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
-#include "kernels/core/angles.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr double largest_camera_angle_deg = 1e9;
 constexpr std::size_t largest_mib = 16;
-constexpr std::size_t most_keys = 100'000;
-
-Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
-  const toml::array* list = node.as_array();
-  Vector3<double> v{};
-  double* const parts[3] = {&v.x, &v.y, &v.z};
-  if (list == nullptr || list->size() != 3) {
-    throw table.error_at(key, "is not a direction", "write three numbers: [e_r, e_theta, e_phi]");
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto part = list->get(i)->value<double>();
-    if (!part || !std::isfinite(*part) || std::abs(*part) > 1e100) {
-      throw table.error_at(key, "holds something that is not a number", "write three numbers");
-    }
-    *parts[i] = *part;
-  }
-  if (!(dot(v, v) > 0.0)) {
-    throw table.error_at(key, "has no length", "write a direction that is not zero");
-  }
-  return v;
-}
-
-void read_observer(TomlTable& camera, const std::string& file, CameraSettings& settings) {
-  const toml::node* at = camera.node("observer");
-  if (at != nullptr && at->is_table()) {
-    TomlTable velocity(*at->as_table(), file, camera.path_of("observer"));
-    const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
-    if (!(beta <= fastest_observer)) {
-      throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
-    }
-    const toml::node* toward = velocity.node("toward");
-    if (toward == nullptr) {
-      throw velocity.error_at("toward", "is missing", "write toward = [e_r, e_theta, e_phi]");
-    }
-    const Vector3<double> v = read_vector(velocity, "toward", *toward);
-    settings.motion = ObserverMotion::velocity;
-    settings.velocity = (beta / std::sqrt(dot(v, v))) * v;
-    velocity.refuse_unknown_keys();
-    return;
-  }
-  constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
-                                        ObserverMotion::retrograde, ObserverMotion::rain};
-  settings.motion = motions[camera.choice("observer", 0, {"zamo", "static", "geodesic", "retrograde", "rain"})];
-}
-
-CameraKey read_key(TomlTable& table) {
-  CameraKey key;
-  key.time_s = table.number("t_s", 0.0, -1e12, 1e12);
-  key.r = table.number("r", 10.0, 0.0, 1e9);
-  key.theta = one_degree * table.number("theta_deg", 90.0, 0.0, 180.0);
-  key.phi = one_degree * table.number("phi_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  key.yaw = one_degree * table.number("yaw_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  key.pitch = one_degree * table.number("pitch_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  key.roll = one_degree * table.number("roll_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
-  const toml::node* look = table.node("look");
-  if (look != nullptr && look->is_array()) {
-    key.look = {LookTarget::Kind::direction, read_vector(table, "look", *look)};
-  } else if (table.choice("look", 0, {"hole", "away"}) == 1) {
-    key.look.kind = LookTarget::Kind::away;
-  }
-  key.hold_s = table.number("hold_s", 0.0, 0.0, 1e12);
-  key.ease = static_cast<Ease>(table.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out"}));
-  return key;
-}
-
-//! A camera must be outside the horizon, and its observer slower than light there.
-void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
-  const double horizon = horizon_radius(spin);
-  if (!(key.r > horizon)) {
-    throw table.error_at("r", fmt::format("is {} M, inside the horizon at {:.6g} M", key.r, horizon),
-                         fmt::format("choose r above {:.6g}", horizon));
-  }
-  const Vector3<double> v = observer_velocity(camera.motion, spin, key.r, key.theta, camera.velocity);
-  if (!(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain) {
-    const bool fixed = camera.motion == ObserverMotion::fixed;
-    throw table.error_at(
-        "r", fmt::format("is {} M, where {} observer would outrun light", key.r, fixed ? "a static" : "an orbiting"),
-        fixed ? fmt::format("stay above {:.6g} M or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
-              : "stay outside the photon orbit or choose observer = \"zamo\"");
-  }
-}
-
-void read_camera(const toml::table* table, const std::string& file, Show& show) {
-  const toml::table empty;
-  TomlTable camera(table != nullptr ? *table : empty, file, "camera");
-  read_observer(camera, file, show.camera);
-  const auto keys = camera.tables("key", most_keys);
-  if (keys.empty()) {
-    throw camera.error_at("key", "is missing",
-                          "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
-  }
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
-    const CameraKey key = read_key(each);
-    if (!each.has("r")) {
-      throw each.error_at("r", "is missing", "write the camera's radius in units of M");
-    }
-    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s >= least_key_gap_s)) {
-      throw each.error_at("t_s", "does not come after the key before", "put the keys in order of time");
-    }
-    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s - show.camera.keys.back().hold_s >= least_key_gap_s)) {
-      throw each.error_at("t_s", "comes before the camera has left the key before",
-                          "shorten its hold_s, or put this key later");
-    }
-    check_key(each, spin_at(show, key.time_s), show.camera, key);
-    each.refuse_unknown_keys();
-    show.camera.keys.push_back(key);
-  }
-  camera.refuse_unknown_keys();
-}
 
 void read_sky(const toml::table& table, const std::string& file, SkySettings& sky) {
   TomlTable reader(table, file, "sky");

@@ -180,6 +180,14 @@ TEST(Show, RefusesObserversThatCannotExist) {
               HasSubstr("has no length"));
 }
 
+TEST(Show, RefusesWaysOnWhichTheObserverCannotExist) {
+  const std::string keys =
+      "[[camera.key]]\nr = 1.7\ntheta_deg = 10\n[[camera.key]]\nt_s = 10\nr = 1.7\ntheta_deg = 170\n";
+  EXPECT_THAT(problem_of("[hole]\nspin = 0.9\n[camera]\nobserver = \"static\"\n" + keys),
+              AllOf(HasSubstr("show.toml:10"), HasSubstr("is reached by r = 1.7 M"), HasSubstr("outrun light")));
+  EXPECT_EQ(problem_of("[hole]\nspin = 0.9\n[camera]\nobserver = \"zamo\"\n" + keys), "");
+}
+
 //! A show with these lines under [view].
 Show viewed(const std::string& lines) { return parse_show(minimal + "[view]\n" + lines, "show.toml"); }
 

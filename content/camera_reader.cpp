@@ -1,0 +1,169 @@
+#include "content/camera_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/animated_show.h"
+#include "content/camera_path.h"
+#include "content/files/toml_table.h"
+#include "content/show_reader.h"
+#include "kernels/core/angles.h"
+#include "kernels/metric/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double largest_camera_angle_deg = 1e9;
+constexpr std::size_t most_keys = 100'000;
+
+Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
+  const toml::array* list = node.as_array();
+  Vector3<double> v{};
+  double* const parts[3] = {&v.x, &v.y, &v.z};
+  if (list == nullptr || list->size() != 3) {
+    throw table.error_at(key, "is not a direction", "write three numbers: [e_r, e_theta, e_phi]");
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto part = list->get(i)->value<double>();
+    if (!part || !std::isfinite(*part) || std::abs(*part) > 1e100) {
+      throw table.error_at(key, "holds something that is not a number", "write three numbers");
+    }
+    *parts[i] = *part;
+  }
+  if (!(dot(v, v) > 0.0)) {
+    throw table.error_at(key, "has no length", "write a direction that is not zero");
+  }
+  return v;
+}
+
+void read_observer(TomlTable& camera, const std::string& file, CameraSettings& settings) {
+  const toml::node* at = camera.node("observer");
+  if (at != nullptr && at->is_table()) {
+    TomlTable velocity(*at->as_table(), file, camera.path_of("observer"));
+    const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
+    if (!(beta <= fastest_observer)) {
+      throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
+    }
+    const toml::node* toward = velocity.node("toward");
+    if (toward == nullptr) {
+      throw velocity.error_at("toward", "is missing", "write toward = [e_r, e_theta, e_phi]");
+    }
+    const Vector3<double> v = read_vector(velocity, "toward", *toward);
+    settings.motion = ObserverMotion::velocity;
+    settings.velocity = (beta / std::sqrt(dot(v, v))) * v;
+    velocity.refuse_unknown_keys();
+    return;
+  }
+  constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
+                                        ObserverMotion::retrograde, ObserverMotion::rain};
+  settings.motion = motions[camera.choice("observer", 0, {"zamo", "static", "geodesic", "retrograde", "rain"})];
+}
+
+CameraKey read_key(TomlTable& table) {
+  CameraKey key;
+  key.time_s = table.number("t_s", 0.0, -1e12, 1e12);
+  key.r = table.number("r", 10.0, 0.0, 1e9);
+  key.theta = one_degree * table.number("theta_deg", 90.0, 0.0, 180.0);
+  key.phi = one_degree * table.number("phi_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.yaw = one_degree * table.number("yaw_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.pitch = one_degree * table.number("pitch_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.roll = one_degree * table.number("roll_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  const toml::node* look = table.node("look");
+  if (look != nullptr && look->is_array()) {
+    key.look = {LookTarget::Kind::direction, read_vector(table, "look", *look)};
+  } else if (table.choice("look", 0, {"hole", "away"}) == 1) {
+    key.look.kind = LookTarget::Kind::away;
+  }
+  key.hold_s = table.number("hold_s", 0.0, 0.0, 1e12);
+  key.ease = static_cast<Ease>(table.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out"}));
+  return key;
+}
+
+//! Whether a show's observer can be where the camera is, and why not.
+bool outruns_light(const CameraSettings& camera, double spin, double r, double theta) {
+  const Vector3<double> v = observer_velocity(camera.motion, spin, r, theta, camera.velocity);
+  return !(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain;
+}
+
+const char* observer_word(const CameraSettings& camera) {
+  return camera.motion == ObserverMotion::fixed ? "a static" : "an orbiting";
+}
+
+//! A camera must be outside the horizon, and its observer slower than light there.
+void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
+  const double horizon = horizon_radius(spin);
+  if (!(key.r > horizon)) {
+    throw table.error_at("r", fmt::format("is {} M, inside the horizon at {:.6g} M", key.r, horizon),
+                         fmt::format("choose r above {:.6g}", horizon));
+  }
+  if (outruns_light(camera, spin, key.r, key.theta)) {
+    throw table.error_at(
+        "r", fmt::format("is {} M, where {} observer would outrun light", key.r, observer_word(camera)),
+        camera.motion == ObserverMotion::fixed
+            ? fmt::format("stay above {:.6g} M or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
+            : "stay outside the photon orbit or choose observer = \"zamo\"");
+  }
+}
+
+//! The same between this key and the one before it.
+void check_way(const TomlTable& table, const Show& show, std::size_t key) {
+  // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
+  constexpr double safe_r = 4.0;
+  const int places = show.camera.keys.size() > 1000 ? 8 : 64;
+  const CameraKey& from = show.camera.keys[key - 1];
+  const CameraKey& to = show.camera.keys[key];
+  if (std::min(from.r, to.r) > safe_r || show.camera.motion == ObserverMotion::zamo) {
+    return;
+  }
+  for (int i = 1; i < places; ++i) {
+    const double time_s = from.time_s + from.hold_s + (to.time_s - from.time_s - from.hold_s) * i / places;
+    const CameraPose pose = camera_pose(show, time_s);
+    if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
+      throw table.error_at(
+          "r",
+          fmt::format("is reached by r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer "
+                      "would outrun light",
+                      pose.r, radian_deg * pose.theta, time_s, observer_word(show.camera)),
+          "lead the camera further out between the keys, or choose observer = \"zamo\"");
+    }
+  }
+}
+
+}  // namespace
+
+void read_camera(const toml::table* table, const std::string& file, Show& show) {
+  const toml::table empty;
+  TomlTable camera(table != nullptr ? *table : empty, file, "camera");
+  read_observer(camera, file, show.camera);
+  const auto keys = camera.tables("key", most_keys);
+  if (keys.empty()) {
+    throw camera.error_at("key", "is missing",
+                          "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
+    const CameraKey key = read_key(each);
+    if (!each.has("r")) {
+      throw each.error_at("r", "is missing", "write the camera's radius in units of M");
+    }
+    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s >= least_key_gap_s)) {
+      throw each.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+    }
+    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s - show.camera.keys.back().hold_s >= least_key_gap_s)) {
+      throw each.error_at("t_s", "comes before the camera has left the key before",
+                          "shorten its hold_s, or put this key later");
+    }
+    check_key(each, spin_at(show, key.time_s), show.camera, key);
+    each.refuse_unknown_keys();
+    show.camera.keys.push_back(key);
+  }
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    check_way(TomlTable(*keys[i], file, fmt::format("camera.key[{}]", i)), show, i);
+  }
+  camera.refuse_unknown_keys();
+}
+
+}  // namespace ergodome
