@@ -109,8 +109,10 @@ class MapReader {
       bool sound = true;
       for (int c = 0; c < 3; ++c) {
         const float value = row[x * colour_channels_ + (colour_channels_ == 3 ? c : 0)];
-        sound = sound && value >= 0.0F && value <= brightest;  // false for NaN
-        colour[c] = encoded_ ? decoded_srgb(value) : value;
+        sound = sound && value >= -brightest && value <= brightest;  // false for NaN
+        // What filters and changes of gamut leave below zero is no light; the other colours are.
+        const float light = std::max(value, 0.0F);
+        colour[c] = encoded_ ? decoded_srgb(light) : light;
       }
       repaired_ += sound ? 0 : 1;
       for (int c = 0; c < 3; ++c) {

@@ -52,7 +52,9 @@ std::filesystem::path built_in_content_folder() {
   }
   std::error_code problem;
   const fs::path program = fs::read_symlink("/proc/self/exe", problem).parent_path();
-  const fs::path candidates[] = {program / "../share/ergodome/content", fs::path(ERGODOME_CONTENT_DIR)};
+  // Of an installed program, of the checkout that it was built in, and of that one after it was moved (build/PRESET/app).
+  const fs::path candidates[] = {program / "../share/ergodome/content", fs::path(ERGODOME_CONTENT_DIR),
+                                 program / "../../../content"};
   for (const fs::path& folder : candidates) {
     if (fs::is_directory(folder / "maps", problem)) {
       return folder;

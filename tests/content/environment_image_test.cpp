@@ -99,12 +99,22 @@ TEST_F(EnvironmentImageFile, BrokenTexelsAreRepairedAndCounted) {
   std::vector<float> values = constant(16, 8, 3, 1.0F);
   values[0] = std::numeric_limits<float>::quiet_NaN();
   values[7] = std::numeric_limits<float>::infinity();
-  values[10] = -3.0F;
   const auto image = read_environment_image(write("nan.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));
-  EXPECT_EQ(image.repaired_texels, 3);
+  EXPECT_EQ(image.repaired_texels, 2);
   for (const float value : image.rgb) {
     EXPECT_TRUE(std::isfinite(value) && value >= 0.0F);
   }
+}
+
+TEST_F(EnvironmentImageFile, ColoursBelowZeroAreNoLightAndTheOthersStay) {
+  // Filters that sharpen leave such beside bright stars.
+  std::vector<float> values = constant(16, 8, 3, 1.0F);
+  values[10] = -3.0F;
+  const auto image = read_environment_image(write("below.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));
+  EXPECT_EQ(image.repaired_texels, 0);
+  EXPECT_EQ(image.rgb[9], 1.0F);
+  EXPECT_EQ(image.rgb[10], 0.0F);
+  EXPECT_EQ(image.rgb[11], 1.0F);
 }
 
 TEST_F(EnvironmentImageFile, WithoutAnySoundTexelIsAnError) {
