@@ -115,8 +115,11 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
         result.live_disk_s);
   }
   if (result.unmet > 0) {
-    fmt::print(stderr, "ergodome: {} gaps between stations stay over the budget of {} px\n", result.unmet,
-               trajectory.provenance().budget_px);
+    fmt::print(stderr,
+               "ergodome: {} of {} gaps between stations stay over the budget of {} px, the worst with {:.3f} px at "
+               "{:.2f} s; bake with a finer --budget\n",
+               result.unmet, trajectory.stations().size() - 1, trajectory.provenance().budget_px, result.worst_px,
+               result.worst_time_s);
   }
 }
 

@@ -123,7 +123,10 @@ class Baker {
   void note_gap(const Gap& gap) {
     const auto error_px = static_cast<double>(gap.error_px);
     result_.times_s.push_back(gap.begin_s);
-    result_.worst_px = std::max(result_.worst_px, error_px);
+    if (error_px > result_.worst_px) {
+      result_.worst_px = error_px;
+      result_.worst_time_s = 0.5 * (gap.begin_s + gap.end_s);
+    }
     result_.unmet += error_px > settings_.budget_px ? 1 : 0;
     result_.live_disk_s += meets_budget(gap.disk_error_px) ? 0.0 : gap.end_s - gap.begin_s;
     std::erase_if(recent_, [](const auto& kept) { return kept.second.expired(); });

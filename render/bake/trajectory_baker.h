@@ -25,6 +25,7 @@ struct BakeResult {
   int built = 0;                //!< stations that were not in the journal yet
   int unmet = 0;                //!< gaps that stayed over the budget, however near their stations
   double worst_px = 0.0;        //!< greatest error of a gap
+  double worst_time_s = 0.0;    //!< in the middle of that gap
   double live_disk_s =
       0.0;  //!< of the show, where blending the disk's layers misses by more than the budget: they are made anew there
 };

@@ -28,6 +28,18 @@ double quantile(const std::vector<double>& values, const std::vector<double>& we
   return order.empty() ? 0.0 : values[order.back()];
 }
 
+struct SquarePoint {
+  double x;
+  double y;
+};
+
+//! The n-th of points that fill a square evenly, by multiples of the plastic number's powers. They stand in no rows: one along the ring of a
+//! caustic, on which next to nothing is many pixels, would stand for a whole band.
+SquarePoint spread_point(std::size_t n) {
+  const auto part = [n](double step) { return std::fmod(0.5 + step * static_cast<double>(n), 1.0); };
+  return {part(0.7548776662466927), part(0.5698402909980532)};
+}
+
 }  // namespace
 
 ChartSamples leaf_samples(const LensStation& station) {
@@ -43,8 +55,9 @@ ChartSamples leaf_samples(const LensStation& station) {
     const double extent = box.width_turns * box.height / (side * side);
     for (int row = 0; row < side; ++row) {
       for (int column = 0; column < side; ++column) {
-        const double gamma_turns = box.gamma_turns + (column + 0.5) / side * box.width_turns;
-        const double s = box.s + (row + 0.5) / side * box.height;
+        const SquarePoint within = spread_point(samples.s.size());
+        const double gamma_turns = box.gamma_turns + (column + within.x) / side * box.width_turns;
+        const double s = box.s + (row + within.y) / side * box.height;
         add(gamma_turns, s, extent);
         if (station.mirrored) {
           add(1.0 - gamma_turns, s, extent);

@@ -92,6 +92,24 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
   }
 }
 
+TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) {
+  // Beside the axis the sky behind the hole is a ring, along which next to nothing becomes many pixels.
+  Show show = approach();
+  show.duration_s = 4.0;
+  show.spin = 0.3;
+  show.camera.motion = ObserverMotion::zamo;
+  show.camera.keys[0].theta = 1.0 / 180.0 * pi;
+  show.camera.keys[1].time_s = 4.0;
+  show.camera.keys[1].r = 6.0;
+  show.camera.keys[1].theta = 179.0 / 180.0 * pi;
+  BakeSettings how = settings();
+  how.pixel = pi / 256.0;
+  TrajectoryJournal journal(file("axis.part"), provenance_of(show, how));
+  const BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
+  EXPECT_EQ(result.unmet, 0);
+  EXPECT_LE(result.worst_px, how.budget_px);
+}
+
 INSTANTIATE_TEST_SUITE_P(Derivatives, TrajectoryBakerWith, testing::Bool(),
                          [](const testing::TestParamInfo<bool>& each) {
                            return each.param ? "WithDerivatives" : "WithoutDerivatives";
