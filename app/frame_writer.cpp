@@ -49,16 +49,17 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
       format_(format_of(options)),
       choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show)},
       backend_(choose_backend(options.backend)),
-      renderer_(show, backend_, lens_choice(options.lens), open_stream(show, options.lens, backend_)),
+      stream_(open_stream(show, options.lens, backend_)),
+      renderer_(show, backend_, lens_choice(options.lens), stream_),
       request_(std::move(request)) {
   renderer_.overlays().set_language(options.language);
   if (setup) {
-    const std::vector<ProjectorPicture> pictures =
-        of_setup_file(options.setup, [&] { return projector_pictures(*setup); });
+    const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
     projectors_.emplace(*setup, pictures);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
     fmt::print("domemasters of {} pixels for {} projectors\n", choice_.size_px, pictures.size());
   }
+  tell_coarse_stream(stream_.get(), show, options.lens, choice_.size_px);
 }
 
 void FrameWriter::write(int frame) {

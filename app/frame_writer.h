@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +75,7 @@ class FrameWriter {
   FrameFormat format_;
   ViewChoice choice_;
   Backend backend_;
+  std::shared_ptr<StationStream> stream_;  //!< none: no trajectory
   ShowRenderer renderer_;
   std::string request_;
   std::optional<ProjectorFrames> projectors_;

@@ -7,13 +7,20 @@
 #include <filesystem>
 
 #include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
 #include "render/frame/show_renderer.h"
+#include "render/lens/lens_chooser.h"
 
 namespace ergodome {
 
 namespace {
 
 void say(const std::string& message) { fmt::print(stderr, "ergodome: {}\n", message); }
+
+//! Angle of a pixel [rad] in pictures of a width; 0: the show's own.
+double pixel_of(const Show& show, int size_px) {
+  return pixel_angle(make_projection(show.view, size_px > 0 ? size_px : show.view.size_px, 0.0));
+}
 
 std::shared_ptr<StationStream> open(const Show& show, const std::filesystem::path& file, const LensOptions& options,
                                     Backend backend) {
@@ -74,9 +81,29 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
   }
 }
 
+bool is_fine_enough(const StationStream& stream, const Show& show, int size_px) {
+  const TrajectoryProvenance& baked = stream.trajectory().provenance();
+  return holds_budget(baked, show.quality.budget_px * pixel_of(show, size_px));
+}
+
+void tell_coarse_stream(const StationStream* stream, const Show& show, const LensOptions& options, int size_px) {
+  if (stream == nullptr || is_fine_enough(*stream, show, size_px)) {
+    return;
+  }
+  const TrajectoryProvenance& baked = stream->trajectory().provenance();
+  const int width_px = size_px > 0 ? size_px : show.view.size_px;
+  say(fmt::format(
+      "the trajectory was baked for {} px in pictures {:.0f} px wide, and is too coarse for {} px at {}: {}; "
+      "bake it again with --size {}",
+      baked.budget_px, width_px * pixel_of(show, size_px) / baked.pixel, show.quality.budget_px, width_px,
+      lens_choice(options) == LensChoice::streamed ? "the budget is missed" : "lenses are made anew", width_px));
+}
+
 void print_statistics(const StreamStatistics& s) {
-  fmt::print("streamed: {} lenses, {} of them waited, {} given up; {} stations read, {} bad; {:.1f} MiB held at most\n",
-             s.asked, s.waits, s.missed, s.read, s.bad, static_cast<double>(s.most_bytes_held) / (1 << 20));
+  fmt::print("streamed: {} lenses, {} of them waited, {} given up; {} stations read, {} bad{}; {:.1f} MiB held at most\n",
+             s.asked, s.waits, s.missed, s.read, s.bad,
+             s.lost_disks > 0 ? fmt::format(", {} without their disk", s.lost_disks) : "",
+             static_cast<double>(s.most_bytes_held) / (1 << 20));
 }
 
 }  // namespace ergodome

@@ -29,6 +29,12 @@ LensChoice lens_choice(const LensOptions& options);
 //! that was asked for cannot be used; one that is merely found beside the show is then left alone, with a word about it.
 std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend);
 
+//! Whether stations of a trajectory hold the show's budget in pictures of a width (0: the show's own).
+bool is_fine_enough(const StationStream& stream, const Show& show, int size_px);
+
+//! Says on the terminal where they do not, and what becomes of that; nothing where there is no stream.
+void tell_coarse_stream(const StationStream* stream, const Show& show, const LensOptions& options, int size_px);
+
 //! Prints what a stream has done.
 void print_statistics(const StreamStatistics& statistics);
 

@@ -146,15 +146,17 @@ void run(const PlanOptions& options) {
   require_features(show);
   const Backend backend = choose_backend(options.backend);
   std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
-  const FrameRequest request = {backend,
-                                view_mode(options.view),
-                                lens_choice(options.lens),
-                                follow_method(options.method, options.view, show),
-                                options.size_px,
-                                load_sky_map(show).width,
-                                stream != nullptr,
-                                OverlayPass::image_bytes(show),
-                                has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
+  tell_coarse_stream(stream.get(), show, options.lens, options.size_px);
+  const FrameRequest request = {
+      backend,
+      view_mode(options.view),
+      lens_choice(options.lens),
+      follow_method(options.method, options.view, show),
+      options.size_px,
+      load_sky_map(show).width,
+      stream && (lens_choice(options.lens) == LensChoice::streamed || is_fine_enough(*stream, show, options.size_px)),
+      OverlayPass::image_bytes(show),
+      has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
   nlohmann::json plan = json_of(show, plan_frame(show, request));
   std::optional<Measured> measured;
   if (options.measure) {

@@ -41,9 +41,12 @@ bool moves_alike(ObserverMotion motion, const Vector3<double>& velocity, const E
 
 }  // namespace
 
+bool holds_budget(const TrajectoryProvenance& baked, double error) {
+  return baked.budget_px * baked.pixel <= 1.01 * error;
+}
+
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error) {
-  const bool fine_enough = baked.budget_px * baked.pixel <= 1.01 * error;
-  return (choice == LensChoice::streamed || (choice == LensChoice::automatic && fine_enough)) &&
+  return (choice == LensChoice::streamed || (choice == LensChoice::automatic && holds_budget(baked, error))) &&
          (baked.derivatives || !is_beside(eye));
 }
 

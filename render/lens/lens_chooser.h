@@ -46,6 +46,9 @@ inline bool is_beside(const EyeCamera& eye) {
   return std::abs(eye.r - eye.head_r) > 1e-12 * eye.head_r || std::abs(eye.theta - eye.head_theta) > 1e-12;
 }
 
+//! Whether baked stations are exact to `error` [rad].
+bool holds_budget(const TrajectoryProvenance& baked, double error);
+
 //! Whether baked stations may serve an eye's pictures that have to be exact to `error` [rad].
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
 

@@ -172,6 +172,7 @@ StationStream::Held StationStream::read_from_file(std::size_t station) const {
     } catch (const std::exception& error) {
       // The lens is good without it.
       report_(error.what());
+      fresh.lost_disk = true;
     }
   }
   return fresh;
@@ -192,6 +193,7 @@ void StationStream::read(std::size_t station, std::unique_lock<std::mutex>& lock
     statistics_.bytes_held += fresh.bytes;
     statistics_.most_bytes_held = std::max(statistics_.most_bytes_held, statistics_.bytes_held);
     ++statistics_.read;
+    statistics_.lost_disks += fresh.lost_disk ? 1 : 0;
     held_[station] = std::move(fresh);
   } else {
     ++statistics_.bad;

@@ -29,11 +29,12 @@ struct StationPair {
 
 //! What a stream has done so far.
 struct StreamStatistics {
-  long asked = 0;   //!< moments that were asked for
-  long waits = 0;   //!< of them, those whose stations were not there at once
-  long missed = 0;  //!< of them, those that were given up
-  long read = 0;    //!< stations read
-  long bad = 0;     //!< stations that could not be read
+  long asked = 0;       //!< moments that were asked for
+  long waits = 0;       //!< of them, those whose stations were not there at once
+  long missed = 0;      //!< of them, those that were given up
+  long read = 0;        //!< stations read
+  long bad = 0;         //!< stations that could not be read
+  long lost_disks = 0;  //!< disks of stations that were read, which could not be
   std::size_t bytes_held = 0;
   std::size_t most_bytes_held = 0;
 };
@@ -70,6 +71,7 @@ class StationStream {
     std::shared_ptr<const StationBuffers> lens;
     std::shared_ptr<const DiskStation> disk;
     std::size_t bytes = 0;
+    bool lost_disk = false;  //!< it has one that cannot be read
   };
 
   void work(const std::stop_token& stop);

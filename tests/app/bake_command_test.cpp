@@ -148,6 +148,10 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
   ASSERT_EQ(run("bake moving.toml --out moving.trajectory"), 0) << output_;
   ASSERT_EQ(run("render moving.toml --size 64 --frames 100:101 --backend cpu"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("streamed: 4 lenses"));
+  EXPECT_THAT(output_, testing::Not(HasSubstr("too coarse")));
+  ASSERT_EQ(run("plan moving.toml --size 4096"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("is too coarse for 0.25 px at 4096: lenses are made anew"));
+  EXPECT_THAT(output_, HasSubstr("lens: live"));
   std::string bytes = text("moving.trajectory");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 16);
   write("moving.trajectory", bytes);

@@ -142,11 +142,13 @@ TEST_F(StreamedDiskPictures, AreMadeWithoutLayersThatAreDamaged) {
     raw.put('x');
     raw.put('y');
   }
-  EyeRenderer streamed(Backend::cpu, stream());
+  const auto read = stream();
+  EyeRenderer streamed(Backend::cpu, read);
   const std::vector<float> made = picture(streamed, 0.1, {}, LensChoice::automatic);
   EXPECT_FALSE(did("look_up_disk"));
   EXPECT_TRUE(did("look_up_pixels, footprints"));
   EXPECT_THAT(said_, testing::HasSubstr("station 1, disk: is damaged"));
+  EXPECT_EQ(read->statistics().lost_disks, 1);
   EyeRenderer direct(Backend::cpu);
   const std::vector<float> by_rays = picture(direct, 0.1, {}, LensChoice::direct);
   expect_alike(made, by_rays);
