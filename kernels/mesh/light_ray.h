@@ -235,6 +235,7 @@ struct LampLight {
 
 //! Light that comes to a place of a surface: Müller, Schulz & Weiskopf (2021), eq. 20, with shadows; about a hole that spins, on the first way round alone.
 //! `start`: a little off the surface, which keeps that from its own shadow; `limits.delay`: the delay of the place; `correction`: as light_ray has it.
+//! The rays are those to `start`: one that goes round the hole and is turned the least bit ends up far off the lamp, and meets what it should pass.
 ERGO_HD_CALLED LampLight lamp_light(double spin, const LampPlace& lamp, const Vector3<double>& point,
                                     const Vector3<double>& normal, const Vector3<double>& start, const MeshScene& scene,
                                     const MeshLimits& limits, Vector3<double>& correction) {
@@ -242,10 +243,11 @@ ERGO_HD_CALLED LampLight lamp_light(double spin, const LampPlace& lamp, const Ve
   constexpr double negligible = 1.0 / 4096.0;
   LampLight light{};
   light.frame = local_frame(spin, point);
+  const LocalFrame from = local_frame(spin, start);
   const Vector3<double> facing = measured_normal(light.frame, normal);
   for (int order = 1; order <= (spin == 0.0 ? 2 : 1); ++order) {
     LightRay ray{};
-    if (!light_ray(spin, light.frame, point, lamp.position, order, correction, ray)) {
+    if (!light_ray(spin, from, start, lamp.position, order, correction, ray)) {
       continue;
     }
     const double time = ::fmax(ray.travel_time, 1e-3);
@@ -253,7 +255,7 @@ ERGO_HD_CALLED LampLight lamp_light(double spin, const LampPlace& lamp, const Ve
     if (!(strength > negligible * light.strength[0]) || !(dot(facing, ray.direction) > 0.0)) {
       continue;
     }
-    if (!in_shadow(local_frame(spin, start), ray, scene, limits)) {
+    if (!in_shadow(from, ray, scene, limits)) {
       light.direction[order - 1] = ray.direction;
       light.strength[order - 1] = strength;
     }
