@@ -99,24 +99,24 @@ std::vector<int> images_of(const std::string& text) {
 OutsideDirection outside_direction_of(const DiagramOptions& options, const Show& show, double time_s) {
   constexpr double beside = 65.0 * one_degree;
   constexpr double above = 24.0 * one_degree;
+  constexpr double nearest = 2.5;  // No hole reaches so far.
   if (options.from.empty()) {
     return {camera_pose(show, time_s).phi - beside, above, std::nullopt};
   }
   const std::vector<double> numbers = numbers_of(options.from, ',');
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90.0 ||
-      (numbers.size() == 3 && !(numbers[2] > 0.0 && numbers[2] <= 1e7))) {
+      (numbers.size() == 3 && !(numbers[2] >= nearest && numbers[2] <= 1e7))) {
     throw Error("--from " + options.from, "is no place of a camera",
-                "write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE in degrees (elevation -90 to 90) and M");
+                fmt::format("write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE in degrees (elevation -90 to 90) and "
+                            "M, {} or more from the hole",
+                            nearest));
   }
   return {one_degree * numbers[0], one_degree * numbers[1],
           numbers.size() == 3 ? std::optional(numbers[2]) : std::nullopt};
 }
 
 void draw_picture(const DiagramOptions& options, const Show& show, const Diagram& diagram, DiagramPicture& picture) {
-  if (!(options.time_s >= 0.0 && options.time_s <= show.duration_s)) {
-    throw Error("diagram --at", fmt::format("{:.9g} s is outside {}", options.time_s, show.name),
-                fmt::format("choose from 0 to {:.9g} s", show.duration_s));
-  }
+  require_time("diagram --at", show, options.time_s);
   const std::filesystem::path out = options.out;
   if (out.extension() != ".png") {
     throw Error("--out " + options.out, "is no name of a PNG", "let it end in .png; with --frames name a folder");

@@ -76,7 +76,8 @@ nlohmann::json facts_of(const Show& show) {
                              {"r", key.r},
                              {"theta_deg", key.theta * radian_deg},
                              {"phi_deg", key.phi * radian_deg},
-                             {"shadow_width_deg", shadow_width_deg(show, key.time_s)}});
+                             {"shadow_width_deg", shadow_width_deg(show, key.time_s)},
+                             {"after_end", key.time_s > show.duration_s}});
   }
   return facts;
 }
@@ -91,9 +92,9 @@ void print_facts(const nlohmann::json& facts) {
     fmt::print("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
                "shadow width [deg]");
     for (const auto& key : facts["keys"]) {
-      fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}\n", key["t_s"].get<double>(),
+      fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}{}\n", key["t_s"].get<double>(),
                  key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
-                 key["shadow_width_deg"].get<double>());
+                 key["shadow_width_deg"].get<double>(), key["after_end"].get<bool>() ? "  AFTER THE END" : "");
     }
   }
   if (facts.contains("timeline")) {
@@ -177,8 +178,14 @@ void run_for_trajectory(const InspectOptions& options) {
 
 void run(const InspectOptions& options) {
   require_other_png("--picture", options.picture, {options.file});
-  if (is_trajectory(options.file)) {
+  const std::filesystem::path file = options.file;
+  if (is_trajectory(file) || file.extension() == ".trajectory") {
+    require_finished_trajectory(file);
     return run_for_trajectory(options);
+  }
+  if (file.extension() == ".mpcdi") {
+    throw Error(options.file, "is a calibration",
+                fmt::format("make a setup of it, and inspect that: ergodome convert {} dome.toml", options.file));
   }
   if (is_dome_setup(options.file)) {
     const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);

@@ -78,6 +78,18 @@ json facts_of_timeline(const Show& show) {
     json& added = facts["audio"].emplace_back(file_facts(show, track.file));
     added.update({{"from_s", track.from_s}, {"language", track.language}, {"loop", track.loop}});
   }
+  const auto mark_late = [&](const char* list, const char* start) {
+    if (facts.contains(list)) {
+      for (json& one : facts[list]) {
+        one["after_end"] = one[start].get<double>() > show.duration_s;
+      }
+    }
+  };
+  mark_late("animated", "from_s");
+  mark_late("chapters", "t_s");
+  mark_late("captions", "from_s");
+  mark_late("overlays", "from_s");
+  mark_late("audio", "from_s");
   return facts;
 }
 
@@ -93,29 +105,25 @@ void print_timeline(const json& facts) {
   if (!facts["languages"].empty()) {
     fmt::print("{:<16}{}\n", "languages", fmt::join(facts["languages"].get<std::vector<std::string>>(), ", "));
   }
-  const double end_s = facts["duration_s"].get<double>();
-  const auto late = [&](const json& one, const char* from) {
-    return one[from].get<double>() > end_s ? "  AFTER THE END" : "";
-  };
+  const auto late = [](const json& one) { return one["after_end"].get<bool>() ? "  AFTER THE END" : ""; };
   each("files", [](const json& one) { print_file(one, one["key"].get<std::string>()); });
-  each("animated", [](const json& one) {
-    fmt::print("  {:<34} {}  {} keys, {:.6g} to {:.6g}\n", one["number"].get<std::string>(), times(one),
-               one["keys"].get<int>(), one["least"].get<double>(), one["greatest"].get<double>());
+  each("animated", [&](const json& one) {
+    fmt::print("  {:<34} {}  {} keys, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
+               one["keys"].get<int>(), one["least"].get<double>(), one["greatest"].get<double>(), late(one));
   });
   each("chapters", [&](const json& one) {
-    fmt::print("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one, "t_s"));
+    fmt::print("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one));
   });
-  each("captions",
-       [&](const json& one) { fmt::print("  {}  {}{}\n", times(one), shown(one["text"]), late(one, "from_s")); });
+  each("captions", [&](const json& one) { fmt::print("  {}  {}{}\n", times(one), shown(one["text"]), late(one)); });
   each("overlays", [&](const json& one) {
-    print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "") + late(one, "from_s"));
+    print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "") + late(one));
   });
   each("audio", [&](const json& one) {
     const std::string language = one["language"].get<std::string>();
     print_file(one,
                fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(), language.empty() ? "" : "  " + language,
                            one["loop"].get<bool>() ? "  again and again" : "") +
-                   late(one, "from_s"));
+                   late(one));
   });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include "app/progress.h"
@@ -35,6 +36,15 @@ bool is_trajectory(const std::filesystem::path& file) {
   return from && std::string_view(first, sizeof first) ==
                      "\x89"
                      "ERGO";
+}
+
+void require_finished_trajectory(const std::filesystem::path& file) {
+  std::filesystem::path part = file;
+  part += ".part";
+  std::error_code problem;
+  if (!std::filesystem::exists(file, problem) && std::filesystem::exists(part, problem)) {
+    throw Error(file.string(), "is not finished", "bake the show again to the same file: it goes on where it stopped");
+  }
 }
 
 nlohmann::json facts_of_trajectory(const std::filesystem::path& file) {

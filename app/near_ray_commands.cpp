@@ -47,6 +47,9 @@ void run_objects(const NearRayOptions& options, const RayFiles& files) {
   if (show.objects.empty()) {
     throw Error("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
   }
+  if (show.duration_s > 0.0) {
+    require_time("trace --at", show, options.time_s);
+  }
   const ObjectRays objects(show, options.time_s);
   const double tolerance = files.tolerance > 0.0 ? files.tolerance : 1e-15;
   write_lines(files, object_table_head,

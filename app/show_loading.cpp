@@ -101,6 +101,13 @@ void tell_equal_eyes(const Show& show) {
   }
 }
 
+void require_time(const std::string& option, const Show& show, double time_s) {
+  if (!(time_s >= 0.0 && time_s <= show.duration_s)) {
+    throw Error(option, fmt::format("{:.9g} s is outside {}", time_s, show.name),
+                fmt::format("choose from 0 to {:.9g} s", show.duration_s));
+  }
+}
+
 void require_features(const Show& show) {
   const std::vector<std::string> missing = missing_features(show);
   if (!missing.empty()) {

@@ -34,6 +34,9 @@ std::vector<std::string> object_method_names();
 //! Draws the show's objects by the command line's method (empty: none) in place of the show's. Throws Error where they cannot be drawn so.
 void override_objects(Show& show, const std::string& method);
 
+//! Throws Error where a time is none of the show's; `option` is what asked for it.
+void require_time(const std::string& option, const Show& show, double time_s);
+
 //! Throws Error naming what the show asks for and this version cannot draw.
 void require_features(const Show& show);
 

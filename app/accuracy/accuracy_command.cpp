@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -60,8 +61,14 @@ void run(const AccuracyOptions& options) {
   const double at_px = pixels_of("--at", options.at);
   const Show show = load_show(options.show);
   require_features(show);
-  if (accuracy_axes(show, settings_of(options)).empty()) {
+  const auto measured = accuracy_axes(show, settings_of(options));
+  if (measured.empty()) {
     throw Error(options.show, "has no such choice to measure", "leave --axes out to see which it has");
+  }
+  for (const std::string& asked : options.axes) {
+    if (std::ranges::find(measured, asked) == measured.end()) {
+      fmt::print(stderr, "ergodome: {} has no choice of {} to measure\n", show.name, asked);
+    }
   }
   if (!options.out.empty()) {
     make_folder(options.out);

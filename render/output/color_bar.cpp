@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "content/images/image_library.h"
 #include "kernels/image/color_map.h"
@@ -43,18 +45,36 @@ void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int
   image_library().draw_text(canvas, x, y, text, {font_px, white, TextPlace::top_centre, 1});
 }
 
+//! The letters' height, made smaller where a text is wider than its room [px].
+int fitting_px(const std::string& text, int font_px, int room_px) {
+  constexpr int least_px = 6;
+  while (font_px > least_px && image_library().text_box(text, font_px).width > room_px) {
+    --font_px;
+  }
+  return font_px;
+}
+
 void label(Picture& picture, ViewMode mode, const Bar& bar, int font_px) {
   const ImageCanvas image = {picture.rgba.data(), picture.width, picture.height, 4};
   constexpr int ticks = 4;
   const HeatRange& range = *picture.heat_range;
+  std::vector<std::string> numbers;
+  int number_px = font_px;
   for (int i = 0; i <= ticks; ++i) {
     const double part = static_cast<double>(i) / ticks;
     const double value = range.logarithmic ? range.low * std::pow(range.high / range.low, part)
                                            : range.low + part * (range.high - range.low);
-    write(image, bar.left + static_cast<int>(part * bar.width), bar.top + bar.height + font_px / 3,
-          fmt::format("{:.2g}", value), font_px);
+    numbers.push_back(fmt::format("{:.3g}", value));
+    number_px = std::min(number_px, fitting_px(numbers.back(), font_px, bar.width / ticks * 9 / 10));
   }
-  write(image, bar.left + bar.width / 2, bar.top - font_px - font_px / 2, title_of(mode), font_px);
+  for (int i = 0; i <= ticks; ++i) {
+    write(image, bar.left + i * bar.width / ticks, bar.top + bar.height + font_px / 3,
+          numbers[static_cast<std::size_t>(i)], number_px);
+  }
+  const std::string title = title_of(mode);
+  const int middle = bar.left + bar.width / 2;
+  const int title_px = fitting_px(title, font_px, 2 * std::min(middle, picture.width - middle) * 19 / 20);
+  write(image, middle, bar.top - font_px - font_px / 2, title, title_px);
 }
 
 }  // namespace

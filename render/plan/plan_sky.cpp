@@ -128,7 +128,9 @@ void Planner::plan_overlays() {
     pass("set_captions", WorkMoment::start, 0, 0, why("caption"), true);
     buffer("captions", WorkMoment::start, 0, why("caption"));
   }
-  pass("draw_overlay", WorkMoment::picture, 0, 0, why(timeline.captions.empty() ? "overlay" : "caption"), true);
+  std::string shown = timeline.overlays.empty() ? "" : why("overlay");
+  shown += timeline.captions.empty() ? "" : (shown.empty() ? "" : ", ") + why("caption");
+  pass("draw_overlay", WorkMoment::picture, 0, 0, shown, true);
 }
 
 }  // namespace ergodome

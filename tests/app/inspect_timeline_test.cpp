@@ -55,6 +55,17 @@ TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
   EXPECT_THAT(line_of("too late"), HasSubstr("AFTER THE END"));
 }
 
+TEST_F(CommandLine, InspectMarksCameraKeysAndNumbersThatComeAfterTheEnd) {
+  write("late.toml",
+        "duration_s = 2\n[[camera.key]]\nr = 20\n[[camera.key]]\nt_s = 60\nr = 30\n[[animate]]\nnumber = "
+        "\"sky.exposure\"\n"
+        "key = [{ t_s = 3, value = 2 }, { t_s = 4, value = 1 }]\n");
+  ASSERT_EQ(run("inspect late.toml"), 0) << output_;
+  EXPECT_THAT(output_, testing::ContainsRegex("60.000 +30 .* AFTER THE END"));
+  EXPECT_THAT(output_, testing::ContainsRegex("sky.exposure .* AFTER THE END"));
+  EXPECT_THAT(output_, Not(testing::ContainsRegex("0.000 +20 .* AFTER THE END")));
+}
+
 TEST_F(CommandLine, InspectTellsItAsJson) {
   write("long.toml", long_show);
   ASSERT_EQ(run("inspect long.toml --json"), 0) << output_;
@@ -65,6 +76,7 @@ TEST_F(CommandLine, InspectTellsItAsJson) {
   EXPECT_EQ(timeline["captions"][0]["text"][""], "Grüße\nan alle");
   EXPECT_EQ(timeline["overlays"][0]["there"], false);
   EXPECT_EQ(timeline["audio"][0]["language"], "fr");
+  EXPECT_EQ(timeline["audio"][0]["after_end"], false);
 }
 
 TEST_F(CommandLine, BakeRefusesASpinThatChangesAndLeavesNothing) {
