@@ -8,6 +8,7 @@
 
 #include "app/player/picture_error.h"
 #include "render/output/color_bar.h"
+#include "render/output/stereo_layout.h"
 
 namespace ergodome {
 
@@ -64,15 +65,25 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   overlays.set_extra(request.captions, request.captions_opacity);
 }
 
-//! Joining eyes copies both of them, and a window need not: where light is shown they go up one by one. Colour bars lie across both.
+EyesInWindow eyes_in_window(StereoLayout layout) {
+  return !fills_window_by_eye(layout)          ? EyesInWindow::as_one
+         : layout == StereoLayout::quad_buffer ? EyesInWindow::in_buffers
+                                               : EyesInWindow::in_rows;
+}
+
+//! Joining eyes copies both of them, and a window need not: where light is shown they go up one by one. Colour bars lie across both, but
+//! where each eye fills the window.
 void show_eyes(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection, const ShowMoment& moment,
                PictureAnswer& answer) {
-  if (frame.mode != ViewMode::sky) {
+  if (frame.mode != ViewMode::sky && !fills_window_by_eye(frame.stereo.layout)) {
     answer.picture = renderer.render_window(frame.pose, projection, frame.mode, moment);
     draw_color_bar(answer.picture, frame.mode);
     return;
   }
   std::vector<Picture> parts = renderer.render_window_parts(frame.pose, projection, frame.mode, moment);
+  for (Picture& part : parts) {
+    draw_color_bar(part, frame.mode);
+  }
   answer.picture = std::move(parts.front());
   if (parts.size() > 1) {
     answer.picture.behind = answer.picture.behind || parts[1].behind;
@@ -91,6 +102,7 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
   const ShowMoment moment = {frame.path_time_s, request.patience_s};
   PictureAnswer answer;
+  answer.eyes = eyes_in_window(frame.stereo.layout);
   if (renderer.may_stay_in_place(frame.mode)) {
     const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
     answer.picture.lens = eyes.first.lens;

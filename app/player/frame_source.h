@@ -32,12 +32,16 @@ struct PictureRequest {
   std::uint64_t error_seed = 0;  //!< of the pixels that are looked at
 };
 
+//! How the pictures of eyes fill a window: as one picture, or each by itself, in the buffer of each or in every other row.
+enum class EyesInWindow { as_one, in_buffers, in_rows };
+
 //! A finished picture and what it took.
 struct PictureAnswer {
-  Picture picture;                         //!< or the left eye's
-  std::optional<Picture> right_eye;        //!< where both eyes are shown whole
-  bool eyes_above = false;                 //!< the left one above the right, not beside it
-  std::optional<DevicePicture> on_device;  //!< in place of the picture's pixels, until the next request
+  Picture picture;                           //!< or the left eye's
+  std::optional<Picture> right_eye;          //!< where both eyes are shown whole
+  bool eyes_above = false;                   //!< the left one above the right, not beside it
+  EyesInWindow eyes = EyesInWindow::as_one;  //!< each by itself: side by side until then
+  std::optional<DevicePicture> on_device;    //!< in place of the picture's pixels, until the next request
   double time_ms = 0.0;
   int size_px = 0;
   std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes
@@ -46,7 +50,8 @@ struct PictureAnswer {
   std::string problem;                           //!< why there is none; the last good one stays on the screen
 };
 
-//! One picture as the request's stereo layout has it; eyes that it keeps apart come side by side on a window. Throws Error.
+//! One picture as the request's stereo layout has it on a window: eyes that it keeps apart come side by side, and so do those of which each
+//! fills the window. Throws Error.
 PictureAnswer render_for_window(const PictureRequest& request);
 
 //! Renders in a thread of its own, so that the window answers at once whatever a picture costs. Only the latest request counts.

@@ -22,16 +22,21 @@ namespace {
 //! So many pictures that fail one after another, and their renderer is made anew.
 constexpr int most_failures = 5;
 
-//! The window for pictures of a show; eyes that layouts keep apart are side by side there, and those of quad_buffer fill it.
+//! The window for pictures of a show; eyes that layouts keep apart are side by side there, and those of quad_buffer and rows fill it.
 ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
   const Projection projection = make_projection(show.view, options.size_px, 0.0);
   const ImageSize eye = {projection.width_px, projection.height_px};
   const StereoLayout layout = show.stereo.layout;
-  const bool eye_buffers = layout == StereoLayout::quad_buffer;
-  const ImageSize size =
-      eye_buffers ? eye : layout_size(keeps_eyes_apart(layout) ? StereoLayout::side_by_side : layout, eye);
-  return {size.width,         size.height,         options.full_screen || options.exhibit, eye_buffers, options.setup,
-          options.projectors, options.hide_control};
+  const ImageSize size = fills_window_by_eye(layout)
+                             ? eye
+                             : layout_size(keeps_eyes_apart(layout) ? StereoLayout::side_by_side : layout, eye);
+  return {size.width,
+          size.height,
+          options.full_screen || options.exhibit,
+          layout == StereoLayout::quad_buffer,
+          options.setup,
+          options.projectors,
+          options.hide_control};
 }
 
 SessionOptions session_options(const PlayOptions& options, bool free_flight) {
@@ -78,7 +83,8 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
   renderers_.prepare(ExhibitScene::attract, first);
   renderers_.enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
-  if (by_eye() && screen_.window().buffers() == WindowBuffers::plain) {
+  if (session_->frame().stereo.layout == StereoLayout::quad_buffer &&
+      screen_.window().buffers() == WindowBuffers::plain) {
     services_.tell(spdlog::level::warn, "this driver has no buffers for each eye; the eyes are side by side");
     session_->use_layout(StereoLayout::side_by_side);
   }
@@ -106,7 +112,7 @@ void Player::run() {
   while (!screen_.closed() && !interrupted()) {
     advance();
     if (draws_now()) {
-      screen_.draw(by_eye());
+      screen_.draw();
     }
     end_in_time();
     tell_supervisor_alive(session_->now_s());
@@ -116,7 +122,7 @@ void Player::run() {
     print_statistics();
   }
   if (!options_.screenshot.empty()) {
-    screen_.save_screenshot(options_.screenshot, by_eye());
+    screen_.save_screenshot(options_.screenshot);
   }
 }
 

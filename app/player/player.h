@@ -78,7 +78,6 @@ class Player {
   void keep_recording();
   void end_in_time();
   void print_statistics() const;
-  [[nodiscard]] bool by_eye() const { return session_->frame().stereo.layout == StereoLayout::quad_buffer; }
 
   PlayOptions options_;
   PlayerScreen screen_;

@@ -28,6 +28,7 @@ PlayerScreen::PlayerScreen(const ScreenOptions& options)
 }
 
 void PlayerScreen::show(const PictureAnswer& answer) {
+  eyes_ = answer.eyes;
   if (answer.on_device) {
     presenter_.upload_from_device(*answer.on_device);
   } else if (answer.right_eye) {
@@ -78,7 +79,7 @@ const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextS
   return help_.fitted;
 }
 
-void PlayerScreen::draw_window(int width, int height, bool by_eye) {
+void PlayerScreen::draw_window(int width, int height) {
   const auto draw_part = [&](WindowEye eye, PicturePart part) {
     window_.draw_into(eye);
     presenter_.draw(width, height, part);
@@ -88,15 +89,15 @@ void PlayerScreen::draw_window(int width, int height, bool by_eye) {
       }
     }
   };
-  if (by_eye) {
+  if (eyes_ == EyesInWindow::in_buffers) {
     draw_part(WindowEye::left, PicturePart::left_half);
     draw_part(WindowEye::right, PicturePart::right_half);
   } else {
-    draw_part(WindowEye::both, PicturePart::whole);
+    draw_part(WindowEye::both, eyes_ == EyesInWindow::in_rows ? PicturePart::halves_by_rows : PicturePart::whole);
   }
 }
 
-void PlayerScreen::draw(bool by_eye) {
+void PlayerScreen::draw() {
   if (projectors_) {
     projectors_->show(presenter_.shown());
     if (!projectors_->control_shown()) {
@@ -106,11 +107,11 @@ void PlayerScreen::draw(bool by_eye) {
   int width = 0;
   int height = 0;
   window_.framebuffer_size(width, height);
-  draw_window(width, height, by_eye);
+  draw_window(width, height);
   window_.swap();
 }
 
-void PlayerScreen::save_screenshot(const std::string& file, bool by_eye) {
+void PlayerScreen::save_screenshot(const std::string& file) {
   if (projectors_) {
     projectors_->save_screenshots(file, plain_names(*setup_));
   }
@@ -118,7 +119,7 @@ void PlayerScreen::save_screenshot(const std::string& file, bool by_eye) {
   int height = 0;
   window_.framebuffer_size(width, height);
   if (width > 0 && height > 0) {
-    draw_window(width, height, by_eye);
+    draw_window(width, height);
     write_png(file, Presenter::read_back(width, height), width, height);
   }
 }

@@ -48,19 +48,20 @@ class PlayerScreen {
   //! Factor on the light of pictures, 0 to 1; text keeps its own.
   void set_light(double light) { presenter_.set_light(static_cast<float>(light)); }
 
-  //! Draws the last picture in all windows. `by_eye`: it holds both eyes side by side, for the buffer of each.
-  void draw(bool by_eye);
+  //! Draws the last picture in all windows, its eyes as they came with it.
+  void draw();
 
   //! Writes what the windows show: FILE, and FILE_PROJECTOR for each projector.
-  void save_screenshot(const std::string& file, bool by_eye);
+  void save_screenshot(const std::string& file);
 
  private:
-  void draw_window(int width, int height, bool by_eye);
+  void draw_window(int width, int height);
   const FittedText& fitted_help(const std::string& list, const TextSize& window, int usual_px);
 
   std::optional<DomeSetup> setup_;
   Window window_;
   Presenter presenter_;
+  EyesInWindow eyes_ = EyesInWindow::as_one;  //!< of the last picture
   struct Text {
     TextPanel panel;
     std::string words;

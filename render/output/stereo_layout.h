@@ -10,9 +10,14 @@ constexpr bool keeps_eyes_apart(StereoLayout layout) {
   return layout == StereoLayout::separate || layout == StereoLayout::multiview;
 }
 
-//! Whether a window's picture has both eyes whole, beside or above each other.
+//! Whether each eye's picture fills a window by itself: in a buffer of its own, or in every other of the window's rows.
+constexpr bool fills_window_by_eye(StereoLayout layout) {
+  return layout == StereoLayout::quad_buffer || layout == StereoLayout::rows;
+}
+
+//! Whether a window is given both eyes' pictures whole, beside or above each other.
 constexpr bool shows_eyes_whole(StereoLayout layout) {
-  return keeps_eyes_apart(layout) || layout == StereoLayout::side_by_side || layout == StereoLayout::quad_buffer ||
+  return keeps_eyes_apart(layout) || fills_window_by_eye(layout) || layout == StereoLayout::side_by_side ||
          layout == StereoLayout::top_bottom;
 }
 

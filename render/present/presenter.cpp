@@ -34,12 +34,19 @@ layout(binding = 0) uniform sampler2D picture;
 layout(location = 0) uniform bool heat_map;
 layout(location = 4) uniform float dimmed;
 layout(location = 3) uniform vec2 part;  // of the picture: where it begins, how wide it is
+layout(location = 5) uniform int rows;   // of the framebuffer, which take turns between this part and the next; 0: they do not
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
 void main() {
+  // Rows are counted from the framebuffer's top, whatever part of it the picture fills.
+  bool next = rows > 0 && (rows - 1 - int(gl_FragCoord.y)) % 2 == 1;
+  float begin = part.x + (next ? part.y : 0.0);
+  // Nothing of the other eye at the edge where they meet.
+  float half_texel = 0.5 / float(textureSize(picture, 0).x);
+  float across = clamp(begin + part.y * place.x, begin + half_texel, begin + part.y - half_texel);
   // The picture's first row is its top.
-  vec3 light = max(texture(picture, vec2(part.x + part.y * place.x, 1.0 - place.y)).rgb, vec3(0.0));
+  vec3 light = max(texture(picture, vec2(across, 1.0 - place.y)).rgb, vec3(0.0));
   colour = vec4(encoded(dimmed * clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
 }
 )";
@@ -143,6 +150,7 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart 
   set_tone(state_->tone);
   glUniform1f(4, state_->light);
   glUniform2f(3, part == PicturePart::right_half ? 0.5F : 0.0F, static_cast<float>(share));
+  glUniform1i(5, part == PicturePart::halves_by_rows ? framebuffer_height : 0);
   glBindTextureUnit(0, state_->texture);
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -30,8 +30,9 @@ struct DevicePicture {
   Tone tone;
 };
 
-//! What of a picture is drawn: halves are those of eyes side by side.
-enum class PicturePart { whole, left_half, right_half };
+//! What of a picture is drawn: halves are those of eyes side by side. Of `halves_by_rows` each fills the framebuffer, whose rows take turns,
+//! the top one the left half's.
+enum class PicturePart { whole, left_half, right_half, halves_by_rows };
 
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on the GPU, and fills the window with it,
 //! black bars where the shapes differ. The shader computes what render/output/tone_map.h computes.
@@ -58,7 +59,7 @@ class Presenter {
   //! The picture that was handed over last. The texture is the presenter's, and valid until the next one.
   [[nodiscard]] PresentedPicture shown() const;
 
-  //! Draws the picture, or its left or right half, into the bound framebuffer of the given size.
+  //! Draws the picture, or halves of it, into the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height, PicturePart part = PicturePart::whole);
 
   //! The bound framebuffer's pixels, RGB bytes, the top row first.

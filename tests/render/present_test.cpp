@@ -143,6 +143,75 @@ TEST_F(Present, EyesFillOnePictureAsJoinedOnesDo) {
   }
 }
 
+TEST_F(Present, EyesTakeTurnsByTheFramebuffersRows) {
+  Picture left = corners(40, 20);
+  Picture right = corners(40, 20);
+  for (std::size_t i = 0; i < left.rgba.size(); ++i) {
+    left.rgba[i] = i % 4 == 0 ? 1.0F : 0.0F;
+    right.rgba[i] = i % 4 == 1 ? 1.0F : 0.0F;
+  }
+  Presenter presenter;
+  presenter.upload_eyes(left, right, false);
+  struct Framebuffer {
+    int width;
+    int height;
+    int lit_rows;
+  };
+  // Finer, coarser, as the eyes are, with bars of odd height above and below, and with bars at the sides.
+  for (const Framebuffer& frame :
+       {Framebuffer{94, 47, 47}, {30, 15, 15}, {40, 20, 20}, {50, 39, 25}, {50, 40, 25}, {81, 20, 20}}) {
+    make_framebuffer(frame.width, frame.height);
+    presenter.draw(frame.width, frame.height, PicturePart::halves_by_rows);
+    const auto shown = Presenter::read_back(frame.width, frame.height);
+    int lit_rows = 0;
+    for (int y = 0; y < frame.height; ++y) {
+      int brightest = 0;
+      const int mine = y % 2;
+      for (int x = 0; x < frame.width; ++x) {
+        const std::uint8_t* const pixel = &shown[3 * static_cast<std::size_t>(y * frame.width + x)];
+        brightest = std::max(brightest, static_cast<int>(pixel[mine]));
+        ASSERT_EQ(pixel[1 - mine], 0) << x << ", " << y << " of " << frame.width << " x " << frame.height;
+      }
+      lit_rows += brightest > 200 ? 1 : 0;
+    }
+    EXPECT_EQ(lit_rows, frame.lit_rows) << frame.width << " x " << frame.height;
+  }
+}
+
+TEST_F(Present, RowsOfAWindowAsHighAsThePictureAreThoseOfFiles) {
+  const Picture left = corners(40, 20);
+  Picture right = corners(40, 20);
+  std::ranges::reverse(right.rgba);
+  make_framebuffer(40, 20);
+  Presenter presenter;
+  presenter.upload_eyes(left, right, false);
+  presenter.draw(40, 20, PicturePart::halves_by_rows);
+  const auto shown = Presenter::read_back(40, 20);
+  const auto expected = tone_mapped(joined_eyes(left, right, StereoLayout::rows));
+  ASSERT_EQ(shown.size(), expected.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    ASSERT_NEAR(shown[i], expected[i], 1) << i;
+  }
+}
+
+TEST_F(Present, AnEyesPictureHasNothingOfTheOtherAtItsEdge) {
+  Picture left = corners(40, 20);
+  Picture right = corners(40, 20);
+  std::ranges::fill(left.rgba, 0.0F);
+  std::ranges::fill(right.rgba, 1.0F);
+  make_framebuffer(200, 100);
+  Presenter presenter;
+  presenter.upload_eyes(left, right, false);
+  presenter.draw(200, 100, PicturePart::left_half);
+  for (const auto byte : Presenter::read_back(200, 100)) {
+    ASSERT_EQ(byte, 0);
+  }
+  presenter.draw(200, 100, PicturePart::right_half);
+  for (const auto byte : Presenter::read_back(200, 100)) {
+    ASSERT_GT(byte, 200);
+  }
+}
+
 TEST_F(Present, TextLiesInItsCornerAlone) {
   make_framebuffer(640, 480);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
