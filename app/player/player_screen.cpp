@@ -63,7 +63,7 @@ void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
       const FittedText& list = fitted_help(text, {width, height}, usual_px);
       panel.panel.set(list.text, list.letter_px, TextFace::monospaced);
     } else {
-      panel.panel.set(text, usual_px);
+      panel.panel.set(text, usual_px, TextFace::proportional, width);
     }
   }
 }

@@ -23,9 +23,12 @@ struct TextLinesSize {
   int width = 0;
   int height = 0;
 };
-TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face = TextFace::proportional);
+TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face = TextFace::proportional,
+                              int widest_px = 0);
 
-//! Lines of any UTF-8 text one below the other, with some room about them; empty where there is nothing to see or no font.
-TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional);
+//! Lines of any UTF-8 text one below the other, with some room about them; empty where there is nothing to see or no font. `widest_px`: no
+//! image is wider; longer lines go on in the next, between words or, where one is too long, within it. 0: as wide as the lines are.
+TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional,
+                           int widest_px = 0);
 
 }  // namespace ergodome

@@ -1,5 +1,6 @@
 #include <pango/pangocairo.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "render/output/text_image.h"
@@ -25,10 +26,17 @@ struct LaidLines {
   Owned<PangoContext> context;
   Owned<PangoLayout> layout;
   TextLinesSize size;
+  int left_px = 0;  //!< where in the layout its lines begin: those that run to the left are at its right end
   int margin_px = 0;
 };
 
-LaidLines laid_lines(const std::string& text, int font_px, TextFace face) {
+PangoRectangle pixels_of(PangoLayout* layout) {
+  PangoRectangle lines;
+  pango_layout_get_pixel_extents(layout, nullptr, &lines);
+  return lines;
+}
+
+LaidLines laid_lines(const std::string& text, int font_px, TextFace face, int widest_px) {
   LaidLines laid;
   laid.context.reset(pango_font_map_create_context(pango_cairo_font_map_get_default()));
   laid.layout.reset(pango_layout_new(laid.context.get()));
@@ -38,31 +46,37 @@ LaidLines laid_lines(const std::string& text, int font_px, TextFace face) {
   pango_layout_set_font_description(laid.layout.get(), font.get());
   pango_layout_set_spacing(laid.layout.get(), font_px * PANGO_SCALE / 4);
   pango_layout_set_text(laid.layout.get(), text.c_str(), -1);
-  int width = 0;
-  int height = 0;
-  pango_layout_get_pixel_size(laid.layout.get(), &width, &height);
   laid.margin_px = font_px / 2;
-  if (!text.empty() && width > 0 && width <= longest_px && height <= longest_px) {
-    laid.size = {width + 2 * laid.margin_px, height + 2 * laid.margin_px};
+  PangoRectangle lines = pixels_of(laid.layout.get());
+  if (widest_px > 0 && lines.width + 2 * laid.margin_px > widest_px) {
+    pango_layout_set_wrap(laid.layout.get(), PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_width(laid.layout.get(), std::max(widest_px - 2 * laid.margin_px, 1) * PANGO_SCALE);
+    lines = pixels_of(laid.layout.get());
+  }
+  laid.left_px = lines.x;
+  if (!text.empty() && lines.width > 0 && lines.width <= longest_px && lines.height <= longest_px) {
+    const int width = lines.width + 2 * laid.margin_px;
+    // A window may be narrower than a letter.
+    laid.size = {widest_px > 0 ? std::min(width, widest_px) : width, lines.height + 2 * laid.margin_px};
   }
   return laid;
 }
 
 }  // namespace
 
-TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face) {
-  return laid_lines(text, font_px, face).size;
+TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face, int widest_px) {
+  return laid_lines(text, font_px, face, widest_px).size;
 }
 
-TextImage text_lines_image(const std::string& text, int font_px, TextFace face) {
-  const LaidLines laid = laid_lines(text, font_px, face);
+TextImage text_lines_image(const std::string& text, int font_px, TextFace face, int widest_px) {
+  const LaidLines laid = laid_lines(text, font_px, face, widest_px);
   if (laid.size.width == 0) {
     return {};
   }
   TextImage image{laid.size.width, laid.size.height, {}};
   const Owned<cairo_surface_t> surface(cairo_image_surface_create(CAIRO_FORMAT_A8, image.width, image.height));
   const Owned<cairo_t> drawing(cairo_create(surface.get()));
-  cairo_move_to(drawing.get(), laid.margin_px, laid.margin_px);
+  cairo_move_to(drawing.get(), laid.margin_px - laid.left_px, laid.margin_px);
   pango_cairo_show_layout(drawing.get(), laid.layout.get());
   cairo_surface_flush(surface.get());
   const unsigned char* const rows = cairo_image_surface_get_data(surface.get());

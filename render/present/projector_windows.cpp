@@ -193,7 +193,7 @@ void ProjectorWindows::set_text(std::size_t projector, const std::string& text) 
   int width = 0;
   int height = 0;
   screen.window->framebuffer_size(width, height);
-  screen.panel->set(text, std::clamp(height / 30, 12, 48));
+  screen.panel->set(text, std::clamp(height / 30, 12, 48), TextFace::proportional, width);
   state_->control.make_current();
 }
 

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <tuple>
 #include <utility>
 
 #include "render/present/gl_program.h"
@@ -14,7 +15,7 @@ struct TextPanel::State {
   GLuint texture = 0;
   int width = 0;
   int height = 0;
-  std::pair<std::string, int> shown;
+  std::tuple<std::string, int, TextFace, int> shown;
 };
 
 namespace {
@@ -62,12 +63,12 @@ TextPanel::~TextPanel() {
   glDeleteProgram(state_->program);
 }
 
-void TextPanel::set(const std::string& text, int font_px, TextFace face) {
-  if (std::pair(text, font_px) == state_->shown) {
+void TextPanel::set(const std::string& text, int font_px, TextFace face, int widest_px) {
+  if (std::tie(text, font_px, face, widest_px) == state_->shown) {
     return;
   }
-  state_->shown = {text, font_px};
-  const TextImage image = text_lines_image(text, font_px, face);
+  state_->shown = {text, font_px, face, widest_px};
+  const TextImage image = text_lines_image(text, font_px, face, widest_px);
   glDeleteTextures(1, &state_->texture);
   state_->texture = 0;
   state_->width = image.width;

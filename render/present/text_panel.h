@@ -19,8 +19,8 @@ class TextPanel {
   TextPanel(const TextPanel&) = delete;
   TextPanel& operator=(const TextPanel&) = delete;
 
-  //! Takes over lines of text; none where it is empty, or where no font is installed.
-  void set(const std::string& text, int font_px, TextFace face = TextFace::proportional);
+  //! Takes over lines of text; none where it is empty, or where no font is installed. `widest_px`: as of text_lines_image().
+  void set(const std::string& text, int font_px, TextFace face = TextFace::proportional, int widest_px = 0);
 
   //! Draws it at its place in the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle);
