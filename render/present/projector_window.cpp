@@ -26,18 +26,6 @@ std::span<GLFWmonitor*> monitors() {
   return {first, static_cast<std::size_t>(count)};
 }
 
-std::string monitor_list() {
-  std::string list;
-  int number = 0;
-  for (GLFWmonitor* const monitor : monitors()) {
-    const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
-    list += fmt::format("{}{} ({}, {} x {})", number > 0 ? ", " : "", number, glfwGetMonitorName(monitor), mode->width,
-                        mode->height);
-    ++number;
-  }
-  return list;
-}
-
 //! A monitor's whole screen as it is: its resolution stays the desktop's.
 GLFWwindow* whole_screen(const ProjectorSetup& projector, const std::string& title, GLFWwindow* shared) {
   GLFWmonitor* const monitor = monitors()[static_cast<std::size_t>(*projector.output.monitor)];
@@ -119,15 +107,19 @@ void ProjectorWindow::framebuffer_size(int& width, int& height) const {
   glfwGetFramebufferSize(state_->window, &width, &height);
 }
 
-void require_monitors(const DomeSetup& setup) {
-  const int count = static_cast<int>(monitors().size());
-  for (const ProjectorSetup& projector : setup.projectors) {
-    if (projector.output.monitor.value_or(0) >= count && projector.output.monitor) {
-      throw Error(place_of(projector), fmt::format("there is no monitor {}", *projector.output.monitor),
-                  count > 0 ? "choose from " + monitor_list() + ", or give it a window_px"
-                            : "connect one, or give it a window_px");
-    }
+std::vector<DesktopMonitor> connected_monitors() {
+  std::vector<DesktopMonitor> connected;
+  for (GLFWmonitor* const monitor : monitors()) {
+    DesktopMonitor made{glfwGetMonitorName(monitor), {}, {}};
+    glfwGetMonitorPos(monitor, &made.screen.x_px, &made.screen.y_px);
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+    made.screen.width_px = mode->width;
+    made.screen.height_px = mode->height;
+    DesktopRectangle& area = made.work_area;
+    glfwGetMonitorWorkarea(monitor, &area.x_px, &area.y_px, &area.width_px, &area.height_px);
+    connected.push_back(made);
   }
+  return connected;
 }
 
 int free_monitor(const DomeSetup& setup) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calibration/dome_setup.h"
+#include "render/present/desktop.h"
 #include "render/present/window.h"
 
 namespace ergodome {
@@ -17,7 +18,7 @@ enum class SwapTiming { in_step, at_once };
 //! buffers with the control window's, which must outlive it.
 class ProjectorWindow {
  public:
-  //! Throws Error where it cannot be opened. The monitor must be there (require_monitors).
+  //! Throws Error where it cannot be opened. The monitor must be there (require_outputs).
   ProjectorWindow(const Window& control, const ProjectorSetup& projector, SwapTiming timing);
   ~ProjectorWindow();
   ProjectorWindow(const ProjectorWindow&) = delete;
@@ -39,8 +40,8 @@ class ProjectorWindow {
   std::unique_ptr<State> state_;
 };
 
-//! Throws Error, with the monitors that there are, where a setup names one that is not. Needs a window to have been opened.
-void require_monitors(const DomeSetup& setup);
+//! The monitors that there are, in their order. Needs a window to have been opened.
+std::vector<DesktopMonitor> connected_monitors();
 
 //! The number of the first monitor on which no projector of a setup is shown full screen; -1 where there is none.
 int free_monitor(const DomeSetup& setup);

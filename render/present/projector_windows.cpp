@@ -7,6 +7,7 @@
 #include "render/output/image_writer.h"
 #include "render/present/gl_program.h"
 #include "render/present/projector_drawing.h"
+#include "render/present/projector_outputs.h"
 #include "render/present/projector_window.h"
 #include "render/present/raster_texture.h"
 #include "render/present/software_projectors.h"
@@ -55,7 +56,7 @@ struct ProjectorWindows::State {
 ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
                                    const std::vector<ProjectorPicture>& pictures, bool hide_control)
     : state_(std::make_unique<State>(State{control, nullptr, {}, nullptr})) {
-  require_monitors(setup);
+  require_outputs(setup, connected_monitors());
   const int monitor = free_monitor(setup);
   state_->control_shown = !hide_control && monitor >= 0;
   if (state_->control_shown) {

@@ -16,7 +16,7 @@ namespace ergodome {
 class ProjectorWindows {
  public:
   //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills; without one, or with `hide_control`, it
-  //! is not seen. Throws Error where a monitor is missing or a window cannot be opened.
+  //! is not seen. Throws Error where a monitor is missing, or a window would lie beside all of them or cannot be opened.
   ProjectorWindows(Window& control, const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                    bool hide_control);
   ~ProjectorWindows();

@@ -146,6 +146,20 @@ TEST_F(SetupCommands, MissingMonitorsAreToldWithThoseThatThereAre) {
                            "far.toml:[0-9]+, projector left / one: there is no monitor 7; choose from 0 \\("));
 }
 
+TEST_F(SetupCommands, WindowsBesideAllMonitorsAreRefused) {
+  std::string far = setup_of_two;
+  far.replace(far.find("window_px = [64, 0]"), 19, "window_px = [5000, 0]");
+  write("far.toml", far);
+  run_on_display("calibrate far.toml --live --for 1");
+  if (IsSkipped()) {
+    return;
+  }
+  EXPECT_NE(code_, 0);
+  EXPECT_THAT(output_, HasSubstr("projector left _ one: no monitor shows its window, 80 x 40 pixels at window_px = "
+                                 "[5000, 0]; place it on 0 ("));
+  EXPECT_THAT(output_, HasSubstr("800 x 600 at 0, 0)"));
+}
+
 TEST_F(SetupCommands, WithoutADisplaySayWhatToDo) {
   for (const char* words : {"play show.toml --setup dome.toml --for 0.1", "calibrate dome.toml --live --for 0.1"}) {
     ::unsetenv("DISPLAY");

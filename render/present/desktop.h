@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ergodome {
+
+//! A rectangle on the desktop that all monitors share [px]. y runs downwards.
+struct DesktopRectangle {
+  int x_px = 0;
+  int y_px = 0;
+  int width_px = 0;
+  int height_px = 0;
+
+  bool operator==(const DesktopRectangle&) const = default;
+};
+
+struct DesktopMonitor {
+  std::string name;
+  DesktopRectangle screen;
+  DesktopRectangle work_area;  //!< what bars and docks leave of it
+};
+
+//! Whether two have a pixel in common.
+bool overlap(const DesktopRectangle& a, const DesktopRectangle& b);
+
+//! For messages: "0 (DP-1, 1920 x 1080 at 0, 0), 1 (HDMI-1, 1280 x 800 at 1920, 0)".
+std::string monitor_list(const std::vector<DesktopMonitor>& monitors);
+
+}  // namespace ergodome

@@ -1,0 +1,46 @@
+#include "render/present/projector_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+DesktopRectangle window_of(const ProjectorSetup& projector) {
+  return {projector.output.window_x_px, projector.output.window_y_px, projector.width_px, projector.height_px};
+}
+
+void require_output(const ProjectorSetup& projector, const std::vector<DesktopMonitor>& monitors) {
+  if (projector.output.monitor) {
+    if (*projector.output.monitor >= static_cast<int>(monitors.size())) {
+      throw Error(place_of(projector), fmt::format("there is no monitor {}", *projector.output.monitor),
+                  monitors.empty() ? "connect one, or give it a window_px"
+                                   : "choose from " + monitor_list(monitors) + ", or give it a window_px");
+    }
+    return;
+  }
+  const DesktopRectangle window = window_of(projector);
+  const bool seen = monitors.empty() || std::ranges::any_of(monitors, [&](const DesktopMonitor& monitor) {
+                      return overlap(window, monitor.screen);
+                    });
+  if (!seen) {
+    throw Error(place_of(projector),
+                fmt::format("no monitor shows its window, {} x {} pixels at window_px = [{}, {}]", window.width_px,
+                            window.height_px, window.x_px, window.y_px),
+                "place it on " + monitor_list(monitors) + ", or give it a monitor");
+  }
+}
+
+}  // namespace
+
+void require_outputs(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors) {
+  for (const ProjectorSetup& projector : setup.projectors) {
+    require_output(projector, monitors);
+  }
+}
+
+}  // namespace ergodome
