@@ -6,6 +6,16 @@
 
 namespace ergodome {
 
+namespace {
+
+bool lies_within(const DesktopRectangle& inner, const DesktopRectangle& outer) {
+  return inner.x_px >= outer.x_px && inner.y_px >= outer.y_px &&
+         inner.x_px + inner.width_px <= outer.x_px + outer.width_px &&
+         inner.y_px + inner.height_px <= outer.y_px + outer.height_px;
+}
+
+}  // namespace
+
 bool overlap(const DesktopRectangle& a, const DesktopRectangle& b) {
   return std::max(a.x_px, b.x_px) < std::min(a.x_px + a.width_px, b.x_px + b.width_px) &&
          std::max(a.y_px, b.y_px) < std::min(a.y_px + a.height_px, b.y_px + b.height_px);
@@ -19,6 +29,31 @@ std::string monitor_list(const std::vector<DesktopMonitor>& monitors) {
                         screen.height_px, screen.x_px, screen.y_px);
   }
   return list;
+}
+
+std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const std::vector<DesktopMonitor>& monitors,
+                                           std::span<const DesktopRectangle> taken) {
+  for (const DesktopMonitor& monitor : monitors) {
+    // Pushed up and to the left, a window that fits somewhere stops at an edge of the monitor or of what is taken.
+    std::vector<int> lefts = {monitor.work_area.x_px};
+    std::vector<int> tops = {monitor.work_area.y_px};
+    for (const DesktopRectangle& other : taken) {
+      lefts.push_back(other.x_px + other.width_px);
+      tops.push_back(other.y_px + other.height_px);
+    }
+    std::ranges::sort(lefts);
+    std::ranges::sort(tops);
+    for (const int top : tops) {
+      for (const int left : lefts) {
+        const DesktopRectangle place = {left, top, window.width_px, window.height_px};
+        if (lies_within(place, monitor.work_area) &&
+            std::ranges::none_of(taken, [&](const DesktopRectangle& other) { return overlap(place, other); })) {
+          return place;
+        }
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace ergodome

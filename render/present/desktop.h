@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +28,10 @@ bool overlap(const DesktopRectangle& a, const DesktopRectangle& b);
 
 //! For messages: "0 (DP-1, 1920 x 1080 at 0, 0), 1 (HDMI-1, 1280 x 800 at 1920, 0)".
 std::string monitor_list(const std::vector<DesktopMonitor>& monitors);
+
+//! Where a window fits on one monitor and covers nothing that is taken: as far up and to the left as what is taken lets it. None where there
+//! is no such place.
+std::optional<DesktopRectangle> free_place(const DesktopRectangle& window, const std::vector<DesktopMonitor>& monitors,
+                                           std::span<const DesktopRectangle> taken);
 
 }  // namespace ergodome

@@ -43,4 +43,23 @@ void require_outputs(const DomeSetup& setup, const std::vector<DesktopMonitor>& 
   }
 }
 
+std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors) {
+  std::vector<DesktopRectangle> rectangles;
+  rectangles.reserve(setup.projectors.size());
+  for (const ProjectorSetup& projector : setup.projectors) {
+    rectangles.push_back(projector.output.monitor ? monitors[static_cast<std::size_t>(*projector.output.monitor)].screen
+                                                  : window_of(projector));
+  }
+  return rectangles;
+}
+
+std::optional<DesktopRectangle> place_beside_projectors(const DesktopRectangle& window, const DomeSetup& setup,
+                                                        const std::vector<DesktopMonitor>& monitors) {
+  const std::vector<DesktopRectangle> taken = output_rectangles(setup, monitors);
+  if (std::ranges::none_of(taken, [&](const DesktopRectangle& other) { return overlap(window, other); })) {
+    return std::nullopt;
+  }
+  return free_place(window, monitors, taken);
+}
+
 }  // namespace ergodome

@@ -42,6 +42,13 @@ Picture brought_back(const PresentedPicture& shown) {
   return picture;
 }
 
+//! Moves the control window out from under the projectors' windows, where they share its monitor and there is room.
+void uncover(Window& control, const DomeSetup& setup) {
+  if (const auto place = place_beside_projectors(control.rectangle(), setup, connected_monitors())) {
+    control.move_to(*place);
+  }
+}
+
 }  // namespace
 
 struct ProjectorWindows::State {
@@ -79,6 +86,9 @@ ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
     state_->screens.push_back(std::move(screen));
   }
   control.make_current();
+  if (state_->control_shown) {
+    uncover(control, setup);
+  }
 }
 
 ProjectorWindows::~ProjectorWindows() {

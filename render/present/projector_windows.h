@@ -15,8 +15,9 @@ namespace ergodome {
 //! no GPU the processor draws what the projectors are sent, until their warps are changed.
 class ProjectorWindows {
  public:
-  //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills; without one, or with `hide_control`, it
-  //! is not seen. Throws Error where a monitor is missing, or a window would lie beside all of them or cannot be opened.
+  //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills, beside windows that are there if there is
+  //! room; without such a monitor, or with `hide_control`, it is not seen. Throws Error where a monitor is missing, or a window would lie
+  //! beside all of them or cannot be opened.
   ProjectorWindows(Window& control, const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                    bool hide_control);
   ~ProjectorWindows();

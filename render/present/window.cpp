@@ -144,6 +144,25 @@ void Window::move_to_monitor(int monitor) {
   glfwSetWindowPos(state_->window, x, y + title_bar_px);
 }
 
+DesktopRectangle Window::rectangle() const {
+  DesktopRectangle inside;
+  glfwGetWindowPos(state_->window, &inside.x_px, &inside.y_px);
+  glfwGetWindowSize(state_->window, &inside.width_px, &inside.height_px);
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+  glfwGetWindowFrameSize(state_->window, &left, &top, &right, &bottom);
+  return {inside.x_px - left, inside.y_px - top, inside.width_px + left + right, inside.height_px + top + bottom};
+}
+
+void Window::move_to(const DesktopRectangle& place) {
+  int left = 0;
+  int top = 0;
+  glfwGetWindowFrameSize(state_->window, &left, &top, nullptr, nullptr);
+  glfwSetWindowPos(state_->window, place.x_px + left, place.y_px + top);
+}
+
 void Window::make_current() { glfwMakeContextCurrent(state_->window); }
 
 void Window::swap_at_once() { glfwSwapInterval(0); }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "render/present/desktop.h"
+
 namespace ergodome {
 
 //! Something that a person did to the window.
@@ -56,6 +58,12 @@ class Window {
 
   //! Moves it to the top left of a monitor, counted from 0.
   void move_to_monitor(int monitor);
+
+  //! Where it is, with the frame that a window manager gives it.
+  [[nodiscard]] DesktopRectangle rectangle() const;
+
+  //! Moves it, its frame's top left corner to there. A full screen stays.
+  void move_to(const DesktopRectangle& place);
 
   //! Makes its context the current one, after another window's.
   void make_current();

@@ -63,5 +63,23 @@ TEST(ProjectorOutputs, WithoutMonitorsWindowsAreTakenAsTheyAre) {
   EXPECT_THAT(error_of([] { require_outputs(setup_of({projector_on_monitor(0)}), {}); }), HasSubstr("connect one"));
 }
 
+TEST(ProjectorOutputs, AreWholeMonitorsOrWindows) {
+  const DomeSetup setup = setup_of({projector_on_monitor(1), projector_in_window(10, 20)});
+  EXPECT_THAT(output_rectangles(setup, side_by_side),
+              testing::ElementsAre(DesktopRectangle{1000, 0, 1000, 800}, DesktopRectangle{10, 20, 200, 100}));
+}
+
+TEST(ProjectorOutputs, UncoverAWindowWhereThereIsRoom) {
+  const DomeSetup setup = setup_of({projector_in_window(0, 0), projector_on_monitor(1)});
+  EXPECT_EQ(place_beside_projectors({0, 40, 700, 700}, setup, side_by_side), (DesktopRectangle{200, 0, 700, 700}));
+  EXPECT_EQ(place_beside_projectors({0, 40, 900, 700}, setup, side_by_side), (DesktopRectangle{0, 100, 900, 700}));
+}
+
+TEST(ProjectorOutputs, LeaveAWindowWhereItIsSeenOrNothingIsFree) {
+  const DomeSetup setup = setup_of({projector_in_window(0, 0), projector_on_monitor(1)});
+  EXPECT_EQ(place_beside_projectors({300, 40, 700, 700}, setup, side_by_side), std::nullopt);
+  EXPECT_EQ(place_beside_projectors({0, 40, 900, 750}, setup, side_by_side), std::nullopt);
+}
+
 }  // namespace
 }  // namespace ergodome
