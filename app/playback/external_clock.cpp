@@ -45,20 +45,20 @@ ChaseState ClockChaser::follow(ShowClock& clock, const std::optional<ClockFix>& 
     }
     return ChaseState::following;
   }
-  const auto age = clock.now() - fix->received;
-  if (age > patience) {
+  const auto silence = clock.now() - fix->heard;
+  if (silence > patience) {
     if (clock.playing()) {
       clock.pause();
     }
     return ChaseState::held;
   }
   follow_running(clock, *fix);
-  return age > settings_.silence ? ChaseState::freewheeling : ChaseState::following;
+  return silence > settings_.silence ? ChaseState::freewheeling : ChaseState::following;
 }
 
 void ClockChaser::follow_running(ShowClock& clock, const ClockFix& fix) const {
   const ShowInstant own = clock.read();
-  const auto since = ShowTime(std::llround(static_cast<double>((own.now - fix.received).count()) * fix.speed));
+  const auto since = ShowTime(std::llround(static_cast<double>((own.now - fix.right_at).count()) * fix.speed));
   const ShowTime error = error_of(clock, own.time, fix.show_time + since);
   double speed = fix.speed;
   if (std::chrono::abs(error) > settings_.jump || !own.playing) {

@@ -11,9 +11,10 @@ namespace ergodome {
 
 //! What another machine says of the show's time.
 struct ClockFix {
-  ShowTime show_time{};      //!< at the moment it was received
+  ShowTime show_time{};
   double speed = 1.0;        //!< show seconds in a second; 0: it stands there, until it says otherwise
-  MonotonicTime received{};  //!< by the clock that the show's own clock runs by
+  MonotonicTime right_at{};  //!< when the show's time was that one, by the clock that the show's own clock runs by
+  MonotonicTime heard{};     //!< when its word came, by the same: silence is counted from here
 };
 
 //! A clock that the show follows: a thread that listens posts what it hears, the player reads.

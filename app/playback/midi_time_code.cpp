@@ -180,7 +180,7 @@ ClockFix TimeCodeFilter::filter(const MidiTimeCodeReader::Reading& reading, Mono
   const ShowTime time = time_of_frame(quarters, {4 * rate.frames, rate.seconds});
   if (reading.direction == 0) {
     points_.clear();
-    return {time, 0.0, received};
+    return {time, 0.0, received, received};
   }
   constexpr auto window = std::chrono::seconds(1);
   constexpr auto tear = std::chrono::milliseconds(100);
@@ -221,7 +221,7 @@ ClockFix TimeCodeFilter::line(double usual_speed) const {
   // Few points tell the place, and the speed only badly: they are taken to run as time does.
   constexpr std::size_t enough = 24;
   const double speed = points_.size() >= enough && xx > 0.0 ? xy / xx : usual_speed;
-  return {last.time + show_time(mean_y - speed * mean_x), speed, last.received};
+  return {last.time + show_time(mean_y - speed * mean_x), speed, last.received, last.received};
 }
 
 }  // namespace ergodome

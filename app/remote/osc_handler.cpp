@@ -157,7 +157,8 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
   const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
   const steady_clock::time_point right_at =
       after(now.steady, checked_number("clock: time of the bundle", ahead_s, -longest_wait_s, longest_wait_s));
-  fix.received = right_at.time_since_epoch();
+  fix.right_at = right_at.time_since_epoch();
+  fix.heard = now.steady.time_since_epoch();
   clock_(fix);
 }
 

@@ -21,6 +21,11 @@ struct Chase {
   std::optional<ClockFix> fix;
   ChaseState state = ChaseState::waiting;
 
+  //! What the other clock says now, of now or of a time so far ahead.
+  [[nodiscard]] ClockFix word(ShowTime show_time, double speed, std::chrono::nanoseconds ahead = 0s) const {
+    return {show_time, speed, time.now + ahead, time.now};
+  }
+
   ShowInstant frame() {
     time.pass(1.0 / 60.0);
     state = chaser.follow(clock, fix, 1s);
@@ -38,7 +43,7 @@ TEST(ClockChaser, StandsUntilItHearsSomething) {
 
 TEST(ClockChaser, JumpsToWhereTheOtherClockIs) {
   Chase chase;
-  chase.fix = ClockFix{100s, 1.0, chase.time.now};
+  chase.fix = chase.word(100s, 1.0);
   const ShowInstant now = chase.frame();
   EXPECT_EQ(chase.state, ChaseState::following);
   EXPECT_TRUE(now.playing);
@@ -47,11 +52,11 @@ TEST(ClockChaser, JumpsToWhereTheOtherClockIs) {
 
 TEST(ClockChaser, SlewsSmallErrorsWithoutAJump) {
   Chase chase;
-  chase.fix = ClockFix{100s, 1.0, chase.time.now};
+  chase.fix = chase.word(100s, 1.0);
   const long jumps = chase.frame().jumps;
   double last_s = seconds_of(chase.clock.read().time);
   for (int i = 0; i < 300; ++i) {
-    chase.fix = ClockFix{100s + (chase.time.now - FakeTime{}.now) + 50ms, 1.0, chase.time.now};
+    chase.fix = chase.word(100s + (chase.time.now - FakeTime{}.now) + 50ms, 1.0);
     const double now_s = seconds_of(chase.frame().time);
     EXPECT_NEAR(now_s - last_s, 1.0 / 60.0, 0.1 / 60.0 + 1e-6) << "no step is more than a tenth longer";
     last_s = now_s;
@@ -66,7 +71,7 @@ TEST(ClockChaser, KeepsInStepWithAClockThatRunsALittleFast) {
   double worst_s = 0.0;
   for (int i = 0; i < 3600; ++i) {
     const double other_s = 10.0 + 1.0003 * seconds_of(chase.time.now - FakeTime{}.now);
-    chase.fix = ClockFix{show_time(other_s), 1.0, chase.time.now};
+    chase.fix = chase.word(show_time(other_s), 1.0);
     const double own_s = seconds_of(chase.frame().time);
     const double then_s = 10.0 + 1.0003 * seconds_of(chase.time.now - FakeTime{}.now);
     worst_s = std::max(worst_s, std::abs(own_s - then_s));
@@ -76,7 +81,7 @@ TEST(ClockChaser, KeepsInStepWithAClockThatRunsALittleFast) {
 
 TEST(ClockChaser, FollowsBackwardsAndAtOtherSpeeds) {
   Chase chase;
-  chase.fix = ClockFix{100s, -2.0, chase.time.now};
+  chase.fix = chase.word(100s, -2.0);
   for (int i = 0; i < 30; ++i) {
     chase.frame();
   }
@@ -85,7 +90,7 @@ TEST(ClockChaser, FollowsBackwardsAndAtOtherSpeeds) {
 
 TEST(ClockChaser, RunsOnForAMomentWhenNothingComesAndThenStops) {
   Chase chase;
-  chase.fix = ClockFix{100s, 1.0, chase.time.now};
+  chase.fix = chase.word(100s, 1.0);
   for (int i = 0; i < 30; ++i) {
     chase.frame();
   }
@@ -99,17 +104,35 @@ TEST(ClockChaser, RunsOnForAMomentWhenNothingComesAndThenStops) {
   EXPECT_NEAR(seconds_of(held), 101.0, 0.03);
   chase.frame();
   EXPECT_EQ(chase.clock.read().time, held);
-  chase.fix = ClockFix{300s, 1.0, chase.time.now};
+  chase.fix = chase.word(300s, 1.0);
   chase.frame();
   EXPECT_EQ(chase.state, ChaseState::following);
   EXPECT_TRUE(chase.clock.playing());
 }
 
+TEST(ClockChaser, CountsSilenceFromWhenAWordCameWhateverTimeItIsOf) {
+  for (const auto ahead : {-5s, 5s}) {
+    Chase chase;
+    for (int i = 0; i < 60; ++i) {
+      chase.fix = chase.word(100s + (chase.time.now - FakeTime{}.now), 1.0, ahead);
+      chase.frame();
+      ASSERT_EQ(chase.state, ChaseState::following) << ahead.count();
+    }
+    EXPECT_TRUE(chase.clock.playing());
+    EXPECT_NEAR(seconds_of(chase.clock.read().time), 101.0 - seconds_of(ahead), 1e-6);
+    for (int i = 0; i < 62; ++i) {
+      chase.frame();
+    }
+    EXPECT_EQ(chase.state, ChaseState::held) << ahead.count();
+    EXPECT_NEAR(seconds_of(chase.clock.read().time), 102.0 - seconds_of(ahead), 0.03);
+  }
+}
+
 TEST(ClockChaser, StandsExactlyWhereAStoppedClockStands) {
   Chase chase;
-  chase.fix = ClockFix{100s, 1.0, chase.time.now};
+  chase.fix = chase.word(100s, 1.0);
   chase.frame();
-  chase.fix = ClockFix{250s, 0.0, chase.time.now};
+  chase.fix = chase.word(250s, 0.0);
   for (int i = 0; i < 200; ++i) {
     chase.frame();
   }
@@ -120,7 +143,7 @@ TEST(ClockChaser, StandsExactlyWhereAStoppedClockStands) {
 
 TEST(ClockChaser, FollowsRoundALoopWithoutAJumpBack) {
   Chase chase;
-  chase.fix = ClockFix{599500ms, 1.0, chase.time.now};
+  chase.fix = chase.word(599500ms, 1.0);
   for (int i = 0; i < 60; ++i) {
     chase.frame();
   }
@@ -131,7 +154,7 @@ TEST(ClockChaser, FollowsRoundALoopWithoutAJumpBack) {
 TEST(ClockChaser, RestsAtTheEndOfAShowThatDoesNotLoop) {
   Chase chase;
   chase.clock.set_loop(false);
-  chase.fix = ClockFix{599900ms, 1.0, chase.time.now};
+  chase.fix = chase.word(599900ms, 1.0);
   for (int i = 0; i < 30; ++i) {
     chase.frame();
   }

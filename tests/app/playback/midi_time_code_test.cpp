@@ -149,7 +149,7 @@ struct Machine {
       const double sent_s = i * quarter_s / speed;
       const ClockFix fix = filter.filter({i, rate, 1}, show_time(sent_s + late_s(random)));
       // What was sent with the mean delay is what can be known.
-      const double truth_s = speed * (seconds_of(fix.received) - jitter_s / 2.0);
+      const double truth_s = speed * (seconds_of(fix.right_at) - jitter_s / 2.0);
       if (i > 16) {
         worst_s = std::max(worst_s, std::abs(seconds_of(fix.show_time) - truth_s));
       }

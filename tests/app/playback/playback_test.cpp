@@ -187,7 +187,7 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   const auto clock = std::make_shared<ExternalClock>("MIDI time code", 1s);
   playback_.follow(clock);
   EXPECT_EQ(status().clock, "MIDI time code, not heard yet");
-  clock->post({40s, 1.0, time_.now});
+  clock->post({40s, 1.0, time_.now, time_.now});
   EXPECT_EQ(now_s(), 40.0);
   EXPECT_EQ(status().clock, "MIDI time code");
   EXPECT_EQ(status().follows, "MIDI time code");

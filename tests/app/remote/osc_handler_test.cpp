@@ -161,9 +161,17 @@ TEST_F(Osc, AMasterClockIsHeard) {
   ASSERT_EQ(fixes_.size(), 3U);
   EXPECT_EQ(fixes_[0].show_time, milliseconds(12'250));
   EXPECT_EQ(fixes_[0].speed, 1.0);
-  EXPECT_EQ(fixes_[0].received, now_.steady.time_since_epoch());
+  EXPECT_EQ(fixes_[0].right_at, now_.steady.time_since_epoch());
   EXPECT_EQ(fixes_[1].speed, 0.5);
-  EXPECT_EQ(fixes_[2].received, (now_.steady - milliseconds(500)).time_since_epoch());
+  EXPECT_EQ(fixes_[2].right_at, (now_.steady - milliseconds(500)).time_since_epoch());
+}
+
+TEST_F(Osc, AMastersWordIsHeardWhenItComesWhateverItsMachinesClockSays) {
+  for (const double ahead_s : {-5.0, 5.0}) {
+    receive(bundle_of(in_seconds(ahead_s), {packet_of("/ergodome/clock", "d", 20.0)}));
+    EXPECT_EQ(fixes_.back().heard, now_.steady.time_since_epoch());
+    EXPECT_EQ(fixes_.back().right_at, now_.steady.time_since_epoch() + show_time(ahead_s));
+  }
 }
 
 TEST_F(Osc, AClockThatNobodyFollowsIsRefused) {
