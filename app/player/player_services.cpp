@@ -65,12 +65,12 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     sound_ = std::make_unique<AudioPlayer>(options.sound_later_s);
     sound_->set_soundtrack(soundtrack_of(show));
   }
-  const auto listener = [clock = options.clock == "osc" ? clock_ : nullptr](const ClockFix& fix) {
-    if (clock) {
-      clock->post(fix);
-    }
-  };
-  remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, listener);
+  OscListeners listeners;
+  listeners.warning = [log = log_](const std::string& line) { log->warn("{}", line); };
+  if (options.clock == "osc") {
+    listeners.clock = [clock = clock_](const ClockFix& fix) { clock->post(fix); };
+  }
+  remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, std::move(listeners));
   for (const std::string& line : remote_->greeting()) {
     // For the person who started the show; it may hold the token, so it goes to no log.
     fmt::print("{}\n", line);

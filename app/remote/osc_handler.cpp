@@ -1,7 +1,6 @@
 #include "app/remote/osc_handler.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cctype>
@@ -75,7 +74,7 @@ std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, 
   std::vector<OscDatagram> answers;
   const auto complain = [&](const std::string& address, const Error& error) {
     if (complaints_.allows(now.steady)) {
-      spdlog::warn("OSC from {}: {}", from.host(), error.what());
+      warn(from, error.what(), now.steady);
       const OscOutput complaint = {"/ergodome/error", {quotable(address), std::string(error.what())}};
       answers.push_back({from, osc_packet({&complaint, 1})});
     }
@@ -113,6 +112,12 @@ std::optional<OscOutput> OscHandler::heed(const OscMessage& message, const NetAd
   return std::nullopt;
 }
 
+void OscHandler::warn(const NetAddress& from, const std::string& problem, steady_clock::time_point now) {
+  if (listeners_.warning && warnings_.allows(now)) {
+    listeners_.warning(fmt::format("OSC from {}: {}", from.host(), problem));
+  }
+}
+
 void OscHandler::command(const OscMessage& message, const OscInstant& now) {
   const bool ours = message.address.starts_with(root);
   const std::string name = ours ? message.address.substr(root.size()) : message.address;
@@ -144,8 +149,8 @@ void OscHandler::command(const OscMessage& message, const OscInstant& now) {
 }
 
 void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) {
-  if (!clock_) {
-    throw Error("clock", "the player does not follow a clock", "start it so that it does");
+  if (!listeners_.clock) {
+    throw Error("clock", "the show's time does not follow OSC", "start the player with --clock osc");
   }
   expect_at_most(message, 2);
   ClockFix fix;
@@ -159,7 +164,7 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
       after(now.steady, checked_number("clock: time of the bundle", ahead_s, -longest_wait_s, longest_wait_s));
   fix.right_at = right_at.time_since_epoch();
   fix.heard = now.steady.time_since_epoch();
-  clock_(fix);
+  listeners_.clock(fix);
 }
 
 namespace {

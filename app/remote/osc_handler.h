@@ -14,8 +14,11 @@
 
 namespace ergodome {
 
-//! What a master clock's word is given to; called on the remote control's thread.
-using ClockListener = std::function<void(const ClockFix&)>;
+//! Who hears what OSC has beside commands; called on the remote control's thread.
+struct OscListeners {
+  std::function<void(const ClockFix&)> clock;       //!< a master clock's word; empty: it is refused
+  std::function<void(const std::string&)> warning;  //!< a line for the log; may be empty
+};
 
 //! The same instant by the clock that never jumps and by the time of day.
 struct OscInstant {
@@ -40,8 +43,8 @@ class OscHandler {
   static constexpr std::chrono::seconds subscription{30};
   static constexpr std::chrono::milliseconds feedback_interval{100};
 
-  OscHandler(CommandQueue& commands, const StatusBoard& board, ClockListener clock)
-      : commands_(commands), board_(board), clock_(std::move(clock)) {}
+  OscHandler(CommandQueue& commands, const StatusBoard& board, OscListeners listeners)
+      : commands_(commands), board_(board), listeners_(std::move(listeners)) {}
 
   //! Does what a packet says and gives the answers to it. Never throws for a packet's sake.
   std::vector<OscDatagram> receive(std::span<const std::byte> packet, const NetAddress& from, const OscInstant& now);
@@ -63,6 +66,7 @@ class OscHandler {
   };
 
   std::optional<OscOutput> heed(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  void warn(const NetAddress& from, const std::string& problem, std::chrono::steady_clock::time_point now);
   void command(const OscMessage& message, const OscInstant& now);
   void follow_clock(const OscMessage& message, const OscInstant& now);
   void subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now);
@@ -70,11 +74,12 @@ class OscHandler {
 
   CommandQueue& commands_;
   const StatusBoard& board_;
-  ClockListener clock_;
+  OscListeners listeners_;
   std::vector<Waiting> waiting_;  // in order of time
   std::vector<Subscriber> subscribers_;
   std::chrono::steady_clock::time_point next_feedback_;
   RateLimit complaints_{10.0, 10.0};
+  RateLimit warnings_{1.0, 10.0};  // fewer: the log's other lines are to stay in sight
 };
 
 //! What a subscriber is told, ten times a second.

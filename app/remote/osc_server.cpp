@@ -15,8 +15,9 @@ OscInstant now() { return {std::chrono::steady_clock::now(), osc_now()}; }
 
 }  // namespace
 
-OscServer::OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board, ClockListener clock)
-    : handler_(commands, board, std::move(clock)), socket_(bound_socket(SOCK_DGRAM, address, "OSC", "--osc")) {
+OscServer::OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board,
+                     OscListeners listeners)
+    : handler_(commands, board, std::move(listeners)), socket_(bound_socket(SOCK_DGRAM, address, "OSC", "--osc")) {
   thread_ = std::thread([this] { serve(); });
 }
 

@@ -13,7 +13,7 @@ namespace ergodome {
 class OscServer {
  public:
   //! Throws Error where the address cannot be had.
-  OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board, ClockListener clock);
+  OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board, OscListeners listeners);
   ~OscServer();
   OscServer(const OscServer&) = delete;
   OscServer& operator=(const OscServer&) = delete;

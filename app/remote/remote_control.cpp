@@ -75,7 +75,7 @@ void add_remote_options(CLI::App& command, RemoteOptions& options) {
 }
 
 RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& commands, const StatusBoard& board,
-                             std::shared_ptr<LogRing> log, ClockListener clock) {
+                             std::shared_ptr<LogRing> log, OscListeners listeners) {
   if (options.web_port) {
     const NetAddress address = address_of(options.web_bind, *options.web_port, "--web-bind");
     token_ = token_of(options, address);
@@ -83,7 +83,7 @@ RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& command
   }
   if (options.osc_port) {
     const NetAddress address = address_of(options.osc_bind, *options.osc_port, "--osc-bind");
-    osc_ = std::make_unique<OscServer>(address, commands, board, std::move(clock));
+    osc_ = std::make_unique<OscServer>(address, commands, board, std::move(listeners));
   }
 }
 

@@ -35,10 +35,10 @@ void add_remote_options(CLI::App& command, RemoteOptions& options);
 //! their own and never hold up the player; the destructor ends them within a moment, whatever clients do.
 class RemoteControl {
  public:
-  //! Starts what the options ask for. `clock` hears of OSC's master clock, and may be empty. Queue and board must outlive this. Throws
+  //! Starts what the options ask for. `listeners` hear what OSC has beside commands. Queue and board must outlive this. Throws
   //! Error where a port is in use, an address is not this machine's, or a token is not fit to be one.
   RemoteControl(const RemoteOptions& options, CommandQueue& commands, const StatusBoard& board,
-                std::shared_ptr<LogRing> log, ClockListener clock);
+                std::shared_ptr<LogRing> log, OscListeners listeners);
   ~RemoteControl();
   RemoteControl(const RemoteControl&) = delete;
   RemoteControl& operator=(const RemoteControl&) = delete;

@@ -1,5 +1,3 @@
-#include <spdlog/spdlog.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,14 +24,16 @@ void expect_finite(double number) {
 
 // A packet goes through liblo and the handler, with an answer to it and what comes due; what reaches the player is finite.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  spdlog::set_level(spdlog::level::off);
   ergodome::CommandQueue commands;
   ergodome::StatusBoard board;
   board.post(show_with_chapters());
-  ergodome::OscHandler handler(commands, board, [](const ergodome::ClockFix& fix) {
-    expect_finite(ergodome::seconds_of(fix.show_time));
-    expect_finite(fix.speed);
-  });
+  ergodome::OscHandler handler(commands, board,
+                               {.clock =
+                                    [](const ergodome::ClockFix& fix) {
+                                      expect_finite(ergodome::seconds_of(fix.show_time));
+                                      expect_finite(fix.speed);
+                                    },
+                                .warning = {}});
   const ergodome::OscInstant now = {std::chrono::steady_clock::time_point(std::chrono::seconds(1)),
                                     ergodome::OscTime{1} << 32U};
   const std::span<const std::byte> packet = std::as_bytes(std::span(data, size));

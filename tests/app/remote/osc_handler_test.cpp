@@ -57,7 +57,11 @@ class Osc : public testing::Test {
   CommandQueue commands_;
   StatusBoard board_;
   std::vector<ClockFix> fixes_;
-  OscHandler handler_{commands_, board_, [this](const ClockFix& fix) { fixes_.push_back(fix); }};
+  std::vector<std::string> warnings_;
+  OscHandler handler_{commands_,
+                      board_,
+                      {.clock = [this](const ClockFix& fix) { fixes_.push_back(fix); },
+                       .warning = [this](const std::string& line) { warnings_.push_back(line); }}};
   NetAddress sender_ = *NetAddress::parse("127.0.0.1", 5000);
   OscInstant now_ = {steady_clock::time_point(seconds(1000)), OscTime{3'900'000'000U} << 32U};
 };
@@ -128,6 +132,17 @@ TEST_F(Osc, ComplaintsAreLimited) {
 TEST_F(Osc, BundlesWaitForTheirTime) {
   receive(bundle_of(in_seconds(2.0), {packet_of("/ergodome/play", ""), packet_of("/ergodome/seek", "i", 5)}));
   EXPECT_THAT(commands_.take_all(), IsEmpty());
+TEST_F(Osc, WhatIsWrongIsALineOfTheLogAndAFloodDoesNotFillIt) {
+  receive(packet_of("/ergodome/pley", ""));
+  EXPECT_THAT(warnings_, ElementsAre(testing::AllOf(testing::StartsWith("OSC from 127.0.0.1: /ergodome/pley"),
+                                                    HasSubstr("did you mean"))));
+  for (int i = 0; i < 1000; ++i) {
+    now_.steady += milliseconds(100);
+    receive(packet_of("/nothing", ""));
+  }
+  EXPECT_NEAR(static_cast<double>(warnings_.size()), 110.0, 1.0) << "ten at once, and one a second";
+}
+
   EXPECT_EQ(handler_.next_tick(), now_.steady + seconds(2));
   handler_.tick(now_.steady + milliseconds(1999));
   EXPECT_THAT(commands_.take_all(), IsEmpty());
@@ -175,8 +190,11 @@ TEST_F(Osc, AMastersWordIsHeardWhenItComesWhateverItsMachinesClockSays) {
 }
 
 TEST_F(Osc, AClockThatNobodyFollowsIsRefused) {
-  OscHandler deaf(commands_, board_, ClockListener());
-  EXPECT_EQ(deaf.receive(packet_of("/ergodome/clock", "d", 1.0), sender_, now_).size(), 1U);
+  OscHandler deaf(commands_, board_, OscListeners());
+  const auto answers = deaf.receive(packet_of("/ergodome/clock", "d", 1.0), sender_, now_);
+  ASSERT_EQ(answers.size(), 1U);
+  const OscMessage complaint = test::messages_in(answers[0].bytes).at(0);
+  EXPECT_THAT(std::get<std::string>(complaint.arguments.at(1)), HasSubstr("start the player with --clock osc"));
 }
 
 TEST_F(Osc, SubscribersAreToldTenTimesASecondUntilTheyExpire) {

@@ -46,8 +46,7 @@ class Controller {
 class OscServerTest : public testing::Test {
  protected:
   void start(const std::string& host) {
-    server_ =
-        std::make_unique<OscServer>(*NetAddress::parse(host, 0), player_.commands, player_.board, ClockListener());
+    server_ = std::make_unique<OscServer>(*NetAddress::parse(host, 0), player_.commands, player_.board, OscListeners());
   }
 
   test::FakePlayer player_;

@@ -18,7 +18,7 @@ using testing::Not;
 class RemoteControlTest : public testing::Test {
  protected:
   std::unique_ptr<RemoteControl> started(const RemoteOptions& options) {
-    return std::make_unique<RemoteControl>(options, commands_, board_, log_, ClockListener());
+    return std::make_unique<RemoteControl>(options, commands_, board_, log_, OscListeners());
   }
   std::string refusal(const RemoteOptions& options) {
     return test::error_of([&] { started(options); });

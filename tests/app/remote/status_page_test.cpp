@@ -37,7 +37,7 @@ class StatusPage : public testing::Test {
   void serve(int port) {
     RemoteOptions options;
     options.web_port = port;
-    remote_ = std::make_unique<RemoteControl>(options, player_.commands, player_.board, log_, ClockListener());
+    remote_ = std::make_unique<RemoteControl>(options, player_.commands, player_.board, log_, OscListeners());
   }
 
   static bool has(const std::string& selector) {
