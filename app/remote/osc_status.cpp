@@ -34,6 +34,7 @@ std::vector<OscOutput> osc_status(const PlayerStatus& status) {
           {prefix + "duration", {as_float(status.duration_s)}},
           {prefix + "playing", {status.playing}},
           {prefix + "speed", {as_float(status.speed)}},
+          {prefix + "clock", {within_a_packet(status.clock)}},
           {prefix + "loop", {status.loop}},
           {prefix + "blackout", {status.blackout}},
           {prefix + "chapter", {OscInteger{status.chapter}, within_a_packet(chapter_title(status))}},

@@ -244,6 +244,7 @@ TEST_F(Osc, FeedbackSaysWhatThePlayerDoes) {
   board_.post(status);
   receive(packet_of("/ergodome/subscribe", ""));
   const std::vector<OscDatagram> feedback = handler_.tick(now_.steady);
+  status.clock = "OSC, not heard yet";
   ASSERT_EQ(feedback.size(), 1U);
   EXPECT_LT(feedback[0].bytes.size(), 1472U) << "more than a packet of Ethernet holds";
   std::map<std::string, std::vector<OscArgument>> told;
@@ -254,6 +255,7 @@ TEST_F(Osc, FeedbackSaysWhatThePlayerDoes) {
   EXPECT_EQ(told.at("/ergodome/status/playing"), std::vector<OscArgument>{false});
   EXPECT_EQ(told.at("/ergodome/status/chapter"), (std::vector<OscArgument>{0.0, std::string("Departure")}));
 }
+  EXPECT_EQ(told.at("/ergodome/status/clock"), std::vector<OscArgument>{std::string("OSC, not heard yet")});
 
 }  // namespace
 }  // namespace ergodome
