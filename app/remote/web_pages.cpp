@@ -73,9 +73,16 @@ std::string pattern_of(std::string_view path) {
   return pattern;
 }
 
-std::uint64_t number_in(const std::string& text) {
+//! The line of the log that a request wants those after; 0 where it does not say. Throws Error where that is no number.
+std::uint64_t line_before(const httplib::Request& request) {
   std::uint64_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
+  if (request.has_param("after")) {
+    const std::string text = request.get_param_value("after");
+    const char* const end = text.data() + text.size();
+    if (const auto [stop, problem] = std::from_chars(text.data(), end, number); problem != std::errc{} || stop != end) {
+      throw Error("after", "takes the number of a line of the log", "send one from 0 on");
+    }
+  }
   return number;
 }
 
@@ -97,9 +104,8 @@ WebPages::WebPages(WebGuard guard, CommandQueue& commands, const StatusBoard& bo
   Get("/api/status", [this](const httplib::Request&, httplib::Response& response) {
     response.set_content(status_json(board_.read()), json_type);
   });
-  Get("/api/log", [this](const httplib::Request& request, httplib::Response& response) {
-    response.set_content(log_json(log_->after(number_in(request.get_param_value("after")))), json_type);
-  });
+  Get("/api/log",
+      [this](const httplib::Request& request, httplib::Response& response) { send_log(request, response); });
   Get("/api/events", [this](const httplib::Request&, httplib::Response& response) { send_events(response); });
   Post("/api/command",
        [this](const httplib::Request& request, httplib::Response& response) { take_command(request, response); });
@@ -166,6 +172,15 @@ void WebPages::take_command(const httplib::Request& request, httplib::Response& 
   try {
     commands_.push(parse_json_command(request.body, board_.read()));
     response.set_content(answer_json(""), json_type);
+  } catch (const Error& error) {
+    response.status = 400;
+    response.set_content(answer_json(error.what()), json_type);
+  }
+}
+
+void WebPages::send_log(const httplib::Request& request, httplib::Response& response) const {
+  try {
+    response.set_content(log_json(log_->after(line_before(request))), json_type);
   } catch (const Error& error) {
     response.status = 400;
     response.set_content(answer_json(error.what()), json_type);

@@ -31,6 +31,7 @@ class WebPages : private httplib::Server {
   HandlerResponse let_in(const httplib::Request& request, httplib::Response& response);
   void add_files();
   void take_command(const httplib::Request& request, httplib::Response& response);
+  void send_log(const httplib::Request& request, httplib::Response& response) const;
   void send_events(httplib::Response& response);
 
   WebGuard guard_;

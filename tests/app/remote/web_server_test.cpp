@@ -116,6 +116,15 @@ TEST_F(OnLoopback, TheLogGoesOnFromALine) {
   EXPECT_EQ(rest[0].at("text"), "second");
 }
 
+TEST_F(OnLoopback, TheLogAfterWhatIsNoLineIsRefused) {
+  for (const char* after : {"-1", "abc", "", "1x", "1.5", "99999999999999999999"}) {
+    const auto answer = client().Get(std::string("/api/log?after=") + after);
+    ASSERT_TRUE(answer) << after;
+    EXPECT_EQ(answer->status, 400) << after;
+    EXPECT_THAT(json::parse(answer->body).at("error"), HasSubstr("number of a line")) << after;
+  }
+}
+
 TEST_F(OnLoopback, EventsGoOnAndOn) {
   RawClient raw(address());
   raw.send("GET /api/events HTTP/1.1\r\nHost: localhost\r\n\r\n");
