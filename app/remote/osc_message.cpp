@@ -35,6 +35,32 @@ std::uint32_t big_endian(std::span<const std::byte> bytes) {
   return number;
 }
 
+//! What liblo finds wrong with a message.
+std::string problem_of(int code) {
+  switch (code) {
+    case LO_EINVALIDPATH:
+      return "has an address that is not ended and filled up to four bytes with zeros";
+    case LO_ENOTYPE:
+      return "has no type tags";
+    case LO_EBADTYPE:
+      return "has type tags that do not begin with a comma";
+    case LO_EINVALIDTYPE:
+      return "has type tags that are not ended and filled up to four bytes with zeros";
+    case LO_EINVALIDARG:
+      return "has an argument that is cut off, or is not of the type that its tag says";
+    case LO_ESIZE:
+      return "has a size that does not fit its type tags";
+    case LO_ETERM:
+      return "has a text that is not ended with a zero";
+    case LO_EPAD:
+      return "has a text that is not filled up to four bytes with zeros";
+    case LO_TOOBIG:
+      return "is too large";
+    default:
+      return fmt::format("is broken (liblo's code {})", code);
+  }
+}
+
 //! A number of liblo's, which stands where the packet had it: on four bytes, even where its type asks for eight.
 template <class Number>
 double number_at(const void* place) {
@@ -68,7 +94,10 @@ OscArgument argument_of(char type, const void* place) {
 }
 
 OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
-  if (bytes.empty() || bytes[0] != std::byte{'/'}) {
+  if (bytes.empty()) {
+    refuse("is empty");
+  }
+  if (bytes[0] != std::byte{'/'}) {
     refuse("has an address that does not begin with /");
   }
   // liblo changes the byte order in a copy of its own, but takes a pointer that is not to constants.
@@ -76,7 +105,7 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   int problem = 0;
   const MessageOwner message(lo_message_deserialise(copy.data(), copy.size(), &problem));
   if (message == nullptr) {
-    refuse(fmt::format("is broken (liblo's code {})", problem));
+    refuse(problem_of(problem));
   }
   const int count = lo_message_get_argc(message.get());
   if (count > most_arguments) {

@@ -81,6 +81,29 @@ TEST(OscPackets, AreRefusedWhenTheyAreCutOff) {
   EXPECT_NE(refusal({}), "");
 }
 
+//! Bytes as they are.
+std::vector<std::byte> bytes_of(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(OscPackets, AreRefusedInWords) {
+  using namespace std::string_view_literals;
+  const std::pair<std::string_view, const char*> cases[] = {
+      {""sv, "is empty"},
+      {"play"sv, "does not begin with /"},
+      {"/ping"sv, "has an address that is not ended"},
+      {"/a\0\0"sv, "has no type tags"},
+      {"/a\0\0i\0\0\0"sv, "do not begin with a comma"},
+      {"/a\0\0,iii"sv, "has type tags that are not ended"},
+      {"/a\0\0,i\0\0\0\0"sv, "has an argument that is cut off"},
+      {"/a\0\0,s\0\0text"sv, "has an argument that is cut off"},
+      {"/a\0\0,i\0\0\0\0\0\1\0\0\0\1"sv, "has a size that does not fit"}};
+  for (const auto& [packet, words] : cases) {
+    EXPECT_NE(refusal(bytes_of(packet)).find(words), std::string::npos) << refusal(bytes_of(packet));
+  }
+}
+
 TEST(OscPackets, SurviveDamage) {
   // What is left may be a packet or not: that it ends, within bounds, is what the sanitizers look at.
   const std::vector<std::byte> whole =
