@@ -142,13 +142,12 @@ const CommandRule* rule_of(std::string_view name) {
   return found == rules.end() ? nullptr : found;
 }
 
-std::string nearest_command(std::string_view word) {
+std::string nearest_command(std::string_view word, std::span<const std::string_view> others) {
   // A long word is near to none, and is not worth the comparing.
   if (word.size() > longest_tag) {
     return {};
   }
-  std::vector<std::string> names;
-  names.reserve(rules.size());
+  std::vector<std::string> names(others.begin(), others.end());
   for (const CommandRule& rule : rules) {
     names.emplace_back(rule.name);
   }

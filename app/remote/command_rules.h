@@ -34,8 +34,8 @@ std::span<const CommandRule> command_rules();
 //! The rule of a name, or nullptr.
 const CommandRule* rule_of(std::string_view name);
 
-//! The known name that is closest to a word; empty when none is close.
-std::string nearest_command(std::string_view word);
+//! The known name, or other word, that is closest to a word; empty when none is close.
+std::string nearest_command(std::string_view word, std::span<const std::string_view> others = {});
 
 //! What came with a command: nothing, a truth, a number or a text.
 using CommandArgument = std::variant<std::monostate, bool, double, std::string>;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "app/remote/command_rules.h"
@@ -16,6 +17,8 @@ using std::chrono::steady_clock;
 
 constexpr std::string_view root = "/ergodome/";
 constexpr std::size_t longest_quote = 60;
+//! What OSC has beside commands.
+constexpr std::array<std::string_view, 4> own_words = {"clock", "subscribe", "unsubscribe", "ping"};
 
 //! A name that came from outside, fit to be shown: short, and nothing but letters that can be read.
 std::string quotable(const std::string& text) {
@@ -38,6 +41,27 @@ double wait_s(const OscMessage& message, const OscInstant& now) {
                             OscHandler::longest_wait_s));
   }
   return std::max(wait, 0.0);
+}
+
+//! The word that an unknown address may have meant; empty where none is near. An address of others has to end in a word of ours.
+std::string meant_word(const std::string& address) {
+  if (address.starts_with(root)) {
+    return nearest_command(address.substr(root.size()), own_words);
+  }
+  const std::string last = address.substr(address.rfind('/') + 1);
+  const bool ours = rule_of(last) != nullptr || std::find(own_words.begin(), own_words.end(), last) != own_words.end();
+  return ours ? last : "";
+}
+
+//! The rule of the command that an address names.
+const CommandRule& rule_at(const std::string& address) {
+  const CommandRule* const rule = address.starts_with(root) ? rule_of(address.substr(root.size())) : nullptr;
+  if (rule == nullptr) {
+    const std::string meant = meant_word(address);
+    throw Error(quotable(address), "unknown address",
+                meant.empty() ? "OSC.md lists them" : fmt::format("did you mean {}{}?", root, meant));
+  }
+  return *rule;
 }
 
 CommandArgument argument_at(const OscMessage& message, std::size_t index) {
@@ -119,20 +143,13 @@ void OscHandler::warn(const NetAddress& from, const std::string& problem, steady
 }
 
 void OscHandler::command(const OscMessage& message, const OscInstant& now) {
-  const bool ours = message.address.starts_with(root);
-  const std::string name = ours ? message.address.substr(root.size()) : message.address;
-  const CommandRule* const rule = ours ? rule_of(name) : nullptr;
-  if (rule == nullptr) {
-    const std::string nearest = nearest_command(name);
-    throw Error(quotable(message.address), "unknown address",
-                nearest.empty() ? "OSC.md lists them" : fmt::format("did you mean {}{}?", root, nearest));
-  }
+  const CommandRule& rule = rule_at(message.address);
   expect_at_most(message, 1);
   const CommandArgument argument = argument_at(message, 0);
-  if (rule->argument == Argument::none && is_release(argument)) {
+  if (rule.argument == Argument::none && is_release(argument)) {
     return;
   }
-  TransportCommand command = checked_command(*rule, argument, board_.read());
+  TransportCommand command = checked_command(rule, argument, board_.read());
   const double wait = wait_s(message, now);
   if (wait == 0.0) {
     commands_.push(std::move(command));

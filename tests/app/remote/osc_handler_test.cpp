@@ -87,6 +87,9 @@ TEST_F(Osc, WhatIsWrongIsAnsweredWithASentence) {
   EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "s", "soon")), HasSubstr("takes a number"));
   EXPECT_THAT(complaint_about(packet_of("/ergodome/pley", "")), HasSubstr("did you mean /ergodome/play?"));
   EXPECT_THAT(complaint_about(packet_of("/other", "")), HasSubstr("unknown address"));
+  EXPECT_THAT(complaint_about(packet_of("/foo", "")), HasSubstr("OSC.md lists them"));
+  EXPECT_THAT(complaint_about(packet_of("/play", "")), HasSubstr("did you mean /ergodome/play?"));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/clok", "d", 1.0)), HasSubstr("did you mean /ergodome/clock?"));
   EXPECT_THAT(complaint_about(packet_of("/ergodome/volume", "f", 1.5)), HasSubstr("from 0 to 1"));
   EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "ff", 1.0, 2.0)), HasSubstr("at most 1"));
   EXPECT_THAT(complaint_about(packet_of("/ergodome/seek", "t", lo_timetag{1, 1})), HasSubstr("type"));
@@ -129,9 +132,6 @@ TEST_F(Osc, ComplaintsAreLimited) {
   EXPECT_EQ(answers, 10U);
 }
 
-TEST_F(Osc, BundlesWaitForTheirTime) {
-  receive(bundle_of(in_seconds(2.0), {packet_of("/ergodome/play", ""), packet_of("/ergodome/seek", "i", 5)}));
-  EXPECT_THAT(commands_.take_all(), IsEmpty());
 TEST_F(Osc, WhatIsWrongIsALineOfTheLogAndAFloodDoesNotFillIt) {
   receive(packet_of("/ergodome/pley", ""));
   EXPECT_THAT(warnings_, ElementsAre(testing::AllOf(testing::StartsWith("OSC from 127.0.0.1: /ergodome/pley"),
@@ -143,6 +143,9 @@ TEST_F(Osc, WhatIsWrongIsALineOfTheLogAndAFloodDoesNotFillIt) {
   EXPECT_NEAR(static_cast<double>(warnings_.size()), 110.0, 1.0) << "ten at once, and one a second";
 }
 
+TEST_F(Osc, BundlesWaitForTheirTime) {
+  receive(bundle_of(in_seconds(2.0), {packet_of("/ergodome/play", ""), packet_of("/ergodome/seek", "i", 5)}));
+  EXPECT_THAT(commands_.take_all(), IsEmpty());
   EXPECT_EQ(handler_.next_tick(), now_.steady + seconds(2));
   handler_.tick(now_.steady + milliseconds(1999));
   EXPECT_THAT(commands_.take_all(), IsEmpty());
@@ -241,10 +244,10 @@ TEST_F(Osc, FeedbackSaysWhatThePlayerDoes) {
   PlayerStatus status = test::example_status();
   status.time_s = 1e9 + 0.25;
   status.title = std::string(500, 'x');
+  status.clock = "OSC, not heard yet";
   board_.post(status);
   receive(packet_of("/ergodome/subscribe", ""));
   const std::vector<OscDatagram> feedback = handler_.tick(now_.steady);
-  status.clock = "OSC, not heard yet";
   ASSERT_EQ(feedback.size(), 1U);
   EXPECT_LT(feedback[0].bytes.size(), 1472U) << "more than a packet of Ethernet holds";
   std::map<std::string, std::vector<OscArgument>> told;
@@ -252,10 +255,10 @@ TEST_F(Osc, FeedbackSaysWhatThePlayerDoes) {
     told[message.address] = message.arguments;
   }
   EXPECT_EQ(told.at("/ergodome/status/time_exact"), std::vector<OscArgument>{1e9 + 0.25});
+  EXPECT_EQ(told.at("/ergodome/status/clock"), std::vector<OscArgument>{std::string("OSC, not heard yet")});
   EXPECT_EQ(told.at("/ergodome/status/playing"), std::vector<OscArgument>{false});
   EXPECT_EQ(told.at("/ergodome/status/chapter"), (std::vector<OscArgument>{0.0, std::string("Departure")}));
 }
-  EXPECT_EQ(told.at("/ergodome/status/clock"), std::vector<OscArgument>{std::string("OSC, not heard yet")});
 
 }  // namespace
 }  // namespace ergodome
