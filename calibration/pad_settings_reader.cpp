@@ -13,7 +13,6 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t most_profiles = 64;
-constexpr std::size_t longest_axis_name = 40;
 
 class ProfileReader {
  public:
@@ -33,6 +32,19 @@ class ProfileReader {
       throw table_.error_at("device", "is no vendor and product",
                             "write four lower-case hex digits, a colon and four more");
     }
+  }
+
+  //! Refuses one that is about the same controllers as an earlier one: it would never be taken.
+  void refuse_repetition(const std::vector<PadProfile>& earlier) const {
+    const auto same = std::find_if(earlier.begin(), earlier.end(), [&](const PadProfile& profile) {
+      return profile.device == profile_.device && profile.name == profile_.name && profile.serial == profile_.serial;
+    });
+    if (same == earlier.end()) {
+      return;
+    }
+    const char* const key = !profile_.device.empty() ? "device" : !profile_.serial.empty() ? "serial" : "name";
+    throw table_.error_at(key, fmt::format("is what pad[{}] is about already", same - earlier.begin() + 1),
+                          "write one [[pad]] for both, or the serial of each, as `ergodome pad` lists it");
   }
 
   PadProfile read() {
@@ -139,7 +151,23 @@ class ProfileReader {
     if (found != nullptr && found->size() > most_raw_axes) {
       throw table_.error_at(key, "has too many axes", fmt::format("a controller has at most {}", most_raw_axes));
     }
+    if (found != nullptr) {
+      refuse_unknown_axes(*found, key);
+    }
     return found;
+  }
+
+  void refuse_unknown_axes(const toml::table& axes, std::string_view key) const {
+    for (const auto& [name, value] : axes) {
+      if (!is_raw_axis_name(name.str())) {
+        const std::vector<std::string> known = raw_axis_names();
+        const std::string nearest = nearest_word(name.str(), known);
+        throw TomlTable(axes, file_, table_.path_of(key))
+            .error_at(name.str(), "is no axis of a controller",
+                      nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                      : fmt::format("did you mean \"{}\"?", nearest));
+      }
+    }
   }
 
   void read_axes() {
@@ -150,7 +178,6 @@ class ProfileReader {
     profile_.axes.clear();
     TomlTable table(*found, file_, table_.path_of("axes"));
     for (const auto& [key, value] : *found) {
-      const std::string name(key.str().substr(0, longest_axis_name));
       std::string target = table.text(key.str(), "");
       const bool inverted = target.starts_with('-');
       const std::string word = inverted ? target.substr(1) : target;
@@ -163,7 +190,7 @@ class ProfileReader {
                              nearest.empty() ? fmt::format("choose from {}", fmt::join(known, ", "))
                                              : fmt::format("did you mean \"{}\"?", nearest));
       }
-      profile_.axes[name] = {axis, inverted};
+      profile_.axes[std::string(key.str())] = {axis, inverted};
     }
   }
 
@@ -183,7 +210,7 @@ class ProfileReader {
           calibration.least == calibration.greatest) {
         throw table.error_at(key.str(), "does not rise", "write [least, centre, greatest]");
       }
-      profile_.calibration[std::string(key.str().substr(0, longest_axis_name))] = calibration;
+      profile_.calibration[std::string(key.str())] = calibration;
     }
   }
 
@@ -207,6 +234,7 @@ PadSettings parse_pad_settings(std::string_view text, const std::string& file) {
   for (std::size_t i = 0; i < pads.size(); ++i) {
     ProfileReader reader(*pads[i], file, fmt::format("pad[{}]", i + 1), settings.otherwise);
     reader.read_identity();
+    reader.refuse_repetition(settings.pads);
     settings.pads.push_back(reader.read());
   }
   table.refuse_unknown_keys();

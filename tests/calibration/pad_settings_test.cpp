@@ -63,7 +63,6 @@ TEST(PadSettings, ComeBackWithNamesThatNeedQuotes) {
   PadSettings settings;
   PadProfile pad;
   pad.name = "Pad \"\\ \u00e9\n\x01";
-  pad.calibration["an axis. \"1\""] = {0, 1, 2};
   settings.pads = {pad};
   EXPECT_EQ(parse_pad_settings(to_toml(settings), "again.toml"), settings);
 }
@@ -91,6 +90,26 @@ TEST(PadSettings, RefuseWhatCannotBe) {
   EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 5, 5] }\n"), HasSubstr("does not rise"));
   EXPECT_THAT(pad_problem("[[pad]]\n"), HasSubstr("is missing, and so are name and serial"));
   EXPECT_THAT(pad_problem("[[pad]]\ndevice = \"054C:0CE6\"\n"), HasSubstr("lower-case hex"));
+}
+
+TEST(PadSettings, RefuseAnAxisThatNoControllerHas) {
+  EXPECT_EQ(pad_problem("[default.axes]\nslider_2 = \"left_x\"\nsimple_left_x = \"none\"\n"), "");
+  EXPECT_THAT(pad_problem("[default.axes]\nx = \"left_x\"\nslidr = \"left_y\"\n"),
+              HasSubstr("pads.toml:3: default.axes.slidr is no axis of a controller; did you mean \"slider\"?"));
+  EXPECT_THAT(pad_problem("[default.calibration]\nbanana = [0, 1, 2]\n"),
+              HasSubstr("pads.toml:2: default.calibration.banana is no axis of a controller"));
+  for (const char* name : {"x_1", "x_25", "x_02", "x_", "left_x_2", "\"\""}) {
+    EXPECT_THAT(pad_problem(std::string("[default.axes]\n") + name + " = \"none\"\n"), HasSubstr("is no axis")) << name;
+  }
+}
+
+TEST(PadSettings, RefuseASecondPadForTheSameControllers) {
+  const std::string device = "[[pad]]\ndevice = \"054c:0ce6\"\n";
+  EXPECT_THAT(pad_problem(device + device),
+              HasSubstr("pads.toml:4: pad[2].device is what pad[1] is about already; write one [[pad]] for both"));
+  EXPECT_EQ(pad_problem(device + device + "serial = \"1\"\n" + device + "name = \"Pad\"\n"), "");
+  EXPECT_THAT(pad_problem("[[pad]]\nserial = \"1\"\n[[pad]]\nserial = \"1\"\n"),
+              HasSubstr("pads.toml:4: pad[2].serial"));
 }
 
 TEST(PadSettings, OfASerialBeatThoseOfADeviceWhichBeatThoseOfAName) {

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "app/pads/decoders/decoders.h"
+#include "app/pads/decoders/generic_mapping.h"
+#include "calibration/pad_names.h"
 #include "tests/app/pads/fixtures.h"
 
 namespace ergodome::test {
@@ -53,6 +55,16 @@ INSTANTIATE_TEST_SUITE_P(Descriptors, KnownPad,
                                          Known{"space_mouse_wireless", false, "~"}, Known{"saitek_x52", false, "~"},
                                          Known{"stadia", false, "~"}),
                          [](const auto& played) { return std::string(played.param.name); });
+
+TEST(ByDescriptor, NamesAxesAsSettingsDo) {
+  for (std::uint16_t page = 0; page < 0x100; ++page) {
+    for (std::uint16_t usage = 0; usage < 0x400; ++usage) {
+      if (const char* const name = generic_axis_name({page, usage}); name != nullptr) {
+        EXPECT_TRUE(is_raw_axis_name(name)) << name;
+      }
+    }
+  }
+}
 
 TEST(ByDescriptor, GivesNothingForAMouseOrAKeyboard) {
   for (const FixtureDevice& device : fixture("mouse_and_keyboard").devices) {

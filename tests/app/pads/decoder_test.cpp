@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "calibration/pad_names.h"
 #include "tests/app/pads/fixtures.h"
 
 namespace ergodome::test {
@@ -13,6 +14,9 @@ TEST_P(EveryDecoder, ReadsItsFixtureAsThePublishedLayoutHasIt) {
   for (const FixtureDevice& device : played.devices) {
     const auto decoder = make_pad_decoder(device.info, device.descriptor);
     ASSERT_NE(decoder, nullptr);
+    for (const RawAxis& axis : decoder->layout().axes) {
+      EXPECT_TRUE(is_raw_axis_name(axis.name)) << axis.name << " cannot be set";
+    }
     RawPad raw = at_rest(decoder->layout());
     int number = 0;
     for (const HidEvent& event : device.timeline) {
