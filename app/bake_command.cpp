@@ -15,6 +15,7 @@
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
+#include "content/files/counted.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
@@ -106,8 +107,8 @@ BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJourna
 
 void say(const fs::path& file, const BakeResult& result, double seconds) {
   const TrajectoryReader trajectory(file);
-  fmt::print("{}: {} stations ({} built now), {:.1f} MB, {:.1f} s; blending misses by {:.3f} px at most\n",
-             file.string(), trajectory.stations().size(), result.built,
+  fmt::print("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses by {:.3f} px at most\n", file.string(),
+             counted(trajectory.stations().size(), "station"), result.built,
              1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, result.worst_px);
   if (result.live_disk_s > 0.0) {
     fmt::print(
@@ -116,9 +117,10 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
   }
   if (result.unmet > 0) {
     fmt::print(stderr,
-               "ergodome: {} of {} gaps between stations stay over the budget of {} px, the worst with {:.3f} px at "
-               "{:.2f} s; bake with a finer --budget\n",
-               result.unmet, trajectory.stations().size() - 1, trajectory.provenance().budget_px, result.worst_px,
+               "ergodome: {} of {} between stations {} over the budget of {} px, the worst with {:.3f} px at {:.2f} s; "
+               "bake with a finer --budget\n",
+               result.unmet, counted(static_cast<long>(trajectory.stations().size()) - 1, "gap"),
+               result.unmet == 1 ? "stays" : "stay", trajectory.provenance().budget_px, result.worst_px,
                result.worst_time_s);
   }
 }
@@ -152,8 +154,8 @@ void run(const BakeOptions& options) {
   }
   const BakeResult result = bake(show, settings, journal);
   if (!whole) {
-    fmt::print("{}: part {} of {} is baked ({} stations); bake without --part joins the parts\n",
-               journals.front().string(), settings.part, settings.parts, journal.station_count());
+    fmt::print("{}: part {} of {} is baked ({}); bake without --part joins the parts\n", journals.front().string(),
+               settings.part, settings.parts, counted(journal.station_count(), "station"));
     return;
   }
   // What a bake that was killed while it sealed has left.

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
+#include "content/files/counted.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"
 
@@ -23,8 +24,8 @@ struct CatalogueOptions {
 void print_summary(const StarCatalogue& catalogue) {
   const auto& stars = catalogue.stars;
   const auto colourless = std::ranges::count_if(stars, [](const CatalogueStar& star) { return std::isnan(star.b_v); });
-  fmt::print("{}: {} stars, {} without a colour, {} rows left out\n", catalogue.name, stars.size(), colourless,
-             catalogue.left_out);
+  fmt::print("{}: {}, {} without a colour, {} left out\n", catalogue.name, counted(stars.size(), "star"), colourless,
+             counted(catalogue.left_out, "row"));
   if (!stars.empty()) {
     fmt::print("V {:.2f} to {:.2f}; the brightest:\n  number   RA [deg]  Dec [deg]       V     B-V\n",
                stars.front().v_mag, stars.back().v_mag);

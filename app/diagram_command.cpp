@@ -13,6 +13,7 @@
 #include "app/show_loading.h"
 #include "content/camera_path.h"
 #include "content/files/atomic_file.h"
+#include "content/files/counted.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/diagram/diagram.h"
@@ -106,10 +107,11 @@ OutsideDirection outside_direction_of(const DiagramOptions& options, const Show&
   const std::vector<double> numbers = numbers_of(options.from, ',');
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90.0 ||
       (numbers.size() == 3 && !(numbers[2] >= nearest && numbers[2] <= 1e7))) {
-    throw Error("--from " + options.from, "is no place of a camera",
-                fmt::format("write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE in degrees (elevation -90 to 90) and "
-                            "M, {} or more from the hole",
-                            nearest));
+    throw Error(
+        "--from " + options.from, "is no place of a camera",
+        fmt::format("write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE in degrees (elevation -90 to 90) and "
+                    "M, {} or more from the hole",
+                    nearest));
   }
   return {one_degree * numbers[0], one_degree * numbers[1],
           numbers.size() == 3 ? std::optional(numbers[2]) : std::nullopt};
@@ -126,7 +128,8 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
       picture.camera_for(outside_direction_of(options, show, options.time_s), scene.framed, scene.legend.size());
   const DiagramImage image = picture.draw(scene, camera);
   write_png(out, image.rgb, image.width_px, image.height_px);
-  fmt::print("{}: {} x {} pixels, {} light rays\n", options.out, image.width_px, image.height_px, scene.ray_count);
+  fmt::print("{}: {} x {} pixels, {}\n", options.out, image.width_px, image.height_px,
+             counted(scene.ray_count, "light ray"));
   for (const LegendLine& line : scene.legend) {
     fmt::print("  {}\n", line.text);
   }
@@ -155,7 +158,7 @@ void draw_film(const DiagramOptions& options, const Show& show, const Diagram& d
   Progress progress("drawing", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {
-      throw Error("diagram", fmt::format("stopped after {} frames", frame - first), "go on with --frames");
+      throw Error("diagram", fmt::format("stopped after {}", counted(frame - first, "frame")), "go on with --frames");
     }
     const DiagramImage image = picture.draw(diagram.at(frame_time_s(show, frame)), camera);
     const std::filesystem::path path =
@@ -164,7 +167,7 @@ void draw_film(const DiagramOptions& options, const Show& show, const Diagram& d
     write_png(path, image.rgb, image.width_px, image.height_px);
     progress.advance_to(frame - first + 1);
   }
-  fmt::print("{} frame{} in {}\n", last - first + 1, last - first + 1 == 1 ? "" : "s", options.out);
+  fmt::print("{} in {}\n", counted(last - first + 1, "frame"), options.out);
 }
 
 void run_diagram(const DiagramOptions& options) {

@@ -9,6 +9,7 @@
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
+#include "content/files/counted.h"
 #include "kernels/core/angles.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
@@ -57,7 +58,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
     const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
     projectors_.emplace(*setup, pictures);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
-    fmt::print("domemasters of {} pixels for {} projectors\n", choice_.size_px, pictures.size());
+    fmt::print("domemasters of {} for {}\n", counted(choice_.size_px, "pixel"), counted(pictures.size(), "projector"));
   }
   tell_coarse_stream(stream_.get(), show, options.lens, choice_.size_px);
 }

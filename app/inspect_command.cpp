@@ -18,6 +18,7 @@
 #include "content/animated_show.h"
 #include "content/camera_path.h"
 #include "content/environment_image.h"
+#include "content/files/counted.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "kernels/core/angles.h"
@@ -106,9 +107,9 @@ void print_facts(const nlohmann::json& facts) {
 }
 
 void print_grid(const nlohmann::json& grid) {
-  fmt::print("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {} nodes, {} cells{}, {} of them{} left to rays\n",
-             grid["r"].get<double>(), grid["theta_deg"].get<double>(), grid["nodes"].get<int>(),
-             grid["cells"].get<int>(), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
+  fmt::print("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to rays\n",
+             grid["r"].get<double>(), grid["theta_deg"].get<double>(), counted(grid["nodes"].get<int>(), "node"),
+             counted(grid["cells"].get<int>(), "cell"), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
              grid["left_to_rays"].get<int>(),
              grid.contains("left_to_rays_px") ? fmt::format(" ({} px)", grid["left_to_rays_px"].get<double>()) : "");
   fmt::print("{:>10} {:>8} {:>14}\n", "halvings", "cells", "left to rays");
@@ -171,7 +172,8 @@ void run_for_trajectory(const InspectOptions& options) {
   }
   if (!facts["damaged"].empty()) {
     throw Error(options.file,
-                fmt::format("{} of {} stations are damaged", facts["damaged"].size(), facts["stations"].size()),
+                fmt::format("{} of {} {} damaged", facts["damaged"].size(),
+                            counted(facts["stations"].size(), "station"), facts["damaged"].size() == 1 ? "is" : "are"),
                 "bake the show again; until then they are blended across");
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "content/animated_show.h"
+#include "content/files/counted.h"
 #include "content/show_files.h"
 
 namespace ergodome {
@@ -108,8 +109,9 @@ void print_timeline(const json& facts) {
   const auto late = [](const json& one) { return one["after_end"].get<bool>() ? "  AFTER THE END" : ""; };
   each("files", [](const json& one) { print_file(one, one["key"].get<std::string>()); });
   each("animated", [&](const json& one) {
-    fmt::print("  {:<34} {}  {} keys, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
-               one["keys"].get<int>(), one["least"].get<double>(), one["greatest"].get<double>(), late(one));
+    fmt::print("  {:<34} {}  {}, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
+               counted(one["keys"].get<int>(), "key"), one["least"].get<double>(), one["greatest"].get<double>(),
+               late(one));
   });
   each("chapters", [&](const json& one) {
     fmt::print("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one));

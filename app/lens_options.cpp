@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "content/files/counted.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/show_renderer.h"
@@ -100,8 +101,8 @@ void tell_coarse_stream(const StationStream* stream, const Show& show, const Len
 }
 
 void print_statistics(const StreamStatistics& s) {
-  fmt::print("streamed: {} lenses, {} of them waited, {} given up; {} stations read, {} bad{}; {:.1f} MiB held at most\n",
-             s.asked, s.waits, s.missed, s.read, s.bad,
+  fmt::print("streamed: {}, {} of them waited, {} given up; {} read, {} bad{}; {:.1f} MiB held at most\n",
+             counted(s.asked, "lens", "lenses"), s.waits, s.missed, counted(s.read, "station"), s.bad,
              s.lost_disks > 0 ? fmt::format(", {} without their disk", s.lost_disks) : "",
              static_cast<double>(s.most_bytes_held) / (1 << 20));
 }

@@ -17,6 +17,7 @@
 #include "app/pixel_text.h"
 #include "app/ray_groups.h"
 #include "content/files/atomic_file.h"
+#include "content/files/counted.h"
 #include "content/ray_table.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -154,11 +155,12 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   look_up_rays(Backend::cpu, batch);
   append_rays(rows, begin, arrays, table);
   fmt::print(
-      "a {:.9g} r {:.9g} theta {:.9g}: {} nodes{}, {} rays traced, {} cells, {} of them ({:.0f} px) left to rays, "
+      "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to rays, "
       "{:.1f} ms\n",
-      row.spin, row.r, row.theta, statistics.nodes, station.mirrored ? " (half the sky, mirrored)" : "",
-      statistics.traced_nodes + statistics.traced_checks, statistics.leaves, statistics.flagged_leaves,
-      statistics.flagged_px, time.count());
+      row.spin, row.r, row.theta, counted(statistics.nodes, "node"),
+      station.mirrored ? " (half the sky, mirrored)" : "",
+      counted(statistics.traced_nodes + statistics.traced_checks, "ray"), counted(statistics.leaves, "cell"),
+      statistics.flagged_leaves, statistics.flagged_px, time.count());
 }
 
 //! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a line for each.
@@ -219,8 +221,8 @@ void run_trace(const RayOptions& options) {
   write_text_atomically(options.out, "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" +
                                          joined_in_place(table.lines, grouped.place));
   if (table.unresolved > 0) {
-    fmt::print(stderr, "ergodome: {} of {} rays did not converge; give a coarser --tolerance, or another --method\n",
-               table.unresolved, rows.size());
+    fmt::print(stderr, "ergodome: {} of {} did not converge; give a coarser --tolerance, or another --method\n",
+               table.unresolved, counted(rows.size(), "ray"));
   }
 }
 

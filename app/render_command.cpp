@@ -17,6 +17,7 @@
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
+#include "content/files/counted.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
@@ -95,7 +96,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   Progress progress("rendering", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {
-      throw Error("render", fmt::format("stopped after {} frames", writer.written()), "go on with --resume");
+      throw Error("render", fmt::format("stopped after {}", counted(writer.written(), "frame")), "go on with --resume");
     }
     writer.write(frame);
     progress.advance_to(frame - first + 1);
@@ -141,7 +142,7 @@ void run(RenderOptions options) {
   }
   if (!options.pattern.empty()) {
     const int files = write_patterns(options, show, setup);
-    fmt::print("{} file{} in {}\n", files, files == 1 ? "" : "s", options.out);
+    fmt::print("{} in {}\n", counted(files, "file"), options.out);
     return;
   }
   require_features(show);
@@ -157,7 +158,7 @@ void run(RenderOptions options) {
   make_folder(options.out);
   FrameWriter writer(options, show, setup, request);
   write_frames(options, writer, first, last);
-  fmt::print("{} frame{} in {}\n", writer.written(), writer.written() == 1 ? "" : "s", options.out);
+  fmt::print("{} in {}\n", counted(writer.written(), "frame"), options.out);
   if (!options.movie.empty()) {
     writer.write_movies(first, last);
   }
@@ -165,7 +166,8 @@ void run(RenderOptions options) {
     print_statistics(*streamed);
   }
   if (writer.unresolved() > 0) {
-    fmt::print(stderr, "ergodome: {} pixels did not converge and show the mean of the sky\n", writer.unresolved());
+    fmt::print(stderr, "ergodome: {} did not converge and {} the mean of the sky\n",
+               counted(writer.unresolved(), "pixel"), writer.unresolved() == 1 ? "shows" : "show");
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/accuracy/report_numbers.h"
 #include "app/accuracy/report_words.h"
+#include "content/files/counted.h"
 #include "render/accuracy/equal_error.h"
 
 namespace ergodome {
@@ -106,9 +107,9 @@ std::string arcmin_text(const AccuracyReport& report, double error_px) {
 std::string table_text(const AccuracyReport& report, double most_px) {
   std::string text = fmt::format("{}: {} x {} pixels of {} arcmin; {}; {} UTC\n", report.title, report.width_px,
                                  report.height_px, short_number(report.pixel_arcmin), report.machine, report.date);
-  text += fmt::format("{} moment{} of the show, {} pixels compared at each, {} runs in turn, {:.0f} s\n",
-                      report.times_s.size(), report.times_s.size() == 1 ? "" : "s", report.samples, report.rounds,
-                      report.took_s);
+  text += fmt::format("{} of the show, {} compared at each, {} in turn, {:.0f} s\n",
+                      counted(report.times_s.size(), "moment"), counted(report.samples, "pixel"),
+                      counted(report.rounds, "run"), report.took_s);
   text +=
       "*: no other choice is as exact in as little time a frame; +: with what a new place of the camera takes; ': in "
       "arcminutes\n";

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "content/files/counted.h"
+
 namespace ergodome {
 
 namespace {
@@ -100,10 +102,10 @@ std::string record_text(const Budget& budget, const RateRecord& record, long cha
   const double rate_hz = record.rate_hz();
   const double off = rate_hz / *budget.frame_rate_hz - 1.0;
   return fmt::format(
-      "budget {}: {:.2f} fps over {} frames ({:+.1f} % of the rate), {:.1f} % of them late, the longest {:.0f} ms; "
-      "settings changed {} times, last at step {} of {}",
-      text_of(budget), rate_hz, record.frames(), 100.0 * off, 100.0 * record.late(), record.longest_ms(), changes,
-      rung + 1, rungs);
+      "budget {}: {:.2f} fps over {} ({:+.1f} % of the rate), {:.1f} % of them late, the longest {:.0f} ms; "
+      "settings changed {}, last at step {} of {}",
+      text_of(budget), rate_hz, counted(record.frames(), "frame"), 100.0 * off, 100.0 * record.late(),
+      record.longest_ms(), counted(changes, "time"), rung + 1, rungs);
 }
 
 std::string check_text(const Budget& budget, const BudgetCheck& check) {

@@ -13,6 +13,7 @@
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
 #include "app/pads/pad_lines.h"
+#include "content/files/counted.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -133,7 +134,7 @@ void write_settings(HidApi& api, PadSettings settings, const fs::path& out) {
     }
   }
   write_pad_settings(out, settings);
-  fmt::print("written to {}: {} controllers\n", out.string(), settings.pads.size());
+  fmt::print("written to {}: {}\n", out.string(), counted(settings.pads.size(), "controller"));
 }
 
 //! Draws lines over those drawn before, or beneath them where there is no terminal and something changed.

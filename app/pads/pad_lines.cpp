@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "calibration/pad_names.h"
+#include "content/files/counted.h"
 
 namespace ergodome {
 
@@ -39,7 +40,8 @@ std::string live_line(const PadView& pad) {
     line += "  (a stuck axis is left out)";
   }
   if (pad.refused > 0) {
-    fmt::format_to(std::back_inserter(line), "  ({} of {} reports not understood)", pad.refused, pad.reports);
+    fmt::format_to(std::back_inserter(line), "  ({} of {} not understood)", pad.refused,
+                   counted(pad.reports, "report"));
   }
   return line;
 }

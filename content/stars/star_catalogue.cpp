@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "content/files/counted.h"
 #include "content/show_files.h"
 #include "content/sky_map.h"
 #include "content/stars/star_file.h"
@@ -59,7 +60,7 @@ StarCatalogue load_stars(const Show& show) {
     }
     StarCatalogue read = read_stars(path);
     if (read.stars.empty() && read.left_out > 0) {
-      throw Error(path.string(), fmt::format("has no star in {} row{}", read.left_out, read.left_out == 1 ? "" : "s"),
+      throw Error(path.string(), fmt::format("has no star in {}", counted(read.left_out, "row")),
                   "stars have a right ascension, a declination and a magnitude; the sun is none");
     }
     return read;

@@ -88,7 +88,7 @@ TEST_F(RayCommands, TraceInClosedFormKnowsWhatTheHorizonsOfAnExtremalHoleDoToIt)
 TEST_F(RayCommands, TraceTellsOfRaysThatDoNotConverge) {
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi,id\n0.9,10,1.57,zamo,-0.3,0.2,0.9,x\n");
   ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("1 of 1 rays did not converge"));
+  EXPECT_THAT(output_, HasSubstr("1 of 1 ray did not converge"));
   std::istringstream written(text("sky.csv"));
   std::string line;
   std::getline(written, line);
