@@ -15,6 +15,7 @@
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
+#include "content/files/atomic_file.h"
 #include "content/files/counted.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
@@ -159,7 +160,8 @@ void run(const BakeOptions& options) {
     return;
   }
   // What a bake that was killed while it sealed has left.
-  for (const fs::path& partial : beside(out, ".partial-", "-" + name)) {
+  const fs::path sealed = behind_links(out);
+  for (const fs::path& partial : beside(sealed, ".partial-", "-" + sealed.filename().string())) {
     fs::remove(partial);
   }
   journal.seal(out, result.times_s);

@@ -104,7 +104,7 @@ void CalibrationWindow::save() {
     state_.note_saved(save_calibration(options_.setup, state_.setup(), state_.corners()));
     message_ = "saved to " + options_.setup;
     message_ += behind ? "; patterns follow the new tilt, and warps in files are those of the old one:\nrun ergodome "
-                         "calibrate again, which makes them from where the projectors stand"
+                         "calibrate again, or whatever else has made them"
                        : "";
     // What is shown from now on is what the files hold.
     files_ = files_of(state_.setup());

@@ -39,9 +39,9 @@ std::string projector_file_name(std::size_t index, const std::string& name) {
 std::filesystem::path write_projector_folder(const std::filesystem::path& folder, const std::string& file_name,
                                              DomeSetup setup, const std::vector<ProjectorPicture>& pictures) {
   make_folder(folder);
-  const auto write_mask = [&](const BlendMap& mask, const std::string& name) {
+  const auto write_mask = [&](const BlendMap& mask, const ProjectorPicture& of, const std::string& name) {
     if (mask.width > 0) {
-      write_text_atomically(folder / name, to_png(mask, name));
+      write_text_keeping_older(folder / name, to_png(in_shape_of(mask, of.width_px, of.height_px), name));
     }
     return mask.width > 0 ? name : std::string();
   };
@@ -50,15 +50,15 @@ std::filesystem::path write_projector_folder(const std::filesystem::path& folder
     ProjectorSetup& projector = setup.projectors[i];
     const std::string name = projector_file_name(i, picture.name);
     const double aspect = static_cast<double>(picture.width_px) / picture.height_px;
-    write_text_atomically(folder / (name + ".data"), to_bourke_mesh(picture.warp, aspect));
+    write_text_keeping_older(folder / (name + ".data"), to_bourke_mesh(picture.warp, aspect));
     projector.warp.emplace();
     projector.warp->file = name + ".data";
-    projector.blend_mask = write_mask(picture.blend, name + "_blend.png");
+    projector.blend_mask = write_mask(picture.blend, picture, name + "_blend.png");
     projector.blend_mask_gamma = 1.0;
     BlendMap black_level = picture.black_level;
     projector.black_level_lift = picture.black_level_lift;
     put_scale_into_lift(black_level, projector.black_level_lift);
-    projector.black_level_mask = write_mask(black_level, name + "_black.png");
+    projector.black_level_mask = write_mask(black_level, picture, name + "_black.png");
   }
   // It is in the meshes by now.
   setup.rotation_deg = 0.0;

@@ -12,9 +12,9 @@ namespace ergodome {
 namespace {
 
 //! A mask where the corners take it, as a PNG beside the setup; its name.
-std::string write_mask(const std::filesystem::path& folder, const std::string& name, const CornerOffsets& corners,
+std::string write_mask(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        const BlendMap& mask) {
-  BlendMap moved = moved_mask(corners, mask);
+  BlendMap moved = moved_mask(picture.corners, in_shape_of(mask, picture.width_px, picture.height_px));
   moved.bit_depth = 16;
   write_text_keeping_older(folder / name, to_png(moved, name));
   return name;
@@ -31,7 +31,7 @@ void write_black_level(const std::filesystem::path& folder, const std::string& n
     value = std::min(value * static_cast<float>(rest), 1.0F);
   }
   projector.black_level_lift = (1.0 / rest) * lift;
-  projector.black_level_mask = write_mask(folder, name, picture.corners, mask);
+  projector.black_level_mask = write_mask(folder, name, picture, mask);
 }
 
 }  // namespace
@@ -39,6 +39,10 @@ void write_black_level(const std::filesystem::path& folder, const std::string& n
 DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& setup,
                            const std::vector<CornerOffsets>& corners) {
   DomeSetup saved = setup;
+  for (ProjectorSetup& projector : saved.projectors) {
+    // Its lines are others now.
+    projector.read_from = file.string();
+  }
   const bool moved = std::ranges::any_of(corners, [](const CornerOffsets& c) { return !c.none(); });
   if (moved) {
     // The rotation stays in the setup: warps are written without it.
@@ -59,7 +63,7 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
       projector.warp.emplace();
       projector.warp->file = name + ".data";
       if (picture.blend.width > 0) {
-        projector.blend_mask = write_mask(setup.folder, name + "_blend.png", picture.corners, picture.blend);
+        projector.blend_mask = write_mask(setup.folder, name + "_blend.png", picture, picture.blend);
         projector.blend_mask_gamma = 1.0;
       }
       if (picture.black_level.width > 0) {

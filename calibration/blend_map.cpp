@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "calibration/warp_mesh.h"
 #include "content/files/whole_file.h"
@@ -51,6 +52,41 @@ BlendMap parse_blend_map(std::span<const std::byte> bytes, const std::string& na
     throw Error(name, "holds values outside 0 to 1", "save the mask as a PNG of 8 or 16 bits");
   }
   return map;
+}
+
+bool has_shape_of(const BlendMap& map, int width_px, int height_px) {
+  const double height = static_cast<double>(map.width) * height_px / width_px;
+  return std::abs(map.height - height) <= std::max(1.0, 0.02 * height);
+}
+
+BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px) {
+  if (has_shape_of(map, width_px, height_px)) {
+    return map;
+  }
+  BlendMap shaped{width_px, height_px, map.channels, map.bit_depth, {}};
+  // Samples are the middles of their parts.
+  const auto place = [](int at, int count, int samples) {
+    return std::clamp((at + 0.5) / count * samples - 0.5, 0.0, samples - 1.0);
+  };
+  const auto sample = [&](int x, int y, int channel) {
+    const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+    return static_cast<double>(
+        map.values[at * static_cast<std::size_t>(map.channels) + static_cast<std::size_t>(channel)]);
+  };
+  for (int row = 0; row < height_px; ++row) {
+    const double y = place(row, height_px, map.height);
+    const int top = std::min(static_cast<int>(y), map.height - 2);
+    for (int column = 0; column < width_px; ++column) {
+      const double x = place(column, width_px, map.width);
+      const int left = std::min(static_cast<int>(x), map.width - 2);
+      for (int c = 0; c < map.channels; ++c) {
+        const double above = std::lerp(sample(left, top, c), sample(left + 1, top, c), x - left);
+        const double below = std::lerp(sample(left, top + 1, c), sample(left + 1, top + 1, c), x - left);
+        shaped.values.push_back(static_cast<float>(std::lerp(above, below, y - top)));
+      }
+    }
+  }
+  return shaped;
 }
 
 BlendMap read_blend_map(const std::filesystem::path& path) {

@@ -25,6 +25,12 @@ BlendMap parse_blend_map(std::span<const std::byte> bytes, const std::string& na
 //! The same from a file.
 BlendMap read_blend_map(const std::filesystem::path& path);
 
+//! Whether a mask has the shape of a raster, in any size; those of small ones are rounded.
+bool has_shape_of(const BlendMap& map, int width_px, int height_px);
+
+//! A mask in the shape of a raster: as it is where it has that, else with a sample for each pixel, linear between the mask's own.
+BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px);
+
 //! A mask as the bytes of a PNG of its bit depth.
 std::string to_png(const BlendMap& map, const std::string& name);
 

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_conversion.h"
 #include "calibration/mpcdi_reader.h"
@@ -84,9 +81,7 @@ BlendMap read_mask(const DomeSetup& setup, const ProjectorSetup& projector, cons
   return read_for(projector, key, [&] {
     const std::filesystem::path path = setup.folder / file;
     BlendMap mask = read_blend_map(path);
-    const double height = static_cast<double>(mask.width) * projector.height_px / projector.width_px;
-    // Small ones are rounded.
-    if (std::abs(mask.height - height) > std::max(1.0, 0.02 * height)) {
+    if (!has_shape_of(mask, projector.width_px, projector.height_px)) {
       throw Error(path.string(),
                   fmt::format("is a mask of {} x {} for a raster of {} x {}, which has another shape", mask.width,
                               mask.height, projector.width_px, projector.height_px),

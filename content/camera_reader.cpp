@@ -9,6 +9,7 @@
 #include "content/camera_path.h"
 #include "content/files/toml_table.h"
 #include "content/show_reader.h"
+#include "content/timeline_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 
@@ -108,26 +109,41 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
   }
 }
 
-//! The same between this key and the one before it.
-void check_way(const TomlTable& table, const Show& show, std::size_t key) {
+//! The same at a time of the show, for which the table of the key that leads there is blamed.
+void check_place(const TomlTable& table, const Show& show, double time_s) {
+  const CameraPose pose = camera_pose(show, time_s);
+  if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
+    throw table.error_at(
+        "r",
+        fmt::format("leads by r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer would "
+                    "outrun light",
+                    pose.r, radian_deg * pose.theta, time_s, observer_word(show.camera)),
+        "lead the camera further out between the keys, or choose observer = \"zamo\"");
+  }
+}
+
+//! The same between two keys, with what the first one holds, and wherever the spin has a key.
+void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
   // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
   constexpr double safe_r = 4.0;
-  const int places = show.camera.keys.size() > 1000 ? 8 : 64;
-  const CameraKey& from = show.camera.keys[key - 1];
-  const CameraKey& to = show.camera.keys[key];
-  if (std::min(from.r, to.r) > safe_r || show.camera.motion == ObserverMotion::zamo) {
+  const ObserverMotion motion = show.camera.motion;
+  if (motion != ObserverMotion::fixed && motion != ObserverMotion::geodesic && motion != ObserverMotion::retrograde) {
     return;
   }
-  for (int i = 1; i < places; ++i) {
-    const double time_s = from.time_s + from.hold_s + (to.time_s - from.time_s - from.hold_s) * i / places;
-    const CameraPose pose = camera_pose(show, time_s);
-    if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
-      throw table.error_at(
-          "r",
-          fmt::format("is reached by r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer "
-                      "would outrun light",
-                      pose.r, radian_deg * pose.theta, time_s, observer_word(show.camera)),
-          "lead the camera further out between the keys, or choose observer = \"zamo\"");
+  const auto table_of = [&](std::size_t key) {
+    return TomlTable(*tables[key], file, fmt::format("camera.key[{}]", key));
+  };
+  const std::vector<CameraKey>& keys = show.camera.keys;
+  // A path of many keys has them near to each other, and is to be read at once.
+  const int places = keys.size() > 1000 ? 8 : 64;
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    for (int k = 1; k < places && std::min(keys[i - 1].r, keys[i].r) <= safe_r; ++k) {
+      check_place(table_of(i), show, keys[i - 1].time_s + (keys[i].time_s - keys[i - 1].time_s) * k / places);
+    }
+  }
+  if (const Animation* const spin = find_animation(show, "hole.spin")) {
+    for (const NumberKey& key : spin->keys) {
+      check_place(table_of(key.time_s > keys.back().time_s ? keys.size() - 1 : 0), show, key.time_s);
     }
   }
 }
@@ -160,9 +176,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
     each.refuse_unknown_keys();
     show.camera.keys.push_back(key);
   }
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    check_way(TomlTable(*keys[i], file, fmt::format("camera.key[{}]", i)), show, i);
-  }
+  check_ways(keys, file, show);
   camera.refuse_unknown_keys();
 }
 

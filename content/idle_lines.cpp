@@ -45,7 +45,10 @@ class Idle {
 
 void add_sky(const Show& show, Idle& idle) {
   if (show.sky.map == "black") {
-    idle.add({"sky.filter", "sky.shift", "sky.brightening", "sky.exposure"}, "is for a map, and this one is black");
+    idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "is for a map, and this one is black");
+    if (show.sky.stars.empty()) {
+      idle.add({"sky.exposure"}, "is for a map and stars, and there are none");
+    }
   } else if (!show.effects.redshift) {
     idle.add({"sky.shift"}, "is for effects.redshift = true");
   }

@@ -29,7 +29,13 @@ KeptSettings parse(const std::string& text, const std::string& file) {
 }
 
 //! A program that is killed while it writes leaves the part that it wrote beside the file.
-void remove_partial_files(const std::filesystem::path& file) {
+void remove_partial_files(const std::filesystem::path& named) {
+  std::filesystem::path file;
+  try {
+    file = behind_links(named);
+  } catch (const Error&) {
+    return;  // A link that leads nowhere has nothing beside what it names.
+  }
   std::error_code ignored;
   for (const auto& each : std::filesystem::directory_iterator(file.parent_path(), ignored)) {
     const std::string name = each.path().filename().string();

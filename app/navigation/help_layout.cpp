@@ -99,9 +99,11 @@ FittedText fit_list(const std::string& list, const TextSize& window, int usual_p
       return std::max(static_cast<double>(size.width_px) / window.width_px,
                       static_cast<double>(size.height_px) / window.height_px);
     };
-    int letter_px = usual_px;
-    while (letter_px > std::max(best.letter_px, least_px) && part_of_window(letter_px) > 1.0) {
-      --letter_px;
+    // The largest that fits, by halves; the smallest where none does.
+    int letter_px = std::max(best.letter_px, least_px);
+    for (int too_large = usual_px + 1; too_large - letter_px > 1;) {
+      const int between = (letter_px + too_large) / 2;
+      (part_of_window(between) <= 1.0 ? letter_px : too_large) = between;
     }
     const double part = part_of_window(letter_px);
     if (part <= 1.0 && letter_px > best.letter_px) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -11,6 +11,16 @@
 namespace ergodome {
 
 namespace {
+
+//! Takes keys from the front of a list of them, as many as a column has room for; at least one.
+std::string taken_from(std::string& keys) {
+  constexpr std::size_t room = 34;  // bytes: names of keys are short
+  std::size_t end = keys.size() <= room ? keys.size() : keys.rfind(", ", room);
+  end = end == std::string::npos ? std::min(keys.find(", "), keys.size()) : end;
+  std::string taken = keys.substr(0, end);
+  keys.erase(0, std::min(end + 2, keys.size()));
+  return keys.empty() ? taken : taken + ",";
+}
 
 //! A line: keys and mouse, pad, what they do.
 using HelpLine = std::array<std::string, 3>;
@@ -66,7 +76,11 @@ class HelpLines {
   [[nodiscard]] std::string in_cells() const {
     std::string text;
     for (const HelpLine& line : lines_) {
-      text += fmt::format("{}\n", fmt::join(line, "\t"));
+      std::string keys = line[0];
+      text += fmt::format("{}\t{}\t{}\n", taken_from(keys), line[1], line[2]);
+      while (!keys.empty()) {
+        text += taken_from(keys) + "\n";
+      }
     }
     return text;
   }

@@ -104,6 +104,10 @@ void AudioPlayer::find_output() {
     set_state("no sound device");
     if (!std::exchange(said_silent_, true)) {
       say(no_device);
+    } else {
+      // The log has it; it is this show's problem as it was the last one's.
+      const std::lock_guard lock(mutex_);
+      problem_ = no_device;
     }
     output_.reset();
     return;
@@ -116,9 +120,7 @@ void AudioPlayer::find_output() {
 void AudioPlayer::take_over(Soundtrack soundtrack) {
   mixer_.reset();
   soundtrack_ = std::move(soundtrack);
-  // Another show's sound: what was wrong with the one before says nothing of it.
   looked_at_.reset();
-  said_silent_ = false;
 }
 
 void AudioPlayer::mix(const AudioCue& cue) {

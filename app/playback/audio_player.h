@@ -14,8 +14,8 @@ namespace ergodome {
 
 //! Plays a show's sound on the machine's device, from a thread of its own.
 //!
-//! Without a device, or when it is unplugged, the show goes on in silence, which is said once a show; a device is looked for again
-//! every few seconds.
+//! Without a device, or when it is unplugged, the show goes on in silence, which is said once; a device is looked for again every
+//! few seconds.
 class AudioPlayer {
  public:
   explicit AudioPlayer(double later_s = 0.0);

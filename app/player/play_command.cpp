@@ -140,11 +140,15 @@ void run(PlayArguments arguments) {
   }
   const Backend backend = choose_backend(arguments.backend);
   const bool may_fall_back = arguments.backend == "auto";
-  const RendererLoader::Make make = [backend, may_fall_back, lens = arguments.lens,
+  // Of a budget's pictures its own line tells; of others it is said once, however often a show is read again.
+  const auto told = std::make_shared<bool>(!arguments.budget.empty());
+  const RendererLoader::Make make = [backend, may_fall_back, told, lens = arguments.lens,
                                      size_px = options.size_px](const Show& any) {
     const auto on = [&](Backend chosen) {
       std::shared_ptr<StationStream> stream = open_stream(any, lens, chosen);
-      tell_coarse_stream(stream.get(), any, lens, size_px);
+      if (stream && !std::exchange(*told, true)) {
+        tell_coarse_stream(stream.get(), any, lens, size_px);
+      }
       return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), std::move(stream));
     };
     try {

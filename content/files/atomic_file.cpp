@@ -27,25 +27,29 @@ void flush_to_disk(const std::filesystem::path& file, const std::filesystem::pat
   }
 }
 
-//! Where a file is to be put: behind links, which stay. Devices, pipes and folders would be lost by it, or cannot be written so.
-std::filesystem::path target_of(const std::filesystem::path& path) {
+}  // namespace
+
+std::filesystem::path behind_links(const std::filesystem::path& path) {
   std::error_code problem;
-  const std::filesystem::file_status status = std::filesystem::status(path, problem);
-  if (!std::filesystem::exists(status)) {
+  if (!std::filesystem::is_symlink(path, problem)) {
     return path;
   }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw Error(path.string(), "is there, and is no file", "give the name of a file");
+  // What it names need not be there.
+  const std::filesystem::path behind = std::filesystem::weakly_canonical(path, problem);
+  if (problem || std::filesystem::is_symlink(behind, problem)) {
+    throw Error(path.string(), "is a link that leads nowhere", "remove it, or make what it names");
   }
-  const std::filesystem::path behind = std::filesystem::canonical(path, problem);
-  return problem ? path : behind;
+  return behind;
 }
-
-}  // namespace
 
 void write_atomically(const std::filesystem::path& named,
                       const std::function<void(const std::filesystem::path& partial)>& write) {
-  const std::filesystem::path path = target_of(named);
+  const std::filesystem::path path = behind_links(named);
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw Error(named.string(), "is there, and is no file", "give the name of a file");
+  }
   // The ending stays, because image writers choose their format by it.
   std::filesystem::path partial = path;
   partial.replace_filename(".partial-" + std::to_string(::getpid()) + "-" + path.filename().string());

@@ -5,11 +5,15 @@
 
 namespace ergodome {
 
-//! Writes a file so that it is there whole or not at all: `write` fills a file beside it, which is then flushed to the disk and
-//! renamed; a link stays, and what it names is written. Throws Error where the name is that of a device, a pipe or a folder. When anything fails (a full disk, a folder without permission, an exception of `write`) the partial file is removed,
-//! an older file of that name stays as it was, and Error says what happened.
+//! Writes a file so that it is there whole or not at all: `write` fills a file beside it (.partial-PID-NAME), which is then flushed to the
+//! disk and renamed. A link stays, and what it names is written. When anything fails (a full disk, a folder without permission, an
+//! exception of `write`) the partial file is removed, an older file of that name stays as it was, and Error says what happened. Throws
+//! Error where the name is that of a device, a pipe or a folder.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& partial)>& write);
+
+//! Where write_atomically() puts a file of a name: behind a link, else there.
+std::filesystem::path behind_links(const std::filesystem::path& path);
 
 //! The same for text.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);

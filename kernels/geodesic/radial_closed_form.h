@@ -116,7 +116,7 @@ struct RadialMotion {
 ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   const RadialRoots roots = radial_roots(spin, ray);
   // a (2u - a L u²) / Δu² in partial fractions over the horizons; those of an extremal hole are held 6e-6 apart, which changes the
-  // integrand by less than 1e-11 / (1 - u)².
+  // integrand by less than 1e-11 / (1 - u)⁴.
   const double half_gap = ::fmax(::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin))), 3e-6);
   const double outer = 1.0 + half_gap;
   const double inner = half_gap > 3e-6 ? spin * spin / outer : 1.0 - half_gap;
@@ -134,8 +134,9 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
     return spin == 0.0 ? 0.0 : constant * i.time + at_outer * i.pole[0] + at_inner * i.pole[1];
   };
   const auto drag_error = [&](const RadialIntegrals& i, double u) {
-    // Rounding of the parts, some ten operations each; and what holding the horizons apart changes.
-    const double held = half_gap > 3e-6 ? 0.0 : 1e-11 / ::fmax((1.0 - u) * (1.0 - u), 1e-11);
+    // Rounding of the parts, some ten operations each; and the integral over 1/u of what holding the horizons apart changes.
+    const double to_horizon = ::fmax(::fabs(1.0 - u), 1e-4);
+    const double held = half_gap > 3e-6 ? 0.0 : 1e-11 / (to_horizon * to_horizon * to_horizon);
     return spin == 0.0 ? 0.0 : 2e-15 * (::fabs(at_outer * i.pole[0]) + ::fabs(at_inner * i.pole[1])) + held;
   };
   const RadialIntegrals to_camera = radial_integrals(roots, ray.u, ray.u_rate, rho);

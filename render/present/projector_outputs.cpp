@@ -47,8 +47,9 @@ std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const st
   std::vector<DesktopRectangle> rectangles;
   rectangles.reserve(setup.projectors.size());
   for (const ProjectorSetup& projector : setup.projectors) {
-    rectangles.push_back(projector.output.monitor ? monitors[static_cast<std::size_t>(*projector.output.monitor)].screen
-                                                  : window_of(projector));
+    const auto monitor = static_cast<std::size_t>(projector.output.monitor.value_or(0));
+    const bool fills_monitor = projector.output.monitor && monitor < monitors.size();
+    rectangles.push_back(fills_monitor ? monitors[monitor].screen : window_of(projector));
   }
   return rectangles;
 }

@@ -112,9 +112,11 @@ std::vector<DesktopMonitor> connected_monitors() {
   for (GLFWmonitor* const monitor : monitors()) {
     DesktopMonitor made{glfwGetMonitorName(monitor), {}, {}};
     glfwGetMonitorPos(monitor, &made.screen.x_px, &made.screen.y_px);
-    const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
-    made.screen.width_px = mode->width;
-    made.screen.height_px = mode->height;
+    // One that was unplugged a moment ago has none; it keeps its number.
+    if (const GLFWvidmode* const mode = glfwGetVideoMode(monitor)) {
+      made.screen.width_px = mode->width;
+      made.screen.height_px = mode->height;
+    }
     DesktopRectangle& area = made.work_area;
     glfwGetMonitorWorkarea(monitor, &area.x_px, &area.y_px, &area.width_px, &area.height_px);
     connected.push_back(made);

@@ -178,6 +178,13 @@ TEST(ControlsHelp, ShowsWhatIsBoundNow) {
   EXPECT_THAT(own.help_text({.pads = false}), Not(HasSubstr("Circle")));
 }
 
+TEST(ControlsHelp, ManyKeysOfOneActionTakeSeveralLines) {
+  const Controls own =
+      parse_controls("[actions]\npause = [\"Shift+Ctrl+J\", \"Shift+Ctrl+K\", \"Shift+Ctrl+L\"]\n", "c.toml");
+  EXPECT_THAT(own.help_text({.pads = false}),
+              testing::ContainsRegex("\n[^\n]*Shift[^\n]*, [^\n]*, +pause, go on\n[^\n,]*Shift[^\n,]*\n"));
+}
+
 TEST(ControlsHelp, LeavesOutForVisitorsWhatIsThePresenters) {
   const std::string help = Controls().help_text({.reader = ActionUser::visitor});
   EXPECT_THAT(help, HasSubstr("next observer"));

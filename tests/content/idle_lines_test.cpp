@@ -52,7 +52,19 @@ TEST(IdleLines, AreTheApertureBesideAPattern) {
 
 TEST(IdleLines, AreWhatConcernsAMapWhereTheSkyIsBlack) {
   EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nfilter = \"point\"\n"), ElementsAre(idle(3, "sky.filter", "black")));
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nexposure = 4\n"), ElementsAre(idle(3, "sky.exposure", "stars")));
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nstars = \"bright_stars\"\nexposure = 4\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreTheShiftOfAMapWithoutRedshift) {
   EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n"), ElementsAre(idle(2, "sky.shift", "redshift")));
+  EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n[effects]\nredshift = true\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreTheFadesOfEyesThatDoNotTurn) {
+  const std::string fade = "[stereo]\nlayout = \"side_by_side\"\nfade = { from_deg = 50, to_deg = 80 }\n";
+  EXPECT_THAT(idle_in(fade), ElementsAre(idle(3, "stereo.fade", "omni")));
+  EXPECT_THAT(idle_in(fade + "model = \"omni\"\n"), IsEmpty());
 }
 
 TEST(IdleLines, AreAnimationsToo) {

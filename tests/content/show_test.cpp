@@ -184,8 +184,22 @@ TEST(Show, RefusesWaysOnWhichTheObserverCannotExist) {
   const std::string keys =
       "[[camera.key]]\nr = 1.7\ntheta_deg = 10\n[[camera.key]]\nt_s = 10\nr = 1.7\ntheta_deg = 170\n";
   EXPECT_THAT(problem_of("[hole]\nspin = 0.9\n[camera]\nobserver = \"static\"\n" + keys),
-              AllOf(HasSubstr("show.toml:10"), HasSubstr("is reached by r = 1.7 M"), HasSubstr("outrun light")));
+              AllOf(HasSubstr("show.toml:10"), HasSubstr("leads by r = 1.7 M"), HasSubstr("outrun light")));
   EXPECT_EQ(problem_of("[hole]\nspin = 0.9\n[camera]\nobserver = \"zamo\"\n" + keys), "");
+  const std::string over_the_equator =
+      "[[camera.key]]\nr = 2.5\ntheta_deg = 10\n[[camera.key]]\nt_s = 10\nr = 2.5\ntheta_deg = 170\n";
+  EXPECT_THAT(problem_of("[camera]\nobserver = \"geodesic\"\n" + over_the_equator), HasSubstr("an orbiting observer"));
+}
+
+TEST(Show, RefusesSpinsForWhichTheObserverCannotExist) {
+  const std::string spins =
+      "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 0, value = 0.99 }, { t_s = 5, value = 0.5 }]\n";
+  const std::string still = "[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 2.2\n";
+  EXPECT_THAT(problem_of("[hole]\nspin = 0.99\n" + spins + still),
+              AllOf(HasSubstr("at 5 s"), HasSubstr("outrun light")));
+  const std::string held =
+      "[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 2.2\nhold_s = 4\n[[camera.key]]\nt_s = 4.5\nr = 9\n";
+  EXPECT_THAT(problem_of("[hole]\nspin = 0.99\n" + spins + held), HasSubstr("outrun light"));
 }
 
 //! A show with these lines under [view].

@@ -37,6 +37,14 @@ TEST_F(AtomicFile, WritesWhatALinkNamesAndKeepsTheLink) {
   EXPECT_EQ(text("a.txt"), "new");
 }
 
+TEST_F(AtomicFile, WritesWhatALinkNamesAndIsNotThereYet) {
+  fs::create_directory(folder_ / "elsewhere");
+  fs::create_symlink(fs::absolute(folder_ / "elsewhere" / "b.txt"), folder_ / "link.txt");
+  write_text_atomically(folder_ / "link.txt", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_EQ(text("elsewhere/b.txt"), "new");
+}
+
 TEST_F(AtomicFile, ReplacesNoPipeAndNoFolder) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   fs::create_directory(folder_ / "folder");

@@ -16,10 +16,10 @@ constexpr double r_plus = 1.435889894354067;  // of a = 0.9
 constexpr Allowed usual = {1e-11, 2e-6, 0.12, 0.15, 0.2};
 const char* const as_anywhere = "nothing is harder here than elsewhere";
 
-//! The closed form holds the horizons of an extremal hole 6e-6 apart, which its own comments give 1e-11 / (1 - u)² for.
+//! The closed form holds the horizons of an extremal hole 6e-6 apart, for which it gives itself 1e-11 / (1 - u)³.
 constexpr Allowed extremal = {4e-9, 2e-6, 0.12, 0.15, 0.2};
 const char* const two_horizons =
-    "the reference is off by 1e-11 / (1 - 1/r)² and amplifies it: its horizons are held apart";
+    "the reference is off by 1e-11 / (1 - 1/r)³ and amplifies it: its horizons are held apart";
 
 //! So near to the edge the quadtree sees nothing but holes, and float knows the side alone.
 constexpr Allowed at_edge = {1e-11, side_alone, 0.12, 0.15, unbounded};

@@ -8,7 +8,6 @@
 namespace ergodome {
 namespace {
 
-using test::error_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -47,20 +46,21 @@ TEST(ProjectorOutputs, AreOnMonitorsWhereAPixelIs) {
 TEST(ProjectorOutputs, BesideAllMonitorsAreToldWithThese) {
   for (const auto& [x, y] : {std::pair(2000, 0), {-200, 0}, {0, 800}, {0, -100}, {100000, 100000}}) {
     const std::string problem =
-        error_of([&, x = x, y = y] { require_outputs(setup_of({projector_in_window(x, y)}), side_by_side); });
+        test::error_of([&, x = x, y = y] { require_outputs(setup_of({projector_in_window(x, y)}), side_by_side); });
     EXPECT_THAT(problem, AllOf(HasSubstr("dome.toml:7, projector north: no monitor shows its window"),
                                HasSubstr("0 (left, 1000 x 800 at 0, 0), 1 (right, 1000 x 800 at 1000, 0)")));
   }
 }
 
 TEST(ProjectorOutputs, OnAMissingMonitorAreToldWithThoseThatThereAre) {
-  EXPECT_THAT(error_of([] { require_outputs(setup_of({projector_on_monitor(2)}), side_by_side); }),
+  EXPECT_THAT(test::error_of([] { require_outputs(setup_of({projector_on_monitor(2)}), side_by_side); }),
               AllOf(HasSubstr("projector north: there is no monitor 2; choose from 0 (left"), HasSubstr("1 (right")));
 }
 
 TEST(ProjectorOutputs, WithoutMonitorsWindowsAreTakenAsTheyAre) {
   EXPECT_NO_THROW(require_outputs(setup_of({projector_in_window(5000, 0)}), {}));
-  EXPECT_THAT(error_of([] { require_outputs(setup_of({projector_on_monitor(0)}), {}); }), HasSubstr("connect one"));
+  EXPECT_THAT(test::error_of([] { require_outputs(setup_of({projector_on_monitor(0)}), {}); }),
+              HasSubstr("connect one"));
 }
 
 TEST(ProjectorOutputs, AreWholeMonitorsOrWindows) {

@@ -99,6 +99,9 @@ TEST(StatusJson, IsValidWhateverTheStatusHolds) {
   EXPECT_TRUE(read.at("frame_ms").is_null());
   EXPECT_EQ(read.at("title"), "broken \uFFFD UTF-8 \"quoted\" \n </script>");
   EXPECT_EQ(read.at("chapters").at(1).at("title"), "The far side");
+  for (const char* const key : {"clock", "follows", "sound"}) {
+    EXPECT_TRUE(read.contains(key)) << key;
+  }
 }
 
 }  // namespace
