@@ -30,16 +30,18 @@ void flush_to_disk(const std::filesystem::path& file, const std::filesystem::pat
 }  // namespace
 
 std::filesystem::path behind_links(const std::filesystem::path& path) {
+  constexpr int most_links = 40;  // as many as the system follows
   std::error_code problem;
-  if (!std::filesystem::is_symlink(path, problem)) {
-    return path;
+  std::filesystem::path at = path;
+  // What the last one names need not be there, so that the system cannot be asked for all at once.
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(at, problem); ++i) {
+    const std::filesystem::path target = std::filesystem::read_symlink(at, problem);
+    at = target.is_absolute() ? target : at.parent_path() / target;
   }
-  // What it names need not be there.
-  const std::filesystem::path behind = std::filesystem::weakly_canonical(path, problem);
-  if (problem || std::filesystem::is_symlink(behind, problem)) {
-    throw Error(path.string(), "is a link that leads nowhere", "remove it, or make what it names");
+  if (std::filesystem::is_symlink(at, problem)) {
+    throw Error(path.string(), "is a link that leads back to itself", "remove it, or make what it is to name");
   }
-  return behind;
+  return at;
 }
 
 void write_atomically(const std::filesystem::path& named,

@@ -45,6 +45,13 @@ TEST_F(AtomicFile, WritesWhatALinkNamesAndIsNotThereYet) {
   EXPECT_EQ(text("elsewhere/b.txt"), "new");
 }
 
+TEST_F(AtomicFile, RefusesALinkThatLeadsBackToItself) {
+  fs::create_symlink("two", folder_ / "one");
+  fs::create_symlink("one", folder_ / "two");
+  EXPECT_THAT(test::error_of([&] { write_text_atomically(folder_ / "one", "text"); }),
+              HasSubstr("leads back to itself"));
+}
+
 TEST_F(AtomicFile, ReplacesNoPipeAndNoFolder) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   fs::create_directory(folder_ / "folder");
