@@ -113,7 +113,8 @@ bool NumberTable::next(TableLine& line) {
     line.cells = split(text_);
     const auto extra = line.cells.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), line.cells.size()));
     if (std::any_of(extra, line.cells.end(), [](std::string_view cell) { return !cell.empty(); })) {
-      throw Error(line.place, fmt::format("has {} cells, and the first line names {}", line.cells.size(), names_.size()),
+      throw Error(line.place,
+                  fmt::format("has {} cells, and the first line names {}", line.cells.size(), names_.size()),
                   "name every column; a number has a point, and no comma");
     }
     return true;
