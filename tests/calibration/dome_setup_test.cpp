@@ -225,10 +225,6 @@ TEST(DomeSetup, BrokenTomlIsAnErrorWithItsLine) {
 class DomeSetupFile : public test::FolderTest {
  protected:
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  [[nodiscard]] std::string text(const std::string& name) const {
-    std::ifstream file(folder_ / name);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
 };
 
 TEST_F(DomeSetupFile, MissingFilesAreErrorsWithTheLineThatNamesThem) {
