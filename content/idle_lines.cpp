@@ -21,7 +21,8 @@ class Idle {
       if (of.starts_with(animated)) {
         of.remove_prefix(animated.size());
       }
-      if (std::ranges::any_of(keys, [&](std::string_view key) { return is_of(key, of, path.size() > of.size()); })) {
+      const bool animation = of.size() < path.size();
+      if (std::ranges::any_of(keys, [&](std::string_view key) { return is_of(key, of, animation); })) {
         lines_.push_back({path, line, why});
       }
     }
