@@ -83,7 +83,7 @@ CameraKey read_key(TomlTable& table) {
   return key;
 }
 
-//! Whether a show's observer can be where the camera is, and why not.
+//! Whether a show's observer would have to be faster than light there.
 bool outruns_light(const CameraSettings& camera, double spin, double r, double theta) {
   const Vector3<double> v = observer_velocity(camera.motion, spin, r, theta, camera.velocity);
   return !(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain;

@@ -22,6 +22,14 @@ class SoundWithoutDevice : public test::FolderTest {
     ::setenv("ALSOFT_DRIVERS", "null", 1);
   }
 
+  //! A show's sound: a second of one track.
+  [[nodiscard]] Soundtrack one_track() const {
+    test::write_ramp(folder_ / "a.wav", 8000, 1.0);
+    AudioTrack track;
+    track.file = "a.wav";
+    return {{track}, folder_, 10.0};
+  }
+
   //! What a player says, once it says something.
   static std::vector<std::string> first_problems(AudioPlayer& player) {
     std::vector<std::string> problems;
@@ -34,22 +42,16 @@ class SoundWithoutDevice : public test::FolderTest {
 };
 
 TEST_F(SoundWithoutDevice, IsSaidOnceAndTheShowGoesOn) {
-  test::write_ramp(folder_ / "a.wav", 8000, 1.0);
-  AudioTrack track;
-  track.file = "a.wav";
   AudioPlayer player;
-  player.set_soundtrack({{track}, folder_, 10.0});
+  player.set_soundtrack(one_track());
   player.follow({ShowInstant{steady_time(), 0s, 0, 0, 1.0, true, 0}, 1.0, ""});
   EXPECT_THAT(first_problems(player), testing::ElementsAre("there is no sound device; the show goes on in silence"));
   EXPECT_EQ(player.state(), "no sound device");
 }
 
 TEST_F(SoundWithoutDevice, IsAProblemUntilAShowWithoutSoundComes) {
-  test::write_ramp(folder_ / "a.wav", 8000, 1.0);
-  AudioTrack track;
-  track.file = "a.wav";
   AudioPlayer player;
-  player.set_soundtrack({{track}, folder_, 10.0});
+  player.set_soundtrack(one_track());
   first_problems(player);
   EXPECT_EQ(player.problem(), "there is no sound device; the show goes on in silence");
   const auto becomes = [&](const std::string& problem) {
@@ -60,7 +62,7 @@ TEST_F(SoundWithoutDevice, IsAProblemUntilAShowWithoutSoundComes) {
   };
   player.set_soundtrack({{}, folder_, 10.0});
   EXPECT_TRUE(becomes(""));
-  player.set_soundtrack({{track}, folder_, 20.0});
+  player.set_soundtrack(one_track());
   EXPECT_TRUE(becomes("there is no sound device; the show goes on in silence")) << "it is the next show's, too";
   EXPECT_TRUE(player.take_problems().empty()) << "and is not said again";
 }
