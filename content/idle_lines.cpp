@@ -64,6 +64,17 @@ void add_sky(const Show& show, Idle& idle) {
   }
 }
 
+void add_light(const Show& show, Idle& idle) {
+  if (!show.light) {
+    return;
+  }
+  if (std::ranges::none_of(show.objects, &ObjectSettings::lit)) {
+    idle.add({"light"}, "is for objects with light = \"lambert\"");
+  } else if (show.light->falloff == LampFalloff::lens && show.objects.front().method == ObjectMethod::polygon) {
+    idle.add({"light.falloff"}, "is for method = \"trace\": light on polygons fades as published");
+  }
+}
+
 }  // namespace
 
 std::vector<IdleLine> idle_lines(const Show& show) {
@@ -81,6 +92,7 @@ std::vector<IdleLine> idle_lines(const Show& show) {
     idle.add({"stereo.fade"}, "is for model = \"omni\"");
   }
   add_sky(show, idle);
+  add_light(show, idle);
   return idle.in_order();
 }
 

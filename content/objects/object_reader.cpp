@@ -220,6 +220,7 @@ void read_objects(TomlTable& root, const std::string& file, Show& show) {
     show.light.emplace();
     show.light->position = read_place(table, "position");
     show.light->strength = table.number("strength", 1.0, 0.0, 1e12);
+    show.light->falloff = static_cast<LampFalloff>(table.choice("falloff", 0, {"lens", "published"}));
     if (!(length(show.light->position) > nearest_of_observers)) {
       throw table.error_at(table.has("position") ? "position" : "strength", "leaves the light inside the photon sphere",
                            "choose a place farther than 3 M from the hole's middle");

@@ -7,6 +7,7 @@
 
 #include "content/mesh/mesh_shapes.h"
 #include "content/timeline.h"
+#include "kernels/mesh/lamp_place.h"
 #include "kernels/schwarzschild/tessellation.h"
 
 namespace ergodome {
@@ -68,6 +69,7 @@ struct ObjectSettings {
 struct PointLight {
   Vector3<double> position = {0.0, 0.0, 0.0};  //!< pseudo-Cartesian [M]
   double strength = 1.0;                       //!< white light on what faces it at a distance of 1 M in flat space
+  LampFalloff falloff = LampFalloff::lens;     //!< of what is traced
 };
 
 //! Images of an object that polygons draw at the most: the fifth is 10^-6 as wide as the first, which tables in float just tell from the edge.

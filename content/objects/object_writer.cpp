@@ -91,7 +91,9 @@ toml::table table_of(const ObjectSettings& object) {
 
 void add_objects(const Show& show, toml::table& root) {
   if (show.light) {
-    root.insert("light", toml::table{{"position", array_of(show.light->position)}, {"strength", show.light->strength}});
+    root.insert("light", toml::table{{"position", array_of(show.light->position)},
+                                     {"strength", show.light->strength},
+                                     {"falloff", show.light->falloff == LampFalloff::lens ? "lens" : "published"}});
   }
   if (show.objects.empty()) {
     return;

@@ -3,7 +3,8 @@
 #include <cstdint>
 
 #include "kernels/flat_eyes/flat_horizon.h"
-#include "kernels/mesh/light_ray.h"
+#include "kernels/mesh/lamp_place.h"
+#include "kernels/mesh/mesh_rays.h"
 #include "kernels/mesh/surface.h"
 #include "kernels/projection/projection.h"
 #include "kernels/trace/omni_camera.h"
@@ -20,6 +21,8 @@ struct ObjectScene {
   MeshScene scene;
   const SurfaceLook* looks;  //!< one a mesh
   LampPlace lamp;            //!< strength 0: none
+  const LampGuess* guesses;  //!< places on lit meshes that others begin with
+  int guess_count;
   MeshLimits limits;
   bool shifted;   //!< light goes with g⁴
   bool retarded;  //!< some mesh is

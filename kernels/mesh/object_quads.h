@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/mesh/draw_objects.h"
+#include "kernels/mesh/lamp_light.h"
 #include "kernels/mesh/object_sight.h"
 
 namespace ergodome::inline ERGO_TARGET {
@@ -54,7 +55,8 @@ struct ObjectQuads {
   //! The lamp's light on a mesh.
   struct LitMesh {
     int mesh = -1;
-    Vector3<double> correction = {0.0, 0.0, 0.0};  //!< kept from place to place
+    int corrected = -1;                //!< the mesh that the corrections are of
+    LampCorrections corrections = {};  //!< kept from place to place
     LampLight light = {};
   };
 
@@ -148,10 +150,14 @@ struct ObjectQuads {
         MeshLimits limits = objects.limits;
         limits.delay = hit.delay;
         const double off_surface = 1e-5 * mesh.size * mesh.tree.radius;
-        const Vector3<double> start = hit.point + at.lift + off_surface * at.normal;
+        const LitPlace place = {hit.point, at.normal, mesh_velocity(mesh, hit.delay),
+                                hit.point + at.lift + off_surface * at.normal};
         lit.mesh = hit.mesh;
-        lit.light = lamp_light(objects.camera.spin, objects.lamp, hit.point, at.normal, start, objects.scene, limits,
-                               lit.correction);
+        if (lit.corrected != hit.mesh) {
+          lit.corrected = hit.mesh;
+          lit.corrections = nearest_corrections(objects.guesses, objects.guess_count, hit.point);
+        }
+        lit.light = lamp_light(objects.camera.spin, objects.lamp, place, objects.scene, limits, lit.corrections);
       }
       light = static_cast<float>(illuminance(lit.light, at.normal)) * light;
     }

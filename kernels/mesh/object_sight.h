@@ -6,7 +6,6 @@
 // What the kernels that draw objects share.
 namespace ergodome::inline ERGO_TARGET {
 
-ERGO_HD Vector3<double> plain_vector(const Vector3<Dual<double>>& v) { return {v.x.value, v.y.value, v.z.value}; }
 ERGO_HD double length_of(const Vector3<double>& v) { return ::sqrt(dot(v, v)); }
 
 //! The observer's direction of a place in the image. N is double, or Dual<double> with the derivatives per pixel.

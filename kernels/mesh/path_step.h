@@ -69,6 +69,9 @@ struct PathStep {
   }
 };
 
+//! A vector without its derivatives.
+ERGO_HD Vector3<double> plain_vector(const Vector3<Dual<double>>& v) { return {v.x.value, v.y.value, v.z.value}; }
+
 namespace detail {
 
 template <class T>

@@ -90,7 +90,8 @@ std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& t
   LightRay ray{};
   for (int round = 0; round < rounds; ++round) {
     place = round > 0 ? thing.at(ray.travel_time) : place;
-    if (!(dot(place, place) > least_r * least_r) || !light_ray(eye.spin, frame, at, place, 1, correction, ray)) {
+    if (!(dot(place, place) > least_r * least_r) ||
+        !light_ray(eye.spin, frame, at, place, 1, LightRayParts::way, correction, ray)) {
       return std::nullopt;
     }
   }

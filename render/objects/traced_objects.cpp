@@ -35,12 +35,17 @@ std::vector<SurfaceLook> looks_of(const Show& show, const std::vector<Surface>& 
   return looks;
 }
 
+LampPlace lamp_of(const Show& show) {
+  return show.light ? LampPlace{show.light->position, show.light->strength, show.light->falloff, show.effects.redshift}
+                    : LampPlace{};
+}
+
 }  // namespace
 
 TracedObjects::TracedObjects(const Show& show, Backend backend)
     : backend_(backend),
       objects_(show.objects),
-      lamp_(show.light ? LampPlace{show.light->position, show.light->strength} : LampPlace{}),
+      lamp_(lamp_of(show)),
       shifted_(show.effects.redshift),
       surfaces_(show, backend),
       looks_(backend, looks_of(show, surfaces_.surfaces()), "meshes"),
@@ -60,6 +65,7 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
   const EyeCamera& eye = view.camera();
   const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), view.time_s);
   placed_.write(placed.meshes.data(), placed.meshes.size());
+  guess_lamp_rays(eye.spin, view.time_s);
   const double tolerance =
       std::clamp(part_of_tolerance * view.tolerance_px * pixel_angle(view.projection), 1e-10, 1e-6);
   ObjectScene scene{station_of(eye),
@@ -68,6 +74,8 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
                     placed.around(eye.spin, placed_.data()),
                     looks_.data(),
                     lamp_,
+                    guesses_.data(),
+                    guess_count_,
                     {tolerance, picture_step_limit, 0.0},
                     shifted_,
                     std::ranges::any_of(placed.meshes, &PlacedMesh::retarded),
@@ -83,6 +91,20 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
   }
   std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);
   return scene;
+}
+
+void TracedObjects::guess_lamp_rays(double spin, double time_s) {
+  // A picture is drawn in blocks of rows, and eyes share its moment.
+  if (!(lamp_.strength > 0.0) || guessed_for_ == std::pair(spin, time_s)) {
+    return;
+  }
+  guessed_for_ = {spin, time_s};
+  const std::vector<LampGuess> guesses = lamp_guesses(spin, lamp_, objects_, outlines(time_s));
+  guess_count_ = static_cast<int>(guesses.size());
+  if (guesses_.size() < guesses.size()) {
+    guesses_ = Buffer<LampGuess>(backend_, guesses.size(), "meshes");
+  }
+  guesses_.write(guesses.data(), guesses.size());
 }
 
 ObjectLayer TracedObjects::look_at_rows(const PictureView& view, const RowBlock& rows,

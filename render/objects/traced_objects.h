@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "content/show.h"
 #include "kernels/mesh/lay_objects.h"
 #include "render/backend/buffer.h"
 #include "render/lens/picture_view.h"
+#include "render/objects/lamp_guesses.h"
 #include "render/objects/placed_meshes.h"
 #include "render/objects/surface_store.h"
 
@@ -51,6 +53,8 @@ class TracedObjects {
   ObjectLayer look_at_rows(const PictureView& view, const RowBlock& rows, const std::optional<FlatEyeSight>& sight);
   //! The objects of a picture as kernels have them.
   ObjectScene scene_for(const PictureView& view);
+  //! Has the lamp's guesses for a picture where kernels reach them.
+  void guess_lamp_rays(double spin, double time_s);
 
   Backend backend_;
   std::vector<ObjectSettings> objects_;
@@ -59,6 +63,9 @@ class TracedObjects {
   SurfaceStore surfaces_;
   Buffer<SurfaceLook> looks_;
   Buffer<PlacedMesh> placed_;
+  std::optional<std::pair<double, double>> guessed_for_;  //!< spin and time
+  Buffer<LampGuess> guesses_;
+  int guess_count_ = 0;
   Buffer<double> cameras_;  //!< of an eye that turns
   Buffer<float> rgba_;
   Buffer<float> time_;

@@ -80,5 +80,16 @@ TEST(IdleLines, AreInNoBuiltInShow) {
   }
 }
 
+TEST(IdleLines, OfALightAreThoseThatLightNothing) {
+  const std::string light = "[light]\nposition = [40, 0, 0]\nfalloff = \"lens\"\n";
+  const auto ball = [](const std::string& more) {
+    return "[[objects]]\nshape = \"sphere\"\nposition = [10, 0, 0]\n" + more;
+  };
+  EXPECT_THAT(idle_in(light + ball("method = \"trace\"\nlight = \"lambert\"\n")), IsEmpty());
+  EXPECT_THAT(idle_in(light + ball("light = \"lambert\"\n")),
+              ElementsAre(idle(3, "light.falloff", "method = \"trace\"")));
+  EXPECT_THAT(idle_in(light + ball("method = \"trace\"\n")), ElementsAre(idle(1, "light", "lambert")));
+}
+
 }  // namespace
 }  // namespace ergodome

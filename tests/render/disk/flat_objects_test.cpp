@@ -22,7 +22,7 @@ std::string white_ball(const std::string& position, const std::string& size) {
 
 const std::string spinning = "[[camera.key]]\nr = 24\ntheta_deg = 75\n[hole]\nspin = 0.9\n";
 
-constexpr int looks = sanitized ? 3 : 14;
+constexpr int looks = sanitized ? 3 : 10;
 
 constexpr const char* takes_long = "takes long under sanitizers, which see the same code in other scenes";
 
@@ -150,7 +150,7 @@ TEST(FlatObjects, AreLitAndShiftedAsTheHeadSeesThemWhereEyesAreClose) {
   const std::string ball = white_ball("-7, 5, 3", "3") + "light = \"lambert\"\n";
   const Difference difference = difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120), 1e-6);
   EXPECT_GT(difference.light, 0.01);
-  EXPECT_LT(difference.mean, 2e-3);
+  EXPECT_LT(difference.mean, 3e-3);
 }
 
 TEST(FlatObjects, AreSeenInEveryProjectionOverItsSeamsToo) {
@@ -179,8 +179,9 @@ TEST(FlatObjects, AreSeenOverSeamsThatPassThroughTiles) {
 TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const std::string ball =
       "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\norbit = { r = 9, phi_deg = 120, speed = 1 }\nsize = 2\n";
-  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120);
-  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
+  constexpr int size_px = sanitized ? 64 : 120;
+  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, size_px);
+  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, size_px);
   const Difference difference = difference_from_head(then, 1e-6);
   EXPECT_GT(difference.light, 100.0);
   // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is chance.

@@ -137,6 +137,7 @@ TEST(TracedObjects, OfALampAreLitAsTheClosedFormHasIt) {
   show.light.emplace();
   show.light->position = {40.0, 20.0, 5.0};
   show.light->strength = 1500.0;
+  show.light->falloff = LampFalloff::published;
   const Drawn drawn = draw(show, eye_at(0.0, 30.0, 0.5 * pi, ObserverMotion::fixed), screen(0.2));
   const ObjectRays rays(show, 0.0);
   const EyeCamera eye = eye_at(0.0, 30.0, 0.5 * pi, ObserverMotion::fixed);

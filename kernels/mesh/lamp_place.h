@@ -1,0 +1,33 @@
+#pragma once
+
+#include "kernels/core/vector3.h"
+
+namespace ergodome {
+
+//! How light grows fainter on its way.
+enum class LampFalloff {
+  lens,      //!< as its bundles spread about the hole
+  published  //!< with the square of its travel time: Müller, Schulz & Weiskopf (2021), eq. 20
+};
+
+//! A point of light at rest.
+struct LampPlace {
+  Vector3<double> position;  //!< pseudo-Cartesian [M]
+  double strength;           //!< 0: there is none
+  LampFalloff falloff = LampFalloff::lens;
+  bool shifted =
+      false;  //!< with falloff `lens`: light is shifted and beamed between the lamp and the surface as that moves
+};
+
+//! What spin adds to a lamp's rays to a place on both ways: see light_ray. 0: not known.
+struct LampCorrections {
+  Vector3<double> by_way[2];
+};
+
+//! The same, and where it is so [M].
+struct LampGuess {
+  Vector3<double> place;
+  LampCorrections corrections;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "kernels/core/angles.h"
+#include "kernels/core/vector3.h"
+
+namespace ergodome::test {
+
+//! A point by pseudo-Cartesian spherical coordinates.
+inline Vector3<double> point_at(double r, double theta, double phi) {
+  return {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)};
+}
+
+//! A point and a lamp.
+struct LitPoint {
+  Vector3<double> point, lamp;
+};
+
+//! Forty of them about a hole, everywhere.
+inline std::vector<LitPoint> lit_points() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const auto place = [&](double least, double most) {
+    return point_at(least + (most - least) * share(random), std::acos(2.0 * share(random) - 1.0),
+                    2.0 * pi * share(random));
+  };
+  std::vector<LitPoint> points;
+  for (int i = 0; i < 40; ++i) {
+    const Vector3<double> point = place(3.5, 20.0);
+    points.push_back({point, place(3.5, 60.0)});
+  }
+  return points;
+}
+
+}  // namespace ergodome::test
