@@ -17,26 +17,16 @@ namespace {
 //! After the patterns of the master comes a sheet with its number for each projector.
 int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; }
 
-std::vector<LoadedProjector> files_of(const DomeSetup& setup) {
-  std::vector<LoadedProjector> files;
-  files.reserve(setup.projectors.size());
-  for (const ProjectorSetup& projector : setup.projectors) {
-    files.push_back(load_projector(setup, projector));
-  }
-  return files;
-}
-
 }  // namespace
 
 CalibrationWindow::CalibrationWindow(const LiveOptions& options)
     : options_(options),
       state_(read_dome_setup(options.setup), pattern_count()),
-      files_(files_of(state_.setup())),
-      pictures_(projector_pictures(state_.setup())),
+      pictures_(state_.setup()),
       window_(700, 700, "Ergodome calibrate", false),
-      projectors_(window_, state_.setup(), pictures_, options.hide_control) {
+      projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control) {
   if (options_.master_px <= 0) {
-    options_.master_px = enough_master_px(pictures_);
+    options_.master_px = enough_master_px(pictures_.pictures());
   }
   renew_master();
   renew_text();
@@ -100,17 +90,18 @@ void CalibrationWindow::act(CalibrationAction action) {
 
 void CalibrationWindow::save() {
   try {
-    const bool behind = state_.leaves_warps_behind();
-    state_.note_saved(save_calibration(options_.setup, state_.setup(), state_.corners()));
+    const DomeSetup& setup = state_.setup();
+    const bool behind = pictures_.leaves_behind(setup);
+    state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.corners(),
+                                       pictures_.outdated(setup)));
     message_ = "saved to " + options_.setup;
-    message_ += behind ? "; patterns follow the new tilt, and warps in files are those of the old one:\nrun ergodome "
-                         "calibrate again, or whatever else has made them"
+    message_ += behind ? "; patterns follow the new tilt, and warps in files that were not computed from lenses and "
+                         "places\nare those of the old one: run again what has made them"
                        : "";
     // What is shown from now on is what the files hold.
-    files_ = files_of(state_.setup());
-    pictures_ = projector_pictures(state_.setup());
-    for (std::size_t i = 0; i < pictures_.size(); ++i) {
-      projectors_.replace(i, pictures_[i]);
+    pictures_ = DomePictures(state_.setup());
+    for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+      projectors_.replace(i, pictures_.pictures()[i]);
     }
   } catch (const Error& problem) {
     // What was adjusted is still there, and can be saved once the reason is gone.
@@ -127,11 +118,8 @@ void CalibrationWindow::renew(Renewal renewal) {
   if (renewal <= Renewal::master) {
     renew_master();
   }
-  if (renewal <= Renewal::warps) {
-    renew_warps();
-  }
   if (renewal <= Renewal::colours) {
-    renew_colours();
+    renew_projectors();
   }
   renew_text();
 }
@@ -144,9 +132,9 @@ std::string CalibrationWindow::pattern_name() const {
 
 void CalibrationWindow::renew_master() {
   const bool numbers = state_.pattern() + 1 == pattern_count();
-  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+  for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
     if (numbers) {
-      const ProjectorPicture& raster = pictures_[i];
+      const ProjectorPicture& raster = pictures_.pictures()[i];
       const Picture sheet =
           draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
       projectors_.set_raster(i, &sheet);
@@ -160,28 +148,24 @@ void CalibrationWindow::renew_master() {
   }
 }
 
-void CalibrationWindow::renew_warps() {
-  for (std::size_t i = 0; i < pictures_.size(); ++i) {
-    pictures_[i].warp = master_warp(state_.setup(), state_.setup().projectors[i], files_[i]);
-    pictures_[i].corners = state_.corners()[i];
-  }
-}
-
-void CalibrationWindow::renew_colours() {
-  for (std::size_t i = 0; i < pictures_.size(); ++i) {
-    const ProjectorSetup& projector = state_.setup().projectors[i];
-    pictures_[i].gamma = projector.gamma;
-    const Vector3<double>& lift = projector.black_level_lift;
-    pictures_[i].black_level_lift = dot(lift, lift) > 0.0 ? lift : files_[i].black_level_lift;
-    projectors_.change(i, pictures_[i]);
+void CalibrationWindow::renew_projectors() {
+  try {
+    const bool masks = pictures_.follow(state_.setup(), state_.corners());
+    for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+      const ProjectorPicture& picture = pictures_.pictures()[i];
+      masks ? projectors_.replace(i, picture) : projectors_.change(i, picture);
+    }
+  } catch (const Error& problem) {
+    // The pictures stay as they are until another key leads back.
+    message_ = problem.what();
   }
 }
 
 void CalibrationWindow::renew_text() {
   const std::string adjusted =
       state_.text() + "\npattern: " + pattern_name() + (message_.empty() ? "" : "\n" + message_);
-  for (std::size_t i = 0; i < pictures_.size(); ++i) {
-    const std::string other = fmt::format("{}: {}", i + 1, pictures_[i].name);
+  for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+    const std::string other = fmt::format("{}: {}", i + 1, pictures_.pictures()[i].name);
     projectors_.set_text(i, !state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);
   }
   std::string title = "Ergodome calibrate  " + state_.text();

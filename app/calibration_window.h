@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/live_calibration.h"
-#include "calibration/projector_picture.h"
+#include "calibration/dome_pictures.h"
 #include "render/present/presenter.h"
 #include "render/present/projector_windows.h"
 #include "render/present/window.h"
@@ -41,20 +41,18 @@ class CalibrationWindow {
   void save();
   void renew(Renewal renewal);
   void renew_master();
-  void renew_warps();
-  void renew_colours();
+  void renew_projectors();
   void renew_text();
   void draw();
   [[nodiscard]] std::string pattern_name() const;
 
   LiveOptions options_;
   LiveCalibration state_;
-  std::vector<LoadedProjector> files_;
-  std::vector<ProjectorPicture> pictures_;
+  DomePictures pictures_;
   Window window_;
   Presenter presenter_;
   ProjectorWindows projectors_;
-  std::string message_;  //!< of the last saving
+  std::string message_;  //!< of the last saving, or why a change cannot be shown
   std::optional<int> held_key_;
   Clock::time_point repeat_at_;
 };

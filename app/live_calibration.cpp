@@ -210,12 +210,6 @@ bool LiveCalibration::unsaved() const {
          !same_place(setup_.viewer_m, saved_.viewer_m);
 }
 
-bool LiveCalibration::leaves_warps_behind() const {
-  return setup_.tilt_deg != saved_.tilt_deg &&
-         std::ranges::any_of(setup_.projectors,
-                             [](const ProjectorSetup& projector) { return projector.warp.has_value(); });
-}
-
 std::string LiveCalibration::value() const {
   const ProjectorSetup& projector = setup_.projectors[projector_];
   switch (adjustable_) {

@@ -77,9 +77,6 @@ class LiveCalibration {
   //! Whether anything differs from what was read or saved last.
   [[nodiscard]] bool unsaved() const;
 
-  //! Whether the dome's tilt is no more the one that warps in files were made for: they stay as they are, and patterns alone follow.
-  [[nodiscard]] bool leaves_warps_behind() const;
-
   //! What is being changed, its value and its step, a line each.
   [[nodiscard]] std::string text() const;
 

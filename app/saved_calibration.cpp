@@ -34,40 +34,42 @@ void write_black_level(const std::filesystem::path& folder, const std::string& n
   projector.black_level_mask = write_mask(folder, name, picture, mask);
 }
 
+//! Warp and masks as the corners take them, which the projector then names.
+void write_files(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
+                 ProjectorSetup& projector) {
+  write_text_keeping_older(folder / (name + ".data"),
+                           to_bourke_mesh(moved_warp(picture.corners, picture.warp),
+                                          static_cast<double>(picture.width_px) / picture.height_px));
+  projector.warp.emplace();
+  projector.warp->file = name + ".data";
+  if (picture.blend.width > 0) {
+    projector.blend_mask = write_mask(folder, name + "_blend.png", picture, picture.blend);
+    projector.blend_mask_gamma = 1.0;
+  }
+  if (picture.black_level.width > 0 && !picture.corners.none()) {
+    write_black_level(folder, name + "_black.png", picture, projector);
+  }
+}
+
 }  // namespace
 
 DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& setup,
-                           const std::vector<CornerOffsets>& corners) {
+                           const std::vector<CornerOffsets>& corners, const std::vector<bool>& anew) {
   DomeSetup saved = setup;
   for (ProjectorSetup& projector : saved.projectors) {
     // Its lines are others now.
     projector.read_from = file.string();
   }
   const bool moved = std::ranges::any_of(corners, [](const CornerOffsets& c) { return !c.none(); });
-  if (moved) {
+  if (moved || std::ranges::find(anew, true) != anew.end()) {
     // The rotation stays in the setup: warps are written without it.
     DomeSetup unturned = setup;
     unturned.rotation_deg = 0.0;
     std::vector<ProjectorPicture> pictures = projector_pictures(unturned);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      ProjectorPicture& picture = pictures[i];
-      ProjectorSetup& projector = saved.projectors[i];
-      picture.corners = corners[i];
-      if (picture.corners.none()) {
-        continue;
-      }
-      const std::string name = projector_file_name(i, projector.name);
-      write_text_keeping_older(setup.folder / (name + ".data"),
-                               to_bourke_mesh(moved_warp(picture.corners, picture.warp),
-                                              static_cast<double>(picture.width_px) / picture.height_px));
-      projector.warp.emplace();
-      projector.warp->file = name + ".data";
-      if (picture.blend.width > 0) {
-        projector.blend_mask = write_mask(setup.folder, name + "_blend.png", picture, picture.blend);
-        projector.blend_mask_gamma = 1.0;
-      }
-      if (picture.black_level.width > 0) {
-        write_black_level(setup.folder, name + "_black.png", picture, projector);
+      pictures[i].corners = corners[i];
+      if (!corners[i].none() || (i < anew.size() && anew[i])) {
+        write_files(setup.folder, projector_file_name(i, pictures[i].name), pictures[i], saved.projectors[i]);
       }
     }
   }

@@ -15,6 +15,8 @@ namespace {
 constexpr int samples = 97;
 //! Parts below this are of no account: full light there would not be missed.
 constexpr double least_part = 1e-3;
+//! Values of masks from which on more light may have been cut off: the last step of 16 bits.
+constexpr float cut_off = 0.99998F;
 
 }  // namespace
 
@@ -84,6 +86,31 @@ BlendMap DomeBlend::mask(std::size_t projector, int width_px, int height_px) con
         const RasterPlace place = {fill_position(column, width_px), fill_position(row, height_px)};
         map.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_px) +
                    static_cast<std::size_t>(column)] = static_cast<float>(intensity(projector, place));
+      }
+    }
+  });
+  return map;
+}
+
+BlendMap DomeBlend::mask_after_tilt(std::size_t projector, const BlendMap& mask, const DomeBlend& before) const {
+  BlendMap map = mask;
+  const auto factor = static_cast<float>(level_ / before.level_);
+  parallel_for(map.height, 4, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      for (int column = 0; column < map.width; ++column) {
+        float& value = map.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
+                                  static_cast<std::size_t>(column)];
+        if (value < cut_off) {
+          value = std::min(value * factor, 1.0F);
+          continue;
+        }
+        const RasterPlace place = {fill_position(column, map.width), fill_position(row, map.height)};
+        const auto point = projectors_[projector].dome_point(place);
+        double u = 0.0;
+        double v = 0.0;
+        if (point && master_place_near_rim(screen_, *point, u, v)) {
+          value = static_cast<float>(intensity(projector, place));
+        }
       }
     }
   });

@@ -32,6 +32,11 @@ class DomeBlend {
   //! Intensities of all pixels of a raster, for linear values (blend_mask_gamma 1), as a grey mask of 16 bits.
   [[nodiscard]] BlendMap mask(std::size_t projector, int width_px, int height_px) const;
 
+  //! What mask() gives, in a small part of the time, from the mask that the blend of another tilt of the same dome gave, from a file of 16
+  //! bits, too: a tilt changes what light all places can have, which is one factor, and where that mask was cut off at 1 it is computed anew.
+  //! Pixels far beyond the dome's rim keep what they had. `before`: that blend.
+  [[nodiscard]] BlendMap mask_after_tilt(std::size_t projector, const BlendMap& mask, const DomeBlend& before) const;
+
   [[nodiscard]] const std::vector<ProjectorOptics>& projectors() const { return projectors_; }
 
  private:

@@ -50,20 +50,6 @@ TEST_F(LiveKeys, TiltGoesUpAndDownByHalfDegrees) {
   EXPECT_DOUBLE_EQ(live_.setup().tilt_deg, 9.0);
 }
 
-TEST_F(LiveKeys, AnotherTiltLeavesWarpsInFilesBehind) {
-  press(Action::choose_tilt);
-  press(Action::up);
-  EXPECT_FALSE(live_.leaves_warps_behind()) << "there are none";
-  DomeSetup with_warp = setup();
-  with_warp.projectors[1].warp.emplace();
-  live_.note_saved(with_warp);
-  EXPECT_FALSE(live_.leaves_warps_behind());
-  press(Action::up);
-  EXPECT_TRUE(live_.leaves_warps_behind());
-  live_.note_saved(live_.setup());
-  EXPECT_FALSE(live_.leaves_warps_behind());
-}
-
 TEST_F(LiveKeys, StepsAreATenthAndTenTimes) {
   press(Action::finer, 4);
   press(Action::up);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "calibration/projector_picture.h"
+#include "calibration/dome_pictures.h"
 #include "calibration/warp_conversion.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/killed_writer.h"
@@ -78,6 +78,31 @@ TEST_F(SavedCalibration, OfLensesAloneGetsWarpAndMask) {
   EXPECT_FALSE(read.projectors[0].warp);
   ASSERT_TRUE(read.projectors[1].warp);
   EXPECT_EQ(read.projectors[1].blend_mask, "2_p1_blend.png");
+}
+
+TEST_F(SavedCalibration, WritesComputedFilesForAnotherTilt) {
+  const DomePictures pictures(setup_);
+  setup_.tilt_deg += 10.0;
+  save_calibration(folder_ / "dome.toml", pictures.without_outdated(setup_), {{}, {}, {}}, pictures.outdated(setup_));
+  const DomeSetup read = read_dome_setup(folder_ / "dome.toml");
+  ASSERT_TRUE(read.projectors[2].warp);
+  const ProjectorOptics optics(read, read.projectors[2]);
+  const WarpMesh warp = projector_pictures(read)[2].warp;
+  const WarpNode& node = warp.at(warp.columns / 2, warp.rows / 2);
+  double u = 0.0;
+  double v = 0.0;
+  ASSERT_TRUE(master_place({25.0, 180.0}, *optics.dome_point({0.5, 0.5}), u, v));
+  EXPECT_NEAR(node.u, u, 1e-5);
+  EXPECT_NEAR(node.v, v, 1e-5);
+}
+
+TEST_F(SavedCalibration, LeavesFilesAloneAtTheSameTilt) {
+  const DomePictures pictures(setup_);
+  setup_.rotation_deg += 10.0;
+  const DomeSetup saved = save_calibration(folder_ / "dome.toml", pictures.without_outdated(setup_), {{}, {}, {}},
+                                           pictures.outdated(setup_));
+  EXPECT_EQ(saved.projectors[2].warp->file, "p2.data");
+  EXPECT_EQ(saved.projectors[2].blend_mask, "p2.png");
 }
 
 TEST_F(SavedCalibration, WithoutALiftHasNoMaskForIt) {

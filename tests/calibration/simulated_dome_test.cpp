@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "calibration/dome_blend.h"
+#include "calibration/dome_pictures.h"
 #include "calibration/mpcdi_writer.h"
 #include "calibration/projector_files.h"
 #include "calibration/setup_conversion.h"
@@ -46,19 +47,39 @@ struct Frame {
   }
 };
 
-//! The picture of a projector whose warp and mask are those of a setup's files.
-Frame frame_of(const DomeSetup& setup, const ProjectorSetup& projector) {
-  const LoadedProjector files = load_projector(setup, projector);
+//! The picture of a projector with a warp and a mask, which is raised to `mask_gamma`.
+Frame frame_of(const ProjectorSetup& projector, const WarpMesh& mesh, const BlendMap& mask, double mask_gamma) {
   Frame frame{projector.width_px, projector.height_px, {}, {}, {}};
-  const WarpMesh warp = resampled_warp(std::get<WarpMesh>(files.warp), frame.width, frame.height);
+  const WarpMesh warp = resampled_warp(mesh, frame.width, frame.height);
   for (std::size_t i = 0; i < warp.nodes.size(); ++i) {
     const WarpNode& node = warp.nodes[i];
-    const double mask = std::pow(static_cast<double>(files.blend->map.values[i]), files.blend->gamma_embedded);
-    frame.light.push_back(node.valid ? node.intensity * static_cast<float>(mask) : 0.0F);
+    const double linear = std::pow(static_cast<double>(mask.values[i]), mask_gamma);
+    frame.light.push_back(node.valid ? node.intensity * static_cast<float>(linear) : 0.0F);
     frame.u.push_back(node.valid ? node.u : 0.5F);
     frame.v.push_back(node.valid ? node.v : 0.5F);
   }
   return frame;
+}
+
+//! The pictures of projectors whose warps and masks are those of a setup's files.
+std::vector<Frame> frames_of(const DomeSetup& setup) {
+  std::vector<Frame> frames;
+  for (const ProjectorSetup& projector : setup.projectors) {
+    const LoadedProjector files = load_projector(setup, projector);
+    frames.push_back(
+        frame_of(projector, std::get<WarpMesh>(files.warp), files.blend->map, files.blend->gamma_embedded));
+  }
+  return frames;
+}
+
+//! The pictures that follow a setup's adjustments.
+std::vector<Frame> frames_of(const DomeSetup& setup, const DomePictures& pictures) {
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
+    const ProjectorPicture& picture = pictures.pictures()[i];
+    frames.push_back(frame_of(setup.projectors[i], picture.warp, picture.blend, 1.0));
+  }
+  return frames;
 }
 
 //! Throws frames onto the dome and looks at what is there.
@@ -83,13 +104,11 @@ class SimulatedDome : public FolderTest {
     return with;
   }
 
-  //! `optics`: the projectors as they stand; `files`: what they are fed.
-  static void expect_master(const DomeSetup& optics, const DomeSetup& files) {
+  //! `optics`: the projectors as they stand; `frames`: what they are fed; `most_off_px`: of the master.
+  static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double most_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
-    std::vector<Frame> frames;
-    for (std::size_t i = 0; i < optics.projectors.size(); ++i) {
-      projectors.emplace_back(optics, optics.projectors[i]);
-      frames.push_back(frame_of(files, files.projectors[i]));
+    for (const ProjectorSetup& projector : optics.projectors) {
+      projectors.emplace_back(optics, projector);
     }
     double least = 1e300;
     double most = 0.0;
@@ -121,7 +140,7 @@ class SimulatedDome : public FolderTest {
       most = std::max(most, light);
     }
     EXPECT_GT(overlaps, places / 20);
-    EXPECT_LT(farthest_px, 0.5);
+    EXPECT_LT(farthest_px, most_off_px);
     EXPECT_GT(least, 0.0);
     EXPECT_LT(most / least, 1.01);
   }
@@ -131,7 +150,53 @@ constexpr const char* three_are_enough = "sanitizers see the same code with thre
 
 TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   const DomeSetup setup = calibrated(three(640));
-  expect_master(setup, setup);
+  expect_master(setup, frames_of(setup));
+}
+
+//! On the master: these projectors of 400 pixels show 148 degrees of it.
+constexpr double half_a_pixel_of_400 = 0.5 * (148.0 / 400.0) * (master_px / 180.0);
+
+TEST_F(SimulatedDome, ComputedFilesFollowATilt) {
+  DomeSetup setup = calibrated(three(400));
+  DomePictures pictures(setup);
+  setup.tilt_deg -= 9.0;
+  EXPECT_TRUE(pictures.follow(setup, {{}, {}, {}}));
+  EXPECT_FALSE(pictures.leaves_behind(setup));
+  expect_master(setup, frames_of(setup, pictures), half_a_pixel_of_400);
+}
+
+TEST_F(SimulatedDome, LensesAloneFollowATiltThereAndBack) {
+  DomeSetup setup = three(400);
+  DomePictures pictures(setup);
+  for (const double tilt_deg : {60.0, 5.0}) {
+    setup.tilt_deg = tilt_deg;
+    pictures.follow(setup, {{}, {}, {}});
+  }
+  expect_master(setup, frames_of(setup, pictures), half_a_pixel_of_400);
+}
+
+TEST_F(SimulatedDome, FilesOfAnOutsideCalibrationStayAfterATilt) {
+  DomeSetup setup = calibrated(three(128));
+  // As if measured: the projectors do not stand where the setup says.
+  for (ProjectorSetup& projector : setup.projectors) {
+    projector.orientation.yaw_deg += 0.5;
+  }
+  DomePictures pictures(setup);
+  const float u = pictures.pictures()[1].warp.at(7, 9).u;
+  setup.tilt_deg += 9.0;
+  EXPECT_FALSE(pictures.follow(setup, {{}, {}, {}})) << "masks stay, too";
+  EXPECT_EQ(pictures.pictures()[1].warp.at(7, 9).u, u);
+  EXPECT_TRUE(pictures.leaves_behind(setup));
+}
+
+TEST_F(SimulatedDome, ATiltThatLeavesAProjectorInTheDarkChangesNothing) {
+  DomeSetup setup = ring_of(1, 20.0, 10.0, 20.0, false, 64);
+  std::get<Frustum>(setup.projectors[0].lens).down_deg = -5.0;
+  DomePictures pictures(setup);
+  const float u = pictures.pictures()[0].warp.at(3, 3).u;
+  setup.tilt_deg = -60.0;
+  EXPECT_THROW(pictures.follow(setup, {{}}), Error);
+  EXPECT_EQ(pictures.pictures()[0].warp.at(3, 3).u, u);
 }
 
 TEST_F(SimulatedDome, SixProjectorsShowTheMaster) {
@@ -139,12 +204,12 @@ TEST_F(SimulatedDome, SixProjectorsShowTheMaster) {
     GTEST_SKIP() << three_are_enough;
   }
   const DomeSetup setup = calibrated(six(640));
-  expect_master(setup, setup);
+  expect_master(setup, frames_of(setup));
 }
 
 TEST_F(SimulatedDome, ThreeProjectorsShowTheMasterAfterMpcdi) {
   const DomeSetup setup = calibrated(three(400));
-  expect_master(setup, through_mpcdi(setup));
+  expect_master(setup, frames_of(through_mpcdi(setup)));
 }
 
 TEST_F(SimulatedDome, SixProjectorsShowTheMasterAfterMpcdi) {
@@ -152,7 +217,7 @@ TEST_F(SimulatedDome, SixProjectorsShowTheMasterAfterMpcdi) {
     GTEST_SKIP() << three_are_enough;
   }
   const DomeSetup setup = calibrated(six(320));
-  expect_master(setup, through_mpcdi(setup));
+  expect_master(setup, frames_of(through_mpcdi(setup)));
 }
 
 TEST_F(SimulatedDome, AProjectorThatLooksAwayIsRefused) {
