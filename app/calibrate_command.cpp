@@ -20,6 +20,7 @@
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
 #include "calibration/mpcdi_writer.h"
+#include "calibration/projector_files.h"
 #include "calibration/setup_conversion.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
@@ -82,8 +83,35 @@ void run_live(const CalibrateOptions& options) {
   CalibrationWindow(live).run();
 }
 
-//! Writes warps and masks, and a setup that names them.
-void compute(const CalibrateOptions& options, DomeSetup& setup) {
+//! A projector's files, made but not yet written.
+struct ComputedProjector {
+  std::string name;  //!< that of its files begins so
+  std::string mesh;
+  std::string mask;
+  int columns = 0;
+  int rows = 0;
+};
+
+//! Looks at all that can be known to go wrong before anything is written: files that are to be named or written.
+void require_files(const CalibrateOptions& options, const DomeSetup& setup) {
+  const std::filesystem::path out = options.out;
+  for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
+    // Its warp and mask are made anew; the black level's mask is named again.
+    ProjectorSetup stays = setup.projectors[i];
+    stays.warp.reset();
+    stays.blend_mask.clear();
+    load_projector(setup, stays);
+    const std::string name = projector_file_name(i, stays.name);
+    require_writable(out / (name + ".data"));
+    require_writable(out / (name + "_blend.png"));
+  }
+  require_writable(out / std::filesystem::path(options.setup).filename());
+  if (!options.mpcdi.empty()) {
+    require_writable(options.mpcdi);
+  }
+}
+
+std::vector<ComputedProjector> compute(const CalibrateOptions& options, const DomeSetup& setup) {
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> projectors;
   projectors.reserve(setup.projectors.size());
@@ -91,32 +119,45 @@ void compute(const CalibrateOptions& options, DomeSetup& setup) {
     projectors.emplace_back(setup, projector);
   }
   const DomeBlend blend(projectors, screen, options.blend);
-  const std::filesystem::path out = options.out;
-  make_folder(out);
   const std::vector<double> lit = lit_parts_of(projectors, screen);
+  std::vector<ComputedProjector> computed;
   Progress progress("warps and masks", static_cast<long>(projectors.size()));
   for (std::size_t i = 0; i < projectors.size(); ++i) {
-    ProjectorSetup& projector = setup.projectors[i];
+    const ProjectorSetup& projector = setup.projectors[i];
     const WarpMesh warp = dome_warp(projectors[i], screen, options.master_px, options.tolerance_px);
     const std::string name = projector_file_name(i, projector.name);
-    write_text_keeping_older(out / (name + ".data"),
-                             to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px));
-    write_text_keeping_older(out / (name + "_blend.png"),
-                             to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"));
+    computed.push_back({name, to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px),
+                        to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"),
+                        warp.columns, warp.rows});
+    fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
+    progress.advance_to(static_cast<long>(i) + 1);
+  }
+  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
+  return computed;
+}
+
+//! Writes warps and masks, and then a setup that names them.
+void write_calibration(const CalibrateOptions& options, DomeSetup setup,
+                       const std::vector<ComputedProjector>& computed) {
+  const std::filesystem::path out = options.out;
+  make_folder(out);
+  for (std::size_t i = 0; i < computed.size(); ++i) {
+    ProjectorSetup& projector = setup.projectors[i];
+    const std::string& name = computed[i].name;
+    write_text_keeping_older(out / (name + ".data"), computed[i].mesh);
+    write_text_keeping_older(out / (name + "_blend.png"), computed[i].mask);
     projector.warp.emplace();
     projector.warp->file = name + ".data";
     projector.blend_mask = name + "_blend.png";
     projector.blend_mask_gamma = 1.0;
     projector.black_level_mask = moved(projector.black_level_mask, setup.folder, out);
-    fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
-    progress.advance_to(static_cast<long>(i) + 1);
   }
-  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
   setup.folder = out;
   const std::filesystem::path file = out / std::filesystem::path(options.setup).filename();
   write_dome_setup(file, setup);
   fmt::print("written to {}\n", file.string());
   if (!options.mpcdi.empty()) {
+    make_folder(std::filesystem::absolute(options.mpcdi).parent_path());
     write_mpcdi(options.mpcdi,
                 mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr)))));
     fmt::print("written to {}\n", options.mpcdi);
@@ -127,6 +168,9 @@ void run(const CalibrateOptions& options) {
   require_other_file("--mpcdi", options.mpcdi, {options.setup});
   require_other_png("--screenshot", options.shown.screenshot, {});
   if (options.live) {
+    if (!options.shown.screenshot.empty()) {
+      require_writable(options.shown.screenshot);
+    }
     run_live(options);
     return;
   }
@@ -134,8 +178,9 @@ void run(const CalibrateOptions& options) {
     throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
   }
   end_on_interrupts();
-  DomeSetup setup = read_dome_setup(options.setup);
-  compute(options, setup);
+  const DomeSetup setup = read_dome_setup(options.setup);
+  require_files(options, setup);
+  write_calibration(options, setup, compute(options, setup));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "app/interrupt.h"
 #include "app/saved_calibration.h"
 #include "app/setup_show.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 #include "render/output/image_writer.h"
 #include "render/patterns/test_pattern.h"
@@ -27,6 +28,13 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
       projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control) {
   if (options_.master_px <= 0) {
     options_.master_px = enough_master_px(pictures_.pictures());
+  }
+  try {
+    require_writable(options_.setup);
+  } catch (const Error& problem) {
+    // Patterns can be looked at all the same; who adjusts is to know beforehand.
+    message_ = std::string("cannot be saved: ") + problem.what();
+    fmt::print(stderr, "ergodome: {}\n", message_);
   }
   renew_master();
   renew_text();

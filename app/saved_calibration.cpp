@@ -34,9 +34,21 @@ void write_black_level(const std::filesystem::path& folder, const std::string& n
   projector.black_level_mask = write_mask(folder, name, picture, mask);
 }
 
+//! Looks whether all that write_moved_files() writes can be written.
+void require_writable_files(const std::filesystem::path& folder, const std::string& name,
+                            const ProjectorPicture& picture) {
+  require_writable(folder / (name + ".data"));
+  if (picture.blend.width > 0) {
+    require_writable(folder / (name + "_blend.png"));
+  }
+  if (picture.black_level.width > 0 && !picture.corners.none()) {
+    require_writable(folder / (name + "_black.png"));
+  }
+}
+
 //! Warp and masks as the corners take them, which the projector then names.
-void write_files(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
-                 ProjectorSetup& projector) {
+void write_moved_files(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
+                       ProjectorSetup& projector) {
   write_text_keeping_older(folder / (name + ".data"),
                            to_bourke_mesh(moved_warp(picture.corners, picture.warp),
                                           static_cast<double>(picture.width_px) / picture.height_px));
@@ -60,16 +72,23 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
     // Its lines are others now.
     projector.read_from = file.string();
   }
+  require_writable(file);
   const bool moved = std::ranges::any_of(corners, [](const CornerOffsets& c) { return !c.none(); });
   if (moved || std::ranges::find(anew, true) != anew.end()) {
     // The rotation stays in the setup: warps are written without it.
     DomeSetup unturned = setup;
     unturned.rotation_deg = 0.0;
     std::vector<ProjectorPicture> pictures = projector_pictures(unturned);
+    const auto written = [&](std::size_t i) { return !corners[i].none() || (i < anew.size() && anew[i]); };
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       pictures[i].corners = corners[i];
-      if (!corners[i].none() || (i < anew.size() && anew[i])) {
-        write_files(setup.folder, projector_file_name(i, pictures[i].name), pictures[i], saved.projectors[i]);
+      if (written(i)) {
+        require_writable_files(setup.folder, projector_file_name(i, pictures[i].name), pictures[i]);
+      }
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      if (written(i)) {
+        write_moved_files(setup.folder, projector_file_name(i, pictures[i].name), pictures[i], saved.projectors[i]);
       }
     }
   }

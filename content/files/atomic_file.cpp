@@ -44,6 +44,30 @@ std::filesystem::path behind_links(const std::filesystem::path& path) {
   return at;
 }
 
+void require_writable(const std::filesystem::path& named) {
+  std::filesystem::path kept = named;
+  kept += ".bak";
+  std::error_code unknown;
+  for (const std::filesystem::path& each : {named, kept}) {
+    const std::filesystem::file_status status = std::filesystem::status(behind_links(each), unknown);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+      throw Error(each.string(), "is to be written; it is there, and is no file", "move it, or choose another folder");
+    }
+  }
+  std::filesystem::path folder = std::filesystem::absolute(behind_links(named)).parent_path();
+  while (!std::filesystem::exists(folder, unknown) && folder.has_relative_path()) {
+    folder = folder.parent_path();
+  }
+  if (!std::filesystem::is_directory(folder, unknown)) {
+    throw Error(named.string(), "cannot be written: " + folder.string() + " is no folder", "choose another folder");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw Error(named.string(),
+                "cannot be written: the folder " + folder.string() + " takes no files: " + std::strerror(errno),
+                "check its permissions, or choose another folder");
+  }
+}
+
 void write_atomically(const std::filesystem::path& named,
                       const std::function<void(const std::filesystem::path& partial)>& write) {
   const std::filesystem::path path = behind_links(named);

@@ -15,7 +15,12 @@ void write_atomically(const std::filesystem::path& path,
 //! Where write_atomically() puts a file of a name: behind a link, else there.
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
-//! The same for text.
+//! Looks whether write_atomically() can write a file of that name, and keep_older() one that is there, before any work is done for it: what is there is a
+//! file, and its folder takes new ones, or can be made where it is not there. Changes nothing. Throws Error where that is not so; a disk that is full is
+//! seen by writing alone.
+void require_writable(const std::filesystem::path& path);
+
+//! write_atomically() for text.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
 //! Copies a file that is there to NAME.bak, in place of an older one of that name. Throws Error where that cannot be.

@@ -74,6 +74,40 @@ TEST_F(CalibrateCommand, WritesAnMpcdiCalibrationOfTheSame) {
   EXPECT_EQ(mpcdi.profile, MpcdiProfile::media_2d);
 }
 
+TEST_F(CalibrateCommand, WritesNothingWhereOneFileCannotBeWritten) {
+  write("dome.toml", dome_of_two);
+  std::filesystem::create_directories(folder_ / "made" / "2_right_blend.png");
+  EXPECT_NE(run("calibrate dome.toml --out made --size 512"), 0);
+  EXPECT_THAT(output_, HasSubstr("made/2_right_blend.png: is to be written; it is there, and is no file"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made" / "1_left___one.data"));
+}
+
+TEST_F(CalibrateCommand, WritesNothingWhereTheMpcdiHasNoPlace) {
+  write("dome.toml", dome_of_two);
+  EXPECT_NE(run("calibrate dome.toml --out made --size 512 --mpcdi dome.toml/a.mpcdi"), 0);
+  EXPECT_THAT(output_, HasSubstr("dome.toml is no folder"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
+}
+
+TEST_F(CalibrateCommand, WritesNothingWhereALaterProjectorLightsNoPartOfTheDome) {
+  std::string second_away = dome_of_two;
+  second_away.replace(second_away.rfind("pitch_deg = 40"), 14, "pitch_deg = -80");
+  write("dome.toml", second_away);
+  EXPECT_NE(run("calibrate dome.toml --out made --size 512"), 0);
+  EXPECT_THAT(output_, HasSubstr("lights no part of the dome"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
+}
+
+TEST_F(CalibrateCommand, ReadsTheBlackLevelsMaskBeforeItWritesAnything) {
+  std::string with_mask = dome_of_two;
+  with_mask += "black_level_mask = \"torn.png\"\nblack_level_lift = [0.01, 0.01, 0.01]\n";
+  write("dome.toml", with_mask);
+  write("torn.png", "no image");
+  EXPECT_NE(run("calibrate dome.toml --out made --size 512"), 0);
+  EXPECT_THAT(output_, HasSubstr("torn.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
+}
+
 TEST_F(CalibrateCommand, RefusesASetupThatItCannotCompute) {
   write("lensless.toml",
         "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\nresolution_px = [64, 48]\nwarp = \"a.data\"\n");

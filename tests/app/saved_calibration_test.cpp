@@ -7,6 +7,7 @@
 
 #include "calibration/dome_pictures.h"
 #include "calibration/warp_conversion.h"
+#include "kernels/core/error.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/killed_writer.h"
 #include "tests/support/simulated_dome.h"
@@ -103,6 +104,14 @@ TEST_F(SavedCalibration, LeavesFilesAloneAtTheSameTilt) {
                                            pictures.outdated(setup_));
   EXPECT_EQ(saved.projectors[2].warp->file, "p2.data");
   EXPECT_EQ(saved.projectors[2].blend_mask, "p2.png");
+}
+
+TEST_F(SavedCalibration, WritesNothingWhereOneFileCannotBeWritten) {
+  corners_[2] = corners_[1];
+  std::filesystem::create_directory(folder_ / "3_p2_blend.png");
+  EXPECT_THROW(save_calibration(folder_ / "dome.toml", setup_, corners_), Error);
+  EXPECT_FALSE(is_there("2_p1.data"));
+  EXPECT_FALSE(is_there("dome.toml"));
 }
 
 TEST_F(SavedCalibration, WithoutALiftHasNoMaskForIt) {
