@@ -153,8 +153,8 @@ TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   expect_master(setup, frames_of(setup));
 }
 
-//! On the master: these projectors of 400 pixels show 148 degrees of it.
-constexpr double half_a_pixel_of_400 = 0.5 * (148.0 / 400.0) * (master_px / 180.0);
+//! On the master: projectors of 400 pixels that show 148 degrees of it.
+constexpr double half_a_projector_pixel = 0.5 * (148.0 / 400.0) * (master_px / 180.0);
 
 TEST_F(SimulatedDome, ComputedFilesFollowATilt) {
   DomeSetup setup = calibrated(three(400));
@@ -162,7 +162,7 @@ TEST_F(SimulatedDome, ComputedFilesFollowATilt) {
   setup.tilt_deg -= 9.0;
   EXPECT_TRUE(pictures.follow(setup, {{}, {}, {}}));
   EXPECT_FALSE(pictures.leaves_behind(setup));
-  expect_master(setup, frames_of(setup, pictures), half_a_pixel_of_400);
+  expect_master(setup, frames_of(setup, pictures), half_a_projector_pixel);
 }
 
 TEST_F(SimulatedDome, LensesAloneFollowATiltThereAndBack) {
@@ -172,7 +172,7 @@ TEST_F(SimulatedDome, LensesAloneFollowATiltThereAndBack) {
     setup.tilt_deg = tilt_deg;
     pictures.follow(setup, {{}, {}, {}});
   }
-  expect_master(setup, frames_of(setup, pictures), half_a_pixel_of_400);
+  expect_master(setup, frames_of(setup, pictures), half_a_projector_pixel);
 }
 
 TEST_F(SimulatedDome, FilesOfAnOutsideCalibrationStayAfterATilt) {
