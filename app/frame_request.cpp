@@ -14,20 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! What tells one state of a file from another; nothing where it is not there.
-std::string state_of(const fs::path& file) {
-  std::error_code size_problem;
-  std::error_code time_problem;
-  const auto size = fs::file_size(file, size_problem);
-  const auto time = fs::last_write_time(file, time_problem);
-  return size_problem || time_problem ? "" : fmt::format("{} {}", size, time.time_since_epoch().count());
-}
-
+//! Names of files, with what tells one state of each from another.
 std::string states_of_files(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   std::string states;
   const auto add = [&](const fs::path& folder, const std::string& name) {
     if (!name.empty()) {
-      states += fmt::format("{} {}\n", name, state_of(folder / name));
+      states += fmt::format("{} {}\n", name, fingerprint_of_file(folder / name));
     }
   };
   for (const NamedFile& file : files_of_pictures(show)) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/frame_request.h"
+#include "app/show_loading.h"
 #include "content/files/whole_file.h"
 #include "render/output/image_reader.h"
 #include "tests/app/command_line.h"
@@ -47,7 +49,22 @@ TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
   EXPECT_THAT(output_, HasSubstr("1 frame in"));
   fs::last_write_time(folder_ / "sky.ppm", fs::last_write_time(folder_ / "sky.ppm") + std::chrono::seconds(2));
   ASSERT_EQ(run(render), 0);
-  EXPECT_THAT(output_, HasSubstr("1 frame in"));
+  EXPECT_THAT(output_, HasSubstr("0 frames in")) << "it holds what it held";
+}
+
+TEST_F(CommandLine, RequestsOfFramesHangOnWhatFilesHoldNotOnTheirTimes) {
+  write("small.toml", tiny_show);
+  const auto request = [&] { return frame_request({}, load_show((folder_ / "small.toml").string()), std::nullopt); };
+  const std::string before = request();
+  const fs::path file = folder_ / "sky.ppm";
+  const fs::file_time_type time = fs::last_write_time(file);
+  fs::last_write_time(file, time + std::chrono::seconds(2));
+  EXPECT_EQ(request(), before);
+  std::string sky = text("sky.ppm");
+  sky.back() = static_cast<char>(sky.back() ^ 1);
+  write("sky.ppm", sky);
+  fs::last_write_time(file, time);
+  EXPECT_NE(request(), before);
 }
 
 TEST_F(CommandLine, RenderResumesFramesWhoseBudgetLeavesThingsOpen) {
