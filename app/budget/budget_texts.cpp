@@ -30,9 +30,21 @@ std::string error_text(double error_px, int moments, std::size_t all) {
                      moments_text(moments, static_cast<int>(all)));
 }
 
+//! What is known of frames whose time is not.
+std::string untimed_text(const SettingsMeasurement& measured) {
+  if (!std::isnan(measured.quickest_ms)) {
+    return fmt::format("more than {} a frame (a picture {} px wide took that, and there was no time for {})",
+                       milliseconds(measured.quickest_ms), measured.quickest_px,
+                       measured.quickest_px < measured.width_px ? "a larger one" : "another");
+  }
+  return measured.untimed == UntimedFrames::polygons
+             ? "time of a frame not measured, as polygons take seconds to begin without a GPU"
+             : "time of a frame not measured, for want of time";
+}
+
 std::string time_text(double frame_ms, const SettingsMeasurement& measured) {
   if (std::isnan(frame_ms)) {
-    return "time of a frame not measured";
+    return untimed_text(measured);
   }
   const bool told = measured.drawn_px.size() > 1;
   return fmt::format(
@@ -46,7 +58,8 @@ std::string took_text(const SettingsMeasurement& measured) {
 }
 
 //! What of a budget an error and a frame's time miss, each after a semicolon.
-std::string missed_text(const Budget& budget, bool holds_error, double error_px, bool holds_rate, double frame_ms) {
+std::string missed_text(const Budget& budget, const SettingsMeasurement& measured, bool holds_error, double error_px,
+                        bool holds_rate, double frame_ms) {
   std::string text;
   if (!holds_error && !std::isnan(error_px)) {
     const double over_px = error_px - *budget.error_px;
@@ -56,6 +69,12 @@ std::string missed_text(const Budget& budget, bool holds_error, double error_px,
   if (!holds_rate && !std::isnan(frame_ms)) {
     text += fmt::format("; the rate is missed: a frame takes {} more than {}",
                         milliseconds(frame_ms - budget.frame_ms()), milliseconds(budget.frame_ms()));
+  }
+  if (budget.frame_rate_hz && std::isnan(frame_ms)) {
+    text += measured.quickest_ms > budget.frame_ms()
+                ? fmt::format("; the rate of {} a frame is missed", milliseconds(budget.frame_ms()))
+                : "; nothing is known of the rate";
+    text += budget.error_px ? "" : ", so the cheapest lens is taken";
   }
   return text;
 }
@@ -73,11 +92,11 @@ std::string text_of(const FrameQuality& quality) {
 
 std::string choice_text(const Budget& budget, const SettingsMeasurement& measured, const BudgetChoice& choice) {
   const MeasuredSetting& setting = measured.settings[choice.setting];
-  return fmt::format("budget {}: {}; {}, {}{}; {}", text_of(budget), text_of(setting.quality),
-                     error_text(setting.error_px, setting.moments, measured.times_s.size()),
-                     time_text(setting.frame_ms(), measured),
-                     missed_text(budget, choice.holds_error, setting.error_px, choice.holds_rate, setting.frame_ms()),
-                     took_text(measured));
+  return fmt::format(
+      "budget {}: {}; {}, {}{}; {}", text_of(budget), text_of(setting.quality),
+      error_text(setting.error_px, setting.moments, measured.times_s.size()), time_text(setting.frame_ms(), measured),
+      missed_text(budget, measured, choice.holds_error, setting.error_px, choice.holds_rate, setting.frame_ms()),
+      took_text(measured));
 }
 
 std::string ladder_text(const Budget& budget, const SettingsMeasurement& measured, const std::vector<Rung>& ladder,
@@ -88,10 +107,10 @@ std::string ladder_text(const Budget& budget, const SettingsMeasurement& measure
   const std::string step = budget.frame_rate_hz ? fmt::format(", pictures {} px wide of {}, step {} of {}",
                                                               rung.size_px, measured.width_px, first + 1, ladder.size())
                                                 : "";
-  return fmt::format("budget {}: {}{}; {}, {}{}; {}", text_of(budget), text_of(rung.quality), step,
-                     error_text(rung.error_px, rung.moments, measured.times_s.size()),
-                     time_text(rung.frame_ms, measured),
-                     missed_text(budget, holds_error, rung.error_px, holds_rate, rung.frame_ms), took_text(measured));
+  return fmt::format(
+      "budget {}: {}{}; {}, {}{}; {}", text_of(budget), text_of(rung.quality), step,
+      error_text(rung.error_px, rung.moments, measured.times_s.size()), time_text(rung.frame_ms, measured),
+      missed_text(budget, measured, holds_error, rung.error_px, holds_rate, rung.frame_ms), took_text(measured));
 }
 
 std::string record_text(const Budget& budget, const RateRecord& record, long changes, std::size_t rung,

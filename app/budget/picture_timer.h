@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,10 @@ class PictureTimer {
   //! From medians of pictures whose lenses are there; nothing where the time is over. The quality's budget counts in pixels of the whole picture.
   [[nodiscard]] std::optional<PictureTime> time(const FrameQuality& quality);
 
+  //! What the quickest of all pictures took that were drawn, and its width: a whole one takes more. NaN where none was.
+  [[nodiscard]] double quickest_ms() const { return quickest_ms_; }
+  [[nodiscard]] int quickest_px() const { return quickest_px_; }
+
   //! Widths of the pictures that are drawn.
   [[nodiscard]] const std::vector<int>& widths_px() const { return widths_px_; }
 
@@ -43,6 +48,8 @@ class PictureTimer {
   int whole_px_;
   double share_;
   std::vector<int> widths_px_;
+  double quickest_ms_ = std::numeric_limits<double>::quiet_NaN();
+  int quickest_px_ = 0;
 };
 
 }  // namespace ergodome

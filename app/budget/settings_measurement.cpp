@@ -69,7 +69,9 @@ class SettingsMeter {
     look_at_moments(show);
     look_at_lens();
     // Before lenses, for which all the time would not be too much.
-    if (!draws_slowly(show) || renderer_.backend() != Backend::cpu) {
+    if (has_objects(show, ObjectMethod::polygon) && renderer_.backend() == Backend::cpu) {
+      result_.untimed = UntimedFrames::polygons;
+    } else {
       time_pictures();
     }
     search(order_.lens);
@@ -245,6 +247,11 @@ class SettingsMeter {
     }
     if (order_.budget.frame_rate_hz && filter == SkyFilter::ewa) {
       time_kind(order_.lens, SkyFilter::point, drawn_by);
+    }
+    if (times_.empty()) {
+      result_.untimed = UntimedFrames::for_time;
+      result_.quickest_ms = timer.quickest_ms();
+      result_.quickest_px = timer.quickest_px();
     }
   }
 

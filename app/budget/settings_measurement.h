@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct MeasurementOrder {
   SecondsSource now = steady_seconds;
 };
 
+//! Why no time of whole frames was told.
+enum class UntimedFrames {
+  none,      //!< it was
+  for_time,  //!< the time was over before enough pictures were drawn
+  polygons,  //!< OpenGL takes seconds to begin where there is no GPU, and nothing was drawn
+};
+
 //! What was measured, and how much of it there was time for.
 struct SettingsMeasurement {
   std::vector<MeasuredSetting> settings;  //!< at least one; the first has the lens that was ordered
@@ -27,7 +35,11 @@ struct SettingsMeasurement {
   double height_to_width = 1.0;           //!< of the same
   std::vector<int>
       drawn_px;  //!< widths of the pictures whose times whole pictures' were told from; none: nothing was drawn
-  bool cut_short = false;  //!< there was no time for all
+  UntimedFrames untimed = UntimedFrames::none;
+  double quickest_ms = std::numeric_limits<
+      double>::quiet_NaN();  //!< of untimed frames: what a picture took that was drawn; NaN: none was
+  int quickest_px = 0;       //!< width of that picture, up to the whole one's
+  bool cut_short = false;    //!< there was no time for all
   double took_s = 0.0;
 };
 
@@ -35,7 +47,7 @@ struct SettingsMeasurement {
 //! against light rays in closed form; times of whole frames, told from pictures of two small sizes.
 //!
 //! With an error in the budget lenses get finer until one is within it, with kept_share; with a rate alone as fine as there is time for. What
-//! lies near the hole (disk, shells, objects) has a cost and no error. Where objects take seconds to draw, on the processor, nothing is drawn. Of
+//! lies near the hole (disk, shells, objects) has a cost and no error. Polygons take OpenGL seconds to begin on a processor: then nothing is drawn. Of
 //! two eyes the head stands for both. The renderer keeps its first quality. Throws what drawing throws.
 SettingsMeasurement measure_settings(ShowRenderer& renderer, const Show& show, const MeasurementOrder& order);
 

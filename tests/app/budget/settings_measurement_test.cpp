@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
 
 #include "app/budget/budget_check.h"
 #include "app/budget/budget_choice.h"
+#include "app/budget/budget_texts.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
 #include "tests/render/accuracy/accuracy_scene.h"
@@ -53,6 +57,48 @@ TEST(SettingsMeasurement, FindsALensWithinAnError) {
   EXPECT_TRUE(choice.holds_error);
   EXPECT_GT(measured.settings[choice.setting].frame_ms(), 0.0);
   EXPECT_FALSE(measured.cut_short);
+}
+
+TEST(SettingsMeasurement, KnowsWhatTheOnePictureTookThatThereWasTimeFor) {
+  const Show show = test::small_dome();
+  ShowRenderer renderer(show, Backend::cpu);
+  MeasurementOrder order = order_for({std::nullopt, 25.0}, LensChoice::direct);
+  order.size_px = 1280;
+  order.limit_s = 2.0;
+  // Whatever is done between two looks at the clock takes a tenth of a second.
+  double now_s = 0.0;
+  order.now = [&now_s] { return now_s += 0.1; };
+  const SettingsMeasurement measured = measure_settings(renderer, show, order);
+  EXPECT_EQ(measured.untimed, UntimedFrames::for_time);
+  EXPECT_NEAR(measured.quickest_ms, 100.0, 1e-6);
+  EXPECT_EQ(measured.quickest_px, 160);
+  EXPECT_TRUE(std::isnan(measured.settings.front().frame_ms()));
+}
+
+//! The line about a setting whose frames' time is not known, of 25 frames a second.
+std::string text_without_time(UntimedFrames untimed, double quickest_ms) {
+  const Budget budget{std::nullopt, 25.0};
+  SettingsMeasurement measured;
+  measured.settings.emplace_back();
+  measured.width_px = 1280;
+  measured.untimed = untimed;
+  measured.quickest_ms = quickest_ms;
+  measured.quickest_px = 160;
+  return choice_text(budget, measured, choose_setting(measured.settings, budget, BudgetFirst::error));
+}
+
+TEST(SettingsMeasurement, SaysThatAFrameTakesMoreThanAPictureDid) {
+  EXPECT_THAT(
+      text_without_time(UntimedFrames::for_time, 581.0),
+      testing::HasSubstr("more than 581 ms a frame (a picture 160 px wide took that, and there was no time for a "
+                         "larger one); the rate of 40.0 ms a frame is missed, so the cheapest lens is taken"));
+}
+
+TEST(SettingsMeasurement, SaysWhyNothingIsKnownOfPolygons) {
+  EXPECT_THAT(
+      text_without_time(UntimedFrames::polygons, std::numeric_limits<double>::quiet_NaN()),
+      testing::HasSubstr("as polygons take seconds to begin without a GPU; nothing is known of the rate, so the "
+                         "cheapest lens is taken"));
 }
 
 TEST(SettingsMeasurement, LeavesTheRenderersQualityAsItWas) {
