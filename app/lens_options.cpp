@@ -10,26 +10,34 @@
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/show_renderer.h"
+#include "render/lens/lens_choice.h"
 #include "render/lens/lens_chooser.h"
 
 namespace ergodome {
 
 namespace {
 
-void say(const std::string& message) { fmt::print(stderr, "ergodome: {}\n", message); }
-
-//! Angle of a pixel [rad] in pictures of a width; 0: the show's own.
-double pixel_of(const Show& show, int size_px) {
-  return pixel_angle(make_projection(show.view, size_px > 0 ? size_px : show.view.size_px, 0.0));
+//! One eye's pictures of a width; 0: the show's own.
+Projection projection_of(const Show& show, int size_px) {
+  return make_projection(show.view, size_px > 0 ? size_px : show.view.size_px, 0.0);
 }
 
 std::shared_ptr<StationStream> open(const Show& show, const std::filesystem::path& file, const LensOptions& options,
-                                    Backend backend) {
+                                    Backend backend, const Tell& tell) {
   TrajectoryReader trajectory(file);
   require_path_of(show, trajectory);
   const std::size_t memory = static_cast<std::size_t>(options.stream_memory_mib) << 20U;
   return std::make_shared<StationStream>(backend, std::move(trajectory), memory,
-                                         [](const std::string& problem) { say(problem + " (skipped)"); });
+                                         [tell](const std::string& problem) { tell(problem + " (skipped)"); });
+}
+
+//! What is drawn where stations are too coarse.
+const char* stand_in_for_stream(const Projection& projection, const LensOptions& options, Backend backend) {
+  if (lens_choice(options) == LensChoice::streamed) {
+    return "the budget is missed";
+  }
+  const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
+  return is_worth_a_grid(backend, pixels) ? "lenses are made anew" : "a ray is followed for each pixel";
 }
 
 }  // namespace
@@ -54,13 +62,15 @@ LensChoice lens_choice(const LensOptions& options) {
                                     : LensChoice::automatic;
 }
 
-std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend) {
+void tell_on_terminal(const std::string& note) { fmt::print(stderr, "ergodome: {}\n", note); }
+
+std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend, Tell tell) {
   const LensChoice choice = lens_choice(options);
   if (choice == LensChoice::live || choice == LensChoice::direct) {
     return nullptr;
   }
   if (!options.trajectory.empty()) {
-    return open(show, options.trajectory, options, backend);
+    return open(show, options.trajectory, options, backend, tell);
   }
   const std::filesystem::path beside = std::filesystem::path(show.folder) / (show.name + ".trajectory");
   std::error_code problem;
@@ -72,32 +82,51 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
     return nullptr;
   }
   try {
-    return open(show, beside, options, backend);
+    return open(show, beside, options, backend, tell);
   } catch (const Error& error) {
     if (choice == LensChoice::streamed) {
       throw;
     }
-    say(std::string(error.what()) + " (left alone)");
+    tell(std::string(error.what()) + " (left alone)");
     return nullptr;
   }
 }
 
 bool is_fine_enough(const StationStream& stream, const Show& show, int size_px) {
   const TrajectoryProvenance& baked = stream.trajectory().provenance();
-  return holds_budget(baked, show.quality.budget_px * pixel_of(show, size_px));
+  return holds_budget(baked, show.quality.budget_px * pixel_angle(projection_of(show, size_px)));
 }
 
-void tell_coarse_stream(const StationStream* stream, const Show& show, const LensOptions& options, int size_px) {
-  if (stream == nullptr || is_fine_enough(*stream, show, size_px)) {
-    return;
+std::vector<std::string> stream_notes(const StationStream* stream, const Show& show, const LensOptions& options,
+                                      Backend backend, int size_px) {
+  if (stream == nullptr) {
+    return {};
   }
-  const TrajectoryProvenance& baked = stream->trajectory().provenance();
+  const TrajectoryReader& trajectory = stream->trajectory();
+  const TrajectoryProvenance& baked = trajectory.provenance();
+  const Projection projection = projection_of(show, size_px);
   const int width_px = size_px > 0 ? size_px : show.view.size_px;
-  say(fmt::format(
-      "the trajectory was baked for {} px in pictures {:.0f} px wide, and is too coarse for {} px at {}: {}; "
-      "bake it again with --size {}",
-      baked.budget_px, width_px * pixel_of(show, size_px) / baked.pixel, show.quality.budget_px, width_px,
-      lens_choice(options) == LensChoice::streamed ? "the budget is missed" : "lenses are made anew", width_px));
+  const double pixel = pixel_angle(projection);
+  const double budget_px = show.quality.budget_px;
+  if (!is_fine_enough(*stream, show, size_px)) {
+    return {fmt::format(
+        "the trajectory was baked for {} px in pictures {:.0f} px wide, and is too coarse for {} px at {}: {}; bake it "
+        "again with --size {}",
+        baked.budget_px, width_px * pixel / baked.pixel, budget_px, width_px,
+        stand_in_for_stream(projection, options, backend), width_px)};
+  }
+  // What a station's pixel is in this picture.
+  const double scale = baked.pixel / pixel;
+  const MissedGaps missed = missed_gaps(trajectory.stations(), budget_px / scale);
+  if (missed.count == 0) {
+    return {};
+  }
+  return {
+      fmt::format("{} misses the budget of {} px in {} between its stations, {:.3g} s of the show: by {:.3g} px at "
+                  "{:.2f} s; bake it "
+                  "again with a finer --budget, or choose --lens live",
+                  trajectory.path().string(), budget_px, counted(missed.count, "gap"), missed.seconds,
+                  missed.worst_px * scale - budget_px, missed.worst_time_s)};
 }
 
 void print_statistics(const StreamStatistics& s) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "content/show.h"
 #include "render/lens/lens_source.h"
@@ -25,15 +27,25 @@ void add_lens_options(CLI::App& command, LensOptions& options);
 
 LensChoice lens_choice(const LensOptions& options);
 
+//! Takes a sentence for the person who watches.
+using Tell = std::function<void(const std::string&)>;
+
+//! Writes it on the terminal.
+void tell_on_terminal(const std::string& note);
+
 //! The stream of the show's baked stations; none where there is no trajectory or the choice needs none. Throws Error where a trajectory
-//! that was asked for cannot be used; one that is merely found beside the show is then left alone, with a word about it.
-std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend);
+//! that was asked for cannot be used; one that is merely found beside the show is then left alone, with a word about it. `tell` is called from the
+//! stream's thread, too, for stations that cannot be read.
+std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend,
+                                           Tell tell = tell_on_terminal);
 
 //! Whether stations of a trajectory hold the show's budget in pictures of a width (0: the show's own).
 bool is_fine_enough(const StationStream& stream, const Show& show, int size_px);
 
-//! Says on the terminal where they do not, and what becomes of that; nothing where there is no stream.
-void tell_coarse_stream(const StationStream* stream, const Show& show, const LensOptions& options, int size_px);
+//! What is to be known of a stream for pictures of a width (0: the show's own) that a backend makes: that it is too coarse for them, and what becomes of
+//! that, or that some of what it is used for misses the budget. None where there is no stream.
+std::vector<std::string> stream_notes(const StationStream* stream, const Show& show, const LensOptions& options,
+                                      Backend backend, int size_px);
 
 //! Prints what a stream has done.
 void print_statistics(const StreamStatistics& statistics);

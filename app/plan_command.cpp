@@ -146,7 +146,9 @@ void run(const PlanOptions& options) {
   require_features(show);
   const Backend backend = choose_backend(options.backend);
   std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
-  tell_coarse_stream(stream.get(), show, options.lens, options.size_px);
+  for (const std::string& note : stream_notes(stream.get(), show, options.lens, backend, options.size_px)) {
+    tell_on_terminal(note);
+  }
   const FrameRequest request = {
       backend,
       view_mode(options.view),

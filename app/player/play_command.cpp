@@ -140,14 +140,17 @@ void run(PlayArguments arguments) {
   }
   const Backend backend = choose_backend(arguments.backend);
   const bool may_fall_back = arguments.backend == "auto";
-  // Of a budget's pictures its own line tells; of others it is said once, however often a show is read again.
-  const auto told = std::make_shared<bool>(!arguments.budget.empty());
-  const RendererLoader::Make make = [backend, may_fall_back, told, lens = arguments.lens,
+  // Of a budget's pictures its own line tells.
+  const bool tells_errors = arguments.budget.empty();
+  const RendererLoader::Make make = [backend, may_fall_back, tells_errors, notes = options.notes, lens = arguments.lens,
                                      size_px = options.size_px](const Show& any) {
     const auto on = [&](Backend chosen) {
-      std::shared_ptr<StationStream> stream = open_stream(any, lens, chosen);
-      if (stream && !std::exchange(*told, true)) {
-        tell_coarse_stream(stream.get(), any, lens, size_px);
+      std::shared_ptr<StationStream> stream =
+          open_stream(any, lens, chosen, [notes](const std::string& note) { notes->post(note); });
+      if (tells_errors) {
+        for (const std::string& note : stream_notes(stream.get(), any, lens, chosen, size_px)) {
+          notes->post(note);
+        }
       }
       return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), std::move(stream));
     };

@@ -153,6 +153,7 @@ void Player::advance() {
   answer_requests();
   reload(false);
   take_renderer();
+  tell_notes();
   update_picture();
   screen_.set_light(session_->frame().light);
   services_.follow(session_->playback());
@@ -226,6 +227,12 @@ void Player::take_renderer() {
   if (news.another) {
     failures_ = 0;
     session_->show_again();
+  }
+}
+
+void Player::tell_notes() {
+  for (const std::string& note : options_.notes->take()) {
+    services_.tell(spdlog::level::warn, note);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "app/navigation/controls.h"
 #include "app/pads/hid_api.h"
 #include "app/player/frame_times.h"
+#include "app/player/note_board.h"
 #include "app/player/picture_flow.h"
 #include "app/player/player_inputs.h"
 #include "app/player/player_screen.h"
@@ -38,6 +39,7 @@ struct PlayOptions {
   ServiceOptions services;   //!< sound, clocks, remote control
   std::optional<ExhibitOptions> exhibit;
   std::optional<PlayPlan> budget;
+  std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();  //!< what loading shows has to tell, for the log
   std::function<Show(const std::string&)> load;  //!< reads a show's file and makes it what the command line asks for
 };
 
@@ -61,6 +63,7 @@ class Player {
   void answer_requests();
   void reload(bool now);
   void take_renderer();
+  void tell_notes();
   void update_picture();
   void note(PictureNews news);
   void advance_exhibit(PlayerInput& input);

@@ -14,6 +14,24 @@ constexpr std::uint32_t flag_disk = 2;
 
 }  // namespace
 
+MissedGaps missed_gaps(const std::vector<StationEntry>& stations, double limit_px) {
+  MissedGaps missed;
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const StationEntry& begin = stations[i];
+    const auto error_px = static_cast<double>(begin.gap_error_px);
+    if (!(error_px > limit_px)) {
+      continue;
+    }
+    ++missed.count;
+    missed.seconds += stations[i + 1].time_s - begin.time_s;
+    if (error_px > missed.worst_px) {
+      missed.worst_px = error_px;
+      missed.worst_time_s = begin.time_s;
+    }
+  }
+  return missed;
+}
+
 std::string station_place(const std::filesystem::path& file, std::size_t station) {
   return fmt::format("{}: station {}", file.string(), station + 1);
 }

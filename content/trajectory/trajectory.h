@@ -51,6 +51,18 @@ struct Gap {
   float disk_error_px = 0.0F;  //!< of the disk's layers
 };
 
+//! What the gaps between stations miss that stay over a limit.
+struct MissedGaps {
+  int count = 0;
+  double seconds = 0.0;       //!< all of them together
+  double worst_px = 0.0;      //!< error of the worst
+  double worst_time_s = 0.0;  //!< where that begins
+};
+
+//! Gaps of a finished trajectory whose StationEntry::gap_error_px is over `limit_px`. Disks' errors are none of them: where these are too much a grid
+//! is made anew.
+MissedGaps missed_gaps(const std::vector<StationEntry>& stations, double limit_px);
+
 //! How messages call a station of a trajectory file.
 std::string station_place(const std::filesystem::path& file, std::size_t station);
 

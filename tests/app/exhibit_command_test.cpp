@@ -52,5 +52,11 @@ TEST_F(ExhibitInAWindow, ShowsTheAttractShowWhenNobodyComes) {
   EXPECT_THAT(log(), testing::Not(HasSubstr("a visitor has come")));
 }
 
+TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
+  ASSERT_EQ(run("bake attract.toml --out attract.trajectory --size 16 --no-derivatives"), 0) << output_;
+  ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;
+  EXPECT_THAT(log(), HasSubstr("is too coarse for 0.25 px at 64: a ray is followed for each pixel"));
+}
+
 }  // namespace
 }  // namespace ergodome
