@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/inspect_trajectory.h"
 #include "app/interrupt.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
@@ -37,6 +38,7 @@ struct BakeOptions {
   int size_px = 0;
   double budget_px = 0.0;
   bool no_derivatives = false;
+  bool replace = false;
 };
 
 //! K and N of "K/N".
@@ -95,6 +97,26 @@ bool is_baked(const fs::path& out, const TrajectoryProvenance& provenance) {
   }
 }
 
+//! Throws Error where the output is there and no bake of this show's, whatever its settings are: it may have taken hours.
+void require_own(const fs::path& out, const Show& show) {
+  std::error_code problem;
+  if (!fs::exists(out, problem)) {
+    return;
+  }
+  const auto refuse = [&](const std::string& why) {
+    throw Error("--out " + out.string(), why, "choose another name, or add --replace to lose what is there");
+  };
+  if (!is_trajectory(out)) {
+    refuse("is there, and is no trajectory");
+  }
+  try {
+    require_path_of(show, TrajectoryReader(out));
+  } catch (const Error& error) {
+    // One that is damaged, or of another version, is of no use to this program either, but may be to another.
+    refuse("is there, and not of this show: " + error.problem());
+  }
+}
+
 BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal) {
   constexpr long steps = 10'000;
   Progress progress("baking", steps);
@@ -136,6 +158,9 @@ void run(const BakeOptions& options) {
   const BakeSettings settings = settings_of(options, show);
   const TrajectoryProvenance provenance = provenance_of(show, settings);
   const fs::path out = options.out;
+  if (!options.replace) {
+    require_own(out, show);
+  }
   if (out.has_parent_path()) {
     std::error_code ignored;
     fs::create_directories(out.parent_path(), ignored);
@@ -186,6 +211,7 @@ void add_bake_command(CLI::App& app) {
       ->check(number_between(1e-3, 100.0));
   command->add_flag("--no-derivatives", options->no_derivatives,
                     "stations that tell their own place alone: many more are needed, and stereo eyes get live grids");
+  command->add_flag("--replace", options->replace, "write over a file of --out that is not a trajectory of this show");
   command->callback([options] { run(*options); });
 }
 

@@ -11,6 +11,10 @@
 #include <random>
 #include <thread>
 
+#include "app/lens_options.h"
+#include "app/show_loading.h"
+#include "content/trajectory/trajectory_journal.h"
+#include "content/trajectory/trajectory_reader.h"
 #include "render/output/image_writer.h"
 #include "tests/app/command_line.h"
 #include "tests/support/sanitized.h"
@@ -161,6 +165,72 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
   EXPECT_THAT(output_, HasSubstr("(skipped)"));
   EXPECT_EQ(output_.find("(skipped)"), output_.rfind("(skipped)"));
   EXPECT_THAT(output_, HasSubstr("1 bad"));
+}
+
+constexpr const char* still_show =
+    "[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 32\n";
+
+TEST_F(BakeCommand, DoesNotReplaceAnotherShowsTrajectoryUnlessAsked) {
+  write("still.toml", still_show);
+  write("faster.toml", std::string(still_show).replace(13, 3, "0.6"));
+  ASSERT_EQ(run("bake still.toml --out baked --no-derivatives"), 0) << output_;
+  const std::string before = text("baked");
+  EXPECT_NE(run("bake faster.toml --out baked"), 0);
+  EXPECT_THAT(output_, HasSubstr("--out baked: is there, and not of this show: was baked for another spin"));
+  EXPECT_THAT(output_, HasSubstr("--replace"));
+  EXPECT_TRUE(text("baked") == before);
+  ASSERT_EQ(run("bake faster.toml --out baked --replace --no-derivatives"), 0) << output_;
+  EXPECT_FALSE(text("baked") == before);
+}
+
+TEST_F(BakeCommand, DoesNotReplaceAFileThatIsNoTrajectory) {
+  write("still.toml", still_show);
+  write("notes.txt", "of the day");
+  EXPECT_NE(run("bake still.toml --out notes.txt"), 0);
+  EXPECT_THAT(output_, HasSubstr("is there, and is no trajectory"));
+  EXPECT_EQ(text("notes.txt"), "of the day");
+}
+
+TEST_F(BakeCommand, ReplacesItsOwnShowsTrajectoryOfOtherSettings) {
+  write("still.toml", still_show);
+  ASSERT_EQ(run("bake still.toml --out baked --no-derivatives"), 0) << output_;
+  EXPECT_EQ(run("bake still.toml --out baked --budget 0.1 --no-derivatives"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("built now"));
+}
+
+//! The trajectory of the show below, with gaps that miss what they missed and a lot more.
+void write_missed_gaps(const fs::path& baked, const fs::path& missed) {
+  const TrajectoryReader reader(baked);
+  TrajectoryJournal journal(missed.string() + ".part", reader.provenance());
+  std::vector<double> times_s;
+  for (std::size_t i = 0; i < reader.stations().size(); ++i) {
+    const StationEntry& station = reader.stations()[i];
+    journal.add(station.time_s, reader.read(i));
+    if (i > 0) {
+      journal.add(Gap{times_s.back(), station.time_s, 6.0F, 0.0F});
+    }
+    times_s.push_back(station.time_s);
+  }
+  journal.seal(missed, times_s);
+}
+
+TEST_F(BakeCommand, StreamsTellWhatATrajectoryMisses) {
+  std::string small = moving_show;
+  small.replace(small.find("size_px = 512"), 13, "size_px = 32");
+  write("small.toml", small + "[quality]\nbudget_px = 4\n");
+  ASSERT_EQ(run("bake small.toml --out good --no-derivatives"), 0) << output_;
+  write_missed_gaps(folder_ / "good", folder_ / "bad");
+  const Show show = load_show((folder_ / "small.toml").string());
+  LensOptions options;
+  const auto notes = [&](const char* trajectory, int size_px) {
+    options.trajectory = (folder_ / trajectory).string();
+    return stream_notes(open_stream(show, options, Backend::cpu).get(), show, options, Backend::cpu, size_px);
+  };
+  EXPECT_THAT(notes("good", 0), testing::IsEmpty());
+  EXPECT_THAT(notes("bad", 0), testing::ElementsAre(testing::AllOf(
+                                   HasSubstr("bad misses the budget of 4 px in "),
+                                   HasSubstr("10 s of the show: by 2 px at 0.00 s; bake it again with a finer"))));
+  EXPECT_THAT(notes("bad", 16), testing::IsEmpty()) << "half as many pixels";
 }
 
 TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
