@@ -60,6 +60,9 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
     fmt::print("domemasters of {} for {}\n", counted(choice_.size_px, "pixel"), counted(pictures.size(), "projector"));
   }
+  for (const std::string& note : renderer_.notes()) {
+    tell_on_terminal(note);
+  }
   for (const std::string& note : stream_notes(stream_.get(), show, options.lens, backend_, choice_.size_px)) {
     tell_on_terminal(note);
   }

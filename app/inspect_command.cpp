@@ -15,6 +15,7 @@
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/show_loading.h"
+#include "app/show_notes.h"
 #include "content/animated_show.h"
 #include "content/camera_path.h"
 #include "content/environment_image.h"
@@ -72,6 +73,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["not_drawn_yet"] = missing_features(show);
   facts["timeline"] = facts_of_timeline(show);
   facts["idle"] = facts_of_idle_lines(show);
+  facts["notes"] = notes_of_files(show);
   for (const CameraKey& key : show.camera.keys) {
     facts["keys"].push_back({{"t_s", key.time_s},
                              {"r", key.r},
@@ -85,7 +87,7 @@ nlohmann::json facts_of(const Show& show) {
 
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    if (name != "keys" && name != "grid" && name != "timeline" && name != "idle") {
+    if (name != "keys" && name != "grid" && name != "timeline" && name != "idle" && name != "notes") {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
   }
@@ -103,6 +105,12 @@ void print_facts(const nlohmann::json& facts) {
   }
   if (facts.contains("idle")) {
     print_idle_lines(facts["idle"]);
+  }
+  if (facts.contains("notes") && !facts["notes"].empty()) {
+    fmt::print("\nnot to be seen\n");
+    for (const auto& note : facts["notes"]) {
+      fmt::print("  {}\n", note.get<std::string>());
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/playback/audio_file.h"
 #include "content/animated_show.h"
 #include "content/files/counted.h"
 #include "content/show_files.h"
@@ -78,6 +79,8 @@ json facts_of_timeline(const Show& show) {
   for (const AudioTrack& track : timeline.audio) {
     json& added = facts["audio"].emplace_back(file_facts(show, track.file));
     added.update({{"from_s", track.from_s}, {"language", track.language}, {"loop", track.loop}});
+    const bool there = added["there"].get<bool>();
+    added["problem"] = there ? sound_problem(std::filesystem::path(show.folder) / track.file) : "";
   }
   const auto mark_late = [&](const char* list, const char* start) {
     if (facts.contains(list)) {
@@ -126,6 +129,9 @@ void print_timeline(const json& facts) {
                fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(), language.empty() ? "" : "  " + language,
                            one["loop"].get<bool>() ? "  again and again" : "") +
                    late(one));
+    if (!one["problem"].get<std::string>().empty()) {
+      fmt::print("    CANNOT BE PLAYED: {}\n", one["problem"].get<std::string>());
+    }
   });
 }
 

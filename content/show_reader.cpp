@@ -111,14 +111,12 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   check_shells(root, file, show);
 }
 
-//! Notes where the words of tables stand that a show has several of ("shells[1].texture"): they name files.
-void note_words(const toml::array& tables, const std::string& path, std::map<std::string, int>& lines) {
+//! Notes where the keys of tables stand that a show has several of ("shells[1].texture").
+void note_tables(const toml::array& tables, const std::string& path, std::map<std::string, int>& lines) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     if (const toml::table* table = tables[i].as_table()) {
       for (const auto& [key, node] : *table) {
-        if (node.is_string()) {
-          lines[fmt::format("{}[{}].{}", path, i, key.str())] = static_cast<int>(node.source().begin.line);
-        }
+        lines[fmt::format("{}[{}].{}", path, i, key.str())] = static_cast<int>(node.source().begin.line);
       }
     }
   }
@@ -132,7 +130,7 @@ void note_lines(const toml::table& table, const std::string& path, std::map<std:
     if (const toml::table* below = node.as_table()) {
       note_lines(*below, own, lines);
     } else if (const toml::array* several = node.as_array(); several != nullptr && path.empty()) {
-      note_words(*several, own, lines);
+      note_tables(*several, own, lines);
     }
   }
 }

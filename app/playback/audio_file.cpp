@@ -20,6 +20,15 @@ float tame(float sample) { return std::isfinite(sample) ? std::clamp(sample, -4.
 
 void AudioFile::Close::operator()(void* file) const { sf_close(static_cast<SNDFILE*>(file)); }
 
+std::string sound_problem(const std::filesystem::path& path) {
+  try {
+    const AudioFile file(path);
+    return "";
+  } catch (const Error& problem) {
+    return problem.what();
+  }
+}
+
 AudioFile::AudioFile(const std::filesystem::path& path) {
   constexpr const char* remedy = "give a WAV, FLAC, Ogg or MP3 file";
   std::error_code problem;

@@ -4,9 +4,13 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ergodome {
+
+//! Why a file is no sound that can be played, for people; empty where it is.
+std::string sound_problem(const std::filesystem::path& path);
 
 //! A sound file that is read from anywhere: what libsndfile knows, WAV, FLAC, Ogg Vorbis, Opus and MP3 among it.
 class AudioFile {

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/playback/audio_file.h"
 #include "app/playback/audio_messages.h"
 
 namespace ergodome {
@@ -102,6 +103,7 @@ void AudioPlayer::find_output() {
   const bool stand_in = output_ && output_->name() == "No Output";
   if (!output_ || stand_in) {
     set_state("no sound device");
+    look_at_files();
     if (!std::exchange(said_silent_, true)) {
       say(no_device);
     } else {
@@ -121,6 +123,19 @@ void AudioPlayer::take_over(Soundtrack soundtrack) {
   mixer_.reset();
   soundtrack_ = std::move(soundtrack);
   looked_at_.reset();
+  looked_at_files_ = false;
+}
+
+void AudioPlayer::look_at_files() {
+  if (std::exchange(looked_at_files_, true)) {
+    return;
+  }
+  for (const AudioTrack& track : soundtrack_.tracks) {
+    const std::string problem = sound_problem(soundtrack_.folder / track.file);
+    if (!problem.empty() && said_of_files_.insert(problem).second) {
+      say(problem);
+    }
+  }
 }
 
 void AudioPlayer::mix(const AudioCue& cue) {

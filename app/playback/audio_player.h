@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -43,6 +44,7 @@ class AudioPlayer {
   void say(std::string problem);
   void unsay(const std::string& problem);
   void set_state(std::string state);
+  void look_at_files();
 
   double later_s_;
   mutable std::mutex mutex_;
@@ -60,6 +62,8 @@ class AudioPlayer {
   std::unique_ptr<AudioMixer> mixer_;
   std::optional<MonotonicTime> looked_at_;
   bool said_silent_ = false;
+  bool looked_at_files_ = false;  //!< of this soundtrack, for want of a device that would show what is wrong with them
+  std::set<std::string> said_of_files_;  //!< once each, however often a show comes again
   std::thread thread_;
 };
 

@@ -152,7 +152,11 @@ void run(PlayArguments arguments) {
           notes->post(note);
         }
       }
-      return std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), std::move(stream));
+      auto renderer = std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), std::move(stream));
+      for (const std::string& note : renderer->notes()) {
+        notes->post(note);
+      }
+      return renderer;
     };
     try {
       return on(backend);

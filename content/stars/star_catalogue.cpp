@@ -67,6 +67,13 @@ StarCatalogue load_stars(const Show& show) {
   });
 }
 
+std::string note_of_no_stars(const Show& show) {
+  return named_by(show, "sky.stars",
+                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "holds no stars",
+                        "name another catalogue, or leave sky.stars out"))
+      .what();
+}
+
 StarCatalogue read_stars(const std::filesystem::path& path) {
   StarCatalogue catalogue = is_star_file(path) ? read_star_file(path) : read_star_table(path);
   catalogue.name = path.stem().string();

@@ -39,6 +39,9 @@ bool is_built_in_catalogue(const std::string& name);
 //! folder. Empty when the show has none.
 StarCatalogue load_stars(const Show& show);
 
+//! A sentence for the person whose show names a catalogue that holds no star.
+std::string note_of_no_stars(const Show& show);
+
 //! Reads a catalogue from a file of either kind: this project's own (star_file.h), or a table of text (star_table.h).
 StarCatalogue read_stars(const std::filesystem::path& path);
 

@@ -99,6 +99,18 @@ ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, s
   }
 }
 
+std::vector<std::string> ShowRenderer::notes() const {
+  std::vector<std::string> notes;
+  if (stars_ && stars_->empty()) {
+    notes.push_back(note_of_no_stars(show_));
+  }
+  for (const ObjectInHorizon& inside :
+       traced_objects_ ? traced_objects_->in_horizon() : std::vector<ObjectInHorizon>{}) {
+    notes.push_back(note_of(show_, inside));
+  }
+  return notes;
+}
+
 Tone ShowRenderer::tone() const {
   Tone tone = tone_of(show_.tone);
   tone.gain *= static_cast<float>(std::exp2(exposure_stops_));

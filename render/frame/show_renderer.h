@@ -60,6 +60,9 @@ class ShowRenderer {
   ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
                std::shared_ptr<StationStream> stream = nullptr);
 
+  //! Sentences about what the show names and nobody will see: a catalogue without stars, traced objects within the horizon.
+  [[nodiscard]] std::vector<std::string> notes() const;
+
   //! Gives the show's numbers the values of a show time, for all pictures until the next call; render() does it by itself. What has not
   //! changed costs nothing. Throws Error where a sky that turns cannot be read again.
   void apply(double time_s);

@@ -11,6 +11,7 @@ SurfaceStore::SurfaceStore(const Show& show, Backend backend) {
   static WorkCounter counter("load_meshes");
   const WorkScope scope(counter, static_cast<long>(show.objects.size()));
   const ObjectMeshes loaded = load_meshes(show);
+  in_horizon_ = objects_in_horizon(show, loaded);
   for (const TriangleMesh& mesh : loaded.meshes) {
     meshes_.push_back(store(mesh, backend));
   }

@@ -7,6 +7,7 @@
 #include "content/show.h"
 #include "kernels/mesh/surface.h"
 #include "render/backend/buffer.h"
+#include "render/objects/object_horizon.h"
 #include "render/objects/object_outline.h"
 
 namespace ergodome {
@@ -16,6 +17,9 @@ class SurfaceStore {
  public:
   //! Reads or makes them, each file once. Throws Error where one cannot be read.
   SurfaceStore(const Show& show, Backend backend);
+
+  //! Objects of which some is not to be seen, as it lies within the horizon.
+  [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return in_horizon_; }
 
   //! One an object.
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
@@ -47,6 +51,7 @@ class SurfaceStore {
   std::vector<TriangleTree> trees_;
   std::vector<Surface> surfaces_;
   std::vector<MeshOutline> outlines_;
+  std::vector<ObjectInHorizon> in_horizon_;
   long triangle_count_ = 0;
 };
 

@@ -46,6 +46,9 @@ class TracedObjects {
     return place_outlines(objects_, surfaces_.outlines(), time_s);
   }
 
+  //! Objects of which some is not to be seen, as it lies within the horizon.
+  [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return surfaces_.in_horizon(); }
+
   //! Triangles of all objects.
   [[nodiscard]] long triangle_count() const;
 

@@ -29,6 +29,9 @@ class StarPass {
   //! Loads the catalogue. Throws Error when it cannot be read. Where pictures are made on a device, it seeks images too.
   explicit StarPass(const Show& show, Backend backend = Backend::cpu);
 
+  //! Whether the catalogue holds no star.
+  [[nodiscard]] bool empty() const { return field_.stars().empty(); }
+
   //! Takes the numbers of a show that differs from the first in these alone (content/animatable_number.h), and not in its sky's turn.
   void set_numbers(const Show& show);
 

@@ -66,6 +66,57 @@ TEST_F(CommandLine, InspectMarksCameraKeysAndNumbersThatComeAfterTheEnd) {
   EXPECT_THAT(output_, Not(testing::ContainsRegex(" 0.000 +20 [^\n]* AFTER THE END")));
 }
 
+//! A sphere of radius 1 at a place.
+std::string show_with_sphere(const std::string& place) {
+  return "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 16\n[[objects]]\n"
+         "shape = \"sphere\"\nmethod = \"trace\"\nsize = 0.5\nposition = " +
+         place + "\n";
+}
+
+constexpr const char* sunk_note =
+    "objects[0]: lies within the horizon, r = 1.87 M, and changes nothing (objects[0].position, sunk.toml:13); ";
+
+TEST_F(CommandLine, InspectTellsOfAnObjectWithinTheHorizon) {
+  write("sunk.toml", show_with_sphere("[1, 0, 0]"));
+  ASSERT_EQ(run("inspect sunk.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(sunk_note));
+}
+
+TEST_F(CommandLine, RenderTellsWhatNobodyWillSee) {
+  std::string sunk = show_with_sphere("[1, 0, 0]");
+  write("sunk.toml", sunk.replace(sunk.find("[view]"), 6, "stars = \"none.csv\"\n[view]"));
+  write("none.csv", "ra_deg,dec_deg,v_mag\n");
+  ASSERT_EQ(run("render sunk.toml --frames 1:1 --backend cpu --out f"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars"));
+  EXPECT_THAT(output_, HasSubstr("ergodome: objects[0]: lies within the horizon"));
+}
+
+TEST_F(CommandLine, InspectTellsOfAnObjectThatLiesPartlyWithinTheHorizon) {
+  write("half.toml", show_with_sphere("[2, 0, 0]"));
+  ASSERT_EQ(run("inspect half.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("objects[0]: lies partly within the horizon, r = 1.87 M, at 0 s"));
+}
+
+TEST_F(CommandLine, InspectSaysNothingOfAnObjectBesideTheHorizon) {
+  write("beside.toml", show_with_sphere("[2.4, 0, 0]"));
+  ASSERT_EQ(run("inspect beside.toml"), 0) << output_;
+  EXPECT_THAT(output_, Not(HasSubstr("horizon,")));
+}
+
+TEST_F(CommandLine, InspectTellsOfACatalogueWithoutStars) {
+  write("dark.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\nstars = \"none.csv\"\n[view]\nsize_px = 16\n");
+  write("none.csv", "ra_deg,dec_deg,v_mag\n");
+  ASSERT_EQ(run("inspect dark.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars (sky.stars, dark.toml:5); name another catalogue"));
+}
+
+TEST_F(CommandLine, InspectTellsOfASoundFileThatCannotBePlayed) {
+  write("loud.toml", "[[camera.key]]\nr = 12\n[[audio]]\nfile = \"words.ogg\"\n");
+  write("words.ogg", "no sound");
+  ASSERT_EQ(run("inspect loud.toml"), 0) << output_;
+  EXPECT_THAT(output_, testing::ContainsRegex("CANNOT BE PLAYED: [^\n]*words.ogg"));
+}
+
 TEST_F(CommandLine, InspectTellsItAsJson) {
   write("long.toml", long_show);
   ASSERT_EQ(run("inspect long.toml --json"), 0) << output_;

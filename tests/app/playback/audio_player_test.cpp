@@ -49,6 +49,14 @@ TEST_F(SoundWithoutDevice, IsSaidOnceAndTheShowGoesOn) {
   EXPECT_EQ(player.state(), "no sound device");
 }
 
+TEST_F(SoundWithoutDevice, FilesThatCannotBePlayedAreToldAllTheSame) {
+  Soundtrack missing = one_track();
+  missing.tracks.front().file = "gone.wav";
+  AudioPlayer player;
+  player.set_soundtrack(missing);
+  EXPECT_THAT(first_problems(player).front(), testing::HasSubstr("gone.wav: is not a file that can be read"));
+}
+
 TEST_F(SoundWithoutDevice, IsAProblemUntilAShowWithoutSoundComes) {
   AudioPlayer player;
   player.set_soundtrack(one_track());
