@@ -19,10 +19,9 @@ struct ObjectScene {
       frame_from_view[3]
                      [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
   MeshScene scene;
-  const SurfaceLook* looks;  //!< one a mesh
-  LampPlace lamp;            //!< strength 0: none
-  const LampGuess* guesses;  //!< places on lit meshes that others begin with
-  int guess_count;
+  const SurfaceLook* looks;        //!< one a mesh
+  LampPlace lamp;                  //!< strength 0: none
+  const LampCorrections* guesses;  //!< one a mesh: what spin adds to the lamp's rays to its middle
   MeshLimits limits;
   bool shifted;   //!< light goes with g⁴
   bool retarded;  //!< some mesh is

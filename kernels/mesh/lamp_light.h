@@ -94,21 +94,6 @@ struct LitPlace {
   Vector3<double> start;     //!< a little off the surface, which keeps it from its own shadow
 };
 
-//! What spin adds to a lamp's rays at the nearest of some places; nothing where there are none.
-ERGO_HD LampCorrections nearest_corrections(const LampGuess* guesses, int count, const Vector3<double>& point) {
-  LampCorrections nearest = {};
-  double least = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const Vector3<double> way = guesses[i].place - point;
-    const double square = dot(way, way);
-    if (i == 0 || square < least) {
-      nearest = guesses[i].corrections;
-      least = square;
-    }
-  }
-  return nearest;
-}
-
 namespace detail {
 
 //! The ray of one way from a lamp to a place. False where there is none, or where a hole without spin lets the closed form tell that the surface faces away.

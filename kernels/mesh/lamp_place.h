@@ -24,10 +24,4 @@ struct LampCorrections {
   Vector3<double> by_way[2];
 };
 
-//! The same, and where it is so [M].
-struct LampGuess {
-  Vector3<double> place;
-  LampCorrections corrections;
-};
-
 }  // namespace ergodome

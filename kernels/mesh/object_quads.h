@@ -155,7 +155,7 @@ struct ObjectQuads {
         lit.mesh = hit.mesh;
         if (lit.corrected != hit.mesh) {
           lit.corrected = hit.mesh;
-          lit.corrections = nearest_corrections(objects.guesses, objects.guess_count, hit.point);
+          lit.corrections = objects.guesses[hit.mesh];
         }
         lit.light = lamp_light(objects.camera.spin, objects.lamp, place, objects.scene, limits, lit.corrections);
       }

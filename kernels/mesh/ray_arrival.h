@@ -11,7 +11,7 @@ namespace detail {
 
 //! Series of rays between a lamp and a place, and how exactly they go.
 inline constexpr int lamp_order = 10;
-inline constexpr double lamp_tolerance = 1e-5;
+inline constexpr double lamp_tolerance = 1e-6;
 inline constexpr int lamp_steps = 2000;
 
 //! Where a ray comes to a radius on its way out.

@@ -8,9 +8,10 @@
 
 namespace ergodome {
 
-//! What spin adds to a lamp's rays at some places of the lit objects, one outline each: in the middle of what is small, on eight corners of what is not, as far from each
-//! other as can be. Rays to the rest of an object are found from there in a fifth of the time. None about a hole without spin, which adds nothing.
-std::vector<LampGuess> lamp_guesses(double spin, const LampPlace& lamp, const std::vector<ObjectSettings>& objects,
-                                    const std::vector<PlacedOutline>& outlines);
+//! What spin adds to a lamp's rays to the middle of each object, with one outline each: rays to the rest of it are found from there in a part of the time. 0 without
+//! spin, for objects that are not lit, and for those that are wide as seen from the hole.
+std::vector<LampCorrections> lamp_guesses(double spin, const LampPlace& lamp,
+                                          const std::vector<ObjectSettings>& objects,
+                                          const std::vector<PlacedOutline>& outlines);
 
 }  // namespace ergodome

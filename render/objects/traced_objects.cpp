@@ -49,7 +49,8 @@ TracedObjects::TracedObjects(const Show& show, Backend backend)
       shifted_(show.effects.redshift),
       surfaces_(show, backend),
       looks_(backend, looks_of(show, surfaces_.surfaces()), "meshes"),
-      placed_(backend, show.objects.size(), "meshes") {}
+      placed_(backend, show.objects.size(), "meshes"),
+      guesses_(backend, show.objects.size(), "meshes") {}
 
 std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backend) {
   return has_objects(show, ObjectMethod::trace) ? std::make_unique<TracedObjects>(show, backend) : nullptr;
@@ -75,7 +76,6 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
                     looks_.data(),
                     lamp_,
                     guesses_.data(),
-                    guess_count_,
                     {tolerance, picture_step_limit, 0.0},
                     shifted_,
                     std::ranges::any_of(placed.meshes, &PlacedMesh::retarded),
@@ -99,12 +99,7 @@ void TracedObjects::guess_lamp_rays(double spin, double time_s) {
     return;
   }
   guessed_for_ = {spin, time_s};
-  const std::vector<LampGuess> guesses = lamp_guesses(spin, lamp_, objects_, outlines(time_s));
-  guess_count_ = static_cast<int>(guesses.size());
-  if (guesses_.size() < guesses.size()) {
-    guesses_ = Buffer<LampGuess>(backend_, guesses.size(), "meshes");
-  }
-  guesses_.write(guesses.data(), guesses.size());
+  guesses_.write(lamp_guesses(spin, lamp_, objects_, outlines(time_s)).data(), objects_.size());
 }
 
 ObjectLayer TracedObjects::look_at_rows(const PictureView& view, const RowBlock& rows,

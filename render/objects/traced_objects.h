@@ -67,8 +67,7 @@ class TracedObjects {
   Buffer<SurfaceLook> looks_;
   Buffer<PlacedMesh> placed_;
   std::optional<std::pair<double, double>> guessed_for_;  //!< spin and time
-  Buffer<LampGuess> guesses_;
-  int guess_count_ = 0;
+  Buffer<LampCorrections> guesses_;
   Buffer<double> cameras_;  //!< of an eye that turns
   Buffer<float> rgba_;
   Buffer<float> time_;
