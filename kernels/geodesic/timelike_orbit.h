@@ -77,6 +77,19 @@ ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s) {
   return {p.radial / gamma, p.polar / gamma, p.azimuthal / gamma};
 }
 
+//! The same in the frame whose e_θ and e_φ are those at the azimuth ψ, which is the body's own, but any on the axis: there directions
+//! are as good as each other, and the caller says by which one he goes.
+ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s, double psi) {
+  const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
+  const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
+  const Vector3<double> east = {-::sin(psi), ::cos(psi), 0.0};
+  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+  const double polar = dot(s.m_rate, south) / ::sqrt(p.f.sigma);
+  const double azimuthal = dot(s.m_rate, east) / p.f.circumference_factor;
+  const double gamma = ::sqrt(1.0 + p.radial * p.radial + polar * polar + azimuthal * azimuthal);
+  return {p.radial / gamma, polar / gamma, azimuthal / gamma};
+}
+
 //! The constants of motion, from nothing but the place and the motion there.
 ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
   const detail::OrbitMomentum p = detail::momentum_of(spin, s);
@@ -132,33 +145,49 @@ ERGO_HD double orbit_error(const OrbitConstants& c, const OrbitState& s, const O
 
 }  // namespace detail
 
+//! A step along an orbit, and the error that its two orders tell [rad].
+struct OrbitStep {
+  OrbitState end;
+  double error;
+};
+
+//! One step of Cash & Karp's pair over `h` of the body's own time [M]. The error is not a number too near to the horizon.
+ERGO_HD OrbitStep orbit_step(double spin, const OrbitConstants& constants, double h, const OrbitState& state) {
+  OrbitState stage[CashKarp::stages];
+  OrbitState end = state;
+  OrbitState difference{};
+  for (int i = 0; i < CashKarp::stages; ++i) {
+    OrbitState at = state;
+    for (int j = 0; j < i; ++j) {
+      at = detail::moved(at, CashKarp::a(i, j) * h, stage[j]);
+    }
+    stage[i] = orbit_rate(spin, constants, at);
+    end = detail::moved(end, CashKarp::b(i) * h, stage[i]);
+    difference = detail::moved(difference, (CashKarp::b(i) - CashKarp::b_embedded(i)) * h, stage[i]);
+  }
+  return {end, detail::orbit_error(constants, state, difference)};
+}
+
+//! How much longer the next step may be than one with this error, which is refused where it is above the tolerance.
+ERGO_HD double orbit_step_growth(double error, double tolerance) {
+  constexpr double exponent = 1.0 / (CashKarp::error_order + 1);
+  const double growth = 0.85 * ::pow(tolerance / (error + 1e-300), exponent);
+  return growth > 0.2 ? ::fmin(growth, 4.0) : 0.2;
+}
+
 //! Follows a body for `duration` of its own time [M], backwards where negative, in steps of Cash & Karp's pair whose errors stay below
 //! `tolerance` [rad]. False, with the body where it came to, when it gets too near to the horizon or `step_limit` is reached.
 ERGO_HD bool advance_orbit(double spin, const OrbitConstants& constants, double duration, double tolerance,
                            int step_limit, OrbitState& state) {
-  constexpr double exponent = 1.0 / (CashKarp::error_order + 1);
   double done = 0.0;
   double h = duration;
   for (int step = 0; step < step_limit && done != duration; ++step) {
-    OrbitState stage[CashKarp::stages];
-    OrbitState end = state;
-    OrbitState difference{};
-    for (int i = 0; i < CashKarp::stages; ++i) {
-      OrbitState at = state;
-      for (int j = 0; j < i; ++j) {
-        at = detail::moved(at, CashKarp::a(i, j) * h, stage[j]);
-      }
-      stage[i] = orbit_rate(spin, constants, at);
-      end = detail::moved(end, CashKarp::b(i) * h, stage[i]);
-      difference = detail::moved(difference, (CashKarp::b(i) - CashKarp::b_embedded(i)) * h, stage[i]);
-    }
-    const double error = detail::orbit_error(constants, state, difference);
-    if (error <= tolerance) {  // not so where it is not a number
-      state = end;
+    const OrbitStep next = orbit_step(spin, constants, h, state);
+    if (next.error <= tolerance) {  // not so where it is not a number
+      state = next.end;
       done = h == duration - done ? duration : done + h;
     }
-    const double growth = 0.85 * ::pow(tolerance / (error + 1e-300), exponent);
-    h *= growth > 0.2 ? ::fmin(growth, 4.0) : 0.2;
+    h *= orbit_step_growth(next.error, tolerance);
     h = ::fabs(h) < ::fabs(duration - done) ? h : duration - done;
   }
   return done == duration;
