@@ -29,7 +29,7 @@ FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::
           {"spin", fmt::format("{:.12g}", show.spin)},
           {"r", fmt::format("{:.12g}", pose.r)},
           {"theta_deg", fmt::format("{:.12g}", pose.theta * radian_deg)},
-          {"observer", observers[static_cast<int>(show.camera.motion)]},
+          {"observer", pose.velocity ? "fall" : observers[static_cast<int>(show.camera.motion)]},
           {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
           {"from_outside", show.view.from_outside ? "true" : "false"},
           {"part", parts[static_cast<int>(part)]},

@@ -41,6 +41,8 @@ constexpr auto part_of(auto& part, auto member) -> decltype(&((*part).*member)) 
 }
 
 constexpr std::array numbers = {
+    number("camera.fall.clock", 0.0, 1e9, picture,
+           [](auto& show) { return part_of(show.camera.fall, &FallSettings::clock); }),
     number("hole.spin", -1.0, 1.0, picture, [](auto& show) { return &show.spin; }),
     number("sky.exposure", 0.0, 1e12, stars, [](auto& show) { return &show.sky.exposure; }),
     number("sky.faintest_mag", -30.0, 60.0, stars, [](auto& show) { return &show.sky.faintest_mag; }),

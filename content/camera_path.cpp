@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
+#include <span>
 #include <utility>
 
+#include "content/animated_show.h"
 #include "content/key_curve.h"
 
 namespace ergodome {
 
 namespace {
 
-using CameraKeys = std::vector<CameraKey>;
+using CameraKeys = std::span<const CameraKey>;
 
 //! When the camera leaves a key.
 double leave_s(const CameraKey& key) { return key.time_s + key.hold_s; }
@@ -108,7 +110,60 @@ glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t)
   return glm::normalize(q0 * turned);
 }
 
+//! Keys up to a time, that one included.
+CameraKeys keys_until(CameraKeys keys, double time_s) {
+  return {keys.begin(), std::ranges::upper_bound(keys, time_s, {}, &CameraKey::time_s)};
+}
+
+//! A time between two keys: the way there, and the part of it that is done; or a key that is held.
+struct OnTheWay {
+  std::optional<std::size_t> held;
+  Way way{};
+  double t = 0.0;
+};
+
+OnTheWay on_the_way(CameraKeys keys, double time_s) {
+  const auto after = std::ranges::upper_bound(keys, time_s, {}, &CameraKey::time_s);
+  if (after == keys.begin()) {
+    return {0};
+  }
+  const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
+  if (after == keys.end() || time_s <= leave_s(keys[i])) {
+    return {i};
+  }
+  const Way way = {i, span_s(keys, i), span_ends(keys.size(), i, [&](std::size_t k) {
+                     return CurveKey{keys[k].time_s, leave_s(keys[k]), keys[k].ease};
+                   })};
+  return {std::nullopt, way, (time_s - leave_s(keys[i])) / way.span_s};
+}
+
+glm::dquat orientation_at(CameraKeys keys, double time_s) {
+  const OnTheWay now = on_the_way(keys, time_s);
+  return now.held ? key_orientation(keys[*now.held]) : orientation_between(keys, now.way, now.t);
+}
+
+//! The place alone.
+CameraPose place_at(CameraKeys keys, double time_s) {
+  const OnTheWay now = on_the_way(keys, time_s);
+  if (now.held) {
+    return {keys[*now.held].r, keys[*now.held].theta, keys[*now.held].phi, {}};
+  }
+  const auto along = [&](auto value) { return interpolated(keys, now.way, now.t, value); };
+  return {std::exp(along([](const CameraKey& key) { return std::log(key.r); })),
+          along([](const CameraKey& key) { return key.theta; }),
+          along([](const CameraKey& key) { return key.phi; }),
+          {}};
+}
+
 }  // namespace
+
+glm::dquat spherical_frame(double theta, double phi) {
+  const double st = std::sin(theta);
+  const double ct = std::cos(theta);
+  const double sp = std::sin(phi);
+  const double cp = std::cos(phi);
+  return glm::normalize(glm::quat_cast(glm::dmat3(st * cp, st * sp, ct, ct * cp, ct * sp, -st, -sp, cp, 0.0)));
+}
 
 glm::dquat key_orientation(const CameraKey& key) {
   glm::dvec3 forward(-1.0, 0.0, 0.0);
@@ -130,27 +185,57 @@ glm::dquat key_orientation(const CameraKey& key) {
 }
 
 CameraPose camera_pose(const Show& show, double time_s) {
-  const CameraKeys& keys = show.camera.keys;
-  const auto hold = [](const CameraKey& key) { return CameraPose{key.r, key.theta, key.phi, key_orientation(key)}; };
-  const auto after =
-      std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });
-  if (after == keys.begin()) {
-    return hold(keys.front());
+  const FreeFall* const orbit = show.camera.orbit.get();
+  const CameraKeys keys = show.camera.keys;
+  const glm::dquat orientation = orientation_at(keys, time_s);
+  if (orbit != nullptr && time_s >= orbit->begin_s()) {
+    const FallPlace place = orbit->at(time_s);
+    return {place.r, place.theta, place.phi, glm::normalize(place.frame * orientation), place.velocity};
   }
-  if (after == keys.end()) {
-    return hold(keys.back());
+  CameraPose pose = place_at(orbit != nullptr ? keys_until(keys, orbit->begin_s()) : keys, time_s);
+  pose.orientation = orientation;
+  if (orbit != nullptr && time_s > orbit->begin_s() - orbit->ease_s()) {
+    const double s = 1.0 + (time_s - orbit->begin_s()) / orbit->ease_s();
+    const double part = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+    const Vector3<double> own =
+        observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity);
+    pose.velocity = own + part * (orbit->start().velocity - own);
   }
-  const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
-  if (time_s <= leave_s(keys[i])) {
-    return hold(keys[i]);
+  return pose;
+}
+
+std::shared_ptr<const FreeFall> follow_fall(const Show& show) {
+  if (!show.camera.fall) {
+    return nullptr;
   }
-  const Way way = {i, span_s(keys, i), span_ends(keys.size(), i, [&](std::size_t k) {
-                     return CurveKey{keys[k].time_s, leave_s(keys[k]), keys[k].ease};
-                   })};
-  const double t = (time_s - leave_s(keys[i])) / way.span_s;
-  return {std::exp(interpolated(keys, way, t, [](const CameraKey& key) { return std::log(key.r); })),
-          interpolated(keys, way, t, [](const CameraKey& key) { return key.theta; }),
-          interpolated(keys, way, t, [](const CameraKey& key) { return key.phi; }), orientation_between(keys, way, t)};
+  constexpr double beyond_s = 1.0;  // shutters close after the last picture
+  const FallSettings& fall = *show.camera.fall;
+  const CameraKey& key = keys_until(show.camera.keys, fall.time_s).back();
+  const FallStart start = {key.r, key.theta, key.phi,
+                           observer_velocity(fall.motion, show.spin, key.r, key.theta, fall.velocity)};
+  return std::make_shared<const FreeFall>(show.spin, start, fall, find_animation(show, "camera.fall.clock"),
+                                          show.duration_s + beyond_s);
+}
+
+bool camera_moves(const Show& show) { return show.camera.keys.size() > 1 || show.camera.orbit != nullptr; }
+
+std::vector<double> path_ends_s(const Show& show) {
+  std::vector<double> ends = {0.0, show.duration_s};
+  const auto add = [&](double time_s) { ends.push_back(std::clamp(time_s, 0.0, show.duration_s)); };
+  for (const CameraKey& key : show.camera.keys) {
+    add(key.time_s);
+    add(leave_s(key));
+  }
+  if (show.camera.orbit) {
+    for (const FallTurn& turn : show.camera.orbit->turns()) {
+      add(turn.time_s);
+    }
+    add(show.camera.orbit->stop_s().value_or(show.duration_s));
+  }
+  std::ranges::sort(ends);
+  const auto doubled = std::ranges::unique(ends);
+  ends.erase(doubled.begin(), doubled.end());
+  return ends;
 }
 
 }  // namespace ergodome

@@ -2,6 +2,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "content/fall/free_fall.h"
 #include "content/show.h"
 
 namespace ergodome {
@@ -15,15 +16,33 @@ struct CameraPose {
   double theta;  //!< [rad]
   double phi;    //!< [rad]
   glm::dquat orientation;
+  //! Of who looks, in the ZAMO frame, slower than light; absent: as the show's observer moves.
+  std::optional<Vector3<double>> velocity = std::nullopt;
 };
 
 //! The camera at a show time: at the keys exactly as they say, and for as long as they hold it.
 //!
 //! Between them r (its logarithm), θ and φ follow quintics that do not overshoot, and the orientation a quaternion spline; both are C²,
 //! but beside Ease::linear and where the first or last way is told not to ease. Before the first key and after the last one it holds.
+//!
+//! From where a fall begins its orbit gives the place and the velocity, and the keys the orientation, in a frame that goes along
+//! (FallPlace::frame). In FallSettings::ease_s before it, the velocity goes over from the observer's to that at which the fall begins.
 CameraPose camera_pose(const Show& show, double time_s);
 
 //! Orientation of one key.
 glm::dquat key_orientation(const CameraKey& key);
+
+//! Unit vectors e_r, e_θ, e_φ as the columns of a rotation, for polar coordinates [rad].
+glm::dquat spherical_frame(double theta, double phi);
+
+//! Follows the fall of a show's camera to a second after the show's end, or on to its own end if that is nearer; nullptr where the camera does not fall. There is a key
+//! when it begins, and all numbers of the show have been read.
+std::shared_ptr<const FreeFall> follow_fall(const Show& show);
+
+//! Whether the camera's place or orientation changes in the course of the show.
+bool camera_moves(const Show& show);
+
+//! Times between which r and θ run one way, in order, from the show's beginning to its end: keys, and where the orbit of a fall turns [s].
+std::vector<double> path_ends_s(const Show& show);
 
 }  // namespace ergodome

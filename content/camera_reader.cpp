@@ -7,8 +7,9 @@
 
 #include "content/animated_show.h"
 #include "content/camera_path.h"
+#include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
-#include "content/show_reader.h"
+#include "content/motion_reader.h"
 #include "content/timeline_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
@@ -19,49 +20,6 @@ namespace {
 
 constexpr double largest_camera_angle_deg = 1e9;
 constexpr std::size_t most_keys = 100'000;
-
-Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
-  const toml::array* list = node.as_array();
-  Vector3<double> v{};
-  double* const parts[3] = {&v.x, &v.y, &v.z};
-  if (list == nullptr || list->size() != 3) {
-    throw table.error_at(key, "is not a direction", "write three numbers: [e_r, e_theta, e_phi]");
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto part = list->get(i)->value<double>();
-    if (!part || !std::isfinite(*part) || std::abs(*part) > 1e100) {
-      throw table.error_at(key, "holds something that is not a number", "write three numbers");
-    }
-    *parts[i] = *part;
-  }
-  if (!(dot(v, v) > 0.0)) {
-    throw table.error_at(key, "has no length", "write a direction that is not zero");
-  }
-  return v;
-}
-
-void read_observer(TomlTable& camera, const std::string& file, CameraSettings& settings) {
-  const toml::node* at = camera.node("observer");
-  if (at != nullptr && at->is_table()) {
-    TomlTable velocity(*at->as_table(), file, camera.path_of("observer"));
-    const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
-    if (!(beta <= fastest_observer)) {
-      throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
-    }
-    const toml::node* toward = velocity.node("toward");
-    if (toward == nullptr) {
-      throw velocity.error_at("toward", "is missing", "write toward = [e_r, e_theta, e_phi]");
-    }
-    const Vector3<double> v = read_vector(velocity, "toward", *toward);
-    settings.motion = ObserverMotion::velocity;
-    settings.velocity = (beta / std::sqrt(dot(v, v))) * v;
-    velocity.refuse_unknown_keys();
-    return;
-  }
-  constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
-                                        ObserverMotion::retrograde, ObserverMotion::rain};
-  settings.motion = motions[camera.choice("observer", 0, {"zamo", "static", "geodesic", "retrograde", "rain"})];
-}
 
 CameraKey read_key(TomlTable& table) {
   CameraKey key;
@@ -122,7 +80,7 @@ void check_place(const TomlTable& table, const Show& show, double time_s) {
   }
 }
 
-//! The same between two keys, with what the first one holds, and wherever the spin has a key.
+//! The same between two keys, with what the first one holds, and wherever the spin has a key; not in a fall, which is always slower.
 void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
   // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
   constexpr double safe_r = 4.0;
@@ -137,6 +95,9 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
   // A path of many keys has them near to each other, and is to be read at once.
   const int places = keys.size() > 1000 ? 8 : 64;
   for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (show.camera.fall && keys[i].time_s > show.camera.fall->time_s) {
+      break;
+    }
     for (int k = 1; k < places && std::min(keys[i - 1].r, keys[i].r) <= safe_r; ++k) {
       check_place(table_of(i), show, keys[i - 1].time_s + (keys[i].time_s - keys[i - 1].time_s) * k / places);
     }
@@ -153,7 +114,9 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
 void read_camera(const toml::table* table, const std::string& file, Show& show) {
   const toml::table empty;
   TomlTable camera(table != nullptr ? *table : empty, file, "camera");
-  read_observer(camera, file, show.camera);
+  const WrittenMotion observer = read_motion(camera, "observer", file, {});
+  show.camera.motion = observer.motion;
+  show.camera.velocity = observer.velocity;
   const auto keys = camera.tables("key", most_keys);
   if (keys.empty()) {
     throw camera.error_at("key", "is missing",
@@ -161,8 +124,11 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   }
   for (std::size_t i = 0; i < keys.size(); ++i) {
     TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
-    const CameraKey key = read_key(each);
-    if (!each.has("r")) {
+    CameraKey key = read_key(each);
+    const bool falls = show.camera.fall && key.time_s > show.camera.fall->time_s;
+    if (falls && i > 0) {
+      take_place_of_fall(each, show.camera.keys.back(), key);
+    } else if (!each.has("r")) {
       throw each.error_at("r", "is missing", "write the camera's radius in units of M");
     }
     if (i > 0 && !(key.time_s - show.camera.keys.back().time_s >= least_key_gap_s)) {
@@ -172,9 +138,14 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
       throw each.error_at("t_s", "comes before the camera has left the key before",
                           "shorten its hold_s, or put this key later");
     }
-    check_key(each, spin_at(show, key.time_s), show.camera, key);
+    if (!falls) {
+      check_key(each, spin_at(show, key.time_s), show.camera, key);
+    }
     each.refuse_unknown_keys();
     show.camera.keys.push_back(key);
+  }
+  if (const toml::table* const fall = camera.table("fall")) {
+    let_fall(*fall, file, show);
   }
   check_ways(keys, file, show);
   camera.refuse_unknown_keys();

@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "content/fall/free_fall.h"
+
 namespace ergodome {
 
 namespace {
@@ -90,6 +92,9 @@ std::vector<IdleLine> idle_lines(const Show& show) {
   }
   if (show.stereo.model != StereoModel::omni) {
     idle.add({"stereo.fade"}, "is for model = \"omni\"");
+  }
+  if (show.camera.orbit && !show.camera.orbit->stop_s()) {
+    idle.add({"camera.fall.least_r"}, "is for a fall that comes so near to the hole");
   }
   add_sky(show, idle);
   add_light(show, idle);

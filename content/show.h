@@ -2,11 +2,13 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "content/disk.h"
+#include "content/fall/fall_settings.h"
 #include "content/flight_settings.h"
 #include "content/objects/object_settings.h"
 #include "content/shells.h"
@@ -17,6 +19,8 @@
 #include "kernels/sky/sky_look.h"
 
 namespace ergodome {
+
+class FreeFall;
 
 //! Where the camera's view points before yaw, pitch and roll.
 struct LookTarget {
@@ -43,6 +47,9 @@ struct CameraSettings {
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity = {0.0, 0.0, 0.0};  //!< in the ZAMO frame, for ObserverMotion::velocity
   std::vector<CameraKey> keys;                 //!< in order of time, at least one
+  std::optional<FallSettings> fall;            //!< absent: the keys lead the camera to the end
+  //! What the fall does to the camera: follow_fall() in content/camera_path.h. Keys after its beginning say but where the camera looks.
+  std::shared_ptr<const FreeFall> orbit;
 };
 
 //! How stars are found: every image by inverting the lens, or by what each pixel covers (Verbraeck & Eisemann 2021), for comparison.

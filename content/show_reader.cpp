@@ -8,6 +8,7 @@
 #include "content/camera_reader.h"
 #include "content/disk_reader.h"
 #include "content/effects_reader.h"
+#include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
 #include "content/objects/object_reader.h"
@@ -102,6 +103,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     quality.refuse_unknown_keys();
   });
   read_objects(root, file, show);
+  read_fall(root.table("camera"), file, show);
   // Of these numbers' limits, and of the spin that the camera meets.
   read_timeline(root, file, show);
   read_camera(root.table("camera"), file, show);

@@ -24,25 +24,40 @@ double degrees_of(double angle, double least = -1e9, double greatest = 1e9) {
 
 toml::array vector_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }
 
+void insert_motion(toml::table& table, const char* key, ObserverMotion motion, const Vector3<double>& velocity) {
+  if (motion == ObserverMotion::velocity) {
+    const double beta = std::min(std::sqrt(dot(velocity, velocity)), fastest_observer);
+    const Vector3<double> toward = beta > 1e-100 ? (1.0 / beta) * velocity : Vector3<double>{1.0, 0.0, 0.0};
+    table.insert(key, toml::table{{"beta", beta}, {"toward", vector_of(toward)}});
+    return;
+  }
+  constexpr const char* names[] = {"zamo", "static", "geodesic", "retrograde", "rain"};
+  table.insert(key, names[static_cast<int>(motion)]);
+}
+
+toml::table fall_of(const FallSettings& fall) {
+  toml::table table{{"t_s", fall.time_s}, {"clock", fall.clock}, {"ease_s", fall.ease_s}};
+  insert_motion(table, "velocity", fall.motion, fall.velocity);
+  if (fall.least_r > 0.0) {
+    table.insert("least_r", fall.least_r);
+  }
+  return table;
+}
+
 toml::table camera_of(const CameraSettings& camera) {
   toml::table table;
-  if (camera.motion == ObserverMotion::velocity) {
-    const double beta = std::min(std::sqrt(dot(camera.velocity, camera.velocity)), fastest_observer);
-    const Vector3<double> toward = beta > 1e-100 ? (1.0 / beta) * camera.velocity : Vector3<double>{1.0, 0.0, 0.0};
-    table.insert("observer", toml::table{{"beta", beta}, {"toward", vector_of(toward)}});
-  } else {
-    constexpr const char* names[] = {"zamo", "static", "geodesic", "retrograde", "rain"};
-    table.insert("observer", names[static_cast<int>(camera.motion)]);
-  }
+  insert_motion(table, "observer", camera.motion, camera.velocity);
   toml::array keys;
   for (const CameraKey& key : camera.keys) {
     toml::table each{{"t_s", key.time_s},
-                     {"r", key.r},
-                     {"theta_deg", degrees_of(key.theta, 0.0, 180.0)},
-                     {"phi_deg", degrees_of(key.phi)},
                      {"yaw_deg", degrees_of(key.yaw)},
                      {"pitch_deg", degrees_of(key.pitch)},
                      {"roll_deg", degrees_of(key.roll)}};
+    if (!camera.fall || key.time_s <= camera.fall->time_s) {
+      each.insert("r", key.r);
+      each.insert("theta_deg", degrees_of(key.theta, 0.0, 180.0));
+      each.insert("phi_deg", degrees_of(key.phi));
+    }
     if (key.look.kind == LookTarget::Kind::direction) {
       each.insert("look", vector_of(key.look.direction));
     } else {
@@ -57,6 +72,9 @@ toml::table camera_of(const CameraSettings& camera) {
     keys.push_back(std::move(each));
   }
   table.insert("key", std::move(keys));
+  if (camera.fall) {
+    table.insert("fall", fall_of(*camera.fall));
+  }
   return table;
 }
 

@@ -11,6 +11,7 @@
 #include "app/budget/lens_error.h"
 #include "app/budget/picture_timer.h"
 #include "content/animated_show.h"
+#include "content/camera_path.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/accuracy/picture_race.h"
 #include "render/accuracy/statistics.h"
@@ -291,7 +292,7 @@ double steady_seconds() {
 }
 
 std::vector<double> budget_times(const Show& show, int count) {
-  if (show.camera.keys.size() < 2 && show.timeline.animations.empty()) {
+  if (!camera_moves(show) && show.timeline.animations.empty()) {
     return {0.5 * show.duration_s};
   }
   constexpr int looked_at = 400;

@@ -8,14 +8,6 @@ namespace {
 constexpr glm::dvec3 spin_axis(0.0, 0.0, 1.0);
 }  // namespace
 
-glm::dquat spherical_frame(double theta, double phi) {
-  const double st = std::sin(theta);
-  const double ct = std::cos(theta);
-  const double sp = std::sin(phi);
-  const double cp = std::cos(phi);
-  return glm::normalize(glm::quat_cast(glm::dmat3(st * cp, st * sp, ct, ct * cp, ct * sp, -st, -sp, cp, 0.0)));
-}
-
 CameraPlace place_of(const CameraPose& pose) {
   const double st = std::sin(pose.theta);
   return {pose.r,

@@ -14,9 +14,6 @@ struct CameraPlace {
   glm::dquat view{1.0, 0.0, 0.0, 0.0};  //!< from the view's axes (x right, y up, z back) to the directions
 };
 
-//! Unit vectors e_r, e_θ, e_φ as the columns of a rotation, for polar coordinates [rad].
-glm::dquat spherical_frame(double theta, double phi);
-
 CameraPlace place_of(const CameraPose& pose);
 
 //! φ comes out between -π and π, and 0 on the axis.

@@ -76,6 +76,7 @@ CameraKey FlightRecorder::key_of(const Sample& sample) const {
 
 std::vector<CameraKey> FlightRecorder::keys(const Show& scene, const RecordTolerance& tolerance) const {
   Show path = scene;
+  path.camera.orbit.reset();
   std::vector<std::size_t> chosen = {0};
   if (samples_.size() > 1) {
     chosen.push_back(samples_.size() - 1);
@@ -116,6 +117,8 @@ Show recorded_show(const Show& scene, std::vector<CameraKey> keys, const std::st
   show.timeline = {};
   show.duration_s = keys.empty() ? 0.0 : keys.back().time_s;
   show.camera.keys = std::move(keys);
+  show.camera.fall.reset();
+  show.camera.orbit.reset();
   const auto place = [&](std::string& file) {
     const std::filesystem::path beside = std::filesystem::path(scene.folder) / file;
     std::error_code problem;

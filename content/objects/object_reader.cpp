@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "content/animated_show.h"
+#include "content/fall/free_fall.h"
 #include "content/timeline_reader.h"
 #include "kernels/core/angles.h"
 
@@ -240,6 +241,12 @@ std::optional<PolygonLimit> polygon_limit(const Show& show) {
           fmt::format("are not seen from inside the photon sphere by polygons (camera at r = {} M)", key.r),
           "keep the camera farther out than 3 M, or write method = \"trace\""};
     }
+  }
+  if (show.camera.orbit && !(show.camera.orbit->least_r() > nearest_of_observers)) {
+    return PolygonLimit{fmt::format("are not seen from inside the photon sphere by polygons (the camera falls to r = "
+                                    "{:.6g} M)",
+                                    show.camera.orbit->least_r()),
+                        "let the camera stay farther out than 3 M, or write method = \"trace\""};
   }
   return std::nullopt;
 }

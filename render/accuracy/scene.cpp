@@ -18,7 +18,7 @@ bool same_pose(const CameraPose& a, const CameraPose& b) {
          std::abs(glm::dot(a.orientation, b.orientation)) > 1.0 - 1e-15;
 }
 
-bool stands_still(const Show& show) { return show.camera.keys.size() < 2 && show.timeline.animations.empty(); }
+bool stands_still(const Show& show) { return !camera_moves(show) && show.timeline.animations.empty(); }
 
 AccuracyMoment moment_at(const Show& show, double time_s, int size_px) {
   AccuracyMoment moment;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "content/animated_show.h"
+#include "content/camera_path.h"
 #include "content/trajectory/station_codec.h"
 #include "render/accuracy/source_lens.h"
 #include "render/lens/grid_builder.h"
@@ -17,19 +18,30 @@ namespace ergodome {
 
 namespace {
 
-//! A way of the camera between two keys.
+//! A way of the camera on which r and θ run one way.
 struct Leg {
   double begin_s = 0.0;
   double end_s = 0.0;
 };
 
+//! All of them on which the camera moves.
+std::vector<Leg> legs_of(const Show& show) {
+  const std::vector<double> ends_s = path_ends_s(show);
+  std::vector<Leg> legs;
+  for (std::size_t i = 0; i + 1 < ends_s.size(); ++i) {
+    const CameraPose from = camera_pose(show, ends_s[i]);
+    const CameraPose to = camera_pose(show, ends_s[i + 1]);
+    if (from.r != to.r || from.theta != to.theta) {
+      legs.push_back({ends_s[i], ends_s[i + 1]});
+    }
+  }
+  return legs;
+}
+
 //! The leg on which a time lies, if the camera moves on it.
 std::optional<Leg> leg_at(const Show& show, double time_s) {
-  const std::vector<CameraKey>& keys = show.camera.keys;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    const Leg leg = {keys[i].time_s + keys[i].hold_s, keys[i + 1].time_s};
-    const bool moves = keys[i].r != keys[i + 1].r || keys[i].theta != keys[i + 1].theta;
-    if (moves && time_s >= leg.begin_s && time_s <= leg.end_s && leg.end_s > leg.begin_s) {
+  for (const Leg& leg : legs_of(show)) {
+    if (time_s >= leg.begin_s && time_s <= leg.end_s) {
       return leg;
     }
   }
@@ -113,9 +125,7 @@ bool has_stations(const Show& show) {
   if (find_animation(show, "hole.spin") != nullptr || show.grid_scheme != GridScheme::conforming) {
     return false;
   }
-  const std::vector<CameraKey>& keys = show.camera.keys;
-  const auto differ = [](const CameraKey& a, const CameraKey& b) { return a.r != b.r || a.theta != b.theta; };
-  return std::adjacent_find(keys.begin(), keys.end(), differ) != keys.end();
+  return !legs_of(show).empty();
 }
 
 std::optional<AccuracyAxis> measure_stations(const Show& show, const std::vector<AccuracyMoment>& moments,

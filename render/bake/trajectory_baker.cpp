@@ -42,7 +42,7 @@ class Baker {
 
   BakeResult bake() {
     range_ = settings_.derivatives ? common_range() : 0.0;
-    const std::vector<double> ends = stretch_ends();
+    const std::vector<double> ends = path_ends_s(show_);
     Station first = touches(ends.front(), ends.front()) ? station(ends.front()) : nullptr;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       bake_stretch(ends[i], ends[i + 1], {0, 0});
@@ -59,18 +59,6 @@ class Baker {
     int lens;
     int disk;
   };
-
-  //! Between these times the camera runs monotonously.
-  [[nodiscard]] std::vector<double> stretch_ends() const {
-    std::vector<double> ends = {0.0, show_.duration_s};
-    for (const CameraKey& key : show_.camera.keys) {
-      ends.push_back(std::clamp(key.time_s, 0.0, show_.duration_s));
-      ends.push_back(std::clamp(key.time_s + key.hold_s, 0.0, show_.duration_s));
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    return ends;
-  }
 
   [[nodiscard]] bool touches(double from_s, double to_s) const { return to_s >= begin_s_ && from_s <= end_s_; }
 

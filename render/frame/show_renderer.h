@@ -168,8 +168,9 @@ class ShowRenderer {
   [[nodiscard]] std::shared_ptr<const OmniCamera> omni_cameras(const CameraPose& pose, double tolerance) const;
 
   //! Where the head is while the shutter is open about a time of the show: an odd number of poses.
-  [[nodiscard]] std::vector<CameraPose> shutter_poses(double time_s) const;
-  [[nodiscard]] PictureSettings picture_settings(ViewMode mode, const ShowMoment& moment, double eye_offset) const;
+  [[nodiscard]] std::vector<CameraPose> shutter_poses(const CameraPose& middle, double time_s) const;
+  [[nodiscard]] PictureSettings picture_settings(const CameraPose& pose, ViewMode mode, const ShowMoment& moment,
+                                                 double eye_offset) const;
 
   Show show_;
   LensChoice lens_;

@@ -47,7 +47,7 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   const auto wanted = [&](double side) {
     const double offset = side * stereo.baseline;
     return EyePicture{eye_camera(show_, pose, offset), converged_projection(projection, offset, stereo.convergence),
-                      picture_settings(mode, moment, offset)};
+                      picture_settings(pose, mode, moment, offset)};
   };
   const bool one_projection = !(stereo.convergence > 0.0) || stereo.baseline == 0.0;
   return renderer_.render_pair({wanted(-0.5), wanted(0.5), one_projection}, sky_.cube());
@@ -68,7 +68,7 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
                                                     const ShowMoment& moment) {
   const StereoSettings& stereo = show_.stereo;
   const EyeCamera head = eye_camera(show_, pose, 0.0);
-  PictureSettings settings = picture_settings(mode, moment, 0.0);
+  PictureSettings settings = picture_settings(pose, mode, moment, 0.0);
   const bool apart = stereo.baseline > 0.0;
   // Light is spread when the shadow, and what has a parallax of its own, is before it.
   PictureSettings sharp = settings;
@@ -127,7 +127,7 @@ std::shared_ptr<const OmniCamera> ShowRenderer::omni_cameras(const CameraPose& p
 std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                     const ShowMoment& moment) {
   const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); };
-  PictureSettings settings = picture_settings(mode, moment, 0.0);
+  PictureSettings settings = picture_settings(pose, mode, moment, 0.0);
   const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
   const std::shared_ptr<const OmniCamera> cameras = omni_cameras(pose, tolerance);
   // Without a baseline stars, and what stands near the hole, are the head's, to the last bit.
@@ -135,7 +135,7 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
   std::vector<CameraPose> shutter;
   std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
   if (turns && settings.shutter) {
-    shutter = shutter_poses(*moment.time_s);
+    shutter = shutter_poses(pose, *moment.time_s);
     for (const CameraPose& each : shutter) {
       shutter_cameras.push_back(omni_cameras(each, tolerance));
     }

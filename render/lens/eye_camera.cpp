@@ -14,12 +14,12 @@ namespace {
 
 //! All eyes of one head move together: at the velocity that the head's observer has at the head's place.
 void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
-  eye.motion = show.camera.motion;
-  eye.velocity = show.camera.velocity;
+  eye.motion = pose.velocity ? ObserverMotion::velocity : show.camera.motion;
+  eye.velocity = pose.velocity.value_or(show.camera.velocity);
   if (eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo) {
     return;
   }
-  eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, show.camera.velocity);
+  eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, eye.velocity);
   eye.motion = ObserverMotion::velocity;
   if (!(dot(eye.velocity, eye.velocity) < 1.0)) {
     throw Error(show.name, fmt::format("no such observer exists at r = {:.6g} M", pose.r),

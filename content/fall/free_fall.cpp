@@ -1,0 +1,173 @@
+#include "content/fall/free_fall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/camera_path.h"
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double step_error = 1e-13;
+constexpr std::size_t most_steps = 200'000;
+//! So near to the horizon a fall ends [M].
+constexpr double horizon_gap = 1e-6;
+//! Turns that change the radius, relatively, or the polar angle by less are those of a circle, in rounding [rad].
+constexpr double least_swing = 1e-7;
+
+double radius_of(const OrbitState& s) { return 1.0 / s.u; }
+
+double polar_angle_of(const OrbitState& s) { return std::atan2(std::hypot(s.m.x, s.m.y), s.m.z); }
+
+glm::dvec3 direction_in_space(const OrbitState& s) {
+  const double c = std::cos(s.drag);
+  const double d = std::sin(s.drag);
+  return glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z));
+}
+
+//! The azimuth of a body; on the axis, where there is none, the given one.
+double azimuth_of(const OrbitState& s, double on_axis) {
+  return std::hypot(s.m.x, s.m.y) > 1e-150 ? std::atan2(s.m.y, s.m.x) + s.drag : on_axis;
+}
+
+//! The rotation that takes one unit vector to another, not opposite one by the shortest way.
+glm::dquat least_turn(const glm::dvec3& from, const glm::dvec3& to) {
+  const glm::dvec3 axis = glm::cross(from, to);
+  return glm::normalize(glm::dquat(1.0 + glm::dot(from, to), axis.x, axis.y, axis.z));
+}
+
+}  // namespace
+
+FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& settings, const Animation* clock,
+                   double end_s)
+    : spin_(spin),
+      start_(start),
+      settings_(settings),
+      clock_(settings, clock),
+      least_r_(start.r),
+      followed_s_(settings.time_s) {
+  const OrbitState first = make_orbit(spin, start.r, start.theta, start.phi, start.velocity);
+  constants_ = orbit_constants(spin, first);
+  stations_.push_back({0.0, first, start.phi, spherical_frame(start.theta, start.phi)});
+  const double latest_s = std::max(end_s, settings.time_s);
+  follow(clock_.proper_time(latest_s));
+  followed_s_ = clock_.time_s(stations_.back().proper_time, latest_s).value_or(latest_s);
+  note_turns();
+  for (FallTurn& turn : turns_) {
+    turn.time_s = clock_.time_s(turn.time_s, latest_s).value_or(latest_s);
+    least_r_ = std::min(least_r_, turn.r);
+  }
+}
+
+FreeFall::Station FreeFall::station_after(const Station& from, double proper_time) const {
+  Station to = from;
+  to.proper_time = proper_time;
+  if (proper_time != from.proper_time) {
+    to.state = orbit_step(spin_, constants_, proper_time - from.proper_time, from.state).end;
+  }
+  to.phi = from.phi + std::remainder(azimuth_of(to.state, from.phi) - from.phi, 2.0 * pi);
+  to.frame = least_turn(direction_in_space(from.state), direction_in_space(to.state)) * from.frame;
+  return to;
+}
+
+FreeFall::Station FreeFall::station_at(double proper_time) const {
+  const double reached = std::clamp(proper_time, 0.0, stations_.back().proper_time);
+  const auto after = std::ranges::upper_bound(stations_, reached, {}, &Station::proper_time);
+  return station_after(*(after - 1), reached);
+}
+
+void FreeFall::follow(double proper_time) {
+  const double edge = horizon_radius(spin_) + horizon_gap;
+  double h = 0.01 * start_.r;
+  for (std::size_t step = 0; step < most_steps && stations_.back().proper_time < proper_time; ++step) {
+    const Station& from = stations_.back();
+    const OrbitStep next = orbit_step(spin_, constants_, h, from.state);
+    if (next.error <= step_error) {
+      const double to = from.proper_time + h;
+      const double last_r = std::max(settings_.least_r, edge);
+      if (!(radius_of(next.end) > last_r)) {
+        return end_at_radius(from, to, last_r);
+      }
+      stations_.push_back(station_after(from, to));
+    }
+    h *= orbit_step_growth(next.error, step_error);
+  }
+}
+
+void FreeFall::end_at_radius(const Station& from, double to, double r) {
+  double outside = from.proper_time;
+  double inside = to;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = outside + 0.5 * (inside - outside);
+    (radius_of(station_after(from, middle).state) > r ? outside : inside) = middle;
+  }
+  constexpr double latest_s = 1e12;
+  if (settings_.least_r > 0.0) {
+    clock_.stop_at(outside);
+    stop_s_ = clock_.time_s(outside, latest_s);
+  } else {
+    horizon_s_ = clock_.time_s(outside, latest_s);
+  }
+  if (outside > from.proper_time) {
+    stations_.push_back(station_after(from, outside));
+  }
+}
+
+//! What swings from one turn to the next: the radius, or the polar angle.
+struct FreeFall::Swing {
+  FallTurn::Kind after_rise;
+  FallTurn::Kind after_fall;
+  double (*rate)(const OrbitState&);
+  double (*measure)(const OrbitState&);
+  double last;  //!< its measure where it turned last, or began
+};
+
+//! Turns are noted by the camera's own time.
+void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
+  const bool rises = swing.rate(from.state) > 0.0;
+  if (rises == (swing.rate(to.state) > 0.0)) {
+    return;
+  }
+  double before = from.proper_time;
+  double after = to.proper_time;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = before + 0.5 * (after - before);
+    ((swing.rate(station_after(from, middle).state) > 0.0) == rises ? before : after) = middle;
+  }
+  const OrbitState turn = station_after(from, after).state;
+  if (std::abs(swing.measure(turn) - swing.last) > least_swing) {
+    turns_.push_back({rises ? swing.after_rise : swing.after_fall, after, radius_of(turn), polar_angle_of(turn)});
+    swing.last = swing.measure(turn);
+  }
+}
+
+void FreeFall::note_turns() {
+  const auto log_radius = [](const OrbitState& s) { return -std::log(s.u); };
+  const OrbitState& first = stations_.front().state;
+  Swing radial = {FallTurn::Kind::nearest, FallTurn::Kind::farthest, [](const OrbitState& s) { return s.u_rate; },
+                  log_radius, log_radius(first)};
+  Swing polar = {FallTurn::Kind::northernmost, FallTurn::Kind::southernmost,
+                 [](const OrbitState& s) { return s.m_rate.z; }, polar_angle_of, polar_angle_of(first)};
+  for (std::size_t i = 1; i < stations_.size(); ++i) {
+    note_turn(stations_[i - 1], stations_[i], radial);
+    note_turn(stations_[i - 1], stations_[i], polar);
+    least_r_ = std::min(least_r_, radius_of(stations_[i].state));
+  }
+  std::ranges::sort(turns_, {}, &FallTurn::time_s);
+}
+
+double FreeFall::proper_time(double time_s) const {
+  return std::min(clock_.proper_time(time_s), stations_.back().proper_time);
+}
+
+FallPlace FreeFall::at(double time_s) const {
+  const Station now = station_at(clock_.proper_time(time_s));
+  const double r = radius_of(now.state);
+  const double theta = polar_angle_of(now.state);
+  return {r, theta, now.phi, orbit_velocity(spin_, now.state, now.phi - now.state.drag),
+          glm::normalize(glm::conjugate(spherical_frame(theta, now.phi)) * now.frame)};
+}
+
+}  // namespace ergodome
