@@ -91,6 +91,15 @@ ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, do
   return view;
 }
 
+ObserverView falling_observer(const Vector3<double>& velocity, std::string_view language) {
+  ObserverView view;
+  view.name = language == "de" ? "im freien Fall" : "in free fall";
+  view.sentence = fmt::format("{}, {:.2f} c", view.name, std::min(length(velocity), 0.99));
+  view.motion = ObserverMotion::velocity;
+  view.velocity = velocity;
+  return view;
+}
+
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
                            double spin, double r, double theta, std::string_view language) {
   if (mode == ObserverMode::natural) {

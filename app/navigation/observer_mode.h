@@ -50,6 +50,9 @@ ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const
 ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, double spin, double r, double theta,
                          std::string_view language = "en");
 
+//! The observer of a camera that a show lets fall, at its velocity in the ZAMO frame.
+ObserverView falling_observer(const Vector3<double>& velocity, std::string_view language = "en");
+
 //! Brings an observer's velocity from one to the next within a second: the sky slides where it would jump.
 class ObserverFade {
  public:

@@ -19,13 +19,15 @@ constexpr double narrowest_deg = 0.01;
 constexpr double widest_screen_deg = 170.0;
 constexpr double widest_dome_deg = 360.0;
 
+bool same_vector(const Vector3<double>& a, const Vector3<double>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
 bool same_pose(const CameraPose& a, const CameraPose& b) {
-  return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
+  return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation &&
+         a.velocity.has_value() == b.velocity.has_value() && (!a.velocity || same_vector(*a.velocity, *b.velocity));
 }
 
 bool same_observer(const ObserverView& a, const ObserverView& b) {
-  return a.motion == b.motion && a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y &&
-         a.velocity.z == b.velocity.z;
+  return a.motion == b.motion && same_vector(a.velocity, b.velocity);
 }
 
 //! Whether two frames want the same picture. The display's light is no matter of pictures.
@@ -109,7 +111,9 @@ void PlayerSession::navigate(const PlayerInput& input, double seconds) {
     navigator_->leave_path();
   }
   navigator_->set_spin(show_now_.spin);
-  navigator_->advance(seconds, input.steering, camera_pose(show_, time_s));
+  const CameraPose path = camera_pose(show_, time_s);
+  path_velocity_ = path.velocity;
+  navigator_->advance(seconds, input.steering, path);
 }
 
 void PlayerSession::look(double seconds) {
@@ -121,13 +125,16 @@ void PlayerSession::look(double seconds) {
   if (!flying()) {
     frame_.path_time_s = time_s;
   }
-  const ObserverView wanted = observer_view(observer_, show_.camera, navigator_->own_observer(language), show_now_.spin,
-                                            frame_.pose.r, frame_.pose.theta, language);
+  const std::optional<ObserverView> own =
+      !flying() && path_velocity_ ? falling_observer(*path_velocity_, language) : navigator_->own_observer(language);
+  const ObserverView wanted =
+      observer_view(observer_, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, language);
   frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
   if (!flying() && observer_ == ObserverMode::natural) {
     // Baked lenses are the show's observer's, who need not be told.
     frame_.observer.motion = show_.camera.motion;
     frame_.observer.velocity = show_.camera.velocity;
+    frame_.pose.velocity = path_velocity_;
   }
   frame_.mode = mode_;
   frame_.field_of_view_deg = field_of_view_deg();
