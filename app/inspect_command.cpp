@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/idle_line_facts.h"
+#include "app/inspect_fall.h"
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
@@ -48,7 +50,8 @@ double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   const double spin = spin_at(show, time_s);
   const CameraStation camera =
-      make_camera_station(spin, pose.r, pose.theta, 0.0, show.camera.motion, show.camera.velocity);
+      make_camera_station(spin, pose.r, pose.theta, 0.0, pose.velocity ? ObserverMotion::velocity : show.camera.motion,
+                          pose.velocity.value_or(show.camera.velocity));
   const ShadowChart chart = make_shadow_chart(camera);
   return radian_deg * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi));
 }
@@ -74,11 +77,15 @@ nlohmann::json facts_of(const Show& show) {
   facts["timeline"] = facts_of_timeline(show);
   facts["idle"] = facts_of_idle_lines(show);
   facts["notes"] = notes_of_files(show);
+  if (show.camera.orbit) {
+    facts["fall"] = facts_of_fall(show);
+  }
   for (const CameraKey& key : show.camera.keys) {
+    const CameraPose pose = camera_pose(show, key.time_s);
     facts["keys"].push_back({{"t_s", key.time_s},
-                             {"r", key.r},
-                             {"theta_deg", key.theta * radian_deg},
-                             {"phi_deg", key.phi * radian_deg},
+                             {"r", pose.r},
+                             {"theta_deg", pose.theta * radian_deg},
+                             {"phi_deg", pose.phi * radian_deg},
                              {"shadow_width_deg", shadow_width_deg(show, key.time_s)},
                              {"after_end", key.time_s > show.duration_s}});
   }
@@ -87,7 +94,9 @@ nlohmann::json facts_of(const Show& show) {
 
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
-    if (name != "keys" && name != "grid" && name != "timeline" && name != "idle" && name != "notes") {
+    // These have lines of their own.
+    constexpr std::array apart = {"keys", "fall", "grid", "timeline", "idle", "notes"};
+    if (std::ranges::find(apart, name) == apart.end()) {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
   }
@@ -99,6 +108,9 @@ void print_facts(const nlohmann::json& facts) {
                  key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
                  key["shadow_width_deg"].get<double>(), key["after_end"].get<bool>() ? "  AFTER THE END" : "");
     }
+  }
+  if (facts.contains("fall")) {
+    print_fall(facts["fall"]);
   }
   if (facts.contains("timeline")) {
     print_timeline(facts["timeline"]);

@@ -1,0 +1,81 @@
+#include "app/inspect_fall.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/camera_path.h"
+#include "content/files/counted.h"
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_turns_printed = 24;
+
+double speed_at(const FreeFall& orbit, double time_s) {
+  const Vector3<double> v = orbit.at(time_s).velocity;
+  return std::sqrt(dot(v, v));
+}
+
+}  // namespace
+
+json facts_of_fall(const Show& show) {
+  constexpr const char* kinds[] = {"nearest", "farthest", "northernmost", "southernmost"};
+  const FreeFall& orbit = *show.camera.orbit;
+  const double begin_s = orbit.begin_s();
+  const double end_s = show.duration_s;
+  const FallPlace end = orbit.at(end_s);
+  json facts = {{"t_s", begin_s},
+                {"beta", speed_at(orbit, begin_s)},
+                {"own_time", orbit.proper_time(end_s)},
+                {"rounds", (end.phi - orbit.start().phi) / (2.0 * pi)},
+                {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(orbit, end_s)}}},
+                {"turns", json::array()}};
+  double least_r = std::min(orbit.start().r, end.r);
+  for (const FallTurn& turn : orbit.turns()) {
+    if (turn.time_s <= end_s) {
+      least_r = std::min(least_r, turn.r);
+      facts["turns"].push_back({{"kind", kinds[static_cast<int>(turn.kind)]},
+                                {"t_s", turn.time_s},
+                                {"r", turn.r},
+                                {"theta_deg", turn.theta * radian_deg},
+                                {"beta", speed_at(orbit, turn.time_s)}});
+    }
+  }
+  facts["least_r"] = least_r;
+  if (orbit.stop_s() && *orbit.stop_s() <= end_s) {
+    facts["stop_s"] = *orbit.stop_s();
+  }
+  return facts;
+}
+
+void print_fall(const json& facts) {
+  fmt::print(
+      "\nfalls from {:.3f} s on, at {:.4f} c, through {:.6g} M of its own time: {:.2f} times round the hole, down to "
+      "{:.6g} M\n",
+      facts["t_s"].get<double>(), facts["beta"].get<double>(), facts["own_time"].get<double>(),
+      facts["rounds"].get<double>(), facts["least_r"].get<double>());
+  const auto line = [](double time_s, const json& at, const std::string& what) {
+    fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
+               at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
+  };
+  fmt::print("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
+  std::size_t printed = 0;
+  for (const json& turn : facts["turns"]) {
+    if (++printed > most_turns_printed) {
+      fmt::print("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turn"));
+      break;
+    }
+    line(turn["t_s"].get<double>(), turn, turn["kind"].get<std::string>());
+  }
+  if (facts.contains("stop_s")) {
+    line(facts["stop_s"].get<double>(), facts["end"], "time is at rest");
+  }
+}
+
+}  // namespace ergodome
