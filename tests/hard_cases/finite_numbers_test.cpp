@@ -110,7 +110,7 @@ TEST_P(BuiltInShows, LetNothingLeaveAKernelThatIsNoNumberThroughAGrid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, BuiltInShows,
-                         testing::Values("once-around", "fall", "eyes", "first-light", "dome-still", "grid-sky",
+                         testing::Values("once-around", "fall", "zoom-whirl", "eyes", "first-light", "dome-still", "grid-sky",
                                          "prograde-edge", "free-flight", "star-field", "star-trails", "disk", "shells",
                                          "planet", "published-effects"),
                          [](const auto& each) {
