@@ -33,7 +33,7 @@ json facts_of_fall(const Show& show) {
   json facts = {{"t_s", begin_s},
                 {"beta", speed_at(orbit, begin_s)},
                 {"own_time", orbit.proper_time(end_s)},
-                {"rounds", (end.phi - orbit.start().phi) / (2.0 * pi)},
+                {"rounds", orbit.swept_angle(end_s) / (2.0 * pi)},
                 {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(orbit, end_s)}}},
                 {"turns", json::array()}};
   double least_r = std::min(orbit.start().r, end.r);

@@ -14,6 +14,8 @@ constexpr double step_error = 1e-13;
 constexpr std::size_t most_steps = 200'000;
 //! So near to the horizon a fall ends [M].
 constexpr double horizon_gap = 1e-6;
+//! Clocks are asked for times up to this.
+constexpr double end_of_time_s = 1e12;
 //! Turns that change the radius, relatively, or the polar angle by less are those of a circle, in rounding [rad].
 constexpr double least_swing = 1e-7;
 
@@ -50,10 +52,12 @@ FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& sett
       followed_s_(settings.time_s) {
   const OrbitState first = make_orbit(spin, start.r, start.theta, start.phi, start.velocity);
   constants_ = orbit_constants(spin, first);
-  stations_.push_back({0.0, first, start.phi, spherical_frame(start.theta, start.phi)});
+  stations_.push_back({0.0, first, start.phi, 0.0, spherical_frame(start.theta, start.phi)});
   const double latest_s = std::max(end_s, settings.time_s);
-  follow(clock_.proper_time(latest_s));
-  followed_s_ = clock_.time_s(stations_.back().proper_time, latest_s).value_or(latest_s);
+  const double wanted = clock_.proper_time(latest_s);
+  follow(wanted);
+  const double reached = stations_.back().proper_time;
+  followed_s_ = reached < wanted ? clock_.time_s(reached, latest_s).value_or(latest_s) : latest_s;
   note_turns();
   for (FallTurn& turn : turns_) {
     turn.time_s = clock_.time_s(turn.time_s, latest_s).value_or(latest_s);
@@ -68,7 +72,10 @@ FreeFall::Station FreeFall::station_after(const Station& from, double proper_tim
     to.state = orbit_step(spin_, constants_, proper_time - from.proper_time, from.state).end;
   }
   to.phi = from.phi + std::remainder(azimuth_of(to.state, from.phi) - from.phi, 2.0 * pi);
-  to.frame = least_turn(direction_in_space(from.state), direction_in_space(to.state)) * from.frame;
+  const glm::dvec3 before = direction_in_space(from.state);
+  const glm::dvec3 after = direction_in_space(to.state);
+  to.swept = from.swept + std::atan2(glm::length(glm::cross(before, after)), glm::dot(before, after));
+  to.frame = least_turn(before, after) * from.frame;
   return to;
 }
 
@@ -103,12 +110,11 @@ void FreeFall::end_at_radius(const Station& from, double to, double r) {
     const double middle = outside + 0.5 * (inside - outside);
     (radius_of(station_after(from, middle).state) > r ? outside : inside) = middle;
   }
-  constexpr double latest_s = 1e12;
   if (settings_.least_r > 0.0) {
     clock_.stop_at(outside);
-    stop_s_ = clock_.time_s(outside, latest_s);
+    stop_s_ = clock_.time_s(outside, end_of_time_s);
   } else {
-    horizon_s_ = clock_.time_s(outside, latest_s);
+    horizon_s_ = clock_.time_s(outside, end_of_time_s);
   }
   if (outside > from.proper_time) {
     stations_.push_back(station_after(from, outside));
@@ -127,7 +133,8 @@ struct FreeFall::Swing {
 //! Turns are noted by the camera's own time.
 void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
   const bool rises = swing.rate(from.state) > 0.0;
-  if (rises == (swing.rate(to.state) > 0.0)) {
+  const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * least_swing;
+  if (!has_swung || rises == (swing.rate(to.state) > 0.0)) {
     return;
   }
   double before = from.proper_time;
@@ -161,6 +168,8 @@ void FreeFall::note_turns() {
 double FreeFall::proper_time(double time_s) const {
   return std::min(clock_.proper_time(time_s), stations_.back().proper_time);
 }
+
+double FreeFall::swept_angle(double time_s) const { return station_at(clock_.proper_time(time_s)).swept; }
 
 FallPlace FreeFall::at(double time_s) const {
   const Station now = station_at(clock_.proper_time(time_s));

@@ -71,11 +71,15 @@ class FreeFall {
   //! The camera's own time since the fall began [M].
   [[nodiscard]] double proper_time(double time_s) const;
 
+  //! The angle that the direction from the hole to the camera has swept since then [rad], over the axis or round it.
+  [[nodiscard]] double swept_angle(double time_s) const;
+
  private:
   struct Station {
     double proper_time;  //!< [M]
     OrbitState state;
     double phi;        //!< azimuth without jumps [rad]
+    double swept;      //!< angle [rad]
     glm::dquat frame;  //!< FallPlace's, to the directions of space (z along the spin axis)
   };
 

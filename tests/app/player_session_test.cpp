@@ -71,6 +71,34 @@ TEST_F(PlayerSessionTest, FollowsTheShowsPath) {
   EXPECT_EQ(session.frame().path_time_s, session.frame().time_s);
 }
 
+constexpr const char* falling_show = R"(
+duration_s = 20
+[camera]
+[camera.fall]
+clock = 5
+velocity = { beta = 0.2, toward = [0, 0, 1] }
+[[camera.key]]
+r = 20
+)";
+
+TEST_F(PlayerSessionTest, LooksAtTheVelocityOfACameraThatFalls) {
+  PlayerSession session = session_on(falling_show);
+  run(session, 5.0);
+  const CameraPose path = camera_pose(session.show(), session.frame().time_s);
+  ASSERT_TRUE(session.frame().pose.velocity.has_value());
+  EXPECT_EQ(session.frame().pose.velocity->x, path.velocity->x);
+  EXPECT_EQ(session.frame().observer.name, "in free fall");
+}
+
+TEST_F(PlayerSessionTest, LooksAsAnotherObserverFromACameraThatFalls) {
+  PlayerSession session = session_on(falling_show);
+  run(session, 5.0);
+  session.advance(pressing(KeyAction::next_observer));
+  run(session, 2.0);
+  EXPECT_FALSE(session.frame().pose.velocity.has_value());
+  EXPECT_EQ(session.frame().observer.motion, ObserverMotion::zamo);
+}
+
 TEST_F(PlayerSessionTest, ShowsNumbersThatChangeWithTime) {
   PlayerSession session = session_on(orbiting_show);
   run(session, 5.0);

@@ -106,7 +106,8 @@ TEST(AnimatedNumber, IsTheSameABillionSecondsLater) {
 }
 
 constexpr const char* parts =
-    "[camera]\n[[camera.key]]\nr = 10\n[view]\nprojection = \"dome\"\n[tone]\nauto = {}\n[disk]\n"
+    "duration_s = 1\n[camera]\n[camera.fall]\nclock = 1\nvelocity = { beta = 0.9, toward = [1, 0, 0] }\n"
+    "[[camera.key]]\nr = 10\n[view]\nprojection = \"dome\"\n[tone]\nauto = {}\n[disk]\n"
     "[effects]\npsf = {}\ntrails = {}\ndiffraction = {}\nbloom = {}\n"
     "[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n"
     "[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n[[shells]]\nradius = 9\n"

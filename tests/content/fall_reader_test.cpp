@@ -119,6 +119,14 @@ TEST(FallReader, TakesAClockThatChanges) {
   EXPECT_EQ(camera_pose(show, 10.0).r, camera_pose(show, 60.0).r);
 }
 
+TEST(FallReader, TakesAClockThatRunsBeforeTheFallAlone) {
+  const Show show =
+      falling_show("t_s = 4\nvelocity = \"static\"\n", falling_keys +
+                                                           "[[animate]]\nnumber = \"camera.fall.clock\"\n"
+                                                           "key = [{ t_s = 1, value = 6 }, { t_s = 3, value = 0 }]\n");
+  EXPECT_EQ(camera_pose(show, 60.0).r, camera_pose(show, 4.0).r);
+}
+
 TEST(FallReader, TellsABakeWhereTheOrbitTurns) {
   const Show show = falling_show(usual);
   const std::vector<double> ends = path_ends_s(show);

@@ -69,6 +69,7 @@ TEST(FreeFall, StaysOnCircularOrbitsAndTurnsAtTheirRate) {
       const FallPlace place = fall.at(1000.0);
       EXPECT_NEAR(place.r, r, 1e-8);
       EXPECT_NEAR(place.phi, 1000.0 * rate, 1e-8);
+      EXPECT_NEAR(fall.swept_angle(1000.0), std::abs(1000.0 * rate), 1e-8);
       EXPECT_TRUE(fall.turns().empty());
     }
   }
