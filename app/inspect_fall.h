@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! Where a show's fall leads its camera, until the show ends: how near to the hole, how often round it, where the orbit turns and when, and when time comes to
-//! rest. The show has one.
+//! Where a show's fall leads its camera, until the show ends: how near to the hole, how often round it, where the orbit turns and when, and
+//! when time comes to rest. The show has one.
 nlohmann::json facts_of_fall(const Show& show);
 
 //! Prints those facts.

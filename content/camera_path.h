@@ -35,8 +35,8 @@ glm::dquat key_orientation(const CameraKey& key);
 //! Unit vectors e_r, e_θ, e_φ as the columns of a rotation, for polar coordinates [rad].
 glm::dquat spherical_frame(double theta, double phi);
 
-//! Follows the fall of a show's camera to a second after the show's end, or on to its own end if that is nearer; nullptr where the camera does not fall. There is a key
-//! when it begins, and all numbers of the show have been read.
+//! Follows the fall of a show's camera to a second after the show's end, or to its own end if that is nearer; nullptr where the camera does
+//! not fall. There is a key when it begins, and all numbers of the show have been read.
 std::shared_ptr<const FreeFall> follow_fall(const Show& show);
 
 //! Whether the camera's place or orientation changes in the course of the show.
