@@ -111,9 +111,7 @@ void PlayerSession::navigate(const PlayerInput& input, double seconds) {
     navigator_->leave_path();
   }
   navigator_->set_spin(show_now_.spin);
-  const CameraPose path = camera_pose(show_, time_s);
-  path_velocity_ = path.velocity;
-  navigator_->advance(seconds, input.steering, path);
+  navigator_->advance(seconds, input.steering, camera_pose(show_, time_s));
 }
 
 void PlayerSession::look(double seconds) {
@@ -126,15 +124,16 @@ void PlayerSession::look(double seconds) {
     frame_.path_time_s = time_s;
   }
   const std::optional<ObserverView> own =
-      !flying() && path_velocity_ ? falling_observer(*path_velocity_, language) : navigator_->own_observer(language);
+      frame_.pose.velocity ? falling_observer(*frame_.pose.velocity, language) : navigator_->own_observer(language);
   const ObserverView wanted =
       observer_view(observer_, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, language);
   frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
-  if (!flying() && observer_ == ObserverMode::natural) {
+  if (observer_ != ObserverMode::natural) {
+    frame_.pose.velocity.reset();
+  } else if (!flying()) {
     // Baked lenses are the show's observer's, who need not be told.
     frame_.observer.motion = show_.camera.motion;
     frame_.observer.velocity = show_.camera.velocity;
-    frame_.pose.velocity = path_velocity_;
   }
   frame_.mode = mode_;
   frame_.field_of_view_deg = field_of_view_deg();

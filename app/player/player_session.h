@@ -94,7 +94,6 @@ class PlayerSession {
   std::optional<Navigator> navigator_;
   ObserverMode observer_ = ObserverMode::natural;
   ObserverFade observer_fade_;
-  std::optional<Vector3<double>> path_velocity_;  //!< of a camera that its show lets fall
   std::optional<FlightRecorder> recorder_;
 
   ViewMode mode_ = ViewMode::sky;
