@@ -99,6 +99,8 @@ void CalibrationWindow::act(CalibrationAction action) {
 void CalibrationWindow::save() {
   try {
     const DomeSetup& setup = state_.setup();
+    // What cannot be shown could not be opened again.
+    pictures_.follow(setup, state_.corners());
     const bool behind = pictures_.leaves_behind(setup);
     state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.corners(),
                                        pictures_.outdated(setup)));
@@ -123,11 +125,9 @@ void CalibrationWindow::renew(Renewal renewal) {
   if (renewal == Renewal::nothing) {
     return;
   }
-  if (renewal <= Renewal::master) {
+  const bool shown = renewal > Renewal::colours || renew_projectors();
+  if (renewal <= Renewal::master && shown) {
     renew_master();
-  }
-  if (renewal <= Renewal::colours) {
-    renew_projectors();
   }
   renew_text();
 }
@@ -156,16 +156,18 @@ void CalibrationWindow::renew_master() {
   }
 }
 
-void CalibrationWindow::renew_projectors() {
+bool CalibrationWindow::renew_projectors() {
   try {
     const bool masks = pictures_.follow(state_.setup(), state_.corners());
     for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
       const ProjectorPicture& picture = pictures_.pictures()[i];
       masks ? projectors_.replace(i, picture) : projectors_.change(i, picture);
     }
+    return true;
   } catch (const Error& problem) {
     // The pictures stay as they are until another key leads back.
     message_ = problem.what();
+    return false;
   }
 }
 

@@ -41,7 +41,7 @@ class CalibrationWindow {
   void save();
   void renew(Renewal renewal);
   void renew_master();
-  void renew_projectors();
+  bool renew_projectors();
   void renew_text();
   void draw();
   [[nodiscard]] std::string pattern_name() const;

@@ -117,7 +117,7 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   }
   // What a station's pixel is in this picture.
   const double scale = baked.pixel / pixel;
-  const MissedGaps missed = missed_gaps(trajectory.stations(), budget_px / scale);
+  const MissedGaps missed = missed_gaps(trajectory.stations(), std::max(budget_px / scale, baked.budget_px));
   if (missed.count == 0) {
     return {};
   }

@@ -5,6 +5,7 @@
 
 #include "calibration/dome_blend.h"
 #include "calibration/dome_warp.h"
+#include "calibration/projector_picture.h"
 
 namespace ergodome {
 
@@ -16,8 +17,6 @@ constexpr double node_tolerance = 1.2e-4;
 constexpr double mask_tolerance = 1.0 / 255.0;
 //! Pixels a side of a mask that are looked at.
 constexpr int mask_samples = 48;
-
-bool has_lens(const ProjectorSetup& projector) { return !std::holds_alternative<std::monostate>(projector.lens); }
 
 //! Whether all of a warp's nodes on the dome lie in the master where the projector throws them.
 bool is_computed_warp(const ProjectorOptics& optics, const DomeScreen& screen, const WarpMesh& warp) {
@@ -62,7 +61,7 @@ bool is_computed_mask(const DomeBlend& blend, std::size_t projector, const Mpcdi
 
 DomeSetup without_computed_files(const DomeSetup& setup, const std::vector<LoadedProjector>& loaded) {
   DomeSetup without = setup;
-  if (!std::ranges::all_of(setup.projectors, has_lens)) {
+  if (!all_have_lenses(setup)) {
     return without;
   }
   const DomeScreen screen = {setup.tilt_deg, 180.0};
@@ -74,7 +73,8 @@ DomeSetup without_computed_files(const DomeSetup& setup, const std::vector<Loade
     optics.emplace_back(setup, projector);
     const auto* const warp = std::get_if<WarpMesh>(&loaded[i].warp);
     computed.push_back(warp != nullptr && loaded[i].source == WarpSource::dome_picture &&
-                       !projector.blend_mask.empty() && is_computed_warp(optics[i], screen, *warp));
+                       projector.black_level_mask.empty() == !loaded[i].black_level && !projector.blend_mask.empty() &&
+                       is_computed_warp(optics[i], screen, *warp));
   }
   if (std::ranges::find(computed, true) == computed.end()) {
     return without;

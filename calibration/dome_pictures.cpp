@@ -18,22 +18,14 @@ std::vector<LoadedProjector> all_loaded(const DomeSetup& setup) {
   return files;
 }
 
-DomeBlend blend_at_tilt(const DomeSetup& setup) {
-  std::vector<ProjectorOptics> optics;
-  optics.reserve(setup.projectors.size());
-  for (const ProjectorSetup& projector : setup.projectors) {
-    optics.emplace_back(setup, projector);
-  }
-  return {std::move(optics), {setup.tilt_deg, 180.0}, {}};
-}
-
 }  // namespace
 
 DomePictures::DomePictures(DomeSetup setup)
     : read_(std::move(setup)),
       files_(all_loaded(read_)),
       pictures_(projector_pictures(read_)),
-      tilt_deg_(read_.tilt_deg) {
+      tilt_deg_(read_.tilt_deg),
+      rotation_deg_(read_.rotation_deg) {
   without_ = without_computed_files(read_, files_);
   bool any = false;
   for (std::size_t i = 0; i < pictures_.size(); ++i) {
@@ -44,7 +36,7 @@ DomePictures::DomePictures(DomeSetup setup)
     any = any || has_computed_mask(i);
   }
   if (any) {
-    blend_ = blend_at_tilt(read_);
+    blend_ = blend_of(read_);
   }
 }
 
@@ -55,7 +47,7 @@ bool DomePictures::has_computed_mask(std::size_t projector) const {
 }
 
 std::vector<BlendMap> DomePictures::masks_at_tilt(const DomeSetup& setup) const {
-  const DomeBlend now = blend_at_tilt(setup);
+  const DomeBlend now = blend_of(setup);
   std::vector<BlendMap> masks(masks_.size());
   for (std::size_t i = 0; i < masks_.size(); ++i) {
     if (masks_[i].width > 0) {
@@ -66,8 +58,9 @@ std::vector<BlendMap> DomePictures::masks_at_tilt(const DomeSetup& setup) const 
 }
 
 bool DomePictures::follow(const DomeSetup& setup, const std::vector<CornerOffsets>& corners) {
+  const bool turned = setup.tilt_deg != tilt_deg_ || setup.rotation_deg != rotation_deg_;
   std::vector<WarpMesh> warps;
-  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+  for (std::size_t i = 0; turned && i < pictures_.size(); ++i) {
     warps.push_back(master_warp(setup, setup.projectors[i], files_[i]));
   }
   const bool renews_masks = blend_ && setup.tilt_deg != tilt_deg_;
@@ -75,7 +68,9 @@ bool DomePictures::follow(const DomeSetup& setup, const std::vector<CornerOffset
   for (std::size_t i = 0; i < pictures_.size(); ++i) {
     ProjectorPicture& picture = pictures_[i];
     const ProjectorSetup& projector = setup.projectors[i];
-    picture.warp = std::move(warps[i]);
+    if (turned) {
+      picture.warp = std::move(warps[i]);
+    }
     picture.corners = corners[i];
     picture.gamma = projector.gamma;
     const Vector3<double>& lift = projector.black_level_lift;
@@ -85,6 +80,7 @@ bool DomePictures::follow(const DomeSetup& setup, const std::vector<CornerOffset
     }
   }
   tilt_deg_ = setup.tilt_deg;
+  rotation_deg_ = setup.rotation_deg;
   return renews_masks;
 }
 

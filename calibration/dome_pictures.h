@@ -39,7 +39,8 @@ class DomePictures {
   DomeSetup without_;                   //!< without computed files
   std::vector<LoadedProjector> files_;  //!< those of without_
   std::vector<ProjectorPicture> pictures_;
-  double tilt_deg_;                 //!< that the masks are for
+  double tilt_deg_;  //!< that is shown
+  double rotation_deg_;
   std::vector<BlendMap> masks_;     //!< as they were read
   std::optional<DomeBlend> blend_;  //!< of these; none where no mask is computed
 };

@@ -101,12 +101,6 @@ BlendMap linear(const MpcdiMask& mask) {
   return map;
 }
 
-bool all_have_lenses(const DomeSetup& setup) {
-  return std::ranges::none_of(setup.projectors, [](const ProjectorSetup& projector) {
-    return std::holds_alternative<std::monostate>(projector.lens);
-  });
-}
-
 //! The light of all projectors of a setup that needs it computed: one of them has neither warp nor mask.
 std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
   const bool wanted = std::ranges::any_of(setup.projectors, [](const ProjectorSetup& projector) {
@@ -115,12 +109,7 @@ std::optional<DomeBlend> computed_blend(const DomeSetup& setup) {
   if (!wanted || !all_have_lenses(setup)) {
     return std::nullopt;
   }
-  std::vector<ProjectorOptics> optics;
-  optics.reserve(setup.projectors.size());
-  for (const ProjectorSetup& projector : setup.projectors) {
-    optics.emplace_back(setup, projector);
-  }
-  return DomeBlend(std::move(optics), screen_of(setup), {});
+  return blend_of(setup);
 }
 
 //! The larger of a cell's densities along two directions: pixels of the raster over widths of the master.
@@ -154,6 +143,21 @@ double finest_density(const WarpNode& corner, const WarpNode& right, const WarpN
 }
 
 }  // namespace
+
+bool all_have_lenses(const DomeSetup& setup) {
+  return std::ranges::none_of(setup.projectors, [](const ProjectorSetup& projector) {
+    return std::holds_alternative<std::monostate>(projector.lens);
+  });
+}
+
+DomeBlend blend_of(const DomeSetup& setup) {
+  std::vector<ProjectorOptics> optics;
+  optics.reserve(setup.projectors.size());
+  for (const ProjectorSetup& projector : setup.projectors) {
+    optics.emplace_back(setup, projector);
+  }
+  return {std::move(optics), screen_of(setup), {}};
+}
 
 WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded) {
   WarpMesh warp = unturned_warp(setup, projector, loaded);

@@ -23,6 +23,12 @@ struct ProjectorPicture {
   double gamma = 2.2;
 };
 
+//! Whether light of all projectors can be computed.
+bool all_have_lenses(const DomeSetup& setup);
+
+//! The light of all projectors of a setup, by their lenses and places.
+DomeBlend blend_of(const DomeSetup& setup);
+
 //! The warp of a projector that shows a domemaster, turned by the setup's rotation: its own, or that of its surface or lens, or where it
 //! has none computed from its place. Throws Error, naming the projector, where nothing tells it, and where a warp shows no part of the
 //! master.

@@ -195,8 +195,7 @@ CameraPose camera_pose(const Show& show, double time_s) {
   CameraPose pose = place_at(orbit != nullptr ? keys_until(keys, orbit->begin_s()) : keys, time_s);
   pose.orientation = orientation;
   if (orbit != nullptr && time_s > orbit->begin_s() - orbit->ease_s()) {
-    const double s = 1.0 + (time_s - orbit->begin_s()) / orbit->ease_s();
-    const double part = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+    const double part = eased(1.0 + (time_s - orbit->begin_s()) / orbit->ease_s());
     const Vector3<double> own =
         observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity);
     pose.velocity = own + part * (orbit->start().velocity - own);

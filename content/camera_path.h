@@ -16,7 +16,7 @@ struct CameraPose {
   double theta;  //!< [rad]
   double phi;    //!< [rad]
   glm::dquat orientation;
-  //! Of who looks, in the ZAMO frame, slower than light; absent: as the show's observer moves.
+  //! Of who looks, in the ZAMO frame, slower than light; absent: as the show's observer moves, or another one that was asked for in its place.
   std::optional<Vector3<double>> velocity = std::nullopt;
 };
 

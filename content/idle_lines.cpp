@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 #include "content/fall/free_fall.h"
@@ -17,7 +18,7 @@ class Idle {
   explicit Idle(const Show& show) : show_(show) {}
 
   //! These keys, what is in their tables and what animates them change nothing.
-  void add(std::initializer_list<std::string_view> keys, const std::string& why) {
+  void add(std::initializer_list<std::string> keys, const std::string& why) {
     for (const auto& [path, line] : show_.lines) {
       std::string_view of = path;
       if (of.starts_with(animated)) {
@@ -77,6 +78,14 @@ void add_light(const Show& show, Idle& idle) {
   }
 }
 
+void add_objects(const Show& show, Idle& idle) {
+  for (std::size_t i = 0; i < show.objects.size(); ++i) {
+    if (!show.objects[i].orbit) {
+      idle.add({"objects[" + std::to_string(i) + "].retarded"}, "is for objects on an orbit");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<IdleLine> idle_lines(const Show& show) {
@@ -98,6 +107,7 @@ std::vector<IdleLine> idle_lines(const Show& show) {
   }
   add_sky(show, idle);
   add_light(show, idle);
+  add_objects(show, idle);
   return idle.in_order();
 }
 

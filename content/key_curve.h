@@ -14,6 +14,9 @@ struct CurveKey {
   Ease ease;
 };
 
+//! From 0 to 1 on [0, 1], with two derivatives of 0 at both ends.
+inline double eased(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+
 //! What a curve does at a key.
 struct KeyMotion {
   double rate = 0.0;    //!< first derivative [1/s]

@@ -81,7 +81,8 @@ void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
   const KeptSettings now = {.exposure_stops = status.exposure_stops,
                             .baseline = baseline_set ? status.baseline : -1.0,
                             .volume = status.volume,
-                            .language = status.language,
+                            // Shows of one language say nothing about what was chosen.
+                            .language = status.languages.size() > 1 ? status.language : noted_.language,
                             .captions = status.captions};
   if (now != noted_) {
     noted_ = now;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/navigation/comfort.h"
+#include "content/key_curve.h"
 #include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double longest_s = 30.0;
 
 //! From 1 to 0 on [0, 1], with two derivatives of 0 at both ends.
-double fading(double s) { return 1.0 - s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+double fading(double s) { return 1.0 - eased(s); }
 
 //! From 0 to 0 with a slope of 1 at the start, and two derivatives of 0 at the end.
 double coasting(double s) { return s * (1.0 + s * s * (-6.0 + s * (8.0 - 3.0 * s))); }

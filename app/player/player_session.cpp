@@ -123,8 +123,11 @@ void PlayerSession::look(double seconds) {
   if (!flying()) {
     frame_.path_time_s = time_s;
   }
+  // On the way back to a fall who looks moves as that does already, so that nothing jumps where it is met.
+  const std::optional<Vector3<double>> falls =
+      navigator_->course() == Navigator::Course::returning ? camera_pose(show_, time_s).velocity : frame_.pose.velocity;
   const std::optional<ObserverView> own =
-      frame_.pose.velocity ? falling_observer(*frame_.pose.velocity, language) : navigator_->own_observer(language);
+      falls ? falling_observer(*falls, language) : navigator_->own_observer(language);
   const ObserverView wanted =
       observer_view(observer_, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, language);
   frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
@@ -293,8 +296,10 @@ std::optional<Show> PlayerSession::recorded(const std::string& title) const {
   }
   Show scene = show_now_;
   scene.stereo = frame_.stereo;
-  scene.camera.motion = frame_.observer.motion;
-  scene.camera.velocity = frame_.observer.velocity;
+  // A show has one observer, and this one looks from everywhere that a fall comes to.
+  const bool falls = show_.camera.orbit != nullptr;
+  scene.camera.motion = falls ? ObserverMotion::zamo : frame_.observer.motion;
+  scene.camera.velocity = falls ? Vector3<double>{} : frame_.observer.velocity;
   return recorded_show(scene, recorder_->keys(scene), title);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "content/animated_show.h"
+#include "content/key_curve.h"
 
 namespace ergodome {
 
@@ -26,9 +27,6 @@ constexpr std::array<GaussNode, 6> gauss_nodes = {{
     {0.5 + 0.5 * 0.661209386466264514, 0.5 * 0.360761573048138608},
     {0.5 + 0.5 * 0.932469514203152028, 0.5 * 0.171324492379170345},
 }};
-
-//! From 0 to 1 with two derivatives of 0 at both ends.
-double eased(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
 }  // namespace
 

@@ -108,7 +108,7 @@ void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   if (!orbit.stop_s() && !orbit.horizon_s() && orbit.followed_s() < show.duration_s) {
     throw table.error_at(
         "clock", fmt::format("runs so fast that the orbit cannot be followed beyond {:.6g} s", orbit.followed_s()),
-        "choose a slower clock, or a shorter show");
+        "choose a slower clock, a shorter show, or a least_r");
   }
 }
 

@@ -4,11 +4,11 @@
 #include "kernels/schwarzschild/apparent_place.h"
 #include "kernels/shadow/critical_curve.h"
 
-// The ray that goes round the hole the other way, from a place to one that is no nearer to the hole.
+// The ray that goes round the hole the other way, or passes next to it the first way, from a place to one that is no nearer to the hole.
 //
-// Next to the shadow's edge a ray's end changes some hundred times as fast as its direction, and the edge moves with the spin. By its position angle γ and the
-// logarithm x of its distance from the edge, direction and end change alike, and about holes of any spin they are nearly the same: Newton's method gets there in
-// few steps from the ray without spin.
+// Next to the shadow's edge a ray's end changes some hundred times as fast as its direction, and the edge moves with the spin. By its position angle
+// γ and the logarithm x of its distance from the edge, direction and end change alike, and about holes of any spin they are nearly the same: Newton's
+// method gets there in few steps from the ray without spin.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
@@ -62,9 +62,10 @@ ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const Sh
   return dual_direction(chart, alpha, Dual<double>(at.gamma, 1.0, 0.0));
 }
 
-//! Moves a direction about the shadow until its ray comes to a place: Newton. False where it does not get there.
-ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, EdgePlace& at, Vector3<double>& direction,
-                       Miss& miss) {
+//! Moves a direction about the shadow until its ray comes to a place: Newton. False where it does not get there, or by another way than that of its order:
+//! images of the first way are upright, those of the second are mirrored.
+ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, int order, EdgePlace& at,
+                       Vector3<double>& direction, Miss& miss) {
   constexpr double longest_turn = 0.5;
   constexpr double longest_step = 1.0;
   const ShadowChart chart = make_shadow_chart(camera);
@@ -80,8 +81,8 @@ ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, Edg
       const Vector3<Dual<double>> last = {n.x + part * (miss.step[0] * n.x.along_x + miss.step[1] * n.x.along_y),
                                           n.y + part * (miss.step[0] * n.y.along_x + miss.step[1] * n.y.along_y),
                                           n.z + part * (miss.step[0] * n.z.along_x + miss.step[1] * n.z.along_y)};
-      direction = unit(plain_vector(last));
-      return true;
+      direction = normalized(plain_vector(last));
+      return miss.mirrored == (order == 2);
     }
   }
   return false;
@@ -93,20 +94,24 @@ ERGO_HD Vector3<double> turned_about_axis(const Vector3<double>& v, double angle
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
 }
 
-//! Where a ray starts, and what it is to come to.
-struct RayEnds {
-  Vector3<double> from;   //!< pseudo-Cartesian [M]
-  Vector3<double> place;  //!< no nearer to the hole
-};
+//! By how much a hole of spin 1 carries light round on its way, and so the places where it comes together again [rad]: at first straight behind the
+//! hole, where both ways meet, then where the second way has gone all round. As of most rays that get there in fewest steps.
+ERGO_HD double carried_round(const RayEnds& ends) {
+  constexpr double behind = 0.2;
+  constexpr double all_round = 1.3;
+  const double cosine = dot(ends.from, ends.place) / ::sqrt(dot(ends.from, ends.from) * dot(ends.place, ends.place));
+  const double from_behind = pi - ::acos(::fmax(-1.0, ::fmin(1.0, cosine)));
+  return behind + (all_round - behind) * from_behind / pi;
+}
 
-//! The same with the spin raised to the frame's in steps, the first of which tries all of it. Light that goes round is carried round by the hole's spin, and so is where
-//! it comes together again: the place is turned back by as much to begin with, which keeps it on its side of that.
-ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& way, EdgePlace& at, Vector3<double>& direction,
-                        Miss& miss) {
+//! The same with the spin raised to the frame's in steps, the first of which tries all of it. The place is turned back, against the spin, by as much
+//! as light is carried round, which keeps it on its side of where light comes together.
+ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePlace& at,
+                        Vector3<double>& direction, Miss& miss) {
   constexpr double smallest_part = 1.0 / 16.0;
-  constexpr double carried = 1.3;  // rad for spin 1, backwards: what most places need fewest steps with
   const double spin = frame.camera.spin;
-  const ApparentPlace still = apparent_place(way.from, turned_about_axis(way.place, carried * spin), 2);
+  const double carried = spin * carried_round(ends);
+  const ApparentPlace still = apparent_place(ends.from, turned_about_axis(ends.place, carried), order);
   at = place_without_spin(frame.camera.u, in_axes(frame, still.direction));
   EdgePlace rate = {0.0, 0.0};
   double raised = 0.0;
@@ -115,10 +120,11 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& way, EdgePlace& 
     const double next = ::fmin(raised + part, 1.0);
     EdgePlace aimed = {at.gamma + (next - raised) * rate.gamma, at.x + (next - raised) * rate.x};
     const EdgePlace expected = aimed;
-    const CameraStation camera = next < 1.0 ? local_frame(next * spin, way.from).camera : frame.camera;
-    const RayTarget target = ray_target(way.from, turned_about_axis(way.place, (1.0 - next) * carried * spin));
+    const CameraStation camera = next < 1.0 ? local_frame(next * spin, ends.from).camera : frame.camera;
+    const RayTarget target =
+        ray_target(ends.from, turned_about_axis(ends.place, (1.0 - next) * carried), ends.near_enough);
     // Farther from where it should be is another image.
-    if (aim_round(camera, target, aimed, direction, miss) && ::fabs(aimed.gamma - expected.gamma) < 1.0 &&
+    if (aim_round(camera, target, order, aimed, direction, miss) && ::fabs(aimed.gamma - expected.gamma) < 1.0 &&
         ::fabs(aimed.x - expected.x) < 2.0) {
       const double by = 1.0 / (next - raised);
       rate = {by * (aimed.gamma - at.gamma), by * (aimed.x - at.x)};
@@ -132,18 +138,20 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& way, EdgePlace& 
   return true;
 }
 
-//! Turns the direction without spin of the second way round until its ray comes to the place, starting from what spin has added to γ and x near by, or from nothing where that is 0; then
-//! `correction` is what it has added here. False where none is found: next to caustics, where it may have merged with another.
-ERGO_HD bool aim_round_with_spin(const LocalFrame& frame, const RayEnds& way, Vector3<double>& direction,
-                                 Vector3<double>& correction, Miss& miss) {
+//! Turns the direction without spin until its ray comes to the place, starting from what spin has added to γ and x near by, or from nothing where
+//! that is 0; then `correction` is what it has added here. False where no ray is found: next to caustics, where it may have merged with another.
+ERGO_HD bool aim_round_with_spin(const LocalFrame& frame, const RayEnds& ends, int order, Vector3<double>& direction,
+                                 RayCorrection& correction, Miss& miss) {
   const EdgePlace start = place_without_spin(frame.camera.u, direction);
-  EdgePlace at = {start.gamma + correction.x, start.x + correction.y};
-  const bool known = frame.camera.spin == 0.0 || correction.x != 0.0 || correction.y != 0.0;
-  bool found = known && aim_round(frame.camera, ray_target(way.from, way.place), at, direction, miss);
+  EdgePlace at = {start.gamma + correction.gamma, start.x + correction.x};
+  const bool known = frame.camera.spin == 0.0 || correction.gamma != 0.0 || correction.x != 0.0;
+  const RayTarget target = ray_target(ends.from, ends.place, ends.near_enough);
+  bool found = known && aim_round(frame.camera, target, order, at, direction, miss);
   if (!found && frame.camera.spin != 0.0) {
-    found = raise_spin(frame, way, at, direction, miss);
+    found = raise_spin(frame, ends, order, at, direction, miss);
   }
-  correction = found ? Vector3<double>{at.gamma - start.gamma, at.x - start.x, 0.0} : Vector3<double>{0.0, 0.0, 0.0};
+  correction.gamma = found ? at.gamma - start.gamma : 0.0;
+  correction.x = found ? at.x - start.x : 0.0;
   return found;
 }
 

@@ -34,8 +34,8 @@ ERGO_HD double energy_at_rest(double spin, const Vector3<double>& place) {
   return 1.0 / ::sqrt(1.0 - 2.0 * ::sqrt(r2) / (r2 + a_cosine_squared));
 }
 
-//! What a lamp gives to a surface that faces it: strength · e_R² / (e_L⁴ · spread), with the energies that lamp and surface measure; without shift that of the
-//! photons' number alone is left, strength / (e_L² · spread).
+//! What a lamp gives to a surface that faces it: strength · e_R² / (e_L⁴ · spread), with the energies that lamp and surface measure; without shift
+//! that of the photons' number alone is left, strength / (e_L² · spread).
 ERGO_HD double strength_of(const LampPlace& lamp, const LocalFrame& frame, const LightRay& ray) {
   // Next to the axis behind the hole the lamp's own size, which it has not, would be what keeps its light finite. As for stars.
   constexpr double brightest = 1000.0;
@@ -98,7 +98,7 @@ namespace detail {
 
 //! The ray of one way from a lamp to a place. False where there is none, or where a hole without spin lets the closed form tell that the surface faces away.
 ERGO_HD bool lamp_ray(const LampPlace& lamp, const LampLight& light, const LitPlace& at, const LocalFrame& from,
-                      int way, Vector3<double>& correction, LightRay& ray) {
+                      int way, RayCorrection& correction, LightRay& ray) {
   const double spin = from.camera.spin;
   const auto find = [&](LightRayParts parts) {
     return light_ray(spin, from, at.start, lamp.position, way + 1, parts, correction, ray);

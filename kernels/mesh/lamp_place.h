@@ -19,9 +19,15 @@ struct LampPlace {
       false;  //!< with falloff `lens`: light is shifted and beamed between the lamp and the surface as that moves
 };
 
-//! What spin adds to a lamp's rays to a place on both ways: see light_ray. 0: not known.
+//! What spin adds to a ray between two places, as it is aimed at a place near by; 0: not known.
+struct RayCorrection {
+  Vector3<double> direction;  //!< aim_with_spin
+  double gamma, x;            //!< aim_round_with_spin
+};
+
+//! The same of a lamp's rays to a place on both ways.
 struct LampCorrections {
-  Vector3<double> by_way[2];
+  RayCorrection by_way[2];
 };
 
 }  // namespace ergodome

@@ -50,20 +50,23 @@ ERGO_HD double spread_nearby(const LocalFrame& frame, const LightRay& ray) {
   return distance * distance;
 }
 
-//! Aims from the frame's place at another on the first or the second way round. `direction`: without spin; then that of the ray.
-ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& way, int order, Vector3<double>& direction,
-                 Vector3<double>& correction, Miss& miss) {
-  return order == 1 ? aim_with_spin(frame, way.from, way.place, direction, correction, miss)
-                    : aim_round_with_spin(frame, way, direction, correction, miss);
+//! Aims from the frame's place at another on the first or the second way round. `direction`: without spin; then that of the ray. `phi`: between both
+//! places [rad].
+ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double phi, Vector3<double>& direction,
+                 RayCorrection& correction, Miss& miss) {
+  // From here on the first way passes so close to the hole that its rays change as those of the second do.
+  constexpr double next_to_axis = 2.5;
+  return order == 1 && phi < next_to_axis ? aim_with_spin(frame, ends, direction, correction, miss)
+                                          : aim_round_with_spin(frame, ends, order, direction, correction, miss);
 }
 
 }  // namespace detail
 
 //! Light from a lamp to a point, on the first or the second way round the hole: without spin in closed form (kernels/schwarzschild), else, and for its
 //! spread, by Newton's method on exact rays, which start at the end that is nearer to the hole. False where no ray is found. `correction`: what spin has
-//! added to that way's ray at a place near by, and then here (see aim_with_spin, aim_round_with_spin); 0 where nothing is known.
+//! added to that way's ray at a place near by, and then here.
 ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector3<double>& point,
-                              const Vector3<double>& lamp, int order, LightRayParts parts, Vector3<double>& correction,
+                              const Vector3<double>& lamp, int order, LightRayParts parts, RayCorrection& correction,
                               LightRay& ray) {
   const ConnectionPlane plane = connection_plane(lamp, point);
   if (!(plane.r > 2.0)) {
@@ -75,21 +78,25 @@ ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector
   if (spin == 0.0 && parts == LightRayParts::way) {
     return true;
   }
+  detail::Miss miss{};
+  bool found = false;
+  if (plane.r <= plane.r_observer) {
+    constexpr double near_enough = 2e-4;
+    found = detail::aim(frame, {point, lamp, near_enough}, order, plane.phi, ray.direction, correction, miss);
+    ray = {ray.direction, miss.arrival.delay, miss.spread};
+  } else {
+    // The other way round time runs backwards, and the hole turns backwards. What arrives is that of the step before the last.
+    constexpr double near_enough = 1e-5;
+    const LocalFrame at_lamp = local_frame(-spin, lamp);
+    Vector3<double> direction = in_axes(at_lamp, place.direction);
+    found = detail::aim(at_lamp, {lamp, point, near_enough}, order, plane.phi, direction, correction, miss);
+    ray = {detail::seen_from(frame, plane.r, miss.arrival), miss.arrival.delay, miss.spread};
+  }
   if (order == 1 && detail::is_next_to(point, lamp)) {
+    ray = found ? ray : LightRay{in_axes(frame, place.emission_direction), place.travel_time, 0.0};
     ray.spread = detail::spread_nearby(frame, ray);
     return true;
   }
-  detail::Miss miss{};
-  if (plane.r <= plane.r_observer) {
-    const bool found = detail::aim(frame, {point, lamp}, order, ray.direction, correction, miss);
-    ray = {ray.direction, miss.arrival.delay, miss.spread};
-    return found;
-  }
-  // The other way round time runs backwards, and the hole turns backwards.
-  const LocalFrame at_lamp = local_frame(-spin, lamp);
-  Vector3<double> direction = in_axes(at_lamp, place.direction);
-  const bool found = detail::aim(at_lamp, {lamp, point}, order, direction, correction, miss);
-  ray = {detail::seen_from(frame, plane.r, miss.arrival), miss.arrival.delay, miss.spread};
   return found;
 }
 

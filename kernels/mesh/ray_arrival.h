@@ -71,14 +71,14 @@ struct RayTarget {
   double near_enough;       //!< miss [rad about the hole] whose step is the last one: it leaves next to nothing
 };
 
-//! The target of rays from a place.
-ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>& place) {
+//! The target of rays from a place. `near_enough`: across ways that are no shorter than its radius.
+ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>& place, double near_enough) {
   RayTarget target{};
   target.r = ::sqrt(dot(place, place));
   target.outward = (1.0 / target.r) * place;
   axes_across(target.outward, target.axes[0], target.axes[1]);
   const Vector3<double> way = place - from;
-  target.near_enough = 2e-4 * ::fmin(1.0, ::sqrt(dot(way, way)) / target.r);
+  target.near_enough = near_enough * ::fmin(1.0, ::sqrt(dot(way, way)) / target.r);
   return target;
 }
 
@@ -89,10 +89,11 @@ struct Miss {
   bool same_side;  //!< of the hole
   double step[2];  //!< of both numbers that the direction depends on: Newton's
   double spread;   //!< see LightRay
+  bool mirrored;  //!< the bundle comes to the place as its mirror image: the parity of images that the second way gives
 };
 
-//! A ray to the radius of a place that is no nearer to the hole. `n`: its direction at `camera`, with its derivatives by two numbers. False where it does not get
-//! there, or nothing mends it.
+//! A ray to the radius of a place that is no nearer to the hole. `n`: its direction at `camera`, with its derivatives by two numbers. False where it
+//! does not get there, or nothing mends it.
 //!
 //! The bundle's cross-section at the place, on a screen across the ray for an observer without angular momentum, is √A |n_r| (1 - ω L) times that in θ and
 //! φ sinθ at constant r; there ξ·k = 0 gives the parts of its rays' different times; and n_r √A (1 - ω L) is dr/dλ: all for energy 1 at infinity.
@@ -110,6 +111,7 @@ ERGO_HD bool miss_of(const CameraStation& camera, const RayTarget& target, const
   miss.same_side = along(target.outward).value > 0.0;
   const Vector3<double> area = cross(Vector3<double>{n.x.along_x, n.y.along_x, n.z.along_x},
                                      Vector3<double>{n.x.along_y, n.y.along_y, n.z.along_y});
+  miss.mirrored = determinant * dot(plain_vector(n), area) < 0.0;
   miss.spread = ::fabs(determinant * miss.arrival.u_rate) * (target.r * target.r) *
                 evaluate(camera.energy, plain_vector(n)) / ::sqrt(dot(area, area));
   return ::fabs(miss.step[0]) + ::fabs(miss.step[1]) < 1e3;

@@ -70,10 +70,11 @@ void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
     throw other("spin");
   }
   // Other machines round otherwise, and long orbits more than others.
-  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+  constexpr double rounding = 1e-9;
+  const auto same = [](double a, double b) { return std::abs(a - b) <= rounding * std::abs(a); };
   for (const StationEntry& station : trajectory.stations()) {
     const CameraPose pose = camera_pose(show, station.time_s);
-    if (!same(pose.r, station.r) || !same(pose.theta, station.theta)) {
+    if (!same(pose.r, station.r) || std::abs(pose.theta - station.theta) > rounding) {
       throw other("camera path");
     }
   }

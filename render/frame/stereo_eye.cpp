@@ -86,7 +86,7 @@ std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& t
   // What moves is slower than light: each round leaves a part of how far off the last one was.
   const int rounds = thing.moves() ? 8 : 1;
   Vector3<double> place = thing.place;
-  Vector3<double> correction = {0.0, 0.0, 0.0};
+  RayCorrection correction = {};
   LightRay ray{};
   for (int round = 0; round < rounds; ++round) {
     place = round > 0 ? thing.at(ray.travel_time) : place;

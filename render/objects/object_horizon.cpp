@@ -19,7 +19,7 @@ namespace {
 
 //! Show times at which an object may be elsewhere, or the horizon larger.
 std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& object) {
-  constexpr int between_keys = 16;
+  constexpr std::size_t most_looks = 1024;
   std::vector<double> keys_s = {0.0};
   for (const Animation& coordinate : object.way) {
     for (const auto& key : coordinate.keys) {
@@ -32,6 +32,7 @@ std::vector<double> times_to_look_at(const Show& show, const ObjectSettings& obj
     }
   }
   std::ranges::sort(keys_s);
+  const int between_keys = static_cast<int>(std::clamp<std::size_t>(most_looks / keys_s.size(), 1, 16));
   std::vector<double> times_s;
   for (std::size_t i = 0; i + 1 < keys_s.size(); ++i) {
     for (int k = 0; keys_s[i + 1] > keys_s[i] && k < between_keys; ++k) {
@@ -56,8 +57,12 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
     const double radius = object.size * radius_of(mesh);
     std::optional<ObjectInHorizon> inside;
     bool always_whole = true;
+    const bool rests = std::ranges::all_of(object.way, [](const Animation& way) { return way.keys.empty(); });
+    std::optional<RadialRange> at_rest;
     for (const double time_s : times_to_look_at(show, object)) {
-      const RadialRange range = radial_range(mesh, placement_at(object, time_s), object.size, radius);
+      const RadialRange range =
+          rests && at_rest ? *at_rest : radial_range(mesh, placement_at(object, time_s), object.size, radius);
+      at_rest = range;
       const double horizon_r = horizon_radius(spin_at(show, time_s));
       always_whole = always_whole && range.farthest <= horizon_r;
       if (!inside && range.nearest < horizon_r) {

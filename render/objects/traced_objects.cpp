@@ -95,10 +95,12 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
 
 void TracedObjects::guess_lamp_rays(double spin, double time_s) {
   // A picture is drawn in blocks of rows, and eyes share its moment.
-  if (!(lamp_.strength > 0.0) || guessed_for_ == std::pair(spin, time_s)) {
+  // Without spin there is nothing to guess, at no time.
+  const std::pair now(spin, spin != 0.0 ? time_s : 0.0);
+  if (!(lamp_.strength > 0.0) || guessed_for_ == now) {
     return;
   }
-  guessed_for_ = {spin, time_s};
+  guessed_for_ = now;
   guesses_.write(lamp_guesses(spin, lamp_, objects_, outlines(time_s)).data(), objects_.size());
 }
 

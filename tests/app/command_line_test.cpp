@@ -88,8 +88,8 @@ TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
             0);
   EXPECT_TRUE(is_complete_image(folder_ / "f/small_000002.png", 200, 50));
   for (const char* view : {"steps", "error", "order", "g", "magnification"}) {
-    if (test::sanitized && std::string_view(view) == "error") {
-      break;
+    if (test::sanitized && std::string_view(view) != "steps" && std::string_view(view) != "g") {
+      continue;
     }
     EXPECT_EQ(run(std::string("render small.toml --out v --frames 1 --size 200 --view ") + view), 0) << view;
   }

@@ -37,7 +37,7 @@ TEST(LampLight, IsTakenAwayByWhatStandsOnItsRayAndByNothingElse) {
   for (const double spin : {0.0, 0.9}) {
     const LocalFrame frame = local_frame(spin, at.point);
     LightRay ray{};
-    Vector3<double> correction = {0.0, 0.0, 0.0};
+    RayCorrection correction = {};
     ASSERT_TRUE(light_ray(spin, frame, at.point, at.lamp, 1, LightRayParts::way, correction, ray));
     // Where the ray has come to after a third of its way.
     const Placed shell(make_sphere({}), {0.0, 0.0, 0.0}, 18.0);
