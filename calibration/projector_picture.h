@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "calibration/corner_offsets.h"
+#include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
 #include "calibration/projector_files.h"
 

@@ -58,31 +58,6 @@ Show lines_alone(Show show) {
 
 }  // namespace
 
-void require_path_of(const Show& show, const TrajectoryReader& trajectory) {
-  const auto other = [&](const char* what) {
-    return Error(trajectory.path().string(), std::string("was baked for another ") + what, "bake the show again");
-  };
-  if (find_animation(show, "hole.spin") != nullptr) {
-    throw Error(trajectory.path().string(), "holds one spin, and the show's changes with time",
-                "take the trajectory away; each picture gets a lens of its own");
-  }
-  if (trajectory.provenance().spin != show.spin) {
-    throw other("spin");
-  }
-  // Other machines round otherwise, and long orbits more than others.
-  constexpr double rounding = 1e-9;
-  const auto same = [](double a, double b) { return std::abs(a - b) <= rounding * std::abs(a); };
-  for (const StationEntry& station : trajectory.stations()) {
-    const CameraPose pose = camera_pose(show, station.time_s);
-    if (!same(pose.r, station.r) || std::abs(pose.theta - station.theta) > rounding) {
-      throw other("camera path");
-    }
-  }
-  if (!same(trajectory.stations().back().time_s, show.duration_s)) {
-    throw other("duration");
-  }
-}
-
 ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, std::shared_ptr<StationStream> stream)
     : show_(show_at(show, 0.0)),
       lens_(lens),
