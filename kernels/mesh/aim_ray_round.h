@@ -131,7 +131,10 @@ ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order,
       at = aimed;
       raised = next;
       part *= 2.0;
-    } else if ((part *= 0.5) < smallest_part) {
+      continue;
+    }
+    part *= 0.5;
+    if (part < smallest_part) {
       return false;
     }
   }

@@ -107,6 +107,7 @@ class SimulatedDome : public FolderTest {
   //! `optics`: the projectors as they stand; `frames`: what they are fed; `most_off_px`: of the master.
   static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double most_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
+    projectors.reserve(optics.projectors.size());
     for (const ProjectorSetup& projector : optics.projectors) {
       projectors.emplace_back(optics, projector);
     }

@@ -22,6 +22,7 @@ struct LitScene {
 
   explicit LitScene(const std::string& objects) : show(parse_show(objects + lamp_line, "lit.toml")) {
     std::vector<MeshOutline> meshes;
+    meshes.reserve(show.objects.size());
     for (const ObjectSettings& object : show.objects) {
       meshes.push_back(
           outline_of(object.form == ObjectForm::disk ? make_disk(object.disk) : make_sphere(object.sphere)));
