@@ -232,8 +232,7 @@ std::vector<double> path_ends_s(const Show& show) {
     add(show.camera.orbit->stop_s().value_or(show.duration_s));
   }
   std::ranges::sort(ends);
-  const auto doubled = std::ranges::unique(ends);
-  ends.erase(doubled.begin(), doubled.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;
 }
 

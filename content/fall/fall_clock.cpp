@@ -38,8 +38,7 @@ FallClock::FallClock(const FallSettings& settings, const Animation* changing)
     begins.push_back(std::max(key.time_s, begin_s_));
   }
   std::ranges::sort(begins);
-  const auto doubled = std::ranges::unique(begins);
-  begins.erase(doubled.begin(), doubled.end());
+  begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
   double run = 0.0;
   for (std::size_t i = 0; i < begins.size(); ++i) {
     run += i > 0 ? integral(begins[i - 1], begins[i]) : 0.0;
