@@ -180,9 +180,8 @@ TEST(FlatObjects, AreSeenOverSeamsThatPassThroughTiles) {
 TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const std::string ball =
       "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\norbit = { r = 9, phi_deg = 120, speed = 1 }\nsize = 2\n";
-  constexpr int size_px = sanitized ? 64 : 120;
-  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, size_px);
-  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, size_px);
+  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120);
+  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
   const Difference difference = difference_from_head(then, 1e-6);
   EXPECT_GT(difference.light, 100.0);
   // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is chance.
