@@ -68,7 +68,8 @@ TEST(LightRay, TakesAsLongBackwardsAboutAHoleThatSpinsTheOtherWay) {
     LightRay back{};
     ASSERT_TRUE(ray_of(0.9, at.point, at.lamp, 1, there));
     ASSERT_TRUE(ray_of(-0.9, at.lamp, at.point, 1, back));
-    EXPECT_NEAR(there.travel_time, back.travel_time, 2e-5 * there.travel_time);
+    // It is that of the step before the last, which ends up to 2e-4 rad beside the place.
+    EXPECT_NEAR(there.travel_time, back.travel_time, 1e-4 * there.travel_time);
   }
 }
 
