@@ -48,7 +48,8 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
                          std::string request)
     : options_(options),
       format_(format_of(options)),
-      choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show)},
+      choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show),
+              options.alpha},
       backend_(choose_backend(options.backend)),
       stream_(open_stream(show, options.lens, backend_)),
       renderer_(show, backend_, lens_choice(options.lens), stream_),

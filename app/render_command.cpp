@@ -207,7 +207,8 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--compression", options->compression, "of EXR: zip (default), none, or dwaa, which is lossy")
       ->check(CLI::IsMember(exr_compression_names()));
-  command->add_flag("--alpha", options->alpha, "a fourth channel: what the image covers, a dome's circle for instance");
+  command->add_flag("--alpha", options->alpha,
+                    "a fourth channel: what the image covers, a dome's circle for instance, with the hole's shadow");
   command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's")
       ->check(number_between(0.1, 1000.0));
   command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv");

@@ -6,6 +6,7 @@
 
 #include "content/animated_show.h"
 #include "kernels/core/error.h"
+#include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
 #include "render/overlay/overlay_place.h"
 #include "render/plan/frame_needs.h"
@@ -215,6 +216,7 @@ void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, const Projection& pro
   }
   if (eyes.size() == 2) {
     if (show_.stereo.tint_eyes) {
+      std::ranges::for_each(eyes, [&](Picture& eye) { set_image_alpha(projection, eye); });
       tint_left_eye(eyes[0]);
       tint_right_eye(eyes[1]);
     }
@@ -269,6 +271,9 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   method_ = choice.method;
   std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
   finish_eyes(eyes, projection, choice.mode, {time_s}, time_s);
+  if (choice.alpha) {
+    std::ranges::for_each(eyes, [&](Picture& eye) { set_image_alpha(projection, eye); });
+  }
   std::vector<FrameImage> images;
   if (!has_face_files(show_.view)) {
     add_images(std::move(eyes), show_.stereo.layout, std::nullopt, images);

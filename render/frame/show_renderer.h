@@ -34,6 +34,7 @@ struct ViewChoice {
   ViewMode mode = ViewMode::sky;
   int size_px = 0;                      //!< width of one eye's image; 0: as the show says
   std::optional<TraceMethod> method{};  //!< of heat maps of steps and errors: how rays are followed
+  bool alpha = false;                   //!< pictures cover what their image covers, see set_image_alpha
 };
 
 //! What of a picture can be traded for time while a show goes on.

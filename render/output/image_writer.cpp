@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "content/files/atomic_file.h"
@@ -71,6 +72,9 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
     return plan;
   }
   plan.texts.emplace_back("oiio:ColorSpace", "sRGB");
+  if (format.alpha) {
+    plan.numbers.emplace_back("oiio:UnassociatedAlpha", 1);
+  }
   if (format.image == ImageFormat::tiff) {
     plan.texts.emplace_back("compression", "zip");
     // TIFF has no place for facts of others: they stand in its description.
@@ -103,7 +107,23 @@ std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& 
   return rgba;
 }
 
-bool write_pixels(ImageOutput& output, const FrameFormat& format, const Picture& picture) {
+//! The picture's light where an image covers a pixel in part: what is displayed has the light beside the coverage, not times the coverage.
+Picture light_beside_alpha(Picture picture) {
+  for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
+    const float coverage = picture.rgba[at + 3];
+    for (std::size_t c = 0; c < 3 && coverage < 1.0F; ++c) {
+      picture.rgba[at + c] = coverage > 0.0F ? picture.rgba[at + c] / coverage : 0.0F;
+    }
+  }
+  return picture;
+}
+
+bool write_pixels(ImageOutput& output, const FrameFormat& format, const Picture& whole) {
+  std::optional<Picture> beside;
+  if (format.alpha && format.image != ImageFormat::exr) {
+    beside = light_beside_alpha(whole);
+  }
+  const Picture& picture = beside ? *beside : whole;
   switch (format.image) {
     case ImageFormat::exr:
       return output.write(with_alpha(bounded_rgb(picture), format, picture, 1.0F).data());

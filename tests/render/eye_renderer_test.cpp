@@ -260,6 +260,43 @@ TEST(ShowRenderer, SideBySideHoldsTheTwoSeparateEyes) {
   }
 }
 
+//! A dome's picture of a hole before a white sky, with a shadow some 14 pixels wide.
+Show dome_of_64_px() {
+  return parse_show(
+      "[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\n[sky]\nmap = \"grid\"\n[view]\ntilt_deg = 90\nsize_px = "
+      "64\n",
+      "dome.toml");
+}
+
+TEST(ShowRenderer, AlphaIsTheDomesCircleWithTheShadow) {
+  const Picture lens = ShowRenderer(dome_of_64_px(), Backend::cpu).render(0.0, {})[0].picture;
+  ViewChoice choice;
+  choice.alpha = true;
+  const Picture picture = ShowRenderer(dome_of_64_px(), Backend::cpu).render(0.0, choice)[0].picture;
+  double area = 0.0;
+  double shadow = 0.0;
+  for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
+    area += picture.rgba[at + 3];
+    shadow += picture.rgba[at + 3] - lens.rgba[at + 3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(picture.rgba[at + c], lens.rgba[at + c]);
+    }
+  }
+  EXPECT_NEAR(area, 32.0 * 32.0 * pi, 2.0);
+  EXPECT_GT(shadow, 20.0);
+}
+
+TEST(ShowRenderer, TintedEyesShowWhoseShadowItIs) {
+  Show show = dome_of_64_px();
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.tint_eyes = true;
+  const auto eyes = ShowRenderer(show, Backend::cpu).render(0.0, {});
+  // Opposite the sky's middle the picture is of the hole: with the tilt, in the dome's middle.
+  const std::size_t middle = 4 * (32 * 64 + 32);
+  EXPECT_GT(eyes[0].picture.rgba[middle], 2.0F * eyes[0].picture.rgba[middle + 1]);
+  EXPECT_GT(eyes[1].picture.rgba[middle + 1], 2.0F * eyes[1].picture.rgba[middle]);
+}
+
 double mean_dark_x(const Picture& picture) {
   double sum = 0.0;
   double weight = 0.0;

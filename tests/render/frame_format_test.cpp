@@ -82,6 +82,22 @@ TEST_F(FrameFiles, AlphaIsTheCoverageAndLightIsTimesIt) {
   EXPECT_NEAR(rgba[static_cast<std::size_t>(4 * 256)], 0.1F, 1e-4F);
 }
 
+TEST_F(FrameFiles, WhatIsDisplayedHasItsLightBesideTheCoverage) {
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::png16, ImageFormat::tiff}) {
+    OIIO::ImageSpec as_stored;
+    as_stored["oiio:UnassociatedAlpha"] = 1;
+    const auto input = OIIO::ImageInput::open(written({format, ExrCompression::zip, true}).string(), &as_stored);
+    ASSERT_TRUE(input) << OIIO::geterror();
+    EXPECT_EQ(input->spec().get_int_attribute("oiio:UnassociatedAlpha"), 1) << file_ending(format);
+    std::vector<float> rgba(4 * 512);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, rgba.data()));
+    EXPECT_NEAR(rgba[4 * 256 + 3], 0.5F, 0.003F);
+    for (std::size_t i = 0; i < 256; ++i) {
+      ASSERT_EQ(rgba[4 * (256 + i)], rgba[4 * i]) << file_ending(format) << " " << i;
+    }
+  }
+}
+
 TEST_F(FrameFiles, AlphaIsInEveryFormat) {
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::png16, ImageFormat::tiff, ImageFormat::exr}) {
     const OIIO::ImageSpec spec = spec_of(written({format, ExrCompression::zip, true}));
