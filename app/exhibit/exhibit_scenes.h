@@ -29,12 +29,16 @@ class ExhibitScenes {
   [[nodiscard]] ExhibitScene scene() const { return exhibit_.scene(); }
   //! The scene's show.
   [[nodiscard]] const Show& show() const { return scene() == ExhibitScene::visitor ? visitor_ : attract_; }
+  //! Another version of the scene's show, for now and whenever the scene comes again.
+  void renew(const Show& show) { (scene() == ExhibitScene::visitor ? visitor_ : attract_) = show; }
   //! Whether an operator has held the chord long enough.
   [[nodiscard]] bool left() const { return left_; }
 
   //! What is to be read by visitors now, and how much of it is to be seen. `pad`: one is there to fly with.
   [[nodiscard]] std::vector<Caption> captions(bool pad) const;
   [[nodiscard]] double opacity() const;
+  //! Whether the visitor is being told that the next one is about to fly.
+  [[nodiscard]] bool is_ending() const { return exhibit_.ending_in_s().has_value(); }
 
   //! What was set before the last end of the program, as commands; and why there may be none.
   [[nodiscard]] std::vector<TransportCommand> kept_commands() const;

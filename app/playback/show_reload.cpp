@@ -14,6 +14,10 @@ namespace {
 
 std::int64_t nanoseconds_of(const timespec& time) { return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec; }
 
+std::int64_t nanoseconds_of(FileWatch::WallTime time) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+}
+
 }  // namespace
 
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
@@ -24,7 +28,9 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
   return FileStamp{nanoseconds_of(facts.st_mtim), nanoseconds_of(facts.st_ctim), facts.st_size, facts.st_ino};
 }
 
-void FileWatch::watch(const std::vector<std::filesystem::path>& paths) {
+void FileWatch::watch(const std::vector<std::filesystem::path>& paths, WallTime read_at) {
+  // File systems date changes by a clock that ticks some milliseconds apart.
+  const std::int64_t known_ns = nanoseconds_of(read_at - std::chrono::milliseconds(10));
   std::vector<File> files;
   for (const std::filesystem::path& path : paths) {
     const auto before = std::ranges::find(files_, path, &File::path);
@@ -33,7 +39,8 @@ void FileWatch::watch(const std::vector<std::filesystem::path>& paths) {
       files.push_back(*before);
     } else {
       const auto stamp = stamp_of(path);
-      files.push_back({path, stamp, stamp, std::nullopt});
+      const bool known = stamp && stamp->changed_ns < known_ns;
+      files.push_back({path, known ? stamp : std::nullopt, stamp, std::nullopt});
     }
   }
   files_ = std::move(files);
@@ -65,9 +72,10 @@ bool FileWatch::changed(MonotonicTime now) {
   return any;
 }
 
-ShowReload::ShowReload(std::filesystem::path file, const Show& running, Loader load, FileWatch::Settings settings)
+ShowReload::ShowReload(std::filesystem::path file, const Show& running, FileWatch::WallTime read_at, Loader load,
+                       FileWatch::Settings settings)
     : file_(std::move(file)), load_(std::move(load)), watch_(settings) {
-  watch_.watch(files_of(file_, running));
+  watch_.watch(files_of(file_, running), read_at);
 }
 
 std::optional<ShowReload::Result> ShowReload::poll(MonotonicTime now) {
@@ -76,9 +84,10 @@ std::optional<ShowReload::Result> ShowReload::poll(MonotonicTime now) {
 
 ShowReload::Result ShowReload::reload() {
   Result result;
+  const auto read_at = std::chrono::system_clock::now();
   try {
     result.show = load_(file_);
-    watch_.watch(files_of(file_, *result.show));
+    watch_.watch(files_of(file_, *result.show), read_at);
   } catch (const std::exception& problem) {
     result.problem = problem.what();
   }

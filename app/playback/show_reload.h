@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -41,8 +42,10 @@ class FileWatch {
   FileWatch() : FileWatch(Settings{}) {}
   explicit FileWatch(Settings settings) : settings_(settings) {}
 
-  //! From now on these files, as they are now.
-  void watch(const std::vector<std::filesystem::path>& paths);
+  using WallTime = std::chrono::system_clock::time_point;
+
+  //! From now on these files, as they are now; what was changed after `read_at`, when they were read, is still to be told.
+  void watch(const std::vector<std::filesystem::path>& paths, WallTime read_at);
   //! Whether a file has changed since it was watched or last told.
   bool changed(MonotonicTime now);
 
@@ -71,8 +74,9 @@ class ShowReload {
     std::string problem;
   };
 
-  //! `running` is the show as it was read from `file`. `load` reads and checks a file, and throws where a show cannot be shown.
-  ShowReload(std::filesystem::path file, const Show& running, Loader load, FileWatch::Settings settings = {});
+  //! `running` is the show as it was read from `file` at `read_at`. `load` reads and checks a file, and throws where a show cannot be shown.
+  ShowReload(std::filesystem::path file, const Show& running, FileWatch::WallTime read_at, Loader load,
+             FileWatch::Settings settings = {});
 
   //! Once a frame. Nothing where nothing has changed; each broken version is told once.
   std::optional<Result> poll(MonotonicTime now);

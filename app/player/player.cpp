@@ -100,7 +100,8 @@ void Player::begin(const Show& show, bool free_flight) {
     session_->record();
   }
   services_.drive(session_->playback());
-  services_.set_show(show, options_.load);
+  services_.set_show(show, options_.read_at, options_.load);
+  coming_.reset();
   if (exhibit_) {
     for (const TransportCommand& command : exhibit_->kept_commands()) {
       session_->playback().apply(command);
@@ -204,32 +205,6 @@ void Player::answer_requests() {
   }
 }
 
-void Player::reload(bool now) {
-  const auto result = services_.reloaded(now);
-  if (!result) {
-    return;
-  }
-  services_.tell(spdlog::level::err, result->problem);
-  if (!result->problem.empty() && !exhibit_) {
-    session_->say(result->problem);
-  }
-  if (result->show) {
-    session_->set_show(*result->show);
-    services_.set_show(*result->show, options_.load);
-    renderers_.renew(*result->show);
-    services_.tell(spdlog::level::info, fmt::format("{} was read again", result->show->name));
-  }
-}
-
-void Player::take_renderer() {
-  const SceneRenderers::News news = renderers_.advance(session_->show());
-  services_.tell(spdlog::level::err, news.problem);
-  if (news.another) {
-    failures_ = 0;
-    session_->show_again();
-  }
-}
-
 void Player::tell_notes() {
   for (const std::string& note : options_.notes->take()) {
     services_.tell(spdlog::level::warn, note);
@@ -281,7 +256,7 @@ void Player::note(PictureNews news) {
   failures_ = news == PictureNews::problem ? failures_ + 1 : 0;
   if (news == PictureNews::hang || failures_ >= most_failures) {
     failures_ = 0;
-    renderers_.lose(session_->show());
+    renderers_.lose(coming_ ? *coming_ : session_->show());
   }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());

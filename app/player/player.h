@@ -41,6 +41,8 @@ struct PlayOptions {
   std::optional<PlayPlan> budget;
   std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();  //!< what loading shows has to tell, for the log
   std::function<Show(const std::string&)> load;  //!< reads a show's file and makes it what the command line asks for
+  std::chrono::system_clock::time_point read_at =
+      std::chrono::system_clock::now();  //!< shows are as their files were then, or later
 };
 
 //! Plays a show, or flies through its scene, in a window.
@@ -63,6 +65,9 @@ class Player {
   void answer_requests();
   void reload(bool now);
   void take_renderer();
+  //! The version of the show that is on its way is the one that runs from now on, or cannot be.
+  void take_version();
+  void refuse_version(const std::string& problem);
   void tell_notes();
   void update_picture();
   void note(PictureNews news);
@@ -86,6 +91,7 @@ class Player {
   PlayerScreen screen_;
   SceneRenderers renderers_;
   std::optional<PlayerSession> session_;
+  std::optional<Show> coming_;  //!< a version of the show that was read, while its renderer is made
   PlayerInputs inputs_;
   PadHub pads_;
   PadSnapshot pad_snapshot_;

@@ -78,8 +78,15 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
   std::fflush(stdout);
 }
 
-void PlayerServices::set_show(const Show& show, ShowReload::Loader load) {
-  reload_ = std::make_unique<ShowReload>(file_of(show), show, std::move(load));
+void PlayerServices::set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {
+  const std::filesystem::path file = file_of(show);
+  reload_ = &watched_.try_emplace(file, file, show, read_at, std::move(load)).first->second;
+  take_version(show);
+}
+
+void PlayerServices::refuse_version(const std::string& problem) { reload_problem_ = problem; }
+
+void PlayerServices::take_version(const Show& show) {
   reload_problem_.clear();
   if (sound_) {
     sound_->set_soundtrack(soundtrack_of(show));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,8 +33,12 @@ class PlayerServices {
   //! Throws Error where a port is in use or a clock's input is missing.
   PlayerServices(const ServiceOptions& options, const Show& show);
 
-  //! Another show, or another version of it. `watched`: its file is looked at, to be read again when it changes.
-  void set_show(const Show& show, ShowReload::Loader load);
+  //! Another show, read at `read_at`: its files are looked at, to be read again when they change.
+  void set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);
+  //! Another version of the show is the one that runs now.
+  void take_version(const Show& show);
+  //! Why the version that was read last cannot be the one that runs.
+  void refuse_version(const std::string& problem);
 
   //! Makes the session's clock follow what the options say.
   void drive(Playback& playback) const { playback.follow(clock_); }
@@ -62,8 +67,9 @@ class PlayerServices {
   std::shared_ptr<ExternalClock> clock_;  //!< none: the show's own
   std::unique_ptr<MidiClockInput> midi_;
   std::unique_ptr<AudioPlayer> sound_;
-  std::unique_ptr<ShowReload> reload_;
-  std::unique_ptr<RemoteControl> remote_;  //!< last: its threads use what stands above
+  std::map<std::filesystem::path, ShowReload> watched_;  //!< every show that has run, by its file
+  ShowReload* reload_ = nullptr;                         //!< of the one that runs
+  std::unique_ptr<RemoteControl> remote_;                //!< last: its threads use what stands above
 };
 
 }  // namespace ergodome

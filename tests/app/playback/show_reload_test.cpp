@@ -21,7 +21,12 @@ class HotReload : public test::FolderTest {
   void SetUp() override {
     test::FolderTest::SetUp();
     write("show.toml", first_version);
-    reload_.emplace(folder_ / "show.toml", read_show(folder_ / "show.toml"), read_show);
+    watch_since(std::chrono::system_clock::now() + 1s);
+  }
+
+  //! Watches the show as it was read at a time of the clock on the wall.
+  void watch_since(std::chrono::system_clock::time_point read_at) {
+    reload_.emplace(folder_ / "show.toml", read_show(folder_ / "show.toml"), read_at, read_show);
   }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
@@ -87,6 +92,14 @@ TEST_F(HotReload, ABrokenEditKeepsTheRunningVersionAndSaysWhyOnce) {
   const auto mended = run();
   ASSERT_TRUE(mended && mended->show);
   EXPECT_EQ(mended->problem, "");
+}
+
+TEST_F(HotReload, AVersionThatWasSavedBeforeItsFileWasWatchedIsRead) {
+  write("show.toml", second_version);
+  watch_since(std::chrono::system_clock::now() - 5s);
+  const auto result = run(3s);
+  ASSERT_TRUE(result && result->show);
+  EXPECT_EQ(results_, 1);
 }
 
 TEST_F(HotReload, AFileThatIsStillBeingWrittenIsWaitedFor) {

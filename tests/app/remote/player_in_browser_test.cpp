@@ -98,6 +98,22 @@ class PlayerInABrowser : public test::FolderTest {
   std::unique_ptr<test::ChildProcess> player_;
 };
 
+TEST_F(PlayerInABrowser, IsToldOfAVersionWhoseSkyIsNotThereAndSeesTheRunningOne) {
+  const std::string text = show_text;
+  const auto save = [&](const std::string& title, const std::string& map) {
+    const auto with = [](std::string of, const std::string& old, const std::string& other) {
+      return of.replace(of.find(old), old.size(), other);
+    };
+    std::ofstream(folder_ / "show.toml") << with(with(text, "Two halves", title), "\"grid\"", "\"" + map + "\"");
+  };
+  save("Night", "night.png");
+  EXPECT_TRUE(becomes_true([&] { return shows("#problem", "night.png"); }));
+  EXPECT_TRUE(shows("#title", "Two halves"));
+  save("Day", "grid");
+  EXPECT_TRUE(becomes_true([&] { return shows("#title", "Day"); }));
+  EXPECT_FALSE(shows("#problem", "night.png"));
+}
+
 TEST_F(PlayerInABrowser, PausesSeeksChangesTheExposureAndShowsThePad) {
   EXPECT_TRUE(becomes_true([&] { return shows("#pads li", "DualSense"); }));
   EXPECT_TRUE(becomes_true([&] { return shows("#toggle_pause", "Pause") && time_s() > 0.0; })) << "it plays";

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/player/player.h"
+
+// What a player does where its show's file, or one that this names, has been saved.
+namespace ergodome {
+
+void Player::reload(bool now) {
+  const auto result = services_.reloaded(now);
+  if (!result) {
+    return;
+  }
+  if (result->show) {
+    // What runs goes on until all of the new version is there.
+    coming_ = std::move(result->show);
+    renderers_.renew(*coming_);
+  } else {
+    services_.tell(spdlog::level::err, result->problem);
+    refuse_version(result->problem);
+  }
+}
+
+void Player::take_version() {
+  const Show show = *std::exchange(coming_, std::nullopt);
+  session_->set_show(show);
+  services_.take_version(show);
+  if (exhibit_) {
+    exhibit_->renew(show);
+  }
+  services_.tell(spdlog::level::info, fmt::format("{} was read again", show.name));
+}
+
+void Player::refuse_version(const std::string& problem) {
+  coming_.reset();
+  services_.refuse_version(problem);
+  if (!exhibit_) {
+    session_->say(problem);
+  }
+}
+
+void Player::take_renderer() {
+  const SceneRenderers::News news = renderers_.advance(coming_ ? *coming_ : session_->show());
+  services_.tell(spdlog::level::err, news.problem);
+  if (news.another) {
+    failures_ = 0;
+    if (coming_) {
+      take_version();
+    }
+    session_->show_again();
+  } else if (coming_ && !news.problem.empty()) {
+    refuse_version(news.problem);
+  }
+}
+
+}  // namespace ergodome
