@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include "app/calibration_keys.h"
 #include "app/interrupt.h"
 #include "app/saved_calibration.h"
@@ -50,6 +54,7 @@ void CalibrationWindow::run() {
       handle(event);
     }
     repeat_held_key();
+    renew();
     draw();
     if (options_.for_seconds > 0.0 &&
         std::chrono::duration<double>(Clock::now() - start).count() >= options_.for_seconds) {
@@ -65,23 +70,20 @@ void CalibrationWindow::run() {
 }
 
 void CalibrationWindow::handle(const WindowEvent& event) {
-  constexpr auto before_repeating = std::chrono::milliseconds(400);
   if (event.kind == WindowEvent::Kind::key_down) {
-    held_key_ = event.key;
-    repeat_at_ = Clock::now() + before_repeating;
     act(calibration_action_of(event.key));
+    keys_.press(event.key, Clock::now());
   } else if (event.kind == WindowEvent::Kind::key_up) {
-    held_key_.reset();
+    keys_.release(event.key);
   }
 }
 
 void CalibrationWindow::repeat_held_key() {
-  constexpr auto between = std::chrono::milliseconds(80);
-  const CalibrationAction action = held_key_ ? calibration_action_of(*held_key_) : CalibrationAction::none;
-  const bool repeats = action >= CalibrationAction::left && action <= CalibrationAction::downwards;
-  if (repeats && Clock::now() >= repeat_at_) {
-    repeat_at_ = Clock::now() + between;
+  const std::optional<int> key = keys_.due(Clock::now());
+  const CalibrationAction action = key ? calibration_action_of(*key) : CalibrationAction::none;
+  if (action >= CalibrationAction::left && action <= CalibrationAction::downwards) {
     act(action);
+    keys_.repeated(Clock::now());
   }
 }
 
@@ -89,10 +91,11 @@ void CalibrationWindow::act(CalibrationAction action) {
   if (action == CalibrationAction::quit) {
     window_.close();
   } else if (action == CalibrationAction::save) {
+    renew();
     save();
   } else {
     message_.clear();
-    renew(state_.press(action));
+    renewal_ = std::min(renewal_, state_.press(action));
   }
 }
 
@@ -121,7 +124,8 @@ void CalibrationWindow::save() {
   renew_text();
 }
 
-void CalibrationWindow::renew(Renewal renewal) {
+void CalibrationWindow::renew() {
+  const Renewal renewal = std::exchange(renewal_, Renewal::nothing);
   if (renewal == Renewal::nothing) {
     return;
   }

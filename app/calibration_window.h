@@ -3,10 +3,10 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/key_repeat.h"
 #include "app/live_calibration.h"
 #include "calibration/dome_pictures.h"
 #include "render/present/presenter.h"
@@ -39,7 +39,8 @@ class CalibrationWindow {
   void repeat_held_key();
   void act(CalibrationAction action);
   void save();
-  void renew(Renewal renewal);
+  //! Shows what keys have changed since the last time.
+  void renew();
   void renew_master();
   bool renew_projectors();
   void renew_text();
@@ -52,9 +53,9 @@ class CalibrationWindow {
   Window window_;
   Presenter presenter_;
   ProjectorWindows projectors_;
-  std::string message_;  //!< of the last saving, or why a change cannot be shown
-  std::optional<int> held_key_;
-  Clock::time_point repeat_at_;
+  std::string message_;                 //!< of the last saving, or why a change cannot be shown
+  Renewal renewal_ = Renewal::nothing;  //!< what keys since the last drawing ask for
+  KeyRepeat keys_;
 };
 
 }  // namespace ergodome
