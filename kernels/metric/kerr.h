@@ -50,7 +50,9 @@ ERGO_HD KerrFunctions kerr_functions(double spin, double r, double theta) {
   const double sine = ::sin(theta);
   KerrFunctions f{};
   f.sigma = r * r + a2 * cosine * cosine;
-  f.delta = r * (r - 2.0) + a2;
+  // By its roots: above the horizon of an extremal hole the sum of its terms has no digits left.
+  const double horizon = horizon_radius(spin);
+  f.delta = (r - horizon) * (r - a2 / horizon);
   f.area = (r * r + a2) * (r * r + a2) - a2 * f.delta * sine * sine;
   f.frame_dragging = 2.0 * spin * r / f.area;
   // 1 - ΣΔ/A without its cancellation: A - ΣΔ = 2r (r² + a²).

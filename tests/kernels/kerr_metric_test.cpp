@@ -34,6 +34,27 @@ TEST(KerrMetric, RainReachesLightSpeedAtTheHorizon) {
   }
 }
 
+TEST(KerrMetric, DeltaKeepsItsDigitsRightAboveTheHorizon) {
+  for (double above = 1e-2; above > 1e-15; above *= 0.1) {
+    const double r = 1.0 + above;
+    const double exact = (r - 1.0) * (r - 1.0);
+    EXPECT_NEAR(kerr_functions(1.0, r, 1.0).delta / exact, 1.0, 1e-15) << above;
+    EXPECT_NEAR(kerr_functions(-1.0, r, 1.0).delta / exact, 1.0, 1e-15) << above;
+    EXPECT_EQ(kerr_functions(0.0, 2.0 + above, 1.0).delta, (2.0 + above) * (2.0 + above - 2.0)) << above;
+  }
+}
+
+TEST(CameraStation, LightStraightOutFromRightAboveAnExtremalHorizonIsShiftedByTheLapse) {
+  for (double above = 1e-2; above > 1e-13; above *= 0.1) {
+    const double r = 1.0 + above;
+    const RayStart<double> ray =
+        start_ray(make_camera_station(1.0, r, pi / 2, 0.0, ObserverMotion::zamo), Vector3<double>{1.0, 0.0, 0.0});
+    // In the plane of the equator α = r (r - 1) / √A, A = r⁴ + r² + 2r.
+    const double lapse = r * (r - 1.0) / std::sqrt(r * r * (r * r + 1.0) + 2.0 * r);
+    EXPECT_NEAR(ray.energy / lapse, 1.0, 1e-12) << above;
+  }
+}
+
 TEST(KerrMetric, StaticLimitTouchesTheHorizonOnTheAxis) {
   EXPECT_NEAR(static_limit_radius(0.9, 0.0), horizon_radius(0.9), 1e-15);
   EXPECT_NEAR(static_limit_radius(0.9, pi / 2), 2.0, 1e-15);
