@@ -130,6 +130,9 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
                         to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"),
                         warp.columns, warp.rows});
     fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
+    if (!(lit[i] > 0.0)) {
+      fmt::print(stderr, "ergodome: {} lights nothing of the dome: check where it stands and looks\n", projector.name);
+    }
     progress.advance_to(static_cast<long>(i) + 1);
   }
   fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());

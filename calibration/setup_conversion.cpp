@@ -105,9 +105,10 @@ Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date) {
     }
     if (flat.size() + posed.size() != 1 + static_cast<std::size_t>(&projector - setup.projectors.data()) ||
         (!flat.empty() && !posed.empty())) {
-      throw Error("",
-                  fmt::format("projector \"{}\" does not fit into one MPCDI profile with the others", projector.name),
-                  "give every projector a flat warp, or every one a flat lens without warp and mirror");
+      throw Error(
+          "", fmt::format("projector \"{}\" does not fit into one MPCDI profile with the others", projector.name),
+          "give every projector a flat warp, as `ergodome calibrate --mpcdi` does, or every one a flat lens without "
+          "warp and mirror");
     }
   }
   const bool posed_alone = flat.empty();
