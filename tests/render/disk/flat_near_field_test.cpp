@@ -124,7 +124,7 @@ TEST(FlatNearField, IsDrawnWhereverTheCameraIs) {
                                "[[camera.key]]\nr = 1e6\ntheta_deg = 60\n[hole]\nspin = 0.5\n"};
   for (const std::string& camera : cameras) {
     Show show = flat_show(plain_disk + "[[shells]]\nradius = 3\n[[shells]]\nradius = 20\n", camera, 0.4);
-    show.view.size_px = sanitized ? 40 : 100;
+    show.view.size_px = sanitized ? 40 : 64;
     for (const Picture& eye : eyes_of(show, LensChoice::direct)) {
       EXPECT_TRUE(is_light(eye)) << camera;
     }

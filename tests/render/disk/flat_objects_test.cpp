@@ -22,13 +22,13 @@ std::string white_ball(const std::string& position, const std::string& size) {
 
 const std::string spinning = "[[camera.key]]\nr = 24\ntheta_deg = 75\n[hole]\nspin = 0.9\n";
 
-constexpr int looks = sanitized ? 3 : 10;
+constexpr int looks = sanitized ? 3 : 8;
 
 constexpr const char* takes_long = "takes long under sanitizers, which see the same code in other scenes";
 
 //! A scene in a picture on a flat screen.
 Show objects_show(const std::string& scene, const std::string& camera, double baseline, int fov_deg = 60,
-                  int size_px = sanitized ? 48 : 72) {
+                  int size_px = sanitized ? 48 : 56) {
   return flat_show(scene, camera, baseline, "projection = \"pinhole\"\nfov_deg = " + std::to_string(fov_deg) + "\n",
                    size_px);
 }
@@ -50,6 +50,7 @@ TEST(FlatObjects, AreWhereTheClosedFormPutsThemBesideAHoleWithoutSpin) {
   const auto beside = std::ranges::find(balls, std::string("beside the hole"), &BallBeforeHead::name);
   ASSERT_NE(beside, balls.end());
   beside->traced = true;
+  beside->view = "projection = \"pinhole\"\nfov_deg = 100\nsize_px = 300\n";
   expect_where_flat_space_puts(*beside);
 }
 
@@ -81,7 +82,7 @@ TEST(FlatObjects, OfEyesFartherApartThanTheyAreWideAreThatToo) {
   }
   const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
   // The ball is some pixels wide alone.
-  compare_with_walk(objects_show(white_ball("3, 9, 2", "4"), far, 40.0, 5, 120), LensChoice::direct, looks);
+  compare_with_walk(objects_show(white_ball("3, 9, 2", "4"), far, 40.0, 5, 80), LensChoice::direct, looks);
 }
 
 //! Opaque, and of another light than objects.
@@ -148,7 +149,7 @@ TEST(FlatObjects, AreTheHeadsWithoutABaseline) {
 
 TEST(FlatObjects, AreLitAndShiftedAsTheHeadSeesThemWhereEyesAreClose) {
   const std::string ball = white_ball("-7, 5, 3", "3") + "light = \"lambert\"\n";
-  const Difference difference = difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120), 1e-6);
+  const Difference difference = difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 80), 1e-6);
   EXPECT_GT(difference.light, 0.01);
   // The lamp's light has two ways and both have shadows, whose edges samples meet by chance.
   EXPECT_LT(difference.mean, 3e-3);
@@ -159,7 +160,7 @@ TEST(FlatObjects, AreSeenInEveryProjectionOverItsSeamsToo) {
   for (const char* const projection : {"cube", "dome", "equirect", "cylinder"}) {
     SCOPED_TRACE(projection);
     const Show show = flat_show(white_ball("15, 1, 14", "4"), spinning, 1.0,
-                                "projection = \"" + std::string(projection) + "\"\n", sanitized ? 120 : 360);
+                                "projection = \"" + std::string(projection) + "\"\n", sanitized ? 120 : 240);
     const Difference difference = difference_from_head(show, 1e-6);
     EXPECT_GT(difference.light, 100.0);
     EXPECT_LT(difference.mean, 1e-2);
@@ -180,8 +181,8 @@ TEST(FlatObjects, AreSeenOverSeamsThatPassThroughTiles) {
 TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const std::string ball =
       "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\norbit = { r = 9, phi_deg = 120, speed = 1 }\nsize = 2\n";
-  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120);
-  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
+  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 80);
+  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 80);
   const Difference difference = difference_from_head(then, 1e-6);
   EXPECT_GT(difference.light, 100.0);
   // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is chance.
