@@ -28,9 +28,10 @@ json facts_of_fall(const Show& show) {
   constexpr const char* kinds[] = {"nearest", "farthest", "northernmost", "southernmost"};
   const FreeFall& orbit = *show.camera.orbit;
   const double begin_s = orbit.begin_s();
-  const double end_s = show.duration_s;
+  const double end_s = orbit.until_s().value_or(show.duration_s);
   const FallPlace end = orbit.at(end_s);
   json facts = {{"t_s", begin_s},
+                {"until_s", end_s},
                 {"beta", speed_at(orbit, begin_s)},
                 {"own_time", orbit.proper_time(end_s)},
                 {"rounds", orbit.swept_angle(end_s) / (2.0 * pi)},
@@ -56,10 +57,11 @@ json facts_of_fall(const Show& show) {
 
 void print_fall(const json& facts) {
   fmt::print(
-      "\nfalls from {:.3f} s on, at {:.4f} c, through {:.6g} M of its own time: {:.2f} times round the hole, down to "
+      "\nfalls from {:.3f} s to {:.3f} s, at {:.4f} c, through {:.6g} M of its own time: {:.2f} times round the hole, "
+      "down to "
       "{:.6g} M\n",
-      facts["t_s"].get<double>(), facts["beta"].get<double>(), facts["own_time"].get<double>(),
-      facts["rounds"].get<double>(), facts["least_r"].get<double>());
+      facts["t_s"].get<double>(), facts["until_s"].get<double>(), facts["beta"].get<double>(),
+      facts["own_time"].get<double>(), facts["rounds"].get<double>(), facts["least_r"].get<double>());
   const auto line = [](double time_s, const json& at, const std::string& what) {
     fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
                at["theta_deg"].get<double>(), at["beta"].get<double>(), what);

@@ -8,6 +8,7 @@
 
 #include "content/animated_show.h"
 #include "content/key_curve.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
@@ -155,6 +156,47 @@ CameraPose place_at(CameraKeys keys, double time_s) {
           {}};
 }
 
+//! The observer's velocity, and the given part of the way from it to that of a fall.
+Vector3<double> between_observer_and_fall(const Show& show, double time_s, const CameraPose& pose,
+                                          const Vector3<double>& falls, double part) {
+  const Vector3<double> own =
+      observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity);
+  return own + part * (falls - own);
+}
+
+//! The camera before its show's fall, turned as in its own place.
+CameraPose pose_before_fall(const Show& show, double time_s) {
+  const FreeFall& orbit = *show.camera.orbit;
+  CameraPose pose = place_at(keys_until(show.camera.keys, orbit.begin_s()), time_s);
+  if (time_s > orbit.begin_s() - orbit.ease_s()) {
+    const double part = eased(1.0 + (time_s - orbit.begin_s()) / orbit.ease_s());
+    pose.velocity = between_observer_and_fall(show, time_s, pose, orbit.start().velocity, part);
+  }
+  return pose;
+}
+
+//! The part of the roll about e_r, which a fall has left, that is still there: it goes on the way to the next place.
+double roll_left(CameraKeys places, double time_s) {
+  if (places.size() < 2 || !(time_s > leave_s(places[0]))) {
+    return 1.0;
+  }
+  return 1.0 - eased(std::min((time_s - leave_s(places[0])) / span_s(places, 0), 1.0));
+}
+
+//! The camera after its show's fall. `orientation` goes into the frame that the fall has taken along.
+CameraPose pose_after_fall(const Show& show, double time_s, const glm::dquat& orientation) {
+  const FreeFall& orbit = *show.camera.orbit;
+  const FallPlace end = orbit.at(time_s);
+  CameraPose pose = place_at(show.camera.after_fall, time_s);
+  const glm::dvec3 roll = logarithm(nearer(end.frame, glm::dquat(1.0, 0.0, 0.0, 0.0)));
+  pose.orientation = glm::normalize(exponential(roll_left(show.camera.after_fall, time_s) * roll) * orientation);
+  const double since_s = time_s - *orbit.until_s();
+  if (since_s < orbit.ease_s()) {
+    pose.velocity = between_observer_and_fall(show, time_s, pose, end.velocity, eased(1.0 - since_s / orbit.ease_s()));
+  }
+  return pose;
+}
+
 }  // namespace
 
 glm::dquat spherical_frame(double theta, double phi) {
@@ -186,20 +228,16 @@ glm::dquat key_orientation(const CameraKey& key) {
 
 CameraPose camera_pose(const Show& show, double time_s) {
   const FreeFall* const orbit = show.camera.orbit.get();
-  const CameraKeys keys = show.camera.keys;
-  const glm::dquat orientation = orientation_at(keys, time_s);
+  const glm::dquat orientation = orientation_at(show.camera.keys, time_s);
+  if (orbit != nullptr && orbit->until_s() && time_s > *orbit->until_s()) {
+    return pose_after_fall(show, time_s, orientation);
+  }
   if (orbit != nullptr && time_s >= orbit->begin_s()) {
     const FallPlace place = orbit->at(time_s);
     return {place.r, place.theta, place.phi, glm::normalize(place.frame * orientation), place.velocity};
   }
-  CameraPose pose = place_at(orbit != nullptr ? keys_until(keys, orbit->begin_s()) : keys, time_s);
+  CameraPose pose = orbit != nullptr ? pose_before_fall(show, time_s) : place_at(show.camera.keys, time_s);
   pose.orientation = orientation;
-  if (orbit != nullptr && time_s > orbit->begin_s() - orbit->ease_s()) {
-    const double part = eased(1.0 + (time_s - orbit->begin_s()) / orbit->ease_s());
-    const Vector3<double> own =
-        observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity);
-    pose.velocity = own + part * (orbit->start().velocity - own);
-  }
   return pose;
 }
 
@@ -216,6 +254,31 @@ std::shared_ptr<const FreeFall> follow_fall(const Show& show) {
                                           show.duration_s + beyond_s);
 }
 
+std::vector<CameraKey> keys_after_fall(const Show& show) {
+  const FreeFall* const orbit = show.camera.orbit.get();
+  if (orbit == nullptr || !orbit->until_s()) {
+    return {};
+  }
+  const double until_s = *orbit->until_s();
+  const CameraKeys during = keys_until(show.camera.keys, until_s);
+  const FallPlace end = orbit->at(until_s);
+  CameraKey first;
+  first.time_s = until_s;
+  first.r = end.r;
+  first.theta = end.theta;
+  first.phi = end.phi;
+  if (during.back().time_s == until_s) {
+    first.hold_s = during.back().hold_s;
+    first.ease = during.back().ease;
+  }
+  std::vector<CameraKey> places = {first};
+  places.insert(places.end(), show.camera.keys.begin() + std::ssize(during), show.camera.keys.end());
+  for (std::size_t i = places.size(); i-- > 1;) {
+    places[i].phi += 2.0 * pi * std::round((first.phi - places[1].phi) / (2.0 * pi));
+  }
+  return places;
+}
+
 bool camera_moves(const Show& show) { return show.camera.keys.size() > 1 || show.camera.orbit != nullptr; }
 
 std::vector<double> path_ends_s(const Show& show) {
@@ -230,6 +293,7 @@ std::vector<double> path_ends_s(const Show& show) {
       add(turn.time_s);
     }
     add(show.camera.orbit->stop_s().value_or(show.duration_s));
+    add(show.camera.orbit->until_s().value_or(show.duration_s));
   }
   std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());

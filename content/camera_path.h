@@ -27,6 +27,7 @@ struct CameraPose {
 //!
 //! From where a fall begins its orbit gives the place and the velocity, and the keys the orientation, in a frame that goes along
 //! (FallPlace::frame). In FallSettings::ease_s before it, the velocity goes over from the observer's to that at which the fall begins.
+//! From where the fall ends the keys lead the camera again (keys_after_fall), and the velocity goes back to the observer's as it came.
 CameraPose camera_pose(const Show& show, double time_s);
 
 //! Orientation of one key.
@@ -38,6 +39,10 @@ glm::dquat spherical_frame(double theta, double phi);
 //! Follows the fall of a show's camera to a second after the show's end, or to its own end if that is nearer; nullptr where the camera does
 //! not fall. There is a key when it begins, and all numbers of the show have been read.
 std::shared_ptr<const FreeFall> follow_fall(const Show& show);
+
+//! The places between which a camera goes when its fall has ended, in order: the fall's own end, as a key, and the keys after it. Azimuths go on
+//! from the fall's, the shorter way round to the first key. Empty where the camera does not fall, or falls to the end of the show.
+std::vector<CameraKey> keys_after_fall(const Show& show);
 
 //! Whether the camera's place or orientation changes in the course of the show.
 bool camera_moves(const Show& show);

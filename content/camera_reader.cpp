@@ -51,6 +51,24 @@ const char* observer_word(const CameraSettings& camera) {
   return camera.motion == ObserverMotion::fixed ? "a static" : "an orbiting";
 }
 
+//! A key comes after those before it, and not at once after a fall.
+void check_time(const TomlTable& table, const CameraSettings& camera, const CameraKey& key) {
+  if (!camera.keys.empty()) {
+    const CameraKey& before = camera.keys.back();
+    if (!(key.time_s - before.time_s >= least_key_gap_s)) {
+      throw table.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+    }
+    if (!(key.time_s - before.time_s - before.hold_s >= least_key_gap_s)) {
+      throw table.error_at("t_s", "comes before the camera has left the key before",
+                           "shorten its hold_s, or put this key later");
+    }
+  }
+  const double since_fall_s = camera.fall && camera.fall->until_s ? key.time_s - *camera.fall->until_s : 0.0;
+  if (since_fall_s > 0.0 && since_fall_s < least_key_gap_s) {
+    throw table.error_at("t_s", "does not come after the end of the fall", "put the key later, or end the fall before");
+  }
+}
+
 //! A camera must be outside the horizon, and its observer slower than light there.
 void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
   const double horizon = horizon_radius(spin);
@@ -80,6 +98,30 @@ void check_place(const TomlTable& table, const Show& show, double time_s) {
   }
 }
 
+//! The same where a fall ends, for which its table is blamed.
+void check_end_of_fall(const TomlTable& fall, const Show& show) {
+  if (show.camera.after_fall.empty()) {
+    return;
+  }
+  const CameraKey& end = show.camera.after_fall.front();
+  if (outruns_light(show.camera, show.spin, end.r, end.theta)) {
+    throw fall.error_at("until_s",
+                        fmt::format("ends a fall at r = {:.4g} M, where {} observer would outrun light", end.r,
+                                    observer_word(show.camera)),
+                        "end it where the camera is further out, or choose observer = \"zamo\"");
+  }
+}
+
+//! Where the way to a key that is no fall's begins: at the key before, or where the fall has ended.
+const CameraKey& key_before(const Show& show, std::size_t i) {
+  const CameraKey& before = show.camera.keys[i - 1];
+  const std::vector<CameraKey>& after_fall = show.camera.after_fall;
+  return !after_fall.empty() && before.time_s <= after_fall.front().time_s &&
+                 show.camera.keys[i].time_s > after_fall.front().time_s
+             ? after_fall.front()
+             : before;
+}
+
 //! The same between two keys, with what the first one holds, and wherever the spin has a key; not in a fall, which is always slower.
 void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
   // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
@@ -95,11 +137,12 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
   // A path of many keys has them near to each other, and is to be read at once.
   const int places = keys.size() > 1000 ? 8 : 64;
   for (std::size_t i = 1; i < keys.size(); ++i) {
-    if (show.camera.fall && keys[i].time_s > show.camera.fall->time_s) {
-      break;
+    if (show.camera.fall && falls_at(*show.camera.fall, keys[i].time_s)) {
+      continue;
     }
-    for (int k = 1; k < places && std::min(keys[i - 1].r, keys[i].r) <= safe_r; ++k) {
-      check_place(table_of(i), show, keys[i - 1].time_s + (keys[i].time_s - keys[i - 1].time_s) * k / places);
+    const CameraKey& from = key_before(show, i);
+    for (int k = 1; k < places && std::min(from.r, keys[i].r) <= safe_r; ++k) {
+      check_place(table_of(i), show, from.time_s + (keys[i].time_s - from.time_s) * k / places);
     }
   }
   if (const Animation* const spin = find_animation(show, "hole.spin")) {
@@ -125,19 +168,13 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   for (std::size_t i = 0; i < keys.size(); ++i) {
     TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
     CameraKey key = read_key(each);
-    const bool falls = show.camera.fall && key.time_s > show.camera.fall->time_s;
+    const bool falls = show.camera.fall && falls_at(*show.camera.fall, key.time_s);
     if (falls && i > 0) {
       take_place_of_fall(each, show.camera.keys.back(), key);
     } else if (!each.has("r")) {
       throw each.error_at("r", "is missing", "write the camera's radius in units of M");
     }
-    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s >= least_key_gap_s)) {
-      throw each.error_at("t_s", "does not come after the key before", "put the keys in order of time");
-    }
-    if (i > 0 && !(key.time_s - show.camera.keys.back().time_s - show.camera.keys.back().hold_s >= least_key_gap_s)) {
-      throw each.error_at("t_s", "comes before the camera has left the key before",
-                          "shorten its hold_s, or put this key later");
-    }
+    check_time(each, show.camera, key);
     if (!falls) {
       check_key(each, spin_at(show, key.time_s), show.camera, key);
     }
@@ -146,6 +183,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
   }
   if (const toml::table* const fall = camera.table("fall")) {
     let_fall(*fall, file, show);
+    check_end_of_fall(TomlTable(*fall, file, "camera.fall"), show);
   }
   check_ways(keys, file, show);
   camera.refuse_unknown_keys();

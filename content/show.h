@@ -48,8 +48,10 @@ struct CameraSettings {
   Vector3<double> velocity = {0.0, 0.0, 0.0};  //!< in the ZAMO frame, for ObserverMotion::velocity
   std::vector<CameraKey> keys;                 //!< in order of time, at least one
   std::optional<FallSettings> fall;            //!< absent: the keys lead the camera to the end
-  //! What the fall does to the camera: follow_fall() in content/camera_path.h. Keys after its beginning say but where the camera looks.
+  //! What the fall does to the camera: follow_fall() in content/camera_path.h. Keys between its beginning and its end say but where the camera looks.
   std::shared_ptr<const FreeFall> orbit;
+  //! Where the keys lead a camera whose fall ends: keys_after_fall() in content/camera_path.h. Empty where it lasts to the show's end.
+  std::vector<CameraKey> after_fall;
 };
 
 //! How stars are found: every image by inverting the lens, or by what each pixel covers (Verbraeck & Eisemann 2021), for comparison.

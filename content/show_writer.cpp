@@ -38,6 +38,9 @@ void insert_motion(toml::table& table, const char* key, ObserverMotion motion, c
 toml::table fall_of(const FallSettings& fall) {
   toml::table table{{"t_s", fall.time_s}, {"clock", fall.clock}, {"ease_s", fall.ease_s}};
   insert_motion(table, "velocity", fall.motion, fall.velocity);
+  if (fall.until_s) {
+    table.insert("until_s", *fall.until_s);
+  }
   if (fall.least_r > 0.0) {
     table.insert("least_r", fall.least_r);
   }
@@ -53,7 +56,7 @@ toml::table camera_of(const CameraSettings& camera) {
                      {"yaw_deg", degrees_of(key.yaw)},
                      {"pitch_deg", degrees_of(key.pitch)},
                      {"roll_deg", degrees_of(key.roll)}};
-    if (!camera.fall || key.time_s <= camera.fall->time_s) {
+    if (!camera.fall || !falls_at(*camera.fall, key.time_s)) {
       each.insert("r", key.r);
       each.insert("theta_deg", degrees_of(key.theta, 0.0, 180.0));
       each.insert("phi_deg", degrees_of(key.phi));

@@ -31,9 +31,12 @@ constexpr std::array<GaussNode, 6> gauss_nodes = {{
 }  // namespace
 
 FallClock::FallClock(const FallSettings& settings, const Animation* changing)
-    : begin_s_(settings.time_s), ease_s_(settings.ease_s) {
+    : begin_s_(settings.time_s), end_s_(settings.until_s.value_or(INFINITY)), ease_s_(settings.ease_s) {
   clock_ = changing != nullptr ? *changing : Animation{"camera.fall.clock", {{begin_s_, settings.clock}}};
   std::vector<double> begins = {begin_s_, begin_s_ + ease_s_};
+  if (settings.until_s) {
+    begins.insert(begins.end(), {end_s_ - ease_s_, end_s_});
+  }
   for (const NumberKey& key : clock_.keys) {
     begins.push_back(std::max(key.time_s, begin_s_));
   }
@@ -47,8 +50,9 @@ FallClock::FallClock(const FallSettings& settings, const Animation* changing)
 }
 
 double FallClock::rate(double time_s) const {
-  const double since_s = time_s - begin_s_;
-  return value_at(clock_, time_s) * (since_s < ease_s_ ? eased(since_s / ease_s_) : 1.0);
+  const double edge_s = std::min(time_s - begin_s_, end_s_ - time_s);
+  const double part = edge_s < 0.0 ? 0.0 : edge_s < ease_s_ ? eased(edge_s / ease_s_) : 1.0;
+  return value_at(clock_, time_s) * part;
 }
 
 double FallClock::integral(double from_s, double to_s) const {

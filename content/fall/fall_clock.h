@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-//! The own time of a falling camera as a function of the show's: the integral of its clock, which starts from rest.
+//! The own time of a falling camera as a function of the show's: the integral of its clock, which starts from rest, and comes to rest at the
+//! fall's end.
 class FallClock {
  public:
   //! `changing` has the clock's keys where it is animated, else it is nullptr; it is not kept.
@@ -35,6 +36,7 @@ class FallClock {
   [[nodiscard]] double unstopped(double time_s) const;
 
   double begin_s_;
+  double end_s_;  //!< infinity where the fall does not end
   double ease_s_;
   Animation clock_;
   std::vector<Piece> pieces_;  //!< on each of them the clock is a polynomial

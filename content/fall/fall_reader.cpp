@@ -29,6 +29,26 @@ void check_clock(const TomlTable& table, const Show& show) {
   }
 }
 
+//! The end must leave the clock the time to start and to stop, and be one that the show comes to.
+void check_end(const TomlTable& table, const Show& show) {
+  const FallSettings& fall = *show.camera.fall;
+  if (!fall.until_s) {
+    return;
+  }
+  const double earliest_s = fall.time_s + std::max(2.0 * fall.ease_s, least_key_gap_s);
+  constexpr double rounding_s = 1e-9;
+  if (!(*fall.until_s >= earliest_s - rounding_s)) {
+    throw table.error_at("until_s",
+                         fmt::format("is {} s: from {} s on, the clock takes ease_s to start and as long to stop",
+                                     *fall.until_s, fall.time_s),
+                         fmt::format("let the fall last until {:.6g} s or longer, or make ease_s smaller", earliest_s));
+  }
+  if (!(*fall.until_s <= show.duration_s)) {
+    throw table.error_at("until_s", fmt::format("is {} s, and the show ends at {} s", *fall.until_s, show.duration_s),
+                         "leave it out: the camera falls to the end of the show");
+  }
+}
+
 //! What can be wrong before the orbit is known.
 void check_beginning(const TomlTable& table, const Show& show) {
   const FallSettings& fall = *show.camera.fall;
@@ -72,16 +92,21 @@ void read_fall(const toml::table* camera, const std::string& file, Show& show) {
   fall.time_s = table.number("t_s", 0.0, -1e12, 1e12);
   fall.clock = own_number(table, "clock", 0.0);
   fall.ease_s = table.number("ease_s", fall.ease_s, 0.0, 60.0);
+  if (table.has("until_s")) {
+    fall.until_s = table.number("until_s", 0.0, -1e12, 1e12);
+  }
   fall.least_r = table.number("least_r", 0.0, 0.0, 1e9);
   table.node("velocity");
+  check_end(table, show);
   table.refuse_unknown_keys();
 }
 
 void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key) {
   for (const char* const place : {"r", "theta_deg", "phi_deg"}) {
     if (table.has(place)) {
-      throw table.error_at(place, "leads a camera that falls",
-                           "leave r, theta_deg and phi_deg to keys up to camera.fall.t_s");
+      throw table.error_at(
+          place, "leads a camera that falls",
+          "leave r, theta_deg and phi_deg to keys up to camera.fall.t_s and after camera.fall.until_s");
     }
   }
   key.r = before.r;
@@ -98,12 +123,13 @@ void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   check_clock(table, show);
   check_beginning(table, show);
   show.camera.orbit = follow_fall(show);
+  show.camera.after_fall = keys_after_fall(show);
   const FreeFall& orbit = *show.camera.orbit;
   if (orbit.horizon_s() && *orbit.horizon_s() < show.duration_s) {
-    throw table.error_at("t_s",
-                         fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
-                         fmt::format("end the show before, or write least_r = {:.4g}, where time comes to rest",
-                                     1.05 * horizon_radius(show.spin)));
+    throw table.error_at(
+        "t_s", fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
+        fmt::format("end the fall before (until_s), or write least_r = {:.4g}, where time comes to rest",
+                    1.05 * horizon_radius(show.spin)));
   }
   if (!orbit.stop_s() && !orbit.horizon_s() && orbit.followed_s() < show.duration_s) {
     throw table.error_at(

@@ -11,7 +11,7 @@ namespace ergodome {
 //! it is that of the observer. Throws Error with file, line and key.
 void read_fall(const toml::table* camera, const std::string& file, Show& show);
 
-//! Gives a key after a fall's beginning, which says but where the camera looks, the place of the key before. Throws Error where it has one.
+//! Gives a key of a fall, which says but where the camera looks, the place of the key before. Throws Error where it has one.
 void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key);
 
 //! Lets a camera fall whose keys have been read, and all numbers of its show. Throws Error where there is no key when it begins, where

@@ -47,6 +47,7 @@ class FreeFall {
   FreeFall(double spin, const FallStart& start, const FallSettings& settings, const Animation* clock, double end_s);
 
   [[nodiscard]] double begin_s() const { return settings_.time_s; }
+  [[nodiscard]] std::optional<double> until_s() const { return settings_.until_s; }
   [[nodiscard]] double ease_s() const { return settings_.ease_s; }
   [[nodiscard]] const FallStart& start() const { return start_; }
 
