@@ -43,6 +43,8 @@ bool same(const CameraPose& a, const CameraPose& b) {
   return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
 }
 
+bool at_rest(const glm::dvec3& rate) { return glm::length(rate) <= 1e-6; }
+
 //! Whether a path leapt between two frames: somebody sought in the show.
 bool leapt(const CameraPose& from, const CameraPose& to) {
   return std::abs(std::log(to.r / from.r)) > 0.5 || glm::distance(place_of(from).towards, place_of(to).towards) > 0.5;
@@ -58,6 +60,7 @@ Navigator::Navigator(const Show& show)
       start_(place_of(camera_pose(show, show.camera.keys.front().time_s))),
       place_(start_),
       mode_(show.flight.mode),
+      path_falls_(show.camera.orbit != nullptr),
       path_(camera_pose(show, show.camera.keys.front().time_s)),
       path_before_(path_),
       before_(place_) {
@@ -169,11 +172,10 @@ void Navigator::step(const Steering& steering, double seconds) {
   const Wish wanted = wish(steering, seconds);
   follow_wish(wanted, seconds);
   glm::dvec3 turn = place_.view * head_;
-  if (mode_ == FlightMode::geodesic && !ride_ && !coasting()) {
-    const CameraPose pose = pose_of(place_);
-    ride_.emplace(space_, settings_, place_,
-                  asked_velocity_.value_or(circular_velocity(spin_, pose.r, pose.theta, orbit_sense_)));
+  if (mode_ != FlightMode::geodesic) {
     asked_velocity_.reset();
+  } else if (!ride_) {
+    begin_ride();
   }
   if (ride_) {
     move_on_orbit(wanted.hurry, seconds, turn);
@@ -183,6 +185,20 @@ void Navigator::step(const Steering& steering, double seconds) {
     level_east();
   }
   turn_view(turn, seconds);
+}
+
+//! A ride begins at rest, or as the camera goes already.
+void Navigator::begin_ride() {
+  if (coasting() && !(asked_velocity_ && at_rest(around_))) {
+    return;
+  }
+  const CameraPose pose = pose_of(place_);
+  OrbitRide ride(space_, settings_, place_,
+                 asked_velocity_.value_or(circular_velocity(spin_, pose.r, pose.theta, orbit_sense_)));
+  if (ride.take_over(place_, fly_) || !coasting()) {
+    ride_ = ride;
+    asked_velocity_.reset();
+  }
 }
 
 void Navigator::move_around(double seconds, glm::dvec3& turn) {
@@ -229,10 +245,7 @@ void Navigator::take_east_from_view() {
   }
 }
 
-bool Navigator::coasting() const {
-  constexpr double at_rest = 1e-6;
-  return glm::length(around_) > at_rest || glm::length(fly_) > at_rest;
-}
+bool Navigator::coasting() const { return !at_rest(around_) || !at_rest(fly_); }
 
 void Navigator::take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds) {
   head_ = glm::dvec3(0.0);

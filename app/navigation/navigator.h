@@ -35,7 +35,7 @@ class Navigator {
   //! The hole's spin, where the show changes it. A ride goes on around the hole that it began at.
   void set_spin(double spin);
 
-  //! Takes the camera off the path, with the velocity it has; or from the show's first key, if the show says so.
+  //! Takes the camera off the path, with the velocity it has, in free fall along the orbit of a path that falls; or from the show's first key, if the show says so.
   void leave_path();
   //! Flies back to the path, and follows it from there. On the path: nothing.
   void return_to_path();
@@ -43,8 +43,8 @@ class Navigator {
   void reset();
 
   void set_mode(FlightMode mode);
-  //! The next way to fly; takes the camera off the path.
-  void next_mode() { set_mode(static_cast<FlightMode>((static_cast<int>(mode_) + 1) % 4)); }
+  //! The next way to fly; takes the camera off the path. From a path that falls the first is to fall on.
+  void next_mode();
   //! Circular orbits are to run the other way from now on; a ride begins anew.
   void reverse_orbit();
   //! Falls freely from here on, from a velocity in the ZAMO frame slower than light. Throws Error for another.
@@ -79,6 +79,7 @@ class Navigator {
   //! Takes what a mouse still has to give: what the limits leave for a step.
   glm::dvec3 from_mouse(glm::dvec3& pending, double most, double seconds) const;
   void step(const Steering& steering, double seconds);
+  void begin_ride();
   void follow_wish(const Wish& wish, double seconds);
   void move_around(double seconds, glm::dvec3& turn);
   void move_on_orbit(double hurry, double seconds, glm::dvec3& turn);
@@ -98,6 +99,7 @@ class Navigator {
   CameraPlace place_;
   Course course_ = Course::path;
   FlightMode mode_;
+  bool path_falls_;
   double orbit_sense_ = 1.0;
   CameraPose path_;         //!< of the last frame
   CameraPose path_before_;  //!< of the one before

@@ -14,6 +14,9 @@ void Navigator::leave_path() {
     reset();
     return;
   }
+  if (course_ == Course::path && path_falls_) {
+    asked_velocity_ = path_.velocity;
+  }
   take_velocity_of(before_, place_, frame_s_);
   course_ = Course::free;
   return_.reset();
@@ -64,15 +67,20 @@ void Navigator::set_mode(FlightMode mode) {
   leave_path();
   if (mode != mode_) {
     ride_.reset();  // the velocity that it had is the ship's now
-    asked_velocity_.reset();
     take_east_from_view();
   }
   mode_ = mode;
 }
 
+void Navigator::next_mode() {
+  const bool falls = course_ == Course::path && settings_.from == FlightStart::path && path_falls_ && path_.velocity;
+  set_mode(falls ? FlightMode::geodesic : static_cast<FlightMode>((static_cast<int>(mode_) + 1) % 4));
+}
+
 void Navigator::reverse_orbit() {
   orbit_sense_ = -orbit_sense_;
   ride_.reset();
+  asked_velocity_.reset();
 }
 
 void Navigator::ride(const Vector3<double>& velocity) {

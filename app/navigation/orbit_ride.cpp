@@ -45,6 +45,21 @@ OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, c
       fastest_(settings.max_speed),
       accel_(settings.comfort.accel) {}
 
+bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) {
+  constexpr double across_at_most = 0.02;  // nobody sees a camera change so little [distances/s]
+  const OrbitState now = rate();
+  const double r = 1.0 / orbit_.u;
+  const glm::dvec3 axis(0.0, 0.0, 1.0);
+  const glm::dvec3 turned = glm::angleAxis(orbit_.drag, axis) * glm::dvec3(now.m.x, now.m.y, now.m.z);
+  const glm::dvec3 along = space_.velocity(place, -now.u * r * r, turned + now.drag * glm::cross(axis, place.towards));
+  const double clock = std::max(glm::dot(velocity, along) / glm::dot(along, along), 0.0);
+  if (!(glm::length(velocity - clock * along) <= across_at_most)) {
+    return false;
+  }
+  clock_ = clock;
+  return true;
+}
+
 double OrbitRide::fastest_clock(double reach) const {
   const OrbitState now = rate();
   const double r = 1.0 / orbit_.u;

@@ -13,6 +13,10 @@ class OrbitRide {
   OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
             const Vector3<double>& velocity);
 
+  //! Begins at the velocity [distances/s] that the camera has where that leads along the orbit, as fast as it asks for; else does not
+  //! begin, and says so.
+  [[nodiscard]] bool take_over(const CameraPlace& place, const glm::dvec3& velocity);
+
   //! Goes on by some time of the visitor's; `hurry` from 0 to 1 asks for more time of the orbit's in it. Turns nothing but `towards`.
   void advance(double seconds, double hurry, CameraPlace& place);
 
