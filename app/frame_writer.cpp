@@ -24,12 +24,15 @@ FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* parts[] = {"whole", "left", "right"};
   const CameraPose pose = camera_pose(show, time_s);
+  const char* const observer = !pose.velocity      ? observers[static_cast<int>(show.camera.motion)]
+                               : show.camera.orbit ? "fall"
+                                                   : "velocity";
   return {{"show", show.title},
           {"time_s", fmt::format("{:.6f}", time_s)},
           {"spin", fmt::format("{:.12g}", show.spin)},
           {"r", fmt::format("{:.12g}", pose.r)},
           {"theta_deg", fmt::format("{:.12g}", pose.theta * radian_deg)},
-          {"observer", pose.velocity ? "fall" : observers[static_cast<int>(show.camera.motion)]},
+          {"observer", observer},
           {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
           {"from_outside", show.view.from_outside ? "true" : "false"},
           {"part", parts[static_cast<int>(part)]},

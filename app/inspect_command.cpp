@@ -65,7 +65,7 @@ nlohmann::json facts_of(const Show& show) {
   facts["frames"] = frame_count(show);
   facts["spin"] = show.spin;
   facts["horizon_r"] = horizon_radius(show.spin);
-  facts["observer"] = observers[static_cast<int>(show.camera.motion)];
+  facts["observer"] = show.camera.keys.front().velocity ? "keys" : observers[static_cast<int>(show.camera.motion)];
   facts["sky_map"] = show.sky.map;
   facts["projection"] = projections[static_cast<int>(show.view.projection)];
   facts["size_px"] = show.view.size_px;

@@ -8,6 +8,7 @@
 
 #include "content/animated_show.h"
 #include "content/key_curve.h"
+#include "content/proper_velocity.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -143,17 +144,24 @@ glm::dquat orientation_at(CameraKeys keys, double time_s) {
   return now.held ? key_orientation(keys[*now.held]) : orientation_between(keys, now.way, now.t);
 }
 
-//! The place alone.
+//! The place, and the velocity where keys have one.
 CameraPose place_at(CameraKeys keys, double time_s) {
   const OnTheWay now = on_the_way(keys, time_s);
   if (now.held) {
-    return {keys[*now.held].r, keys[*now.held].theta, keys[*now.held].phi, {}};
+    const CameraKey& key = keys[*now.held];
+    return {key.r, key.theta, key.phi, {}, key.velocity};
   }
   const auto along = [&](auto value) { return interpolated(keys, now.way, now.t, value); };
-  return {std::exp(along([](const CameraKey& key) { return std::log(key.r); })),
-          along([](const CameraKey& key) { return key.theta; }),
-          along([](const CameraKey& key) { return key.phi; }),
-          {}};
+  CameraPose pose = {std::exp(along([](const CameraKey& key) { return std::log(key.r); })),
+                     along([](const CameraKey& key) { return key.theta; }),
+                     along([](const CameraKey& key) { return key.phi; }),
+                     {}};
+  if (keys.front().velocity) {
+    pose.velocity = velocity_of_proper({along([](const CameraKey& key) { return proper_velocity(*key.velocity).x; }),
+                                        along([](const CameraKey& key) { return proper_velocity(*key.velocity).y; }),
+                                        along([](const CameraKey& key) { return proper_velocity(*key.velocity).z; })});
+  }
+  return pose;
 }
 
 //! The observer's velocity, and the given part of the way from it to that of a fall.

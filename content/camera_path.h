@@ -25,6 +25,8 @@ struct CameraPose {
 //! Between them r (its logarithm), θ and φ follow quintics that do not overshoot, and the orientation a quaternion spline; both are C²,
 //! but beside Ease::linear and where the first or last way is told not to ease. Before the first key and after the last one it holds.
 //!
+//! Where keys have velocities, these follow such quintics, too, as proper velocities (proper_velocity.h).
+//!
 //! From where a fall begins its orbit gives the place and the velocity, and the keys the orientation, in a frame that goes along
 //! (FallPlace::frame). In FallSettings::ease_s before it, the velocity goes over from the observer's to that at which the fall begins.
 //! From where the fall ends the keys lead the camera again (keys_after_fall), and the velocity goes back to the observer's as it came.

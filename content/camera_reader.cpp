@@ -10,6 +10,7 @@
 #include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
 #include "content/motion_reader.h"
+#include "content/show_reader.h"
 #include "content/timeline_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
@@ -51,6 +52,29 @@ const char* observer_word(const CameraSettings& camera) {
   return camera.motion == ObserverMotion::fixed ? "a static" : "an orbiting";
 }
 
+//! Gives a key with a place the velocity that its table says, if it says one: all keys do, or none.
+void take_velocity(TomlTable& table, const std::string& file, const Show& show, CameraKey& key) {
+  const WrittenMotion written = read_motion(table, "velocity", file, {});
+  if (!show.camera.keys.empty() && table.has("velocity") != show.camera.keys.front().velocity.has_value()) {
+    throw table.error_at("velocity", table.has("velocity") ? "is not there at the keys before" : "is missing",
+                         "give all keys of the camera a velocity, or none");
+  }
+  if (!table.has("velocity")) {
+    return;
+  }
+  if (show.camera.fall) {
+    throw table.error_at("velocity", "is for a camera that its keys lead all the way",
+                         "write it in [camera.fall], or leave the fall out");
+  }
+  const Vector3<double> v =
+      observer_velocity(written.motion, spin_at(show, key.time_s), key.r, key.theta, written.velocity);
+  if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
+    throw table.error_at("velocity", fmt::format("would outrun light at r = {} M", key.r),
+                         "lead the camera further out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
+  }
+  key.velocity = v;
+}
+
 //! A key comes after those before it, and not at once after a fall.
 void check_time(const TomlTable& table, const CameraSettings& camera, const CameraKey& key) {
   if (!camera.keys.empty()) {
@@ -76,7 +100,7 @@ void check_key(const TomlTable& table, double spin, const CameraSettings& camera
     throw table.error_at("r", fmt::format("is {} M, inside the horizon at {:.6g} M", key.r, horizon),
                          fmt::format("choose r above {:.6g}", horizon));
   }
-  if (outruns_light(camera, spin, key.r, key.theta)) {
+  if (!key.velocity && outruns_light(camera, spin, key.r, key.theta)) {
     throw table.error_at(
         "r", fmt::format("is {} M, where {} observer would outrun light", key.r, observer_word(camera)),
         camera.motion == ObserverMotion::fixed
@@ -127,6 +151,9 @@ void check_ways(const std::vector<const toml::table*>& tables, const std::string
   // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
   constexpr double safe_r = 4.0;
   const ObserverMotion motion = show.camera.motion;
+  if (show.camera.keys.front().velocity) {
+    return;
+  }
   if (motion != ObserverMotion::fixed && motion != ObserverMotion::geodesic && motion != ObserverMotion::retrograde) {
     return;
   }
@@ -176,6 +203,7 @@ void read_camera(const toml::table* table, const std::string& file, Show& show) 
     }
     check_time(each, show.camera, key);
     if (!falls) {
+      take_velocity(each, file, show, key);
       check_key(each, spin_at(show, key.time_s), show.camera, key);
     }
     each.refuse_unknown_keys();

@@ -41,6 +41,8 @@ struct CameraKey {
   double roll = 0.0;         //!< clockwise [rad]
   double hold_s = 0.0;       //!< the camera stays so long before it goes on
   Ease ease = Ease::smooth;  //!< on the way from here to the next key; Ease::hold is for numbers alone
+  //! Of who looks from here, in the ZAMO frame; absent: as CameraSettings says. All keys have one, or none.
+  std::optional<Vector3<double>> velocity = std::nullopt;
 };
 
 struct CameraSettings {

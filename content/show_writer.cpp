@@ -49,7 +49,9 @@ toml::table fall_of(const FallSettings& fall) {
 
 toml::table camera_of(const CameraSettings& camera) {
   toml::table table;
-  insert_motion(table, "observer", camera.motion, camera.velocity);
+  if (camera.keys.empty() || !camera.keys.front().velocity) {
+    insert_motion(table, "observer", camera.motion, camera.velocity);
+  }
   toml::array keys;
   for (const CameraKey& key : camera.keys) {
     toml::table each{{"t_s", key.time_s},
@@ -60,6 +62,9 @@ toml::table camera_of(const CameraSettings& camera) {
       each.insert("r", key.r);
       each.insert("theta_deg", degrees_of(key.theta, 0.0, 180.0));
       each.insert("phi_deg", degrees_of(key.phi));
+    }
+    if (key.velocity) {
+      insert_motion(each, "velocity", ObserverMotion::velocity, *key.velocity);
     }
     if (key.look.kind == LookTarget::Kind::direction) {
       each.insert("look", vector_of(key.look.direction));
