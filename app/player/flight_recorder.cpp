@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "content/proper_velocity.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -14,6 +15,7 @@ constexpr std::size_t most_samples = 30 * 3600;
 
 bool is_finite(const CameraPose& pose) {
   return std::isfinite(pose.r) && std::isfinite(pose.theta) && std::isfinite(pose.phi) &&
+         (!pose.velocity || dot(*pose.velocity, *pose.velocity) < 1.0) &&
          std::isfinite(pose.orientation.w + pose.orientation.x + pose.orientation.y + pose.orientation.z);
 }
 
@@ -27,7 +29,13 @@ double deviation(const CameraPose& path, const CameraPose& note, const RecordTol
       2.0 * std::acos(std::min(1.0, std::abs(glm::dot(glm::normalize(path.orientation), note.orientation))));
   const double moved = glm::length(direction_of(path) - direction_of(note));
   const double radius = std::abs(path.r / note.r - 1.0);
-  return std::max({turned / tolerance.turn_rad, moved / tolerance.turn_rad, radius / tolerance.radius});
+  double speed = 0.0;
+  if (note.velocity) {
+    const Vector3<double> apart = proper_velocity(*path.velocity) - proper_velocity(*note.velocity);
+    speed = std::sqrt(dot(apart, apart));
+  }
+  return std::max(
+      {speed / tolerance.velocity, turned / tolerance.turn_rad, moved / tolerance.turn_rad, radius / tolerance.radius});
 }
 
 }  // namespace
@@ -38,6 +46,7 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
   key.r = pose.r;
   key.theta = pose.theta;
   key.phi = pose.phi;
+  key.velocity = pose.velocity;
   // The columns of yaw * pitch * roll, as key_orientation() multiplies them.
   const glm::dmat3 m = glm::mat3_cast(glm::normalize(glm::inverse(key_orientation(CameraKey())) * pose.orientation));
   const glm::dvec3& back = m[2];
@@ -70,6 +79,19 @@ void FlightRecorder::note(double time_s, const CameraPose& pose) {
 
 bool FlightRecorder::full() const { return samples_.size() >= most_samples; }
 
+std::vector<FlightRecorder::Sample> FlightRecorder::complete(const Show& scene) const {
+  std::vector<Sample> samples = samples_;
+  if (std::ranges::any_of(samples, [](const Sample& sample) { return sample.pose.velocity.has_value(); })) {
+    for (Sample& sample : samples) {
+      CameraPose& pose = sample.pose;
+      if (!pose.velocity) {
+        pose.velocity = observer_velocity(scene.camera.motion, scene.spin, pose.r, pose.theta, scene.camera.velocity);
+      }
+    }
+  }
+  return samples;
+}
+
 CameraKey FlightRecorder::key_of(const Sample& sample) const {
   return key_at(sample.time_s - samples_.front().time_s, sample.pose);
 }
@@ -77,14 +99,15 @@ CameraKey FlightRecorder::key_of(const Sample& sample) const {
 std::vector<CameraKey> FlightRecorder::keys(const Show& scene, const RecordTolerance& tolerance) const {
   Show path = scene;
   path.camera.orbit.reset();
+  const std::vector<Sample> samples = complete(scene);
   std::vector<std::size_t> chosen = {0};
-  if (samples_.size() > 1) {
-    chosen.push_back(samples_.size() - 1);
+  if (samples.size() > 1) {
+    chosen.push_back(samples.size() - 1);
   }
   while (true) {
     path.camera.keys.clear();
     for (const std::size_t i : chosen) {
-      path.camera.keys.push_back(key_of(samples_[i]));
+      path.camera.keys.push_back(key_of(samples[i]));
     }
     // The worst note of every span becomes a key, until there is none that is bad.
     std::vector<std::size_t> more;
@@ -92,8 +115,8 @@ std::vector<CameraKey> FlightRecorder::keys(const Show& scene, const RecordToler
       double worst = 1.0;
       std::size_t where = 0;
       for (std::size_t i = chosen[span] + 1; i < chosen[span + 1]; ++i) {
-        const double time_s = samples_[i].time_s - samples_.front().time_s;
-        const double off = deviation(camera_pose(path, time_s), samples_[i].pose, tolerance);
+        const double time_s = samples[i].time_s - samples_.front().time_s;
+        const double off = deviation(camera_pose(path, time_s), samples[i].pose, tolerance);
         if (off > worst) {
           worst = off;
           where = i;
@@ -119,6 +142,7 @@ Show recorded_show(const Show& scene, std::vector<CameraKey> keys, const std::st
   show.camera.keys = std::move(keys);
   show.camera.fall.reset();
   show.camera.orbit.reset();
+  show.camera.after_fall.clear();
   const auto place = [&](std::string& file) {
     const std::filesystem::path beside = std::filesystem::path(scene.folder) / file;
     std::error_code problem;

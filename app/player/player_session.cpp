@@ -97,7 +97,7 @@ void PlayerSession::advance(const PlayerInput& input) {
   changed_ = !begun_ || !same_picture(before, frame_);
   begun_ = true;
   if (recorder_) {
-    recorder_->note(now_s(), frame_.pose);
+    recorder_->note(now_s(), pose_to_record());
   }
 }
 
@@ -123,11 +123,10 @@ void PlayerSession::look(double seconds) {
   if (!flying()) {
     frame_.path_time_s = time_s;
   }
-  // On the way back to a fall who looks moves as that does already, so that nothing jumps where it is met.
-  const std::optional<Vector3<double>> falls =
+  // On the way back to a path that has velocities who looks moves as that does already, so that nothing jumps where it is met.
+  const std::optional<Vector3<double>> moves =
       navigator_->course() == Navigator::Course::returning ? camera_pose(show_, time_s).velocity : frame_.pose.velocity;
-  const std::optional<ObserverView> own =
-      falls ? falling_observer(*falls, language) : navigator_->own_observer(language);
+  const std::optional<ObserverView> own = moves ? observer_at(*moves) : navigator_->own_observer(language);
   const ObserverView wanted =
       observer_view(observer_, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, language);
   frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
@@ -145,6 +144,13 @@ void PlayerSession::look(double seconds) {
   frame_.language = language;
   frame_.captions = playback_.captions();
   frame_.light = playback_.light();
+}
+
+ObserverView PlayerSession::observer_at(const Vector3<double>& velocity) const {
+  const std::string& language = playback_.language();
+  return show_.camera.orbit != nullptr ? falling_observer(velocity, language)
+                                       : observer_of(ObserverMotion::velocity, velocity, show_now_.spin, frame_.pose.r,
+                                                     frame_.pose.theta, language);
 }
 
 double PlayerSession::field_of_view_deg() const {
@@ -288,6 +294,17 @@ std::string PlayerSession::caption() const {
   return text;
 }
 
+CameraPose PlayerSession::pose_to_record() const {
+  CameraPose pose = frame_.pose;
+  const ObserverView& seen = frame_.observer;
+  const bool as_the_show = seen.motion == show_.camera.motion && (seen.motion != ObserverMotion::velocity ||
+                                                                  same_vector(seen.velocity, show_.camera.velocity));
+  if (!pose.velocity && !as_the_show) {
+    pose.velocity = observer_velocity(seen.motion, show_now_.spin, pose.r, pose.theta, seen.velocity);
+  }
+  return pose;
+}
+
 void PlayerSession::record() { recorder_.emplace(); }
 
 std::optional<Show> PlayerSession::recorded(const std::string& title) const {
@@ -296,10 +313,6 @@ std::optional<Show> PlayerSession::recorded(const std::string& title) const {
   }
   Show scene = show_now_;
   scene.stereo = frame_.stereo;
-  // A show has one observer, and this one looks from everywhere that a fall comes to.
-  const bool falls = show_.camera.orbit != nullptr;
-  scene.camera.motion = falls ? ObserverMotion::zamo : frame_.observer.motion;
-  scene.camera.velocity = falls ? Vector3<double>{} : frame_.observer.velocity;
   return recorded_show(scene, recorder_->keys(scene), title);
 }
 

@@ -67,6 +67,40 @@ TEST(FlightRecorder, MakesAPathThatStaysNearEveryNote) {
   }
 }
 
+//! A velocity that changes as that of a fall past the hole does.
+Vector3<double> flight_velocity_at(double t) {
+  return {-0.6 * std::cos(0.2 * t), 0.1 * std::sin(0.3 * t), 0.7 * std::sin(0.2 * t)};
+}
+
+TEST(FlightRecorder, KeepsHowWhoLooksMoves) {
+  FlightRecorder recorder;
+  for (int i = 0; i <= 300; ++i) {
+    CameraPose pose = flight_at(i / 30.0);
+    pose.velocity = flight_velocity_at(i / 30.0);
+    recorder.note(i / 30.0, pose);
+  }
+  Show path = load_show("free-flight");
+  path.camera.keys = recorder.keys(path);
+  EXPECT_LT(path.camera.keys.size(), 100U);
+  for (int i = 0; i <= 300; ++i) {
+    const Vector3<double> off = *camera_pose(path, i / 30.0).velocity - flight_velocity_at(i / 30.0);
+    ASSERT_LT(std::sqrt(dot(off, off)), 1.01e-3) << i;
+  }
+}
+
+TEST(FlightRecorder, GivesOthersNotesTheVelocityOfTheScenesObserver) {
+  Show scene = load_show("free-flight");
+  scene.camera.motion = ObserverMotion::rain;
+  FlightRecorder recorder;
+  recorder.note(0.0, flight_at(0.0));
+  CameraPose pose = flight_at(1.0);
+  pose.velocity = Vector3<double>{0.0, 0.0, 0.3};
+  recorder.note(1.0, pose);
+  const auto keys = recorder.keys(scene);
+  EXPECT_NEAR(keys.front().velocity->x,
+              observer_velocity(ObserverMotion::rain, scene.spin, keys.front().r, keys.front().theta, {}).x, 1e-14);
+}
+
 TEST(FlightRecorder, NeedsFarFewerKeysThanNotes) {
   EXPECT_LT(recorded(30.0).keys(load_show("free-flight")).size(), 900U / 5U);
 }
@@ -113,6 +147,20 @@ TEST_F(RecordedShow, IsReadAgainWithTheSamePath) {
   for (double t = 0.0; t < 5.0; t += 0.1) {
     EXPECT_NEAR(camera_pose(read, t).r, camera_pose(show, t).r, 1e-9);
     EXPECT_LT(angle_between(camera_pose(read, t).orientation, camera_pose(show, t).orientation), 1e-6);
+  }
+}
+
+TEST_F(RecordedShow, IsReadAgainWithTheSameVelocities) {
+  const Show scene = load_show("free-flight");
+  std::vector<CameraKey> keys = recorded(5.0).keys(scene);
+  for (CameraKey& key : keys) {
+    key.velocity = flight_velocity_at(key.time_s);
+  }
+  const Show show = recorded_show(scene, keys, "A flight");
+  const Show read = parse_show(to_toml(show), (folder_ / "flight.toml").string());
+  for (double t = 0.0; t < 5.0; t += 0.5) {
+    const Vector3<double> off = *camera_pose(read, t).velocity - *camera_pose(show, t).velocity;
+    EXPECT_LT(std::sqrt(dot(off, off)), 1e-9);
   }
 }
 

@@ -212,5 +212,43 @@ TEST_F(PlayerSessionTest, RecordsWhatItShows) {
   EXPECT_NEAR(camera_pose(*show, show->duration_s).r, session.frame().pose.r, 0.02);
 }
 
+//! How far apart what two cameras' observers see is, in velocities.
+double observers_apart(const CameraPose& a, const CameraPose& b) {
+  const Vector3<double> apart = *a.velocity - *b.velocity;
+  return std::sqrt(dot(apart, apart));
+}
+
+TEST_F(PlayerSessionTest, RecordsAFallAsItWasSeen) {
+  PlayerSession session = session_on(falling_show);
+  run(session, 3.0);
+  session.record();
+  run(session, 1.0 / 60.0);
+  const CameraPose first = session.frame().pose;
+  run(session, 4.0);
+  const Show show = parse_show(to_toml(session.recorded("A flight").value()), "flight.toml");
+  EXPECT_LT(observers_apart(camera_pose(show, 0.0), first), 1e-9);
+  EXPECT_LT(observers_apart(camera_pose(show, show.duration_s), session.frame().pose), 2e-3);
+}
+
+TEST_F(PlayerSessionTest, RecordsAnotherObserverWhomOneLooksAs) {
+  PlayerSession session = session_on(orbiting_show);
+  session.record();
+  for (int i = 0; i < 5; ++i) {
+    session.advance(pressing(KeyAction::next_observer));
+  }
+  run(session, 3.0);
+  const CameraPose now = session.frame().pose;
+  const Show show = session.recorded("A flight").value();
+  const CameraPose then = camera_pose(show, show.duration_s);
+  EXPECT_NEAR(then.velocity->x, observer_velocity(ObserverMotion::rain, show.spin, now.r, now.theta, {}).x, 2e-3);
+}
+
+TEST_F(PlayerSessionTest, RecordsTheShowsOwnObserverByItsName) {
+  PlayerSession session = session_on(orbiting_show);
+  session.record();
+  run(session, 2.0);
+  EXPECT_FALSE(session.recorded("A flight")->camera.keys.front().velocity.has_value());
+}
+
 }  // namespace
 }  // namespace ergodome
