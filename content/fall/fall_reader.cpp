@@ -10,6 +10,7 @@
 #include "content/motion_reader.h"
 #include "content/own_number.h"
 #include "content/show_reader.h"
+#include "content/timeline_reader.h"
 #include "kernels/metric/kerr.h"
 
 namespace ergodome {
