@@ -34,9 +34,9 @@ struct BakeResult {
 //! too.
 //!
 //! Between two camera keys r and θ run monotonously; a stretch whose ends, blended, miss traced rays by more than the budget at a
-//! quarter or half of it, and by more than they do at their own places, is divided. With parts, every stretch that touches this part is
-//! looked at, so that the parts of a bake together hold what a whole bake needs. `proceed` is told the show time up to which all is
-//! done; false stops the bake with an Error.
+//! quarter or half of it, and by more than they do at their own places, is divided. A station that would miss by nearly as
+//! much at its own place is built finer. With parts, every stretch that touches this part is looked at, so that the parts of a bake together
+//! hold what a whole bake needs. `proceed` is told the show time up to which all is done; false stops the bake with an Error.
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,
                            const std::function<bool(double)>& proceed);
 
