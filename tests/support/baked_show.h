@@ -29,10 +29,12 @@ inline Show show_with_disk(bool clouds = false) {
   return show;
 }
 
-//! Bakes a show for pictures of a width to a finished file.
-inline void bake_to(const Show& show, const std::filesystem::path& file, double pixel, bool derivatives = true) {
+//! Bakes a show for pictures of a width, and errors up to a budget, to a finished file.
+inline void bake_to(const Show& show, const std::filesystem::path& file, double pixel, bool derivatives = true,
+                    double budget_px = 0.25) {
   BakeSettings settings;
   settings.pixel = pixel;
+  settings.budget_px = budget_px;
   settings.derivatives = derivatives;
   const std::filesystem::path part = file.string() + ".part";
   TrajectoryJournal journal(part, provenance_of(show, settings));

@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "kernels/projection/pixel_measure.h"
+#include "render/frame/show_renderer.h"
+#include "render/frame/view_projection.h"
+#include "tests/support/baked_show.h"
+#include "tests/support/folder_test.h"
+#include "tests/support/tiny_sky.h"
+
+namespace ergodome {
+namespace {
+
+//! A camera that falls past the hole for two seconds and then glides away, for small pictures.
+Show falling_past() {
+  return parse_show(
+      "duration_s = 3\n[hole]\nspin = 0.7\n[camera]\n[camera.fall]\nclock = 8\nuntil_s = 2\nease_s = 0.5\n"
+      "velocity = { beta = 0.7, toward = [-0.7, 0.1, 1] }\n[[camera.key]]\nr = 9\ntheta_deg = 70\nyaw_deg = 40\n"
+      "[[camera.key]]\nt_s = 3\nr = 8\ntheta_deg = 80\nphi_deg = 200\nyaw_deg = 40\n"
+      "[effects]\nredshift = true\n[view]\nsize_px = 48\n[quality]\nbudget_px = 0.5\n",
+      "falling.toml");
+}
+
+//! A fall that is baked, and renderers of its frames.
+class FallingBake : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    show_.sky.map = test::tiny_sky();
+    const Projection projection = make_projection(show_.view, show_.view.size_px, 0.0);
+    test::bake_to(show_, file(), pixel_angle(projection), true, show_.quality.budget_px);
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "falling.trajectory"; }
+
+  [[nodiscard]] ShowRenderer streamed() const {
+    return {show_, Backend::cpu, LensChoice::automatic,
+            std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(file()), StationStream::default_memory_bytes,
+                                            [](const std::string&) {})};
+  }
+
+  Show show_ = falling_past();
+};
+
+Picture frame_at(ShowRenderer& renderer, double time_s) { return renderer.render(time_s, {}).front().picture; }
+
+//! The part of a picture whose light is not between that of another's pixels there and next to it.
+double displaced_part(const Picture& picture, const Picture& other) {
+  constexpr float rounding = 1e-3F;
+  const int size = other.width;
+  int beyond = 0;
+  int inside = 0;
+  for (int y = 1; y + 1 < size; ++y) {
+    for (int x = 1; x + 1 < size; ++x) {
+      float least = INFINITY;
+      float most = -INFINITY;
+      for (int k = 0; k < 9; ++k) {
+        const float light = other.rgba[4 * ((y + k / 3 - 1) * size + x + k % 3 - 1)];
+        least = std::min(least, light);
+        most = std::max(most, light);
+      }
+      const float light = picture.rgba[4 * (y * size + x)];
+      inside += most > 0.0F ? 1 : 0;
+      beyond += light < least - rounding || light > most + rounding ? 1 : 0;
+    }
+  }
+  return static_cast<double>(beyond) / inside;
+}
+
+// Streamed and live lenses are each within half a pixel of the exact one in all but a hundredth of the sky, and so within a pixel of each
+// other in all but two: what is seen there is between what is seen next to it. Not so in pixels on the shadow's edge, which see the whole sky
+// in themselves; they are another two hundredths.
+TEST_F(FallingBake, ShowsTheLivePictureInTheFallAndAfterIt) {
+  ShowRenderer streaming = streamed();
+  ShowRenderer live(show_, Backend::cpu, LensChoice::live);
+  for (const double time_s : {0.9, 1.7, 2.3}) {
+    const Picture picture = frame_at(streaming, time_s);
+    ASSERT_STREQ(picture.lens, "streamed") << time_s;
+    EXPECT_LT(displaced_part(picture, frame_at(live, time_s)), 0.04) << time_s;
+  }
+}
+
+TEST_F(FallingBake, LooksOtherwiseToAnObserverWhoDoesNotFall) {
+  ShowRenderer streaming = streamed();
+  ShowRenderer live(show_, Backend::cpu, LensChoice::live);
+  CameraPose pose = camera_pose(show_, 0.9);
+  pose.velocity.reset();
+  const Picture hovering =
+      live.render_eye(pose, 0.0, make_projection(show_.view, show_.view.size_px, 0.0), ViewMode::sky);
+  EXPECT_GT(displaced_part(frame_at(streaming, 0.9), hovering), 0.2);
+}
+
+TEST_F(FallingBake, GivesAFrameTheSamePictureAloneAndInASequence) {
+  ShowRenderer sequence = streamed();
+  Picture last;
+  for (const double time_s : {0.3, 1.2, 2.9, 0.0, 1.6, 1.7}) {
+    last = frame_at(sequence, time_s);
+  }
+  ShowRenderer alone = streamed();
+  EXPECT_EQ(frame_at(alone, 1.7).rgba, last.rgba);
+}
+
+}  // namespace
+}  // namespace ergodome
