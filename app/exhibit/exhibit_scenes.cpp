@@ -42,6 +42,14 @@ bool ExhibitScenes::advance(double now_s, bool touched, bool chord_held) {
   return exhibit_.advance(now_s, touched);
 }
 
+void ExhibitScenes::renew(const Show& show) {
+  for (Show* const own : {&visitor_, &attract_}) {
+    if (own->name == show.name && own->folder == show.folder) {
+      *own = show;
+    }
+  }
+}
+
 std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (const auto left_s = exhibit_.ending_in_s()) {
     const int seconds = static_cast<int>(std::ceil(*left_s));

@@ -29,8 +29,8 @@ class ExhibitScenes {
   [[nodiscard]] ExhibitScene scene() const { return exhibit_.scene(); }
   //! The scene's show.
   [[nodiscard]] const Show& show() const { return scene() == ExhibitScene::visitor ? visitor_ : attract_; }
-  //! Another version of the scene's show, for now and whenever the scene comes again.
-  void renew(const Show& show) { (scene() == ExhibitScene::visitor ? visitor_ : attract_) = show; }
+  //! Another version of a scene's show, or of both scenes' where they have one, for now and whenever the scene comes again.
+  void renew(const Show& show);
   //! Whether an operator has held the chord long enough.
   [[nodiscard]] bool left() const { return left_; }
 

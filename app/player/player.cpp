@@ -101,7 +101,6 @@ void Player::begin(const Show& show, bool free_flight) {
   }
   services_.drive(session_->playback());
   services_.set_show(show, options_.read_at, options_.load);
-  coming_.reset();
   if (exhibit_) {
     for (const TransportCommand& command : exhibit_->kept_commands()) {
       session_->playback().apply(command);
@@ -182,6 +181,10 @@ void Player::advance_exhibit(PlayerInput& input) {
 
 void Player::change_scene() {
   const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
+  if (renderers_.renews()) {
+    // It is read again when its scene is there again.
+    services_.forget_version();
+  }
   renderers_.enter(exhibit_->scene(), exhibit_->show());
   begin(exhibit_->show(), visitor);
   services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
@@ -256,7 +259,7 @@ void Player::note(PictureNews news) {
   failures_ = news == PictureNews::problem ? failures_ + 1 : 0;
   if (news == PictureNews::hang || failures_ >= most_failures) {
     failures_ = 0;
-    renderers_.lose(coming_ ? *coming_ : session_->show());
+    renderers_.lose(session_->show());
   }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());

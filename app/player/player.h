@@ -65,8 +65,8 @@ class Player {
   void answer_requests();
   void reload(bool now);
   void take_renderer();
-  //! The version of the show that is on its way is the one that runs from now on, or cannot be.
-  void take_version();
+  //! A version of the show is the one that runs from now on, or cannot be.
+  void take_version(const Show& show);
   void refuse_version(const std::string& problem);
   void tell_notes();
   void update_picture();
@@ -91,7 +91,6 @@ class Player {
   PlayerScreen screen_;
   SceneRenderers renderers_;
   std::optional<PlayerSession> session_;
-  std::optional<Show> coming_;  //!< a version of the show that was read, while its renderer is made
   PlayerInputs inputs_;
   PadHub pads_;
   PadSnapshot pad_snapshot_;

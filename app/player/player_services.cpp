@@ -81,13 +81,18 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
 void PlayerServices::set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {
   const std::filesystem::path file = file_of(show);
   reload_ = &watched_.try_emplace(file, file, show, read_at, std::move(load)).first->second;
+  reload_problem_.clear();
   take_version(show);
+}
+
+void PlayerServices::forget_version() {
+  std::erase_if(watched_, [&](const auto& of) { return &of.second == reload_; });
+  reload_ = nullptr;
 }
 
 void PlayerServices::refuse_version(const std::string& problem) { reload_problem_ = problem; }
 
 void PlayerServices::take_version(const Show& show) {
-  reload_problem_.clear();
   if (sound_) {
     sound_->set_soundtrack(soundtrack_of(show));
   }

@@ -37,6 +37,8 @@ class PlayerServices {
   void set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);
   //! Another version of the show is the one that runs now.
   void take_version(const Show& show);
+  //! The version that was read last did not come to run: it is to be read again when its show runs again.
+  void forget_version();
   //! Why the version that was read last cannot be the one that runs.
   void refuse_version(const std::string& problem);
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "app/player/player.h"
 
 // What a player does where its show's file, or one that this names, has been saved.
@@ -14,16 +12,14 @@ void Player::reload(bool now) {
   }
   if (result->show) {
     // What runs goes on until all of the new version is there.
-    coming_ = std::move(result->show);
-    renderers_.renew(*coming_);
+    renderers_.renew(*result->show);
   } else {
     services_.tell(spdlog::level::err, result->problem);
     refuse_version(result->problem);
   }
 }
 
-void Player::take_version() {
-  const Show show = *std::exchange(coming_, std::nullopt);
+void Player::take_version(const Show& show) {
   session_->set_show(show);
   services_.take_version(show);
   if (exhibit_) {
@@ -33,7 +29,6 @@ void Player::take_version() {
 }
 
 void Player::refuse_version(const std::string& problem) {
-  coming_.reset();
   services_.refuse_version(problem);
   if (!exhibit_) {
     session_->say(problem);
@@ -41,15 +36,15 @@ void Player::refuse_version(const std::string& problem) {
 }
 
 void Player::take_renderer() {
-  const SceneRenderers::News news = renderers_.advance(coming_ ? *coming_ : session_->show());
+  const SceneRenderers::News news = renderers_.advance(session_->show());
   services_.tell(spdlog::level::err, news.problem);
   if (news.another) {
     failures_ = 0;
-    if (coming_) {
-      take_version();
+    if (news.version) {
+      take_version(*news.version);
     }
     session_->show_again();
-  } else if (coming_ && !news.problem.empty()) {
+  } else if (news.version) {
     refuse_version(news.problem);
   }
 }

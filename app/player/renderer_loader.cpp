@@ -6,21 +6,22 @@
 
 namespace ergodome {
 
-void RendererLoader::begin(Show show) {
-  work_ = std::async(std::launch::async, [make = make_, show = std::move(show)]() -> Loaded {
+void RendererLoader::begin(Order order) {
+  version_ = order.version;
+  work_ = std::async(std::launch::async, [make = make_, order = std::move(order)]() -> Loaded {
     try {
-      return {make(show), ""};
+      return {make(order.show), "", order};
     } catch (const std::exception& problem) {
-      return {nullptr, problem.what()};
+      return {nullptr, problem.what(), order};
     }
   });
 }
 
-void RendererLoader::load(Show show) {
+void RendererLoader::load(Order order) {
   if (work_.valid()) {
-    next_ = std::move(show);
+    next_ = std::move(order);
   } else {
-    begin(std::move(show));
+    begin(std::move(order));
   }
 }
 

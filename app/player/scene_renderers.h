@@ -24,15 +24,19 @@ class SceneRenderers {
   void enter(ExhibitScene scene, const Show& show);
 
   //! Makes a renderer for another version of the scene's show; the old one is in use until it is there.
-  void renew(const Show& show) { loader_.load(show); }
+  void renew(const Show& show) { loader_.load({show, true}); }
+  //! Whether such a version is on its way.
+  [[nodiscard]] bool renews() const { return loader_.loads_version(); }
 
-  //! Gives up the renderer in use, which fails or hangs, and begins to make another one.
+  //! Gives up the renderer in use, which fails or hangs, and begins to make another one, if none is on its way.
   void lose(const Show& show);
 
-  //! Once a frame: takes what was made for `show`. Whether there is another renderer in use now; or why there is none, a sentence each time.
+  //! Once a frame: takes what was made for `show`, or for another version of it. Whether there is another renderer in use now; or why there is none,
+  //! a sentence each time. Renderers that other scenes have of a show that has another version are given up.
   struct News {
     bool another = false;
     std::string problem;
+    std::optional<Show> version{};  //!< the one that is in use from now on, or, with a problem, cannot be
   };
   News advance(const Show& show);
 

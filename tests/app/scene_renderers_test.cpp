@@ -90,6 +90,52 @@ TEST_F(SceneRenderersTest, TheOldVersionIsInUseUntilTheNewOneIsThere) {
   EXPECT_NE(renderers.current(), first);
 }
 
+TEST_F(SceneRenderersTest, AVersionComesWithItsRendererAndEndsThoseOfOtherScenes) {
+  SceneRenderers renderers(make_);
+  renderers.prepare(ExhibitScene::visitor, show("a"));
+  renderers.prepare(ExhibitScene::attract, show("a"));
+  renderers.enter(ExhibitScene::attract, show("a"));
+  Show next = show("a");
+  next.title = "Next";
+  renderers.renew(next);
+  EXPECT_TRUE(renderers.renews());
+  std::optional<Show> version;
+  for (int i = 0; i < 2000 && !version; ++i) {
+    version = renderers.advance(show("a")).version;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_TRUE(version);
+  EXPECT_EQ(version->title, "Next");
+  EXPECT_EQ(renderers.current()->show().title, "Next");
+  EXPECT_FALSE(renderers.renews());
+  renderers.enter(ExhibitScene::visitor, next);
+  EXPECT_EQ(renderers.current(), nullptr) << "the old version's";
+}
+
+TEST_F(SceneRenderersTest, AVersionThatCannotBeMadeIsToldAndTheOldOneIsInUse) {
+  std::atomic<bool> broken = false;
+  SceneRenderers renderers([&](const Show& any) {
+    if (broken) {
+      throw std::runtime_error("no sky");
+    }
+    return make_(any);
+  });
+  renderers.prepare(ExhibitScene::attract, show("a"));
+  renderers.enter(ExhibitScene::attract, show("a"));
+  const auto first = renderers.current();
+  broken = true;
+  renderers.renew(show("a"));
+  SceneRenderers::News news;
+  for (int i = 0; i < 2000 && news.problem.empty(); ++i) {
+    news = renderers.advance(show("a"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_EQ(news.problem, "no sky");
+  EXPECT_FALSE(news.another);
+  EXPECT_TRUE(news.version);
+  EXPECT_EQ(renderers.current(), first);
+}
+
 TEST_F(SceneRenderersTest, WhatFailsIsToldAndTriedAgain) {
   std::atomic<int> tries = 0;
   SceneRenderers renderers([&](const Show& any) {

@@ -108,7 +108,8 @@ class Soak {
               [this] { return seconds(); }),
         flow_([this](const PictureAnswer& answer) { blank_ += answer.picture.rgba.empty() ? 1 : 0; }, picture_px),
         log_(open_log(folder / "log" / "ergodome.log", {})),
-        reload_(file_, exhibit_.show(), [](const std::filesystem::path& path) { return read_show(path); }) {
+        reload_(file_, exhibit_.show(), std::chrono::system_clock::now() + std::chrono::seconds(1),
+                [](const std::filesystem::path& path) { return read_show(path); }) {
     inputs_.set_lock(InputLock::visitors);
     begin();
   }
