@@ -62,12 +62,12 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
   return key;
 }
 
-void FlightRecorder::note(double time_s, const CameraPose& pose) {
+void FlightRecorder::note(double time_s, const CameraPose& pose, bool as_observer) {
   if (full() || !std::isfinite(time_s) || !is_finite(pose) ||
       (!samples_.empty() && !(time_s - samples_.back().time_s >= shortest_s))) {
     return;
   }
-  Sample sample = {time_s, pose};
+  Sample sample = {time_s, pose, as_observer};
   sample.pose.orientation = glm::normalize(pose.orientation);
   if (!samples_.empty()) {
     // Azimuths go on from each other: a camera that crosses 2 pi, or flies over the axis, has not been round the hole.
@@ -79,14 +79,11 @@ void FlightRecorder::note(double time_s, const CameraPose& pose) {
 
 bool FlightRecorder::full() const { return samples_.size() >= most_samples; }
 
-std::vector<FlightRecorder::Sample> FlightRecorder::complete(const Show& scene) const {
+std::vector<FlightRecorder::Sample> FlightRecorder::needed() const {
   std::vector<Sample> samples = samples_;
-  if (std::ranges::any_of(samples, [](const Sample& sample) { return sample.pose.velocity.has_value(); })) {
+  if (std::ranges::all_of(samples, &Sample::as_observer)) {
     for (Sample& sample : samples) {
-      CameraPose& pose = sample.pose;
-      if (!pose.velocity) {
-        pose.velocity = observer_velocity(scene.camera.motion, scene.spin, pose.r, pose.theta, scene.camera.velocity);
-      }
+      sample.pose.velocity.reset();
     }
   }
   return samples;
@@ -99,7 +96,7 @@ CameraKey FlightRecorder::key_of(const Sample& sample) const {
 std::vector<CameraKey> FlightRecorder::keys(const Show& scene, const RecordTolerance& tolerance) const {
   Show path = scene;
   path.camera.orbit.reset();
-  const std::vector<Sample> samples = complete(scene);
+  const std::vector<Sample> samples = needed();
   std::vector<std::size_t> chosen = {0};
   if (samples.size() > 1) {
     chosen.push_back(samples.size() - 1);

@@ -13,31 +13,33 @@ namespace ergodome {
 struct RecordTolerance {
   double turn_rad = 1e-3;  //!< of the view, and of the place seen from the hole
   double radius = 1e-3;    //!< part of the radius
-  double velocity = 1e-3;  //!< of who looks, as a proper velocity: what is seen is shifted by no larger an angle [rad]
+  double velocity =
+      5e-4;  //!< of who looks, as a proper velocity: what is seen is shifted by less than twice that angle [rad]
 };
 
 //! Writes down a flight, so that it becomes the camera path of a show.
 class FlightRecorder {
  public:
-  //! Notes where the camera is at a time that grows, and how who looks moves where that is not as the scene's observer; a time that does not, or a place that is no number, is passed over. Thirty a second
-  //! are kept at most, for an hour; then it is full.
-  void note(double time_s, const CameraPose& pose);
+  //! Notes where the camera is at a time that grows, and how who looks moves; `as_observer`: that is as the scene's observer does. A time that does
+  //! not grow, or a place or velocity that is none, is passed over. Thirty a second are kept at most, for an hour; then it is full.
+  void note(double time_s, const CameraPose& pose, bool as_observer = false);
 
   [[nodiscard]] bool empty() const { return samples_.size() < 2; }
   [[nodiscard]] bool full() const;
 
   //! The flight as few camera keys: camera_pose() of them is within the tolerance of every note. The first is at 0 s. They have
-  //! velocities if one note has; `scene`'s observer gives those of the others.
+  //! velocities unless all notes are as the scene's observer.
   [[nodiscard]] std::vector<CameraKey> keys(const Show& scene, const RecordTolerance& tolerance = {}) const;
 
  private:
   struct Sample {
     double time_s;
     CameraPose pose;
+    bool as_observer;
   };
   [[nodiscard]] CameraKey key_of(const Sample& sample) const;
-  //! The notes, with velocities all or none.
-  [[nodiscard]] std::vector<Sample> complete(const Show& scene) const;
+  //! The notes, without velocities where the scene's observer has them all.
+  [[nodiscard]] std::vector<Sample> needed() const;
 
   std::vector<Sample> samples_;
 };

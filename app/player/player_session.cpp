@@ -97,7 +97,7 @@ void PlayerSession::advance(const PlayerInput& input) {
   changed_ = !begun_ || !same_picture(before, frame_);
   begun_ = true;
   if (recorder_) {
-    recorder_->note(now_s(), pose_to_record());
+    note_flight();
   }
 }
 
@@ -294,15 +294,16 @@ std::string PlayerSession::caption() const {
   return text;
 }
 
-CameraPose PlayerSession::pose_to_record() const {
+void PlayerSession::note_flight() {
   CameraPose pose = frame_.pose;
   const ObserverView& seen = frame_.observer;
-  const bool as_the_show = seen.motion == show_.camera.motion && (seen.motion != ObserverMotion::velocity ||
-                                                                  same_vector(seen.velocity, show_.camera.velocity));
-  if (!pose.velocity && !as_the_show) {
+  const bool as_observer =
+      !pose.velocity && seen.motion == show_.camera.motion &&
+      (seen.motion != ObserverMotion::velocity || same_vector(seen.velocity, show_.camera.velocity));
+  if (!pose.velocity) {
     pose.velocity = observer_velocity(seen.motion, show_now_.spin, pose.r, pose.theta, seen.velocity);
   }
-  return pose;
+  recorder_->note(now_s(), pose, as_observer);
 }
 
 void PlayerSession::record() { recorder_.emplace(); }

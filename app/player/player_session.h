@@ -86,8 +86,8 @@ class PlayerSession {
   void look(double seconds);
   //! Who looks from a path that has a velocity.
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
-  //! The frame's pose, with a velocity wherever it is not the show's observer who looks.
-  [[nodiscard]] CameraPose pose_to_record() const;
+  //! Notes the frame's pose, and how who looks moves.
+  void note_flight();
   [[nodiscard]] StereoSettings stereo_now() const;
   [[nodiscard]] double field_of_view_deg() const;
 
