@@ -57,21 +57,24 @@ bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) 
     return false;
   }
   clock_ = clock;
+  taken_over_ = true;
   return true;
 }
 
-double OrbitRide::fastest_clock(double reach) const {
+double OrbitRide::comfortable_clock(double reach) const {
   const OrbitState now = rate();
-  const double r = 1.0 / orbit_.u;
-  const double r_rate = -now.u * r * r;
   const double turn = std::sqrt(dot(now.m, now.m)) + std::abs(now.drag);
   // The orbit's own bend, and the scale of distances that changes on the way, take a part of the acceleration.
   const double bend = (1.0 / reach + 2.0 * turn) / reach;
-  double fastest =
+  const double fastest =
       std::min({fastest_turn_ / std::max(turn, 1e-12), fastest_ * reach, std::sqrt(bend_part * accel_ / bend)});
   // An orbit that falls far out may be watched; what it comes near to slows it.
-  fastest = std::min(fastest, 1e6 * usual_clock_);
-  return fastest * space_.slowing(r, r_rate * fastest);
+  return std::min(fastest, 1e6 * usual_clock_);
+}
+
+double OrbitRide::slowed(double clock) const {
+  const double r = 1.0 / orbit_.u;
+  return clock * space_.slowing(r, -rate().u * r * r * clock);
 }
 
 void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
@@ -79,10 +82,12 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
   const double beta = std::sqrt(dot(v, v));
   const double length_per_clock = std::max(beta / std::sqrt(1.0 - beta * beta), 1e-6);
   const double reach = space_.distance(place.r) / length_per_clock;  // clock in a distance
-  const double limit = fastest_clock(reach);
+  const double change = (1.0 - 2.0 * bend_part) * accel_ * seconds * reach;
+  const double comfortable = comfortable_clock(reach);
+  taken_over_ = taken_over_ && clock_ > comfortable;
+  const double limit = slowed(taken_over_ ? std::max(comfortable, clock_ - change) : comfortable);
   const double wish = std::min(usual_clock_ * (1.0 + 3.0 * std::clamp(hurry, 0.0, 1.0)), limit);
   held_ = limit < 0.05 * std::min(usual_clock_, fastest_ * reach);
-  const double change = (1.0 - 2.0 * bend_part) * accel_ * seconds * reach;
   clock_ = std::min(clock_ + std::clamp(wish - clock_, -change, change), limit);
   const OrbitState before = orbit_;
   advance_orbit(space_.spin(), constants_, clock_ * seconds, tolerance, step_limit, orbit_);

@@ -27,8 +27,10 @@ class OrbitRide {
   [[nodiscard]] bool held() const { return held_; }
 
  private:
-  //! The most time of the orbit [M] in a second of a visitor's that limits allow here; `reach` is the orbit's time [M] for a distance.
-  [[nodiscard]] double fastest_clock(double reach) const;
+  //! The most time of the orbit [M] in a second of a visitor's that comfort allows here; `reach` is the orbit's time [M] for a distance.
+  [[nodiscard]] double comfortable_clock(double reach) const;
+  //! A clock slowed down before the border of the space for visitors.
+  [[nodiscard]] double slowed(double clock) const;
   [[nodiscard]] OrbitState rate() const { return orbit_rate(space_.spin(), constants_, orbit_); }
 
   FlightSpace space_;
@@ -40,6 +42,7 @@ class OrbitRide {
   double fastest_;
   double accel_;
   bool held_ = false;
+  bool taken_over_ = false;  //!< from a path that went faster than comfort would: the clock is coming down to it
 };
 
 //! Velocity of a circular equatorial orbit at a radius, or the nearest possible one, along +φ where `sense` is positive.

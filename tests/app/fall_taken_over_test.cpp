@@ -9,17 +9,18 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-Show falling_past_the_hole(const std::string& flight) {
+Show falling_past_the_hole(const std::string& flight, int clock = 3) {
   return parse_show(
-      "duration_s = 200\n[hole]\nspin = 0.9\n[camera]\n[camera.fall]\nclock = 3\n"
-      "velocity = { beta = 0.38, toward = [-0.3, 0.2, 1] }\n[[camera.key]]\nr = 12\ntheta_deg = 80\n[flight]\n" +
+      "duration_s = 200\n[hole]\nspin = 0.9\n[camera]\n[camera.fall]\nclock = " + std::to_string(clock) +
+          "\n"
+          "velocity = { beta = 0.38, toward = [-0.3, 0.2, 1] }\n[[camera.key]]\nr = 12\ntheta_deg = 80\n[flight]\n" +
           flight,
       "f.toml");
 }
 
 //! A camera that has followed the show's path for some time.
 struct Follower {
-  explicit Follower(const Show& show) : navigator(show) { follow(show, 10.0); }
+  explicit Follower(const Show& show, double seconds = 10.0) : navigator(show) { follow(show, seconds); }
 
   void follow(const Show& show, double seconds, const Steering& steering = {}) {
     for (const double end_s = time_s + seconds; time_s < end_s - 1e-9;) {
@@ -79,6 +80,25 @@ TEST(FallTakenOver, DoesNotStopOnTheWay) {
     camera.follow(show, frame_s);
     EXPECT_GT(glm::length(camera.navigator.fly_velocity()), 0.8 * before) << i;
   }
+}
+
+TEST(FallTakenOver, SlowsDownInComfortWhereTheShowWentFaster) {
+  const Show show = falling_past_the_hole("mode = \"geodesic\"\n", 8);
+  double slowed = 0.0;
+  for (const double seconds : {2.0, 3.0, 4.0, 5.0}) {
+    Follower camera(show, seconds);
+    camera.navigator.leave_path();
+    glm::dvec3 before = camera.navigator.fly_velocity();
+    const double at_first = glm::length(before);
+    for (int i = 0; i < 120; ++i) {
+      camera.follow(show, frame_s);
+      const glm::dvec3 now = camera.navigator.fly_velocity();
+      EXPECT_LT(glm::length(now - before), 1.5 * show.flight.comfort.accel * frame_s) << seconds << " " << i;
+      before = now;
+    }
+    slowed = std::max(slowed, at_first - glm::length(before));
+  }
+  EXPECT_GT(slowed, 0.05);
 }
 
 TEST(FallTakenOver, IsForgottenByAFlightThatWentElsewhere) {
