@@ -102,9 +102,6 @@ std::vector<IdleLine> idle_lines(const Show& show) {
   if (show.stereo.model != StereoModel::omni) {
     idle.add({"stereo.fade"}, "is for model = \"omni\"");
   }
-  if (show.camera.keys.front().velocity) {
-    idle.add({"camera.observer"}, "is for keys without a velocity");
-  }
   if (show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * show.camera.fall->least_r) {
     idle.add({"camera.fall.least_r"}, "is for a fall that comes so near to the hole");
   }

@@ -49,9 +49,7 @@ toml::table fall_of(const FallSettings& fall) {
 
 toml::table camera_of(const CameraSettings& camera) {
   toml::table table;
-  if (camera.keys.empty() || !camera.keys.front().velocity) {
-    insert_motion(table, "observer", camera.motion, camera.velocity);
-  }
+  insert_motion(table, "observer", camera.motion, camera.velocity);
   toml::array keys;
   for (const CameraKey& key : camera.keys) {
     toml::table each{{"t_s", key.time_s},

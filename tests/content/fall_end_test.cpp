@@ -101,7 +101,7 @@ TEST(FallEnd, GivesTheVelocityBackToTheObserver) {
   EXPECT_FALSE(camera_pose(show, 60.0).velocity.has_value());
 }
 
-// A fall over the axis turn_keys the view upside down; at the next key it stands as it is told.
+// A fall over the axis turns the view upside down; at the next key it stands as it is told.
 TEST(FallEnd, RightsAViewThatTheFallHasRolled) {
   const Show show =
       ending_show("velocity = { beta = 0.22, toward = [0, -1, 0] }\nuntil_s = 20\n", begin_keys + glide_keys);

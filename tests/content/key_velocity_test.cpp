@@ -12,8 +12,6 @@
 namespace ergodome {
 namespace {
 
-using testing::ElementsAre;
-using testing::Field;
 using testing::HasSubstr;
 
 //! Three keys about a hole of spin 0.9, each with a line of its own.
@@ -64,9 +62,10 @@ TEST(KeyVelocity, IsWrittenAsItIsRead) {
   }
 }
 
-TEST(KeyVelocity, LeavesNothingToTheShowsObserver) {
+TEST(KeyVelocity, LeavesTheShowsObserverToFreeFlight) {
   const Show show = keyed_show(fast_ahead, fast_ahead, fast_ahead, "observer = \"static\"\n");
-  EXPECT_THAT(idle_lines(show), ElementsAre(Field(&IdleLine::key, "camera.observer")));
+  EXPECT_THAT(idle_lines(show), testing::IsEmpty());
+  EXPECT_EQ(parse_show(to_toml(show), "again.toml").camera.motion, ObserverMotion::fixed);
 }
 
 TEST(KeyVelocity, IsForAllKeysOrNone) {
