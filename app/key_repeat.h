@@ -7,12 +7,12 @@ namespace ergodome {
 
 //! Which key is held, and when what it does is to be done again.
 //!
-//! Times are those after the work that a key has asked for: while it is done nobody knows whether the key has been let go.
+//! Work that a key asks for may take longer than it is held: due() is asked once all that happened until now has been told.
 class KeyRepeat {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  //! A key went down, and what it does was done by `now`.
+  //! A key went down.
   void press(int key, Time now) {
     held_ = key;
     due_ = now + std::chrono::milliseconds(400);
@@ -24,10 +24,10 @@ class KeyRepeat {
     }
   }
 
-  //! The key that is to do again what it does, once all events up to `now` are known.
+  //! The key that is to do again what it does.
   [[nodiscard]] std::optional<int> due(Time now) const { return held_ && now >= due_ ? held_ : std::nullopt; }
 
-  //! It has done so by `now`.
+  //! It does so.
   void repeated(Time now) { due_ = now + std::chrono::milliseconds(80); }
 
  private:
