@@ -33,7 +33,10 @@ struct ObjectScene {
 enum class TileMark : std::uint8_t {
   nothing,
   objects,
-  fine  //!< of an object that is not much larger than a pixel there
+  stretched,  //!< of objects that are far narrower across the shadow's edge than along it
+  fine,       //!< of an object that is not much larger than a pixel there
+  thin,       //!< of one that is stretched, and not much wider than a pixel across
+  edge        //!< the shadow's edge is in it or beside it: of anything
 };
 
 //! Tiles of an image to be marked.
@@ -49,12 +52,19 @@ struct ObjectTileBatch {
 inline constexpr std::int32_t pixel_of_nothing = -1;
 inline constexpr std::int32_t pixel_of_several = -2;
 
+//! Where in a pixel its rays are.
+enum class PixelPattern : std::uint8_t {
+  grid,
+  slices  //!< along the shadow's edge, the thinner the nearer to it; not for eyes of the stereo model `flat`
+};
+
 //! Pixels to be looked at.
 struct ObjectPixelBatch {
   ObjectScene objects;
   const std::int32_t* pixels;  //!< two numbers each: x and y
   int count;
-  int samples;            //!< along each side of a pixel: 2 or 4
+  PixelPattern pattern;
+  int samples;            //!< along each side of a pixel, or the root of how many slices it has: even
   float* rgba;            //!< four a pixel: linear light times the part of the pixel that objects cover, and that part
   float* time;            //!< one a pixel: mean Mino time from the objects to the camera, where there are any
   std::int32_t* content;  //!< one a pixel: the mesh that all of it shows with little contrast, or one of the above

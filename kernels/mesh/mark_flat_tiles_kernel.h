@@ -131,21 +131,23 @@ struct MarkFlatTiles {
   //! Keeps what is seen no farther than `reach_w` from the nearness of the part's middle.
   ERGO_HD void look_through(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
                             double reach_w, Seen& seen) const {
-    visit_tile_pieces(batch.tiles.objects.scene, step, half_px, [&](const PathPiece& p, bool fine, double width) {
-      const Dual<double> from = step.distance(Dual<double>(p.from_h));
-      const Dual<double> to = step.distance(Dual<double>(p.to_h));
-      const double beside = footprint_slack * half_px * (::fabs(to.along_x) + ::fabs(to.along_y));
-      const double nearest = seen.reference.nearness(from.value - beside);
-      const double farthest = seen.reference.nearness(to.value + beside);
-      // What is not a number is near, too.
-      if (!(nearest < w - reach_w) && !(farthest > w + reach_w)) {
-        seen.mark = fine || seen.mark == TileMark::fine ? TileMark::fine : TileMark::objects;
-        seen.most_w = ::fmax(seen.most_w, ::fmin(nearest, w + reach_w));
-        seen.least_w = ::fmin(seen.least_w, ::fmax(farthest, w - reach_w));
-        seen.width = ::fmax(seen.width, width / length_of(p.middle));
-      }
-      return false;
-    });
+    visit_tile_pieces(batch.tiles.objects.scene, step, half_px, NeighbourTimes::same,
+                      [&](const PathPiece& p, double radius, const PixelOnPath& pixel) {
+                        const Dual<double> from = step.distance(Dual<double>(p.from_h));
+                        const Dual<double> to = step.distance(Dual<double>(p.to_h));
+                        const double beside = footprint_slack * half_px * (::fabs(to.along_x) + ::fabs(to.along_y));
+                        const double nearest = seen.reference.nearness(from.value - beside);
+                        const double farthest = seen.reference.nearness(to.value + beside);
+                        // What is not a number is near, too.
+                        if (!(nearest < w - reach_w) && !(farthest > w + reach_w)) {
+                          const bool fine = !(pixel.width < fine_part * radius);
+                          seen.mark = fine || seen.mark == TileMark::fine ? TileMark::fine : TileMark::objects;
+                          seen.most_w = ::fmax(seen.most_w, ::fmin(nearest, w + reach_w));
+                          seen.least_w = ::fmin(seen.least_w, ::fmax(farthest, w - reach_w));
+                          seen.width = ::fmax(seen.width, pixel.width / length_of(p.middle));
+                        }
+                        return false;
+                      });
   }
 
   ERGO_HD void store(int at, const Seen& seen) const {

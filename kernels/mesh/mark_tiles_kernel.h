@@ -32,16 +32,18 @@ struct MarkTiles {
     }
     const CameraStation& camera = objects.camera;
     const auto start = [&objects](const auto& at) { return start_near_ray(objects.camera, objects.turning, at); };
-    const auto by_edge = (inside > T(0.0)) & is_by_edge(camera.spin, start, n, T(half));
+    // Next to the edge, too, footprints are not what a ray in the middle tells.
+    constexpr double least_edge_px = 0.7;
+    const auto by_edge = (inside > T(0.0)) & is_by_edge(camera.spin, start, n, T(::fmax(half, least_edge_px)));
     for (int i = 0; i < lanes; ++i) {
-      marks[i] = mask_lane(by_edge, i) ? TileMark::objects : marks[i];
+      marks[i] = mask_lane(by_edge, i) ? TileMark::edge : marks[i];
     }
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start(n),
         {objects.scene.least_r, greatest_r_of_tiles(objects, n, T(half))}, {mark_tolerance, objects.limits.step_limit},
-        inside > T(0.0), [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
+        (inside > T(0.0)) & !by_edge, [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           marks[i] = look_through(step, marks[i]);
-          return marks[i] == TileMark::fine;
+          return marks[i] == TileMark::thin;
         });
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       batch.marks[first + i] = mask_lane(decided, i) ? marks[i] : TileMark::fine;
@@ -50,11 +52,27 @@ struct MarkTiles {
 
  private:
   ERGO_HD TileMark look_through(const PathStep<mark_order, Parts, Dual<double>>& step, TileMark mark) const {
-    visit_tile_pieces(batch.objects.scene, step, 0.5 * batch.side_px, [&](const PathPiece&, bool fine, double) {
-      mark = fine || mark == TileMark::fine ? TileMark::fine : TileMark::objects;
-      return mark == TileMark::fine;
-    });
+    visit_tile_pieces(batch.objects.scene, step, 0.5 * batch.side_px, NeighbourTimes::any,
+                      [&](const PathPiece&, double radius, const PixelOnPath& pixel) {
+                        const TileMark own = mark_of(radius, pixel);
+                        mark = own > mark ? own : mark;
+                        return mark == TileMark::thin;
+                      });
     return mark;
+  }
+
+  ERGO_HD static TileMark mark_of(double radius, const PixelOnPath& pixel) {
+    // Images are stretched about a hole, by this and more next to the shadow's edge.
+    constexpr double stretched = 4.0;
+    constexpr double thin_px = 4.0;
+    const bool is_stretched = !(pixel.widest < stretched * pixel.narrowest);
+    if (is_stretched && !(thin_px * pixel.widest < 2.0 * radius)) {
+      return TileMark::thin;
+    }
+    if (!(pixel.width < fine_part * radius)) {
+      return TileMark::fine;
+    }
+    return is_stretched ? TileMark::stretched : TileMark::objects;
   }
 };
 

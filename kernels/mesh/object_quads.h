@@ -3,6 +3,7 @@
 #include "kernels/mesh/draw_objects.h"
 #include "kernels/mesh/lamp_light.h"
 #include "kernels/mesh/object_sight.h"
+#include "kernels/mesh/pixel_slices.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -17,7 +18,7 @@ struct SampleHits {
   T momentum;  //!< about the axis [M]
 };
 
-//! Light of pixels in which objects may be seen, from four or sixteen places each: rays.find(first, directions, count, met) tells what is met in directions
+//! Light of pixels in which objects may be seen, from some quads of places each: rays.find(first, directions, count, met) tells what is met in directions
 //! of up to rays.most_quads quads by a register of pixels. Index i stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, class Rays>
 struct ObjectQuads {
@@ -28,10 +29,11 @@ struct ObjectQuads {
     const int first = index * lanes;
     PixelSum sums[lanes] = {};
     LitMesh lit;
+    const PixelPlaces<lanes> places(batch, first);
     const int quads = batch.samples * batch.samples / quad_size;
     for (int quad = 0; quad < quads; quad += Rays::most_quads) {
       const int left = quads - quad;
-      look_at_quads(first, quad, left < Rays::most_quads ? left : Rays::most_quads, lit, sums);
+      look_at_quads(first, places, quad, left < Rays::most_quads ? left : Rays::most_quads, lit, sums);
     }
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       store(first + i, sums[i]);
@@ -45,7 +47,7 @@ struct ObjectQuads {
   struct PixelSum {
     Vector3<float> light;
     float time;
-    int hits, misses;
+    float hits, misses;  //!< weights of the samples
     float darkest, brightest;
     std::int32_t mesh;
     bool several;
@@ -60,22 +62,13 @@ struct ObjectQuads {
     LampLight light = {};
   };
 
-  ERGO_HD const std::int32_t* pixel_at(int at) const {
-    return batch.pixels + 2 * static_cast<long>(at < batch.count ? at : batch.count - 1);
-  }
-
   //! Where each pixel looks from a place of a quad.
-  ERGO_HD Vector3<T> direction(int first, int quad, int k) const {
-    const int across = batch.samples / 2;
-    const int row = quad / across;
-    const int column = quad - row * across;
-    const int below = k / 2;
-    const double along = (2 * column + k % 2 + 0.5) / batch.samples;
-    const double down = (2 * row + below + 0.5) / batch.samples;
+  ERGO_HD Vector3<T> direction(int first, const PixelPlaces<lanes>& places, int quad, int k) const {
     Vector3<T> n = {T(0.0), T(0.0), T(0.0)};
     for (int i = 0; i < lanes; ++i) {
-      const std::int32_t* const at = pixel_at(first + i);
-      const Vector3<double> one = observed_by(batch.objects, at[0] + along, at[1] + down);
+      const std::int32_t* const at = pixel_of_batch(batch, first + i);
+      const PixelPlace place = places.at(i, quad, k);
+      const Vector3<double> one = observed_by(batch.objects, at[0] + place.along_px, at[1] + place.down_px);
       set_lane(n.x, i, one.x);
       set_lane(n.y, i, one.y);
       set_lane(n.z, i, one.z);
@@ -84,14 +77,15 @@ struct ObjectQuads {
   }
 
   //! Looks along the rays of some quads of each pixel.
-  ERGO_HD void look_at_quads(int first, int quad, int count, LitMesh& lit, PixelSum (&sums)[lanes]) const {
+  ERGO_HD void look_at_quads(int first, const PixelPlaces<lanes>& places, int quad, int count, LitMesh& lit,
+                             PixelSum (&sums)[lanes]) const {
     constexpr int most = Rays::most_quads * quad_size;
     Vector3<T> n[most];
     SampleHits<T> met[most];
     const T zero(0.0);
     for (int k = 0; k < most; ++k) {
-      n[k] =
-          k < count * quad_size ? direction(first, quad + k / quad_size, k % quad_size) : Vector3<T>{zero, zero, zero};
+      n[k] = k < count * quad_size ? direction(first, places, quad + k / quad_size, k % quad_size)
+                                   : Vector3<T>{zero, zero, zero};
     }
     rays.find(first, n, count * quad_size, met);
     for (int k = 0; k < count * quad_size; k += quad_size) {
@@ -100,7 +94,8 @@ struct ObjectQuads {
         lit.mesh = -1;
         for (int corner = 0; corner < quad_size; ++corner) {
           const SampleHits<T>& sample = met[k + corner];
-          add_sample(own, corner, lane(sample.energy, i), lane(sample.momentum, i), lit, sums[i]);
+          const float weight = places.at(i, quad + k / quad_size, corner).weight;
+          add_sample(own, corner, weight, lane(sample.energy, i), lane(sample.momentum, i), lit, sums[i]);
         }
       }
     }
@@ -131,11 +126,11 @@ struct ObjectQuads {
     return footprint;
   }
 
-  ERGO_HD void add_sample(const MeshHit (&quad)[quad_size], int k, double energy, double momentum, LitMesh& lit,
-                          PixelSum& sum) const {
+  ERGO_HD void add_sample(const MeshHit (&quad)[quad_size], int k, float weight, double energy, double momentum,
+                          LitMesh& lit, PixelSum& sum) const {
     const MeshHit& hit = quad[k];
     if (hit.mesh < 0) {
-      ++sum.misses;
+      sum.misses += weight;
       return;
     }
     const ObjectScene& objects = batch.objects;
@@ -167,17 +162,17 @@ struct ObjectQuads {
       const double g2 = ::fmin(1.0 / ::fmax(frequency * frequency, 1e-12), 1e6);
       light = static_cast<float>(g2 * g2) * light;
     }
-    add_light(hit, at, light, sum);
+    add_light(hit, at, light, weight, sum);
   }
 
-  ERGO_HD static void add_light(const MeshHit& hit, const SurfacePlace& at, const Vector3<float>& light,
+  ERGO_HD static void add_light(const MeshHit& hit, const SurfacePlace& at, const Vector3<float>& light, float weight,
                                 PixelSum& sum) {
     // Normals that differ by more than this, or another mesh: an outline may pass through the pixel.
     constexpr float one_face = 0.9F;
     const Vector3<float> normal = {static_cast<float>(at.normal.x), static_cast<float>(at.normal.y),
                                    static_cast<float>(at.normal.z)};
     const float brightness = light.x + light.y + light.z;
-    if (sum.hits == 0) {
+    if (!(sum.hits > 0.0F)) {
       sum.mesh = hit.mesh;
       sum.normal = normal;
       sum.darkest = brightness;
@@ -186,24 +181,24 @@ struct ObjectQuads {
     sum.several = sum.several || sum.mesh != hit.mesh || dot(normal, sum.normal) < one_face;
     sum.darkest = ::fminf(sum.darkest, brightness);
     sum.brightest = ::fmaxf(sum.brightest, brightness);
-    sum.light = sum.light + light;
-    sum.time += static_cast<float>(hit.time);
-    ++sum.hits;
+    sum.light = sum.light + weight * light;
+    sum.time += weight * static_cast<float>(hit.time);
+    sum.hits += weight;
   }
 
   ERGO_HD void store(int at, const PixelSum& sum) const {
     // Contrast within a pixel that a display shows as a step.
     constexpr float contrast = 0.05F;
-    const float share = 1.0F / static_cast<float>(sum.hits + sum.misses);
+    const float all = sum.hits + sum.misses;
     float* const rgba = batch.rgba + 4 * static_cast<long>(at);
-    rgba[0] = share * sum.light.x;
-    rgba[1] = share * sum.light.y;
-    rgba[2] = share * sum.light.z;
-    rgba[3] = share * static_cast<float>(sum.hits);
-    batch.time[at] = sum.hits > 0 ? sum.time / static_cast<float>(sum.hits) : 0.0F;
+    rgba[0] = sum.light.x / all;
+    rgba[1] = sum.light.y / all;
+    rgba[2] = sum.light.z / all;
+    rgba[3] = sum.hits / all;
+    batch.time[at] = sum.hits > 0.0F ? sum.time / sum.hits : 0.0F;
     const bool uneven = sum.brightest - sum.darkest > contrast * sum.brightest;
-    const bool several = sum.several || (sum.hits > 0 && (sum.misses > 0 || uneven));
-    batch.content[at] = several ? pixel_of_several : sum.hits > 0 ? sum.mesh : pixel_of_nothing;
+    const bool several = sum.several || (sum.hits > 0.0F && (sum.misses > 0.0F || uneven));
+    batch.content[at] = several ? pixel_of_several : sum.hits > 0.0F ? sum.mesh : pixel_of_nothing;
   }
 };
 

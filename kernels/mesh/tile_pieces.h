@@ -61,21 +61,65 @@ ERGO_HD double greatest_r_of_tiles(const ObjectScene& objects, const Vector3<Dua
   return r + footprint_slack * beside * (1.0 / objects.camera.u + r);
 }
 
-//! Calls each(piece, fine, width) for the pieces of a step that the balls about meshes come so near to that rays within `half_px` of it may meet them, until it
-//! says that it is enough. `fine`: a pixel there, of such a width [M], may hold more of the mesh than a few samples tell.
+//! A pixel where the path of the ray in its middle is [M]: how far its neighbours are from that at the same time.
+struct PixelOnPath {
+  double width;              //!< in x and y of the picture together
+  double across, along;      //!< the same, across the path and along it
+  double widest, narrowest;  //!< across it
+};
+
+//! Which neighbours of a ray are near to a thing: those that are at the same time, or those that are at any.
+enum class NeighbourTimes { same, any };
+
+ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vector3<double>& way) {
+  const Vector3<double> x = {place.x.along_x, place.y.along_x, place.z.along_x};
+  const Vector3<double> y = {place.x.along_y, place.y.along_y, place.z.along_y};
+  const double square = ::fmax(dot(way, way), 1e-300);
+  const double x_along = dot(x, way) / square;
+  const double y_along = dot(y, way) / square;
+  const Vector3<double> x_across = x - x_along * way;
+  const Vector3<double> y_across = y - y_along * way;
+  const double xx = dot(x_across, x_across);
+  const double yy = dot(y_across, y_across);
+  const double xy = dot(x_across, y_across);
+  const double spread = ::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+  const double middle = 0.5 * (xx + yy);
+  return {length_of(x) + length_of(y), ::sqrt(xx) + ::sqrt(yy), (::fabs(x_along) + ::fabs(y_along)) * ::sqrt(square),
+          ::sqrt(middle + spread), ::sqrt(::fmax(middle - spread, 0.0))};
+}
+
+//! How far from a piece of a ray's path its neighbours within some pixels are [M].
+ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel, double within_px,
+                               NeighbourTimes times) {
+  const double whole = within_px * pixel.width;
+  if (times == NeighbourTimes::same) {
+    return whole;
+  }
+  // Neighbours that are ahead or behind have been here, or will be: beside the path as far as it bends and as its footprint changes until then.
+  const double chord = ::fmax(piece.chord(), 1e-300);
+  const double bend = 2.0 * piece.stray() / (chord * chord);
+  const double ahead = within_px * pixel.along;
+  const double aside = ahead * ahead * (bend + 1.0 / length_of(piece.middle));
+  // What is not a number is the whole.
+  const double beside = within_px * pixel.across + aside;
+  return beside < whole ? beside : whole;
+}
+
+//! A pixel of more than this part of an object's radius may hold more of it than a few samples tell.
+inline constexpr double fine_part = 0.15;
+
+//! Calls each(piece, radius, pixel) for the pieces of a step that the ball of such a radius about a mesh comes so near to that rays within `half_px` of it
+//! may meet it, until it says that it is enough.
 template <NearParts Parts, class Each>
 ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order, Parts, Dual<double>>& step,
-                               double half_px, const Each& each) {
-  //! A pixel of more than this part of an object's radius.
-  constexpr double fine_part = 0.15;
+                               double half_px, NeighbourTimes times, const Each& each) {
   constexpr double most_uneven = 0.05;
   const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
   visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
-    const Vector3<Dual<double>> middle = step.point(Dual<double>(p.middle_h()));
-    const double width = length_of({middle.x.along_x, middle.y.along_x, middle.z.along_x}) +
-                         length_of({middle.x.along_y, middle.y.along_y, middle.z.along_y});
+    const PixelOnPath pixel = pixel_on_path(step.point(Dual<double>(p.middle_h())), p.to - p.from);
     // The middle stands for the whole piece, whose footprint grows along it.
-    const double reach = p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + footprint_slack * half_px * width;
+    const double reach = p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() +
+                         footprint_reach(p, pixel, footprint_slack * half_px, times);
     bool enough = false;
     for (int i = 0; i < scene.count && !enough; ++i) {
       const PlacedMesh& mesh = scene.meshes[i];
@@ -87,7 +131,7 @@ ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order
       }
       // What is not a number is near, too.
       if (!(distance_from_segment(ball_middle(mesh, at), p.from, p.to) > radius + reach + moved)) {
-        enough = each(p, !(width < fine_part * radius), width);
+        enough = each(p, radius, pixel);
       }
     }
     return enough ? PieceAnswer::stop : PieceAnswer::finish;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernels/launch/launch.h"
 #include "kernels/projection/pixel_measure.h"
@@ -18,6 +19,9 @@ constexpr int small_tile_px = 2;
 constexpr int least_part_px = 4;
 //! A step in brightness from pixel to pixel that is worth finer samples.
 constexpr float visible_step = 0.2F;
+//! Slices of a pixel beside the shadow's edge, as squares: at first, and where these or their neighbours have met anything.
+constexpr int first_slices_root = 6;
+constexpr int slices_root = 12;
 
 //! Whether the image covers any of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
@@ -67,17 +71,37 @@ ObjectPixels::ObjectPixels(Backend backend, const ObjectScene& objects, int firs
       rgba_(4 * static_cast<std::size_t>(row_count) * static_cast<std::size_t>(width_)),
       time_(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(width_)) {}
 
-void ObjectPixels::look() {
-  std::vector<std::int32_t> coarse;
-  std::vector<std::int32_t> fine;
-  if (flat_) {
-    mark_flat_pixels(coarse, fine);
-  } else {
-    mark_pixels(coarse, fine);
+std::vector<std::int32_t>& ObjectPixels::Wanted::of(TileMark mark) {
+  switch (mark) {
+    case TileMark::stretched:
+      return stretched;
+    case TileMark::fine:
+      return fine;
+    case TileMark::thin:
+    case TileMark::edge:
+      return thin;
+    default:
+      return coarse;
   }
-  look_at(coarse, 2);
-  look_at(fine, 4);
-  look_at(uneven_pixels(coarse), 4);
+}
+
+void ObjectPixels::look() {
+  Wanted wanted;
+  if (flat_) {
+    mark_flat_pixels(wanted);
+  } else {
+    mark_pixels(wanted);
+  }
+  look_at(wanted.coarse, PixelPattern::grid, 2);
+  look_at(wanted.stretched, PixelPattern::grid, 2);
+  look_at(wanted.fine, PixelPattern::grid, 4);
+  look_at(wanted.thin, PixelPattern::slices, first_slices_root);
+  const std::vector<std::int32_t> uneven = uneven_pixels(wanted.coarse);
+  std::vector<std::int32_t> sliced = uneven_pixels(wanted.stretched);
+  const std::vector<std::int32_t> thin = uneven_pixels(wanted.thin);
+  sliced.insert(sliced.end(), thin.begin(), thin.end());
+  look_at(uneven, PixelPattern::grid, 4);
+  look_at(sliced, PixelPattern::slices, slices_root);
 }
 
 void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const {
@@ -135,7 +159,7 @@ ObjectPixels::Tiles ObjectPixels::parts_of(const Tiles& tiles, int side_px, int 
   return parts;
 }
 
-void ObjectPixels::mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) {
+void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
   // Lines of sight are many rays: large tiles tell along which parts of them it is worth while to look closer.
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, large_tile_px), {}};
   tiles.reach.assign(tiles.places.size() / 2, {0.0F, static_cast<float>(flat_->most_w), 0.0F});
@@ -159,19 +183,18 @@ void ObjectPixels::mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vect
     }
   }
   reach_.resize(seen_.size());
-  add_seen(whole, small_tile_px, coarse, fine);
-  add_seen(single_pixels, 1, coarse, fine);
+  add_seen(whole, small_tile_px, wanted);
+  add_seen(single_pixels, 1, wanted);
 }
 
-void ObjectPixels::add_seen(Tiles& tiles, int side_px, std::vector<std::int32_t>& coarse,
-                            std::vector<std::int32_t>& fine) {
+void ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wanted) {
   std::vector<TileMark> marks;
   look_through(tiles, side_px, marks);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (marks[i] == TileMark::nothing) {
       continue;
     }
-    std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
+    std::vector<std::int32_t>& to = wanted.of(marks[i]);
     visit_tile(objects_.projection, side_px, tiles.places[2 * i], tiles.places[2 * i + 1], bottom_, [&](int x, int y) {
       to.insert(to.end(), {x, y});
       reach_[index_of(x, y)] = tiles.reach[i];
@@ -179,19 +202,34 @@ void ObjectPixels::add_seen(Tiles& tiles, int side_px, std::vector<std::int32_t>
   }
 }
 
-void ObjectPixels::mark_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const {
+void ObjectPixels::mark_pixels(Wanted& wanted) const {
   Tiles tiles = {shown_tiles(0, width_, top_, bottom_, object_tile_px), {}};
   std::vector<TileMark> marks;
   look_through(tiles, object_tile_px, marks);
   const Seams seams(objects_.projection);
+  std::vector<std::int32_t> single;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const int left = tiles.places[2 * i];
     const int top = tiles.places[2 * i + 1];
     if (marks[i] != TileMark::nothing || seams.tear(left, top, object_tile_px)) {
-      std::vector<std::int32_t>& to = marks[i] == TileMark::fine ? fine : coarse;
+      const bool by_pixels = marks[i] == TileMark::edge || marks[i] == TileMark::thin;
+      std::vector<std::int32_t>& to = by_pixels ? single : wanted.of(marks[i]);
       visit_tile(objects_.projection, object_tile_px, left, top, bottom_, [&](int x, int y) {
         to.insert(to.end(), {x, y});
       });
+    }
+  }
+  mark_single_pixels(std::move(single), wanted);
+}
+
+void ObjectPixels::mark_single_pixels(std::vector<std::int32_t> pixels, Wanted& wanted) const {
+  Tiles tiles = {std::move(pixels), {}};
+  std::vector<TileMark> marks;
+  look_through(tiles, 1, marks);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i] != TileMark::nothing) {
+      std::vector<std::int32_t>& to = wanted.of(marks[i]);
+      to.insert(to.end(), {tiles.places[2 * i], tiles.places[2 * i + 1]});
     }
   }
 }
@@ -205,7 +243,7 @@ std::vector<FlatReach> ObjectPixels::reach_of(const std::vector<std::int32_t>& p
   return reach;
 }
 
-void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, int samples) {
+void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, PixelPattern pattern, int samples) {
   const std::size_t count = pixels.size() / 2;
   if (count == 0) {
     return;
@@ -214,7 +252,7 @@ void ObjectPixels::look_at(const std::vector<std::int32_t>& pixels, int samples)
   const Buffer<float> rgba(backend_, 4 * count, "objects' pixels");
   const Buffer<float> time(backend_, count, "objects' pixels");
   const Buffer<std::int32_t> content(backend_, count, "objects' pixels");
-  const ObjectPixelBatch batch = {objects_,    places.data(), static_cast<int>(count), samples,
+  const ObjectPixelBatch batch = {objects_,    places.data(), static_cast<int>(count), pattern, samples,
                                   rgba.data(), time.data(),   content.data()};
   if (flat_) {
     const Buffer<FlatReach> reach(backend_, reach_of(pixels), "objects' pixels");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernels/mesh/draw_objects.h"
@@ -42,23 +43,37 @@ class ObjectPixels {
   //! What tiles see, and of a flat eye where.
   void look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const;
 
+  //! Pixels to be looked at, two numbers each, by how they are.
+  struct Wanted {
+    std::vector<std::int32_t> coarse;     //!< by four rays at first
+    std::vector<std::int32_t> stretched;  //!< the same, and outlines by slices
+    std::vector<std::int32_t> fine;       //!< by sixteen rays
+    std::vector<std::int32_t> thin;       //!< by slices, and where anything is seen by more of them
+
+    //! Those that tiles or pixels of a mark belong to; of others than `nothing`.
+    [[nodiscard]] std::vector<std::int32_t>& of(TileMark mark);
+  };
+
   //! The smaller tiles of those of a flat eye that may see objects.
   [[nodiscard]] Tiles parts_of(const Tiles& tiles, int side_px, int part_px) const;
 
-  //! The pixels that may see objects; `fine`: where these are small.
-  void mark_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine) const;
-  void mark_flat_pixels(std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine);
+  //! The pixels that may see objects.
+  void mark_pixels(Wanted& wanted) const;
+  void mark_flat_pixels(Wanted& wanted);
+
+  //! Marks single pixels, and adds those that may see objects.
+  void mark_single_pixels(std::vector<std::int32_t> pixels, Wanted& wanted) const;
 
   //! Looks through tiles, and adds the pixels of those that see anything, which they tell where.
-  void add_seen(Tiles& tiles, int side_px, std::vector<std::int32_t>& coarse, std::vector<std::int32_t>& fine);
+  void add_seen(Tiles& tiles, int side_px, Wanted& wanted);
 
   //! Where pixels may show objects.
   [[nodiscard]] std::vector<FlatReach> reach_of(const std::vector<std::int32_t>& pixels) const;
 
   //! Looks at pixels, and keeps what they show.
-  void look_at(const std::vector<std::int32_t>& pixels, int samples);
+  void look_at(const std::vector<std::int32_t>& pixels, PixelPattern pattern, int samples);
 
-  //! Pixels of the block whose four samples tell less than sixteen would.
+  //! Pixels of the block whose samples tell less than more of them would.
   [[nodiscard]] std::vector<std::int32_t> uneven_pixels(const std::vector<std::int32_t>& looked_at) const;
 
   [[nodiscard]] bool is_uneven(int x, int y) const;
