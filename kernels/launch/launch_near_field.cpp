@@ -73,8 +73,12 @@ void mark_object_tiles(Backend backend, const ObjectTileBatch& batch) {
 }
 
 void look_at_objects(Backend backend, const ObjectPixelBatch& batch) {
-  static WorkCounter counter("look_at_objects");
-  const WorkScope work(counter, batch.count);
+  static WorkCounter in_grids("look_at_objects");
+  static WorkCounter in_slices("look_at_objects, slices");
+  WorkCounter& counter = batch.pattern == PixelPattern::slices ? in_slices : in_grids;
+  const WorkScope work(counter, batch.pattern == PixelPattern::slices
+                                    ? static_cast<long>(batch.count) * batch.samples * batch.samples
+                                    : batch.count);
   if (backend == Backend::cuda) {
     return look_at_objects_cuda(batch);
   }

@@ -28,12 +28,12 @@ struct ObjectQuads {
   ERGO_HD void draw(int index) const {
     const int first = index * lanes;
     PixelSum sums[lanes] = {};
-    LitMesh lit;
+    LampSight lamp;
     const PixelPlaces<lanes> places(batch, first);
     const int quads = batch.samples * batch.samples / quad_size;
     for (int quad = 0; quad < quads; quad += Rays::most_quads) {
       const int left = quads - quad;
-      look_at_quads(first, places, quad, left < Rays::most_quads ? left : Rays::most_quads, lit, sums);
+      look_at_quads(first, places, quad, left < Rays::most_quads ? left : Rays::most_quads, lamp, sums);
     }
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       store(first + i, sums[i]);
@@ -57,10 +57,21 @@ struct ObjectQuads {
   //! The lamp's light on a mesh.
   struct LitMesh {
     int mesh = -1;
-    int corrected = -1;                //!< the mesh that the corrections are of
-    LampCorrections corrections = {};  //!< kept from place to place
     LampLight light = {};
   };
+
+  //! The lamp's light as each pixel last saw it.
+  struct LampSight {
+    int corrected = -1;                //!< the mesh that the corrections are of
+    LampCorrections corrections = {};  //!< kept from place to place
+    LitMesh lit[lanes] = {};
+  };
+
+  //! Whether a quad's places are far from those that the lamp's light has been found for: slices follow each other.
+  [[nodiscard]] ERGO_HD bool asks_lamp(int quad) const {
+    constexpr int quads_alike = 4;
+    return batch.pattern == PixelPattern::grid || quad % quads_alike == 0;
+  }
 
   //! Where each pixel looks from a place of a quad.
   ERGO_HD Vector3<T> direction(int first, const PixelPlaces<lanes>& places, int quad, int k) const {
@@ -77,7 +88,7 @@ struct ObjectQuads {
   }
 
   //! Looks along the rays of some quads of each pixel.
-  ERGO_HD void look_at_quads(int first, const PixelPlaces<lanes>& places, int quad, int count, LitMesh& lit,
+  ERGO_HD void look_at_quads(int first, const PixelPlaces<lanes>& places, int quad, int count, LampSight& lamp,
                              PixelSum (&sums)[lanes]) const {
     constexpr int most = Rays::most_quads * quad_size;
     Vector3<T> n[most];
@@ -91,11 +102,13 @@ struct ObjectQuads {
     for (int k = 0; k < count * quad_size; k += quad_size) {
       for (int i = 0; i < lanes && first + i < batch.count; ++i) {
         const MeshHit own[quad_size] = {met[k].hits[i], met[k + 1].hits[i], met[k + 2].hits[i], met[k + 3].hits[i]};
-        lit.mesh = -1;
+        if (asks_lamp(quad + k / quad_size)) {
+          lamp.lit[i].mesh = -1;
+        }
         for (int corner = 0; corner < quad_size; ++corner) {
           const SampleHits<T>& sample = met[k + corner];
           const float weight = places.at(i, quad + k / quad_size, corner).weight;
-          add_sample(own, corner, weight, lane(sample.energy, i), lane(sample.momentum, i), lit, sums[i]);
+          add_sample(own, corner, weight, lane(sample.energy, i), lane(sample.momentum, i), lamp, lamp.lit[i], sums[i]);
         }
       }
     }
@@ -127,7 +140,7 @@ struct ObjectQuads {
   }
 
   ERGO_HD void add_sample(const MeshHit (&quad)[quad_size], int k, float weight, double energy, double momentum,
-                          LitMesh& lit, PixelSum& sum) const {
+                          LampSight& lamp, LitMesh& lit, PixelSum& sum) const {
     const MeshHit& hit = quad[k];
     if (hit.mesh < 0) {
       sum.misses += weight;
@@ -148,11 +161,11 @@ struct ObjectQuads {
         const LitPlace place = {hit.point, at.normal, mesh_velocity(mesh, hit.delay),
                                 hit.point + at.lift + off_surface * at.normal};
         lit.mesh = hit.mesh;
-        if (lit.corrected != hit.mesh) {
-          lit.corrected = hit.mesh;
-          lit.corrections = objects.guesses[hit.mesh];
+        if (lamp.corrected != hit.mesh) {
+          lamp.corrected = hit.mesh;
+          lamp.corrections = objects.guesses[hit.mesh];
         }
-        lit.light = lamp_light(objects.camera.spin, objects.lamp, place, objects.scene, limits, lit.corrections);
+        lit.light = lamp_light(objects.camera.spin, objects.lamp, place, objects.scene, limits, lamp.corrections);
       }
       light = static_cast<float>(illuminance(lit.light, at.normal)) * light;
     }

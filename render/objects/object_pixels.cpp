@@ -19,9 +19,13 @@ constexpr int small_tile_px = 2;
 constexpr int least_part_px = 4;
 //! A step in brightness from pixel to pixel that is worth finer samples.
 constexpr float visible_step = 0.2F;
-//! Slices of a pixel beside the shadow's edge, as squares: at first, and where these or their neighbours have met anything.
-constexpr int first_slices_root = 6;
-constexpr int slices_root = 12;
+//! Slices, by their root, of a pixel that the shadow's edge is in or beside: at first, and where these or its neighbours' have met anything. Sixteen leave
+//! gaps in images of the third order, sixty-four beads.
+constexpr int first_edge_slices = 6;
+constexpr int edge_slices = 12;
+//! The same of others whose images are thin.
+constexpr int first_thin_slices = 4;
+constexpr int thin_slices = 8;
 
 //! Whether the image covers any of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
@@ -78,8 +82,9 @@ std::vector<std::int32_t>& ObjectPixels::Wanted::of(TileMark mark) {
     case TileMark::fine:
       return fine;
     case TileMark::thin:
-    case TileMark::edge:
       return thin;
+    case TileMark::edge:
+      return edge;
     default:
       return coarse;
   }
@@ -95,13 +100,17 @@ void ObjectPixels::look() {
   look_at(wanted.coarse, PixelPattern::grid, 2);
   look_at(wanted.stretched, PixelPattern::grid, 2);
   look_at(wanted.fine, PixelPattern::grid, 4);
-  look_at(wanted.thin, PixelPattern::slices, first_slices_root);
+  look_at(wanted.thin, PixelPattern::slices, first_thin_slices);
+  look_at(wanted.edge, PixelPattern::slices, first_edge_slices);
+  // What neighbours have seen is what they have seen at first.
   const std::vector<std::int32_t> uneven = uneven_pixels(wanted.coarse);
-  std::vector<std::int32_t> sliced = uneven_pixels(wanted.stretched);
-  const std::vector<std::int32_t> thin = uneven_pixels(wanted.thin);
-  sliced.insert(sliced.end(), thin.begin(), thin.end());
+  const std::vector<std::int32_t> uneven_stretched = uneven_pixels(wanted.stretched);
+  const std::vector<std::int32_t> uneven_thin = uneven_pixels(wanted.thin);
+  const std::vector<std::int32_t> uneven_edge = uneven_pixels(wanted.edge);
   look_at(uneven, PixelPattern::grid, 4);
-  look_at(sliced, PixelPattern::slices, slices_root);
+  look_at(uneven_stretched, PixelPattern::slices, thin_slices);
+  look_at(uneven_thin, PixelPattern::slices, thin_slices);
+  look_at(uneven_edge, PixelPattern::slices, edge_slices);
 }
 
 void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const {

@@ -48,7 +48,8 @@ class ObjectPixels {
     std::vector<std::int32_t> coarse;     //!< by four rays at first
     std::vector<std::int32_t> stretched;  //!< the same, and outlines by slices
     std::vector<std::int32_t> fine;       //!< by sixteen rays
-    std::vector<std::int32_t> thin;       //!< by slices, and where anything is seen by more of them
+    std::vector<std::int32_t> thin;       //!< by sixteen slices at first
+    std::vector<std::int32_t> edge;       //!< by more, and where anything is seen by many
 
     //! Those that tiles or pixels of a mark belong to; of others than `nothing`.
     [[nodiscard]] std::vector<std::int32_t>& of(TileMark mark);

@@ -129,6 +129,7 @@ void Planner::plan_traced_objects(const std::string& objects) {
   if (together) {
     pass("mark_object_tiles", WorkMoment::picture, 0, 0, objects, eyes_are_flat());
     pass("look_at_objects", WorkMoment::picture, 0, 0, objects, true);
+    pass("look_at_objects, slices", WorkMoment::picture, 0, 0, objects, true);
   }
   if (together && !has_disk_always() && !always_.shells) {
     pixel_pass("lay_objects", objects, needs_.disk || needs_.shells || eyes_are_flat());

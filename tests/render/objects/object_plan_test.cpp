@@ -92,7 +92,8 @@ class ObjectPlans : public TracedObjectPlans {
   }
 };
 
-const std::vector<std::string> work_of_tracing = {"load_meshes", "mark_object_tiles", "look_at_objects", "lay_objects"};
+const std::vector<std::string> work_of_tracing = {"load_meshes", "mark_object_tiles", "look_at_objects",
+                                                  "look_at_objects, slices", "lay_objects"};
 
 ObjectSettings traced(ObjectSettings object) {
   object.method = ObjectMethod::trace;
