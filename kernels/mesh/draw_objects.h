@@ -64,10 +64,11 @@ struct ObjectPixelBatch {
   const std::int32_t* pixels;  //!< two numbers each: x and y
   int count;
   PixelPattern pattern;
-  int samples;            //!< along each side of a pixel, or the root of how many slices it has: even
-  float* rgba;            //!< four a pixel: linear light times the part of the pixel that objects cover, and that part
-  float* time;            //!< one a pixel: mean Mino time from the objects to the camera, where there are any
-  std::int32_t* content;  //!< one a pixel: the mesh that all of it shows with little contrast, or one of the above
+  int samples;  //!< along each side of a pixel, or the root of how many slices it has: even
+  float* rgba;  //!< four a pixel: linear light times the part of the pixel that objects cover, and that part
+  float* time;  //!< one a pixel: mean Mino time from the objects to the camera, where there are any
+  //! One a pixel: the mesh that all of it shows with little contrast, or one of the above. Of slices `several` is what may be thinner than they tell.
+  std::int32_t* content;
 };
 
 //! Calls action(functor) with Functor<T, what rays carry> for a batch.

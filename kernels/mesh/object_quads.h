@@ -52,6 +52,9 @@ struct ObjectQuads {
     std::int32_t mesh;
     bool several;
     Vector3<float> normal;
+    int met;            //!< samples that have hit anything
+    int outlines;       //!< times that samples which follow each other have not been alike
+    std::int32_t last;  //!< what the last one has hit
   };
 
   //! The lamp's light on a mesh.
@@ -142,6 +145,8 @@ struct ObjectQuads {
   ERGO_HD void add_sample(const MeshHit (&quad)[quad_size], int k, float weight, double energy, double momentum,
                           LampSight& lamp, LitMesh& lit, PixelSum& sum) const {
     const MeshHit& hit = quad[k];
+    sum.outlines += sum.hits + sum.misses > 0.0F && hit.mesh != sum.last ? 1 : 0;
+    sum.last = hit.mesh;
     if (hit.mesh < 0) {
       sum.misses += weight;
       return;
@@ -197,6 +202,13 @@ struct ObjectQuads {
     sum.light = sum.light + weight * light;
     sum.time += weight * static_cast<float>(hit.time);
     sum.hits += weight;
+    ++sum.met;
+  }
+
+  //! Whether slices have met a thing that may be thinner than they tell; they find the side of one by themselves.
+  ERGO_HD static bool is_thin(const PixelSum& sum) {
+    constexpr int few = 4;
+    return sum.outlines > 1 || (sum.outlines > 0 && sum.met < few);
   }
 
   ERGO_HD void store(int at, const PixelSum& sum) const {
@@ -210,7 +222,9 @@ struct ObjectQuads {
     rgba[3] = sum.hits / all;
     batch.time[at] = sum.hits > 0.0F ? sum.time / sum.hits : 0.0F;
     const bool uneven = sum.brightest - sum.darkest > contrast * sum.brightest;
-    const bool several = sum.several || (sum.hits > 0.0F && (sum.misses > 0.0F || uneven));
+    const bool several = batch.pattern == PixelPattern::slices
+                             ? is_thin(sum)
+                             : sum.several || (sum.hits > 0.0F && (sum.misses > 0.0F || uneven));
     batch.content[at] = several ? pixel_of_several : sum.hits > 0.0F ? sum.mesh : pixel_of_nothing;
   }
 };

@@ -26,6 +26,8 @@ constexpr int edge_slices = 12;
 //! The same of others whose images are thin.
 constexpr int first_thin_slices = 4;
 constexpr int thin_slices = 8;
+//! And of those whose images are only stretched, after four rays.
+constexpr int stretched_slices = 6;
 
 //! Whether the image covers any of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
@@ -105,12 +107,12 @@ void ObjectPixels::look() {
   // What neighbours have seen is what they have seen at first.
   const std::vector<std::int32_t> uneven = uneven_pixels(wanted.coarse);
   const std::vector<std::int32_t> uneven_stretched = uneven_pixels(wanted.stretched);
-  const std::vector<std::int32_t> uneven_thin = uneven_pixels(wanted.thin);
-  const std::vector<std::int32_t> uneven_edge = uneven_pixels(wanted.edge);
+  const std::vector<std::int32_t> more_thin = pixels_of_thin_images(wanted.thin);
+  const std::vector<std::int32_t> more_edge = pixels_of_thin_images(wanted.edge);
   look_at(uneven, PixelPattern::grid, 4);
-  look_at(uneven_stretched, PixelPattern::slices, thin_slices);
-  look_at(uneven_thin, PixelPattern::slices, thin_slices);
-  look_at(uneven_edge, PixelPattern::slices, edge_slices);
+  look_at(uneven_stretched, PixelPattern::slices, stretched_slices);
+  look_at(more_thin, PixelPattern::slices, thin_slices);
+  look_at(more_edge, PixelPattern::slices, edge_slices);
 }
 
 void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const {
@@ -306,16 +308,37 @@ bool ObjectPixels::is_uneven(int x, int y) const {
   return false;
 }
 
-std::vector<std::int32_t> ObjectPixels::uneven_pixels(const std::vector<std::int32_t>& looked_at) const {
-  std::vector<std::int32_t> uneven;
+bool ObjectPixels::is_by_thin_image(int x, int y) const {
+  for (int row = std::max(y - 1, top_); row <= std::min(y + 1, bottom_ - 1); ++row) {
+    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width_ - 1); ++column) {
+      if (seen(column, row).content == pixel_of_several) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <class Is>
+std::vector<std::int32_t> ObjectPixels::pixels_of_block(const std::vector<std::int32_t>& looked_at,
+                                                        const Is& is) const {
+  std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < looked_at.size(); i += 2) {
     const int x = looked_at[i];
     const int y = looked_at[i + 1];
-    if (y >= first_row_ && y < first_row_ + row_count_ && is_uneven(x, y)) {
-      uneven.insert(uneven.end(), {x, y});
+    if (y >= first_row_ && y < first_row_ + row_count_ && is(x, y)) {
+      found.insert(found.end(), {x, y});
     }
   }
-  return uneven;
+  return found;
+}
+
+std::vector<std::int32_t> ObjectPixels::uneven_pixels(const std::vector<std::int32_t>& looked_at) const {
+  return pixels_of_block(looked_at, [this](int x, int y) { return is_uneven(x, y); });
+}
+
+std::vector<std::int32_t> ObjectPixels::pixels_of_thin_images(const std::vector<std::int32_t>& looked_at) const {
+  return pixels_of_block(looked_at, [this](int x, int y) { return is_by_thin_image(x, y); });
 }
 
 }  // namespace ergodome

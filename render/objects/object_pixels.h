@@ -74,6 +74,15 @@ class ObjectPixels {
   //! Looks at pixels, and keeps what they show.
   void look_at(const std::vector<std::int32_t>& pixels, PixelPattern pattern, int samples);
 
+  //! Those of the block, of some pixels, that are so.
+  template <class Is>
+  [[nodiscard]] std::vector<std::int32_t> pixels_of_block(const std::vector<std::int32_t>& looked_at,
+                                                          const Is& is) const;
+
+  //! Those with slices that have met what may be thinner than these, or with such neighbours.
+  [[nodiscard]] std::vector<std::int32_t> pixels_of_thin_images(const std::vector<std::int32_t>& looked_at) const;
+  [[nodiscard]] bool is_by_thin_image(int x, int y) const;
+
   //! Pixels of the block whose samples tell less than more of them would.
   [[nodiscard]] std::vector<std::int32_t> uneven_pixels(const std::vector<std::int32_t>& looked_at) const;
 

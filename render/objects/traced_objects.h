@@ -24,7 +24,7 @@ struct RowBlock {
 //! A show's objects as exact rays see them, about a hole of any spin: all image orders, shadows, frequency shift, light travel time.
 //!
 //! Tiles of the picture that cannot see an object cost a ray; pixels that can cost four, and sixteen where outlines, textures or shadows run through them or
-//! their neighbours.
+//! their neighbours; next to the shadow's edge, where images are thin, up to 144.
 class TracedObjects {
  public:
   //! Loads the meshes; the show must have objects. Throws Error where a mesh or an image cannot be read.

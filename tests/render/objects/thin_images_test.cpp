@@ -21,7 +21,7 @@ using test::observed;
 using test::show_of;
 using test::station;
 
-//! A ball beside the hole, whose third image lies within a hundredth of the shadow's radius of its edge, and its second outside of `thin_part`.
+//! A ball beside the hole, whose third image lies within a hundredth of the shadow's radius of its edge, and whose second lies beyond `thin_part` of it.
 class ThinImages : public testing::TestWithParam<double> {
  protected:
   static constexpr double thin_part = 0.022;
@@ -50,8 +50,8 @@ class ThinImages : public testing::TestWithParam<double> {
 
   //! The same by exact rays, on a Fibonacci lattice over the position angle and the logarithm of the distance from the edge.
   [[nodiscard]] static double exact_solid_angle(double r) {
-    constexpr int count = 10946;
-    constexpr int step = 6765;
+    constexpr int count = test::sanitized ? 1597 : 10946;
+    constexpr int step = test::sanitized ? 987 : 6765;
     constexpr double powers = 5.0;  // of e, inwards; what is nearer to the edge is another 23 times thinner
     const CameraStation camera = station(eye(r));
     const ShadowChart chart = make_shadow_chart(camera);
@@ -73,7 +73,7 @@ class ThinImages : public testing::TestWithParam<double> {
 TEST_P(ThinImages, HaveAsMuchLightAsExactRaysFind) {
   const double exact = exact_solid_angle(30.0);
   EXPECT_GT(exact, 0.0);
-  EXPECT_NEAR(drawn_solid_angle(30.0), exact, 0.07 * exact);
+  EXPECT_NEAR(drawn_solid_angle(30.0), exact, (test::sanitized ? 0.2 : 0.07) * exact);
 }
 
 TEST_P(ThinImages, KeepTheirLightAsTheCameraMovesByPartsOfAPixel) {
