@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 // Slices of a pixel along the shadow's edge.
 namespace ergodome {
