@@ -131,7 +131,8 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
                         warp.columns, warp.rows});
     fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
     if (!(lit[i] > 0.0)) {
-      fmt::print(stderr, "ergodome: {} lights nothing of the dome: check where it stands and looks\n", projector.name);
+      fmt::print(stderr, "ergodome: {} lights no part of the dome: check position_m, yaw_deg and pitch_deg\n",
+                 projector.name);
     }
     progress.advance_to(static_cast<long>(i) + 1);
   }
