@@ -42,7 +42,9 @@ void SceneRenderers::lose(const Show& show) {
 SceneRenderers::News SceneRenderers::advance(const Show& show) {
   if (again_ && Clock::now() >= *again_) {
     again_.reset();
-    loader_.load({show});
+    if (!renews()) {
+      loader_.load({show});
+    }
   }
   auto loaded = loader_.take();
   if (!loaded) {
