@@ -149,7 +149,7 @@ TEST(FlatObjects, AreTheHeadsWithoutABaseline) {
 
 TEST(FlatObjects, AreLitAndShiftedAsTheHeadSeesThemWhereEyesAreClose) {
   const std::string ball = white_ball("-7, 5, 3", "3") + "light = \"lambert\"\n";
-  const Difference difference = difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 80), 1e-6);
+  const Difference difference = difference_from_head(objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120), 1e-6);
   EXPECT_GT(difference.light, 0.01);
   // The lamp's light has two ways and both have shadows, whose edges samples meet by chance.
   EXPECT_LT(difference.mean, 3e-3);
@@ -181,8 +181,8 @@ TEST(FlatObjects, AreSeenOverSeamsThatPassThroughTiles) {
 TEST(FlatObjects, ThatAreRetardedAreSeenWhereTheyWere) {
   const std::string ball =
       "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\norbit = { r = 9, phi_deg = 120, speed = 1 }\nsize = 2\n";
-  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 80);
-  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 80);
+  const Show now = objects_show(ball + lamp_and_shift, spinning, 1.0, 60, 120);
+  const Show then = objects_show(ball + "retarded = true\n" + lamp_and_shift, spinning, 1.0, 60, 120);
   const Difference difference = difference_from_head(then, 1e-6);
   EXPECT_GT(difference.light, 100.0);
   // Some of it are images that are thinner than a tenth of a pixel: which of them samples meet is chance.
