@@ -9,13 +9,11 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
-Show falling_past_the_hole(const std::string& flight, int clock = 3) {
-  return parse_show(
-      "duration_s = 200\n[hole]\nspin = 0.9\n[camera]\n[camera.fall]\nclock = " + std::to_string(clock) +
-          "\n"
-          "velocity = { beta = 0.38, toward = [-0.3, 0.2, 1] }\n[[camera.key]]\nr = 12\ntheta_deg = 80\n[flight]\n" +
-          flight,
-      "f.toml");
+Show falling_past_the_hole(const std::string& flight, int from_r = 12, int clock = 3) {
+  const std::string start = "[[camera.key]]\nr = " + std::to_string(from_r) + "\ntheta_deg = 80\n";
+  return parse_show("duration_s = 200\n[hole]\nspin = 0.9\n[camera]\n[camera.fall]\nclock = " + std::to_string(clock) +
+                        "\nvelocity = { beta = 0.38, toward = [-0.3, 0.2, 1] }\n" + start + "[flight]\n" + flight,
+                    "f.toml");
 }
 
 //! A camera that has followed the show's path for some time.
@@ -83,9 +81,9 @@ TEST(FallTakenOver, DoesNotStopOnTheWay) {
 }
 
 TEST(FallTakenOver, SlowsDownInComfortWhereTheShowWentFaster) {
-  const Show show = falling_past_the_hole("mode = \"geodesic\"\n", 8);
-  double slowed = 0.0;
-  for (const double seconds : {2.0, 3.0, 4.0, 5.0}) {
+  const Show show = falling_past_the_hole("mode = \"geodesic\"\n", 9, 8);
+  for (const double seconds : {2.0, 4.0}) {
+    SCOPED_TRACE(seconds);
     Follower camera(show, seconds);
     camera.navigator.leave_path();
     glm::dvec3 before = camera.navigator.fly_velocity();
@@ -93,12 +91,11 @@ TEST(FallTakenOver, SlowsDownInComfortWhereTheShowWentFaster) {
     for (int i = 0; i < 120; ++i) {
       camera.follow(show, frame_s);
       const glm::dvec3 now = camera.navigator.fly_velocity();
-      EXPECT_LT(glm::length(now - before), 1.5 * show.flight.comfort.accel * frame_s) << seconds << " " << i;
+      EXPECT_LT(glm::length(now - before), 1.5 * show.flight.comfort.accel * frame_s) << i;
       before = now;
     }
-    slowed = std::max(slowed, at_first - glm::length(before));
+    EXPECT_LT(glm::length(before), at_first - 0.1);
   }
-  EXPECT_GT(slowed, 0.05);
 }
 
 TEST(FallTakenOver, IsForgottenByAFlightThatWentElsewhere) {
