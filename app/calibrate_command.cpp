@@ -130,8 +130,8 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
                         to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"),
                         warp.columns, warp.rows});
     fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
-    if (!(lit[i] > 0.0)) {
-      fmt::print(stderr, "ergodome: {} lights no part of the dome: check position_m, yaw_deg and pitch_deg\n",
+    if (lit[i] < 0.005) {
+      fmt::print(stderr, "ergodome: {} lights next to nothing of the dome: check position_m, yaw_deg and pitch_deg\n",
                  projector.name);
     }
     progress.advance_to(static_cast<long>(i) + 1);

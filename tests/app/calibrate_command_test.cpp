@@ -61,10 +61,10 @@ TEST_F(CalibrateCommand, AndInspectTellTheSamePartsOfTheDome) {
 
 TEST_F(CalibrateCommand, TellsOfAProjectorWhoseLightPassesTheDomeBy) {
   write("dome.toml", std::string(dome_of_two) +
-                         "[[projector]]\nname = \"roof\"\nposition_m = [0, 9, -1]\npitch_deg = 80\n"
-                         "fisheye = { fov_deg = 40 }\nresolution_px = [32, 32]\nwindow_px = [200, 0]\n");
+                         "[[projector]]\nname = \"roof\"\nposition_m = [0, 9, -1]\npitch_deg = 40\n"
+                         "fisheye = { fov_deg = 170 }\nresolution_px = [32, 32]\nwindow_px = [200, 0]\n");
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("roof lights no part of the dome"));
+  EXPECT_THAT(output_, HasSubstr("roof lights next to nothing of the dome"));
 }
 
 TEST_F(CalibrateCommand, KeepsWhatTheSetupsOwnFolderHeld) {

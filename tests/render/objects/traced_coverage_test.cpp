@@ -94,7 +94,7 @@ TEST(TracedObjects, AreMissedInNoPixelThatSeesThemAllOver) {
     double field_of_view;
     ObjectSettings object;
   };
-  constexpr int dense_px = test::sanitized ? 80 : 240;
+  constexpr int dense_px = test::sanitized ? 80 : 160;
   for (const Scene& at :
        {Scene{0.999, 60.0, 0.7, ball({22.0, -8.0, 1.0}, 2.2)}, Scene{0.999, 60.0, 0.3, ball({-22.0, 3.0, 1.0}, 0.8)},
         Scene{0.0, 25.0, 0.8, ball({-8.0, 1.0, 0.5}, 0.5)}, Scene{-1.0, 15.0, 1.2, ball({5.0, 6.0, -1.0}, 0.4)}}) {
