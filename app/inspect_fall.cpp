@@ -66,6 +66,9 @@ void print_fall(const json& facts) {
     fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
                at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
   };
+  if (facts["turns"].empty() && !facts.contains("stop_s")) {
+    return;
+  }
   fmt::print("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
   std::size_t printed = 0;
   for (const json& turn : facts["turns"]) {
