@@ -13,8 +13,8 @@ namespace ergodome {
 struct RecordTolerance {
   double turn_rad = 1e-3;  //!< of the view, and of the place seen from the hole
   double radius = 1e-3;    //!< part of the radius
-  double velocity =
-      5e-4;  //!< of who looks, as a proper velocity: what is seen is shifted by less than twice that angle [rad]
+  //! Of who looks, as a proper velocity: what is seen is shifted by less than twice that angle [rad].
+  double velocity = 5e-4;
 };
 
 //! Writes down a flight, so that it becomes the camera path of a show.

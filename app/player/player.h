@@ -41,8 +41,8 @@ struct PlayOptions {
   std::optional<PlayPlan> budget;
   std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();  //!< what loading shows has to tell, for the log
   std::function<Show(const std::string&)> load;  //!< reads a show's file and makes it what the command line asks for
-  std::chrono::system_clock::time_point read_at =
-      std::chrono::system_clock::now();  //!< shows are as their files were then, or later
+  //! Shows are as their files were then, or later.
+  std::chrono::system_clock::time_point read_at = std::chrono::system_clock::now();
 };
 
 //! Plays a show, or flies through its scene, in a window.

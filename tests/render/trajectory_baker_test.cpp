@@ -56,14 +56,20 @@ class TrajectoryBaker : public test::FolderTest {
   }
 
   //! Bakes to a finished file of that name.
-  BakeResult bake(const Show& show, const std::string& name, bool derivatives = true) const {
-    const BakeSettings how = settings(derivatives);
+  BakeResult bake(const Show& show, const std::string& name, const BakeSettings& how = settings()) const {
     TrajectoryJournal journal(file(name + ".part"), provenance_of(show, how));
     BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
     journal.seal(file(name), result.times_s);
     return result;
   }
 };
+
+//! For pictures of 256 pixels.
+BakeSettings coarse_settings() {
+  BakeSettings how = settings();
+  how.pixel = pi / 256.0;
+  return how;
+}
 
 class TrajectoryBakerWith : public TrajectoryBaker, public testing::WithParamInterface<bool> {};
 
@@ -72,7 +78,7 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
     GTEST_SKIP() << "bakes for minutes";
   }
   const Show show = approach();
-  const BakeResult baked = bake(show, "whole", GetParam());
+  const BakeResult baked = bake(show, "whole", settings(GetParam()));
   EXPECT_EQ(baked.unmet, 0);
   EXPECT_LE(baked.worst_px, settings().budget_px);
   const TrajectoryReader reader(file("whole"));
@@ -102,12 +108,9 @@ TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) 
   show.camera.keys[1].time_s = 4.0;
   show.camera.keys[1].r = 6.0;
   show.camera.keys[1].theta = 179.0 / 180.0 * pi;
-  BakeSettings how = settings();
-  how.pixel = pi / 256.0;
-  TrajectoryJournal journal(file("axis.part"), provenance_of(show, how));
-  const BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
+  const BakeResult result = bake(show, "axis", coarse_settings());
   EXPECT_EQ(result.unmet, 0);
-  EXPECT_LE(result.worst_px, how.budget_px);
+  EXPECT_LE(result.worst_px, settings().budget_px);
 }
 
 TEST_F(TrajectoryBaker, BuildsStationsFinerThatWouldMissTheBudgetByThemselves) {
@@ -122,10 +125,7 @@ TEST_F(TrajectoryBaker, BuildsStationsFinerThatWouldMissTheBudgetByThemselves) {
   show.camera.keys[1].time_s = 1.0;
   show.camera.keys[1].r = 3.32;
   show.camera.keys[1].theta = 104.8 / 180.0 * pi;
-  BakeSettings how = settings();
-  how.pixel = pi / 256.0;
-  TrajectoryJournal journal(file("whirl.part"), provenance_of(show, how));
-  const BakeResult result = bake_trajectory(show, how, journal, [](double) { return true; });
+  const BakeResult result = bake(show, "whirl", coarse_settings());
   EXPECT_EQ(result.unmet, 0);
 }
 
@@ -139,8 +139,8 @@ TEST_F(TrajectoryBaker, DerivativesNeedAFewOfTheStationsAndFewerBytes) {
     GTEST_SKIP() << "coarse stations are few in any case";
   }
   const Show show = approach();
-  const std::size_t without = bake(show, "without", false).times_s.size();
-  EXPECT_LT(2 * bake(show, "with", true).times_s.size(), without);
+  const std::size_t without = bake(show, "without", settings(false)).times_s.size();
+  EXPECT_LT(2 * bake(show, "with").times_s.size(), without);
   EXPECT_LT(std::filesystem::file_size(file("with")), std::filesystem::file_size(file("without")));
 }
 
