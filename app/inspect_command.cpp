@@ -49,9 +49,11 @@ struct InspectOptions {
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   const double spin = spin_at(show, time_s);
+  const ObserverMotion motion = !pose.velocity          ? show.camera.motion
+                                : pose.velocity_in_rain ? ObserverMotion::rain_boost
+                                                        : ObserverMotion::velocity;
   const CameraStation camera =
-      make_camera_station(spin, pose.r, pose.theta, 0.0, pose.velocity ? ObserverMotion::velocity : show.camera.motion,
-                          pose.velocity.value_or(show.camera.velocity));
+      make_camera_station(spin, pose.r, pose.theta, 0.0, motion, pose.velocity.value_or(show.camera.velocity));
   const ShadowChart chart = make_shadow_chart(camera);
   return radian_deg * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi));
 }

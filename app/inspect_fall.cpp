@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "content/camera_path.h"
+#include "content/fall/rain_pose.h"
 #include "content/files/counted.h"
 #include "kernels/core/angles.h"
 
@@ -17,8 +18,10 @@ using nlohmann::json;
 
 constexpr std::size_t most_turns_printed = 24;
 
-double speed_at(const FreeFall& orbit, double time_s) {
-  const Vector3<double> v = orbit.at(time_s).velocity;
+//! Against the zamo; within the horizon, where there is none, against the rain.
+double speed_at(const Show& show, double time_s) {
+  const CameraPose pose = in_zamo_frame(camera_pose(show, time_s), show.spin);
+  const Vector3<double> v = pose.velocity.value_or(Vector3<double>{});
   return std::sqrt(dot(v, v));
 }
 
@@ -32,10 +35,10 @@ json facts_of_fall(const Show& show) {
   const FallPlace end = orbit.at(end_s);
   json facts = {{"t_s", begin_s},
                 {"until_s", end_s},
-                {"beta", speed_at(orbit, begin_s)},
+                {"beta", speed_at(show, begin_s)},
                 {"own_time", orbit.proper_time(end_s)},
                 {"rounds", orbit.swept_angle(end_s) / (2.0 * pi)},
-                {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(orbit, end_s)}}},
+                {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(show, end_s)}}},
                 {"turns", json::array()}};
   double least_r = std::min(orbit.start().r, end.r);
   for (const FallTurn& turn : orbit.turns()) {
@@ -45,10 +48,15 @@ json facts_of_fall(const Show& show) {
                                 {"t_s", turn.time_s},
                                 {"r", turn.r},
                                 {"theta_deg", turn.theta * radian_deg},
-                                {"beta", speed_at(orbit, turn.time_s)}});
+                                {"beta", speed_at(show, turn.time_s)}});
     }
   }
   facts["least_r"] = least_r;
+  if (orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() <= end_s) {
+    const FallPlace place = orbit.at(*orbit.horizon_s());
+    facts["horizon"] = {
+        {"t_s", *orbit.horizon_s()}, {"r", place.r}, {"theta_deg", place.theta * radian_deg}, {"beta", 1.0}};
+  }
   if (orbit.stop_s() && *orbit.stop_s() <= end_s) {
     facts["stop_s"] = *orbit.stop_s();
   }
@@ -66,7 +74,7 @@ void print_fall(const json& facts) {
     fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
                at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
   };
-  if (facts["turns"].empty() && !facts.contains("stop_s")) {
+  if (facts["turns"].empty() && !facts.contains("stop_s") && !facts.contains("horizon")) {
     return;
   }
   fmt::print("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
@@ -77,6 +85,10 @@ void print_fall(const json& facts) {
       break;
     }
     line(turn["t_s"].get<double>(), turn, turn["kind"].get<std::string>());
+  }
+  if (facts.contains("horizon")) {
+    line(facts["horizon"]["t_s"].get<double>(), facts["horizon"],
+         "through the horizon; from here speeds are against the rain");
   }
   if (facts.contains("stop_s")) {
     line(facts["stop_s"].get<double>(), facts["end"], "time is at rest");

@@ -26,11 +26,11 @@ Axes axes_at(double theta, double phi) {
 }  // namespace
 
 EyeEvent eye_event(double spin, double r, double theta, double phi, const double (&frame_from_view)[3][3],
-                   const Vector3<double>& offset, double least_r) {
+                   const Vector3<double>& offset, const EyeRoom& room) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
-  // Proper lengths to coordinate displacements: √(Δ/Σ) dr, r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
-  const double scale[3] = {std::sqrt(std::max(f.delta, 0.0) / f.sigma), r / std::sqrt(f.sigma),
-                           r / f.circumference_factor};
+  // Proper lengths to coordinate displacements: √(Δ/Σ) dr, in the rain's frame √A/Σ dr; r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
+  const double outwards = room.in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
+  const double scale[3] = {outwards, r / std::sqrt(f.sigma), r / f.circumference_factor};
   const Axes here = axes_at(theta, phi);
   double place[3];
   for (int j = 0; j < 3; ++j) {
@@ -43,7 +43,7 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   }
   EyeEvent eye{};
   const double across = std::hypot(place[0], place[1]);
-  eye.r = std::max(std::hypot(across, place[2]), least_r);
+  eye.r = std::min(std::max(std::hypot(across, place[2]), room.least_r), room.most_r);
   eye.theta = std::atan2(across, place[2]);
   // The head's own branch of φ, so that a show of many turns does not jump.
   const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : phi;

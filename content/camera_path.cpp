@@ -242,7 +242,8 @@ CameraPose camera_pose(const Show& show, double time_s) {
   }
   if (orbit != nullptr && time_s >= orbit->begin_s()) {
     const FallPlace place = orbit->at(time_s);
-    return {place.r, place.theta, place.phi, glm::normalize(place.frame * orientation), place.velocity};
+    const glm::dquat turned = glm::normalize(place.frame * orientation);
+    return {place.r, place.theta, place.phi, turned, place.velocity, orbit->leads_within()};
   }
   CameraPose pose = orbit != nullptr ? pose_before_fall(show, time_s) : place_at(show.camera.keys, time_s);
   pose.orientation = orientation;
@@ -286,6 +287,8 @@ std::vector<CameraKey> keys_after_fall(const Show& show) {
   }
   return places;
 }
+
+bool leads_within(const Show& show) { return show.camera.orbit != nullptr && show.camera.orbit->leads_within(); }
 
 bool camera_moves(const Show& show) { return show.camera.keys.size() > 1 || show.camera.orbit != nullptr; }
 

@@ -14,10 +14,12 @@ namespace ergodome {
 struct CameraPose {
   double r;      //!< [M]
   double theta;  //!< [rad]
-  double phi;    //!< [rad]
+  double phi;    //!< [rad]; within the horizon the azimuth of ingoing Kerr coordinates
   glm::dquat orientation;
   //! Of who looks, in the ZAMO frame, slower than light; absent: as the show's observer moves, or another one that was asked for in its place.
   std::optional<Vector3<double>> velocity = std::nullopt;
+  //! That velocity is one in the rain's frame, and the axes are boosted from it: of a camera that falls through the horizon.
+  bool velocity_in_rain = false;
 };
 
 //! The camera at a show time: at the keys exactly as they say, and for as long as they hold it.
@@ -45,6 +47,9 @@ std::shared_ptr<const FreeFall> follow_fall(const Show& show);
 //! The places between which a camera goes when its fall has ended, in order: the fall's own end, as a key, and the keys after it. Azimuths go on
 //! from the fall's, the shorter way round to the first key. Empty where the camera does not fall, or falls to the end of the show.
 std::vector<CameraKey> keys_after_fall(const Show& show);
+
+//! Whether the camera falls through the horizon.
+bool leads_within(const Show& show);
 
 //! Whether the camera's place or orientation changes in the course of the show.
 bool camera_moves(const Show& show);

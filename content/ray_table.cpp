@@ -21,17 +21,20 @@ struct Columns {
 };
 
 ObserverMotion motion_of(const TableLine& line, std::string_view word) {
-  constexpr std::pair<std::string_view, ObserverMotion> motions[] = {
-      {"zamo", ObserverMotion::zamo},         {"static", ObserverMotion::fixed},
-      {"geodesic", ObserverMotion::geodesic}, {"retrograde", ObserverMotion::retrograde},
-      {"rain", ObserverMotion::rain},         {"boost", ObserverMotion::velocity}};
+  constexpr std::pair<std::string_view, ObserverMotion> motions[] = {{"zamo", ObserverMotion::zamo},
+                                                                     {"static", ObserverMotion::fixed},
+                                                                     {"geodesic", ObserverMotion::geodesic},
+                                                                     {"retrograde", ObserverMotion::retrograde},
+                                                                     {"rain", ObserverMotion::rain},
+                                                                     {"boost", ObserverMotion::velocity},
+                                                                     {"rain_boost", ObserverMotion::rain_boost}};
   for (const auto& [name, motion] : motions) {
     if (name == word) {
       return motion;
     }
   }
   throw Error(line.place, fmt::format("observer is \"{}\"", word.substr(0, 40)),
-              "choose one of zamo, static, geodesic, retrograde, rain, boost");
+              "choose one of zamo, static, geodesic, retrograde, rain, boost, rain_boost");
 }
 
 Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t> (&columns)[3],
@@ -50,14 +53,23 @@ void check(const RayRow& row, const TableLine& line) {
   if (!(std::abs(row.spin) <= 1.0)) {
     throw Error(line.place, fmt::format("a is {}", row.spin), "choose a spin from -1 to 1");
   }
-  if (!(row.r > horizon_radius(row.spin) && row.r <= 1e12)) {
-    throw Error(line.place, fmt::format("r is {}", row.r),
-                fmt::format("choose a radius above the horizon at {:.6g}, up to 1e12", horizon_radius(row.spin)));
+  const double horizon = horizon_radius(row.spin);
+  const bool falls = row.motion == ObserverMotion::rain || row.motion == ObserverMotion::rain_boost;
+  const double least = falls ? std::min(least_interior_radius(row.spin), horizon) : horizon;
+  if (!(row.r > least && row.r <= 1e12)) {
+    throw Error(
+        line.place, fmt::format("r is {}", row.r),
+        falls || !(row.r > least_interior_radius(row.spin))
+            ? fmt::format("choose a radius above {:.6g}, up to 1e12", least)
+            : fmt::format("choose a radius above the horizon at {:.6g}, up to 1e12, or the observer rain or rain_boost",
+                          horizon));
   }
   if (!(row.theta >= 0.0 && row.theta <= 3.1415926535897936)) {
     throw Error(line.place, fmt::format("theta is {}", row.theta), "choose an angle from 0 to pi");
   }
-  const Vector3<double> v = observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
+  const Vector3<double> v = row.motion == ObserverMotion::rain_boost
+                                ? row.velocity
+                                : observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
   if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
     throw Error(line.place, "its observer would outrun light there", "choose another observer or a larger radius");
   }
@@ -66,7 +78,7 @@ void check(const RayRow& row, const TableLine& line) {
 //! A velocity beside an observer who has his own must be that one; cells that are empty, and zeros, say nothing.
 void check_velocity(const RayRow& row, const TableLine& line, const Columns& columns) {
   constexpr double same = 1e-6;
-  if (row.motion == ObserverMotion::velocity) {
+  if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
     return;
   }
   const Vector3<double> v = observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
@@ -107,7 +119,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
     row.r = line.number(columns.r, "r");
     row.theta = line.number(columns.theta, "theta");
     row.motion = motion_of(line, line.cell(columns.observer));
-    if (row.motion == ObserverMotion::velocity) {
+    if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
       row.velocity = vector_of(line, columns.beta, "beta");
     }
     check(row, line);

@@ -16,13 +16,15 @@ struct RayRow {
   double r = 0.0;      //!< [M]
   double theta = 0.0;  //!< [rad]
   ObserverMotion motion = ObserverMotion::zamo;
-  Vector3<double> velocity{};   //!< in the ZAMO frame, for ObserverMotion::velocity ("boost")
+  Vector3<double>
+      velocity{};  //!< in the ZAMO frame for ObserverMotion::velocity ("boost"), in the rain's for rain_boost
   Vector3<double> direction{};  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
 };
 
 //! Reads a table of rays (CSV with a header; columns a, r, theta, observer, n_r, n_theta, n_phi, and beta_r, beta_theta, beta_phi
-//! for the observer "boost"; `id` is optional, others are ignored). Throws Error with file and line for missing columns, what is not
-//! a number, cameras inside the horizon, observers that cannot exist, directions without length.
+//! for the observers "boost" and "rain_boost"; `id` is optional, others are ignored). Throws Error with file and line for missing columns,
+//! what is not a number, cameras within the horizon whose observer is no rain, or that are too near to the inner one, observers that cannot
+//! exist, directions without length.
 std::vector<RayRow> read_ray_table(const std::filesystem::path& path);
 
 //! The same from a stream; `file` is how messages call it. With `need_directions` false (points of the edge) n_* may be absent.

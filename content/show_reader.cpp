@@ -111,6 +111,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   check_objects(root, show);
   part("disk", [&](const toml::table& table) { check_disk(table, file, show); });
   check_shells(root, file, show);
+  check_sights_within(root, file, show);
 }
 
 //! Notes where the keys of tables stand that a show has several of ("shells[1].texture").

@@ -76,7 +76,10 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
     path_ = path;
     frame_s_ = frame_s;
     begun_ = true;
-    if (jump && course_ == Course::returning) {
+    if (course_ == Course::returning && !(path_.r > horizon_radius(spin_))) {
+      course_ = Course::path;
+      return_.reset();
+    } else if (jump && course_ == Course::returning) {
       start_return();
     }
   }

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "app/navigation/navigator.h"
+#include "content/fall/rain_pose.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -10,11 +11,15 @@ void Navigator::leave_path() {
   if (course_ == Course::free) {
     return;
   }
-  if (course_ == Course::path && settings_.from == FlightStart::first_key) {
+  // From within the horizon no way leads out.
+  const bool within = course_ == Course::path && !(path_.r > horizon_radius(spin_));
+  if (within || (course_ == Course::path && settings_.from == FlightStart::first_key)) {
     reset();
     return;
   }
   if (course_ == Course::path && path_falls_) {
+    path_ = in_zamo_frame(path_, spin_);
+    place_ = place_of(path_);
     asked_velocity_ = path_.velocity;
   }
   take_velocity_of(before_, place_, frame_s_);
@@ -47,6 +52,11 @@ void Navigator::start_return() {
 
 void Navigator::return_to_path() {
   if (course_ != Course::free) {
+    return;
+  }
+  if (!(path_.r > horizon_radius(spin_))) {
+    reset();
+    course_ = Course::path;
     return;
   }
   start_return();

@@ -100,6 +100,14 @@ ObserverView falling_observer(const Vector3<double>& velocity, std::string_view 
   return view;
 }
 
+ObserverView falling_within(std::string_view language) {
+  ObserverView view;
+  view.name = language == "de" ? "im freien Fall, innerhalb des Horizonts" : "in free fall, within the horizon";
+  view.sentence = view.name;
+  view.motion = ObserverMotion::velocity;
+  return view;
+}
+
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
                            double spin, double r, double theta, std::string_view language) {
   if (mode == ObserverMode::natural) {

@@ -53,6 +53,9 @@ ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, do
 //! The observer of a camera that a show lets fall, at its velocity in the ZAMO frame.
 ObserverView falling_observer(const Vector3<double>& velocity, std::string_view language = "en");
 
+//! The same within the horizon, where there is no ZAMO.
+ObserverView falling_within(std::string_view language = "en");
+
 //! Brings an observer's velocity from one to the next within a second: the sky slides where it would jump.
 class ObserverFade {
  public:

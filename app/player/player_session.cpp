@@ -8,6 +8,7 @@
 
 #include "app/stereo_controls.h"
 #include "content/animated_show.h"
+#include "content/fall/rain_pose.h"
 
 namespace ergodome {
 
@@ -123,14 +124,22 @@ void PlayerSession::look(double seconds) {
   if (!flying()) {
     frame_.path_time_s = time_s;
   }
+  // Within the horizon nobody but who falls is there to look.
+  const bool within = !(frame_.pose.r > horizon_radius(show_now_.spin));
+  const ObserverMode mode = within ? ObserverMode::natural : observer_;
+  const CameraPose in_zamo = in_zamo_frame(frame_.pose, show_now_.spin);
   // On the way back to a path that has velocities who looks moves as that does already, so that nothing jumps where it is met.
-  const std::optional<Vector3<double>> moves =
-      navigator_->course() == Navigator::Course::returning ? camera_pose(show_, time_s).velocity : frame_.pose.velocity;
-  const std::optional<ObserverView> own = moves ? observer_at(*moves) : navigator_->own_observer(language);
+  const std::optional<Vector3<double>> moves = navigator_->course() == Navigator::Course::returning
+                                                   ? in_zamo_frame(camera_pose(show_, time_s), show_now_.spin).velocity
+                                                   : in_zamo.velocity;
+  const std::optional<ObserverView> own = within  ? falling_within(language)
+                                          : moves ? observer_at(*moves)
+                                                  : navigator_->own_observer(language);
   const ObserverView wanted =
-      observer_view(observer_, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, language);
+      observer_view(mode, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, language);
   frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
-  if (observer_ != ObserverMode::natural) {
+  if (mode != ObserverMode::natural) {
+    frame_.pose = in_zamo;
     frame_.pose.velocity.reset();
   } else if (!flying()) {
     // Baked lenses are the show's observer's, who need not be told.
@@ -295,7 +304,10 @@ std::string PlayerSession::caption() const {
 }
 
 void PlayerSession::note_flight() {
-  CameraPose pose = frame_.pose;
+  if (!(frame_.pose.r > horizon_radius(show_now_.spin))) {
+    return;  // no keys lead there
+  }
+  CameraPose pose = in_zamo_frame(frame_.pose, show_now_.spin);
   const ObserverView& seen = frame_.observer;
   const bool as_observer =
       !pose.velocity && seen.motion == show_.camera.motion &&

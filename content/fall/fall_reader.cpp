@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "content/animated_show.h"
 #include "content/camera_path.h"
@@ -50,6 +51,29 @@ void check_end(const TomlTable& table, const Show& show) {
   }
 }
 
+//! Where time comes to rest: before the horizon, or behind it and before the inner one.
+void check_rest(const TomlTable& table, const Show& show, double begin_r) {
+  const FallSettings& fall = *show.camera.fall;
+  const double horizon = horizon_radius(show.spin);
+  const double before = std::ceil(1e5 * nearest_rest * horizon) * 1e-5;
+  const double deepest = std::ceil(1e5 * least_interior_radius(show.spin)) * 1e-5;
+  const bool within = fall.least_r > 0.0 && fall.least_r < horizon;
+  const bool has_inside = deepest < horizon / nearest_rest;
+  if (fall.least_r > 0.0 && !(fall.least_r >= before && fall.least_r < begin_r) &&
+      !(within && fall.least_r >= deepest && fall.least_r <= horizon / nearest_rest)) {
+    throw table.error_at("least_r",
+                         fmt::format("is {} M, not between the horizon and the place of the beginning", fall.least_r),
+                         fmt::format("choose it from {:.6g} to below {:.6g}", before, begin_r) +
+                             (has_inside ? fmt::format(", or within the horizon, from {:.6g} to {:.6g}", deepest,
+                                                       std::floor(1e5 * horizon / nearest_rest) * 1e-5)
+                                         : ""));
+  }
+  if (within && fall.until_s) {
+    throw table.error_at("until_s", "ends a fall that least_r leads into the hole",
+                         "leave one of both out: from within the horizon keys lead nowhere");
+  }
+}
+
 //! What can be wrong before the orbit is known.
 void check_beginning(const TomlTable& table, const Show& show) {
   const FallSettings& fall = *show.camera.fall;
@@ -66,12 +90,7 @@ void check_beginning(const TomlTable& table, const Show& show) {
     throw table.error_at("t_s", "begins a fall about a hole whose spin changes",
                          "do not animate hole.spin: orbits are those of a hole that stays as it is");
   }
-  const double horizon = horizon_radius(show.spin);
-  if (fall.least_r > 0.0 && !(fall.least_r >= nearest_rest * horizon && fall.least_r < key->r)) {
-    throw table.error_at(
-        "least_r", fmt::format("is {} M, not between the horizon and the place of the beginning", fall.least_r),
-        fmt::format("choose it from {:.6g} to below {:.6g}", std::ceil(1e5 * nearest_rest * horizon) * 1e-5, key->r));
-  }
+  check_rest(table, show, key->r);
   const Vector3<double> v = observer_velocity(fall.motion, show.spin, key->r, key->theta, fall.velocity);
   if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
     throw table.error_at(table.has("velocity") ? "velocity" : "t_s",
@@ -115,6 +134,26 @@ void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraK
   key.phi = before.phi;
 }
 
+void check_sights_within(TomlTable& root, const std::string& file, const Show& show) {
+  if (!leads_within(show)) {
+    return;
+  }
+  const std::pair<bool, const char*> sights[] = {
+      {show.disk.has_value(), "the light of a disk"},
+      {!show.shells.empty(), "shells"},
+      {!show.objects.empty(), "objects"},
+      {show.stereo.model != StereoModel::physical, "eyes of another model than physical"},
+  };
+  for (const auto& [is_there, what] : sights) {
+    if (is_there) {
+      const TomlTable fall(*root.table("camera")->get("fall")->as_table(), file, "camera.fall");
+      throw fall.error_at("least_r",
+                          fmt::format("leads through the horizon, from within which {} cannot be shown", what),
+                          "take that out of the show, or choose a least_r outside");
+    }
+  }
+}
+
 void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   TomlTable table(fall, file, "camera.fall");
   FallSettings& settings = *show.camera.fall;
@@ -126,11 +165,13 @@ void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   show.camera.orbit = follow_fall(show);
   show.camera.after_fall = keys_after_fall(show);
   const FreeFall& orbit = *show.camera.orbit;
-  if (orbit.horizon_s() && *orbit.horizon_s() < show.duration_s) {
-    throw table.error_at(
-        "t_s", fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
-        fmt::format("end the fall before (until_s), or write least_r = {:.4g}, where time comes to rest",
-                    1.05 * horizon_radius(show.spin)));
+  if (!orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() < show.duration_s) {
+    throw table.error_at("t_s",
+                         fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
+                         fmt::format("end the fall before (until_s), or write least_r = {:.4g}, where time comes to "
+                                     "rest; {:.4g} leads through the horizon",
+                                     1.05 * horizon_radius(show.spin),
+                                     0.5 * (horizon_radius(show.spin) + least_interior_radius(show.spin))));
   }
   if (!orbit.stop_s() && !orbit.horizon_s() && orbit.followed_s() < show.duration_s) {
     throw table.error_at(

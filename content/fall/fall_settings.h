@@ -14,7 +14,7 @@ struct FallSettings {
   double clock = 0.0;                            //!< the camera's own time in a second of the show [M/s]
   //! The velocity is taken on so long before, and the clock so long after; the other way round at its end [s].
   double ease_s = 1.0;
-  double least_r = 0.0;           //!< where time comes to rest [M]; 0: nowhere
+  double least_r = 0.0;           //!< where time comes to rest [M], within the horizon too; 0: nowhere
   std::optional<double> until_s;  //!< when it ends, 2 ease_s or more after it began; absent: with the show
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "content/camera_path.h"
+#include "content/fall/rain_pose.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double step_error = 1e-13;
 constexpr std::size_t most_steps = 200'000;
-//! So near to the horizon a fall ends [M].
+//! So near to the horizon a fall ends that does not lead through it [M].
 constexpr double horizon_gap = 1e-6;
 //! Clocks are asked for times up to this.
 constexpr double end_of_time_s = 1e12;
@@ -47,12 +48,11 @@ FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& sett
     : spin_(spin),
       start_(start),
       settings_(settings),
+      leads_within_(settings.least_r > 0.0 && settings.least_r < horizon_radius(spin)),
       clock_(settings, clock),
       least_r_(start.r),
       followed_s_(settings.time_s) {
-  const OrbitState first = make_orbit(spin, start.r, start.theta, start.phi, start.velocity);
-  constants_ = orbit_constants(spin, first);
-  stations_.push_back({0.0, first, start.phi, 0.0, spherical_frame(start.theta, start.phi)});
+  begin();
   const double latest_s = std::max(end_s, settings.time_s);
   const double wanted = clock_.proper_time(latest_s);
   follow(wanted);
@@ -63,6 +63,21 @@ FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& sett
     turn.time_s = clock_.time_s(turn.time_s, latest_s).value_or(latest_s);
     least_r_ = std::min(least_r_, turn.r);
   }
+}
+
+void FreeFall::begin() {
+  OrbitState first = make_orbit(spin_, start_.r, start_.theta, start_.phi, start_.velocity);
+  constants_ = orbit_constants(spin_, first);
+  if (!leads_within_) {
+    stations_.push_back({0.0, first, start_.phi, 0.0, spherical_frame(start_.theta, start_.phi)});
+    return;
+  }
+  constants_.ingoing = true;
+  first.drag = ingoing_turn(spin_, start_.r);
+  const double phi = start_.phi + first.drag;
+  const Vector3<double> in_rain = orbit_rain_velocity(spin_, constants_, first, start_.phi);
+  const glm::dquat turn = rain_turn(spin_, start_.r, start_.theta, start_.velocity, in_rain);
+  stations_.push_back({0.0, first, phi, 0.0, spherical_frame(start_.theta, phi) * turn});
 }
 
 FreeFall::Station FreeFall::station_after(const Station& from, double proper_time) const {
@@ -86,14 +101,17 @@ FreeFall::Station FreeFall::station_at(double proper_time) const {
 }
 
 void FreeFall::follow(double proper_time) {
-  const double edge = horizon_radius(spin_) + horizon_gap;
+  const double horizon = horizon_radius(spin_);
   double h = 0.01 * start_.r;
   for (std::size_t step = 0; step < most_steps && stations_.back().proper_time < proper_time; ++step) {
     const Station& from = stations_.back();
     const OrbitStep next = orbit_step(spin_, constants_, h, from.state);
     if (next.error <= step_error) {
       const double to = from.proper_time + h;
-      const double last_r = std::max(settings_.least_r, edge);
+      const double last_r = leads_within_ ? settings_.least_r : std::max(settings_.least_r, horizon + horizon_gap);
+      if (leads_within_ && radius_of(from.state) > horizon && !(radius_of(next.end) > horizon)) {
+        horizon_s_ = clock_.time_s(time_at_radius(from, to, horizon), end_of_time_s);
+      }
       if (!(radius_of(next.end) > last_r)) {
         return end_at_radius(from, to, last_r);
       }
@@ -103,13 +121,19 @@ void FreeFall::follow(double proper_time) {
   }
 }
 
-void FreeFall::end_at_radius(const Station& from, double to, double r) {
+//! The last own time of a step that is outside a radius.
+double FreeFall::time_at_radius(const Station& from, double to, double r) const {
   double outside = from.proper_time;
   double inside = to;
   for (int i = 0; i < 100; ++i) {
     const double middle = outside + 0.5 * (inside - outside);
     (radius_of(station_after(from, middle).state) > r ? outside : inside) = middle;
   }
+  return outside;
+}
+
+void FreeFall::end_at_radius(const Station& from, double to, double r) {
+  const double outside = time_at_radius(from, to, r);
   if (settings_.least_r > 0.0) {
     clock_.stop_at(outside);
     stop_s_ = clock_.time_s(outside, end_of_time_s);
@@ -175,8 +199,13 @@ FallPlace FreeFall::at(double time_s) const {
   const Station now = station_at(clock_.proper_time(time_s));
   const double r = radius_of(now.state);
   const double theta = polar_angle_of(now.state);
-  return {r, theta, now.phi, orbit_velocity(spin_, now.state, now.phi - now.state.drag),
-          glm::normalize(glm::conjugate(spherical_frame(theta, now.phi)) * now.frame)};
+  const double psi = now.phi - now.state.drag;
+  const glm::dquat frame = glm::normalize(glm::conjugate(spherical_frame(theta, now.phi)) * now.frame);
+  if (!leads_within_) {
+    return {r, theta, now.phi, orbit_velocity(spin_, now.state, psi), frame};
+  }
+  const double phi = r > horizon_radius(spin_) ? now.phi - ingoing_turn(spin_, r) : now.phi;
+  return {r, theta, phi, orbit_rain_velocity(spin_, constants_, now.state, psi), frame};
 }
 
 }  // namespace ergodome

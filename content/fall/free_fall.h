@@ -21,10 +21,10 @@ struct FallStart {
 struct FallPlace {
   double r;                  //!< [M]
   double theta;              //!< [rad]
-  double phi;                //!< [rad]; goes on over many turns
-  Vector3<double> velocity;  //!< in the ZAMO frame
+  double phi;                //!< [rad]; goes on over many turns; within the horizon that of ingoing Kerr coordinates
+  Vector3<double> velocity;  //!< in the ZAMO frame; in the rain's of a fall that leads through the horizon
   //! From (e_r, e_θ, e_φ) as they were when the fall began, taken along without a roll about e_r, to those of this place. The axis is no
-  //! seam to it.
+  //! seam to it. Where the fall leads through the horizon, what is boosted from the ZAMO at its start is boosted from the rain in it.
   glm::dquat frame;
 };
 
@@ -60,6 +60,9 @@ class FreeFall {
   //! The nearest that it comes to the hole [M].
   [[nodiscard]] double least_r() const { return least_r_; }
 
+  //! Whether the fall is meant to lead through the horizon.
+  [[nodiscard]] bool leads_within() const { return leads_within_; }
+
   //! When the horizon is reached; nothing where it is not.
   [[nodiscard]] std::optional<double> horizon_s() const { return horizon_s_; }
 
@@ -86,9 +89,11 @@ class FreeFall {
 
   struct Swing;
 
+  void begin();
   void follow(double proper_time);
   [[nodiscard]] Station station_after(const Station& from, double proper_time) const;
   [[nodiscard]] Station station_at(double proper_time) const;
+  [[nodiscard]] double time_at_radius(const Station& from, double to, double r) const;
   void end_at_radius(const Station& from, double to, double r);
   void note_turn(const Station& from, const Station& to, Swing& swing);
   void note_turns();
@@ -96,6 +101,7 @@ class FreeFall {
   double spin_;
   FallStart start_;
   FallSettings settings_;
+  bool leads_within_;
   FallClock clock_;
   OrbitConstants constants_{};
   std::vector<Station> stations_;

@@ -103,7 +103,9 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   T time = zero;
   T error = zero;
   steps = zero;
-  auto active = active_at_start;
+  // Boyer-Lindquist's azimuth ends at the horizon: of light that came in through it the angles tell nothing.
+  const MaskOf<T> begun = start.within_horizon ? zero < zero : active_at_start;
+  auto active = begun;
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
     const detail::BaselineTrial<T> trial = detail::try_baseline_step(spin, start, y, h);
     const AngularState<T>& end = trial.end;
@@ -117,7 +119,7 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
     h = minimum(wished, longest);
     active = active & (!(accepted & (y.u <= zero)));
   }
-  reached = active_at_start & (!active);
+  reached = begun & (!active);
   // The last step went past infinity; straight back to u = 0.
   const T rest = -(y.u / y.u_rate);
   y = angular_sum(y, rest, angular_rate(spin, start, y));

@@ -39,7 +39,8 @@ ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
           value_of(start.u_rate),
           {value_of(start.m.x), value_of(start.m.y), value_of(start.m.z)},
           {value_of(start.m_rate.x), value_of(start.m_rate.y), value_of(start.m_rate.z)},
-          value_of(start.energy)};
+          value_of(start.energy),
+          start.within_horizon};
 }
 
 //! How much smaller than the tolerance local errors must stay: near the critical curve an error grows by 1 / distance.

@@ -50,7 +50,8 @@ ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
   return {{Complex(-z) - first, Complex(-z) + first, Complex(z) - second, Complex(z) + second}};
 }
 
-//! ∫_0^x du / √U and ∫_0^x du / ((1 - ρ u) √U) for two poles ρ, x not beyond the first root.
+//! ∫_0^x du / √U and ∫_0^x du / ((1 - ρ u) √U) for two poles ρ, x not beyond the first root; where x is beyond a pole, Cauchy's principal
+//! value: the real part of what Carlson's forms are above their cut, where R_C(s², q²) is odd in s.
 struct RadialIntegrals {
   double time;
   double pole[2];
@@ -98,7 +99,7 @@ ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, dou
     const Complex q_squared = f5_squared * u15_squared / (f[0] * f[0]);
     const Complex with_factor =
         Complex(2.0 / 3.0) * d12 * d13 * d14 / d15 * carlson_rj(u12 * u12, u13 * u13, u14 * u14, u15_squared) +
-        Complex(2.0) * carlson_rc(s * s, q_squared);
+        Complex(s.re < 0.0 ? -2.0 : 2.0) * carlson_rc(s * s, q_squared);
     // (1 - r_1 u) / (1 - ρ u) = r_1 / ρ + (1 - r_1 / ρ) / (1 - ρ u)
     const Complex integral = (pole * with_factor - roots.r[0] * time) / (pole - roots.r[0]);
     result.pole[i] = integral.re;
@@ -140,6 +141,13 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
     return spin == 0.0 ? 0.0 : 2e-15 * (::fabs(at_outer * i.pole[0]) + ::fabs(at_inner * i.pole[1])) + held;
   };
   const RadialIntegrals to_camera = radial_integrals(roots, ray.u, ray.u_rate, rho);
+  if (ray.within_horizon) {
+    // Principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
+    const double r = 1.0 / ray.u;
+    const double turn = spin == 0.0 ? 0.0 : (spin / gap) * ::log(::fabs((r - outer) / (r - inner)));
+    const double rounding = 2e-16 * ::fabs(spin) / gap * (::fabs(r / (r - outer)) + ::fabs(r / (r - inner)));
+    return {to_camera.time, -(drag(to_camera) + turn), drag_error(to_camera, ray.u) + rounding};
+  }
   if (ray.u_rate <= 0.0) {
     return {to_camera.time, -drag(to_camera), drag_error(to_camera, ray.u)};
   }

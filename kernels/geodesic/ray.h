@@ -27,6 +27,8 @@ struct RayStart {
   Vector3<T> m;              //!< polar position, |m| = 1
   Vector3<T> m_rate;         //!< dm / dλ, backwards [M]
   T energy;                  //!< energy at infinity over energy seen by the observer: g = 1 / energy
+  //! The camera is within the horizon: light goes in through it once, and ψ with φ is the azimuth of ingoing Kerr coordinates.
+  bool within_horizon = false;
 };
 
 //! Where a ray ends.

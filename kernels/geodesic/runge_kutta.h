@@ -5,24 +5,39 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
+//! Rate of frame dragging, backwards: ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²) in Boyer-Lindquist's azimuth.
+//!
+//! For a camera within the horizon it is counted in that of ingoing Kerr coordinates, dφ + (a/Δ) dr. Light that comes in there has dr/dλ = -√R,
+//! and with X = r² + a² - a L
+//!   ψ' = -a [(X - √R) / Δ - 1] = a - a K / (X + √R):
+//! nothing is singular at the horizon, where X = √R > 0 for all light that comes through it. √R u² = -u', as u falls all the way.
+template <class T>
+ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& s) {
+  using S = ScalarOf<T>;
+  const S a2 = spin * spin;
+  const T u2 = s.u * s.u;
+  if (ray.within_horizon) {
+    const T sum = S(1) + (a2 - spin * ray.axial_angular_momentum) * u2 - s.u_rate;
+    return spin - (spin * ray.shear_constant) * u2 / sum;
+  }
+  // 1 - 2u + a² u² loses all digits next to the horizon; its factors do not.
+  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const T lapse = (S(1) - horizon_r * s.u) * (S(1) - (a2 / horizon_r) * s.u);
+  return (a2 * ray.axial_angular_momentum * u2 - S(2) * spin * s.u) / lapse;
+}
+
 //! The equations of motion in Mino time as a first-order system: rate of every component of the state.
 //!
 //! From Carter's potentials R(r) and Θ(θ), differentiated once. The radius obeys u'' = u [(a² - C) + 3 K u - 2 a² Q u²], the polar
-//! position m'' = -(C + 2 a² m_z²) m with a² m_z more in its z component, and frame dragging
-//! ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²), backwards.
+//! position m'' = -(C + 2 a² m_z²) m with a² m_z more in its z component.
 template <class T>
 ERGO_HD RayState<T> rate_of(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& s) {
   using S = ScalarOf<T>;
   const S a2 = spin * spin;
   const T carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
-  const T u2 = s.u * s.u;
   const T bend = -(ray.polar_constant + S(2) * a2 * s.m.z * s.m.z);
-  const T force = (a2 - ray.polar_constant) + S(3) * ray.shear_constant * s.u - S(2) * a2 * carter * u2;
-  // 1 - 2u + a² u² loses all digits next to the horizon; its factors do not.
-  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
-  const T lapse = (S(1) - horizon_r * s.u) * (S(1) - (a2 / horizon_r) * s.u);
-  const T drag = (a2 * ray.axial_angular_momentum * u2 - S(2) * spin * s.u) / lapse;
-  return {s.u_rate, force * s.u, s.m_rate, {bend * s.m.x, bend * s.m.y, (bend + a2) * s.m.z}, drag};
+  const T force = (a2 - ray.polar_constant) + S(3) * ray.shear_constant * s.u - S(2) * a2 * carter * (s.u * s.u);
+  return {s.u_rate, force * s.u, s.m_rate, {bend * s.m.x, bend * s.m.y, (bend + a2) * s.m.z}, drag_rate(spin, ray, s)};
 }
 
 namespace detail {
@@ -111,8 +126,10 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
     // Frame dragging diverges at the horizon. An estimate that leaves out the first stage (the third-order pair's) does not see how fast
     // it changes for light that starts there, so that a step covers half of the way from the horizon at the most.
-    const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
-    h = minimum(h, S(0.5) * way);
+    if (!start.within_horizon) {
+      const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
+      h = minimum(h, S(0.5) * way);
+    }
     const detail::Trial<T> trial = detail::try_step<Tableau>(spin, start, state, h, polar_speed, stage);
     const T allowed = maximum(tolerance, rounding);
     const auto accurate = trial.error <= allowed;

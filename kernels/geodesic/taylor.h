@@ -16,10 +16,13 @@ struct TaylorCoefficients {
   T u_quadratic;              //!< 3 K / s²
   T u_cubic;                  //!< -2 a² Q / s²
   T polar;                    //!< C / s²
-  T drag_u;                   //!< -2 a / s, backwards
-  T drag_u2;                  //!< a² L / s, backwards
+  T drag_u;                   //!< -2 a / s, backwards; within the horizon a / s
+  T drag_u2;                  //!< a² L / s, backwards; within the horizon -a K / s
   RealOf<T> spin2;            //!< a² / s²
   ScalarOf<T> outer_horizon;  //!< r_+
+  bool within_horizon;        //!< as RayStart's
+  T moment;                   //!< a² - a L, and
+  RealOf<T> pace;             //!< s, of rays from within the horizon
 };
 
 //! `inverse_scale` is 1 / s.
@@ -31,14 +34,24 @@ ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RaySta
   const S a2 = spin * spin;
   const Real square = inverse_scale * inverse_scale;
   const T carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
-  return {(a2 - ray.polar_constant) * square,
-          ray.shear_constant * (S(3) * square),
-          carter * (square * (-S(2) * a2)),
-          ray.polar_constant * square,
-          T(inverse_scale * (-S(2) * spin)),
-          ray.axial_angular_momentum * (inverse_scale * a2),
-          square * a2,
-          S(1) + safe_sqrt(S(1) - a2)};
+  TaylorCoefficients<T> c = {(a2 - ray.polar_constant) * square,
+                             ray.shear_constant * (S(3) * square),
+                             carter * (square * (-S(2) * a2)),
+                             ray.polar_constant * square,
+                             T(inverse_scale * (-S(2) * spin)),
+                             ray.axial_angular_momentum * (inverse_scale * a2),
+                             square * a2,
+                             S(1) + safe_sqrt(S(1) - a2),
+                             ray.within_horizon,
+                             T(S(0)),
+                             Real(S(0))};
+  if (ray.within_horizon) {
+    c.drag_u = T(inverse_scale * spin);
+    c.drag_u2 = ray.shear_constant * (inverse_scale * -spin);
+    c.moment = a2 - spin * ray.axial_angular_momentum;
+    c.pace = S(1) / inverse_scale;
+  }
+  return c;
 }
 
 //! The series of one step: coefficient k belongs to h^k.
@@ -82,7 +95,7 @@ ERGO_HD T square_coefficient(const T* f, int k) {
 
 //! Fills the series from the state at h = 0; rates and h are in the scaled time of the coefficients.
 //!
-//! The equations are those of rate_of() in runge_kutta.h, with B short for -(C + 2 a² m_z²).
+//! The equations are those of rate_of() and of drag_rate() in runge_kutta.h, with B short for -(C + 2 a² m_z²).
 template <int Order, class T>
 ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state,
                     TaylorSeries<Order, T>& s) {
@@ -92,7 +105,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   T square[Order + 1];  // u²
   T force[Order + 1];   // u'' / u
   T bend[Order + 1];    // B
-  T lapse[Order + 1];   // Δ u²
+  T lapse[Order + 1];   // Δ u²; within the horizon (X + √R) u²
   T drag_rate[Order + 1];
   s.u[0] = state.u;
   s.u[1] = state.u_rate;
@@ -107,11 +120,22 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   ERGO_UNROLL
   for (int k = 0; k < Order; ++k) {
     square[k] = detail::square_coefficient(s.u, k);
-    lapse[k] = a2 * square[k] - S(2) * s.u[k];
-    T drag_sum = c.drag_u * s.u[k] + c.drag_u2 * square[k];
+    T drag_sum(S(0));
+    if (c.within_horizon) {
+      lapse[k] = c.moment * square[k] - s.u[k + 1] * (c.pace * S(k + 1));
+      if (k == 0) {
+        lapse[0] = lapse[0] + S(1);
+      }
+      drag_sum = c.drag_u * lapse[k] + c.drag_u2 * square[k];
+    } else {
+      lapse[k] = a2 * square[k] - S(2) * s.u[k];
+      drag_sum = c.drag_u * s.u[k] + c.drag_u2 * square[k];
+      if (k == 0) {
+        // 1 - 2u + a² u² loses all digits next to an extremal horizon; its factors do not.
+        lapse[0] = (S(1) - c.outer_horizon * s.u[0]) * (S(1) - (a2 / c.outer_horizon) * s.u[0]);
+      }
+    }
     if (k == 0) {
-      // 1 - 2u + a² u² loses all digits next to an extremal horizon; its factors do not.
-      lapse[0] = (S(1) - c.outer_horizon * s.u[0]) * (S(1) - (a2 / c.outer_horizon) * s.u[0]);
       inverse_lapse = Real(S(1)) / lapse[0];
     }
     ERGO_UNROLL

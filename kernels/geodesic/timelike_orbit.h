@@ -12,6 +12,8 @@ struct OrbitConstants {
   double energy;                  //!< E, at infinity; 1 at rest there
   double axial_angular_momentum;  //!< L_z [M]
   double polar_constant;          //!< Q + L_z² [M²], with Carter's Q
+  //! Azimuth and time are those of ingoing Kerr coordinates, in which bodies go in through the horizon: dφ + (a/Δ) dr, dt + ((r² + a²)/Δ) dr.
+  bool ingoing = false;
 };
 
 //! A freely falling body at one instant, without a pole or a turning point that were singular: u = 1 / r, and the polar angle as a point
@@ -22,7 +24,7 @@ struct OrbitState {
   Vector3<double> m;       //!< (sinθ cosψ, sinθ sinψ, cosθ)
   Vector3<double> m_rate;  //!< dm/dλ [M]
   double drag;             //!< φ - ψ [rad]
-  double time;             //!< Boyer-Lindquist t since the start [M]
+  double time;             //!< t since the start [M]; as φ Boyer-Lindquist's, but where OrbitConstants says otherwise
 };
 
 inline namespace ERGO_TARGET {
@@ -100,6 +102,51 @@ ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
   return {energy, p.axial, dot(s.m_rate, s.m_rate) + a_cosine * a_cosine * (1.0 - energy * energy)};
 }
 
+//! The velocity in the rain's frame (e_r, e_θ, e_φ), at the horizon and within it, too; `psi` as in orbit_velocity.
+//!
+//! With the body's momentum (ε, p) there, v the rain's speed and ω the dragging (see make_camera_station),
+//!   E - ω L = ε - v p_r,   (dr/dλ) / √A = p_r - v ε,   (ε - p_r)(ε + p_r) = 1 + p_θ² + p_φ²:
+//! both first sums give ε - p_r over 1 + v, and for what goes in they do not cancel.
+ERGO_HD Vector3<double> orbit_rain_velocity(double spin, const OrbitConstants& c, const OrbitState& s, double psi) {
+  const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
+  const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
+  const Vector3<double> east = {-::sin(psi), ::cos(psi), 0.0};
+  const KerrFunctions f = kerr_functions(spin, 1.0 / s.u, ::atan2(sine, s.m.z));
+  const double polar = dot(s.m_rate, south) / ::sqrt(f.sigma);
+  const double azimuthal = dot(s.m_rate, east) / f.circumference_factor;
+  const double inwards = s.u_rate / (s.u * s.u * ::sqrt(f.area));
+  const double less = (c.energy - f.frame_dragging * c.axial_angular_momentum + inwards) / (1.0 + f.rain_speed);
+  const double more = (1.0 + polar * polar + azimuthal * azimuthal) / less;
+  const double energy = 0.5 * (more + less);
+  return {0.5 * (more - less) / energy, polar / energy, azimuthal / energy};
+}
+
+namespace detail {
+
+//! Rates of frame dragging and of time with λ.
+struct OrbitDrag {
+  double drag;
+  double time;
+};
+
+//! With P = E (r² + a²) - a L and R = (dr/dλ)² = P² - Δ (r² + K): what P and dr/dλ have over Δ together, for bodies that go in, is
+//! (r² + K) / (P + √R). `moment` is P u², `mass` 1 + K u².
+ERGO_HD OrbitDrag orbit_drag(double spin, const OrbitConstants& c, const OrbitState& s, double moment, double mass,
+                             double lapse) {
+  const double a2 = spin * spin;
+  const double u2 = s.u * s.u;
+  const double sine_square = s.m.x * s.m.x + s.m.y * s.m.y;
+  const double beside = spin * (c.axial_angular_momentum - spin * c.energy * sine_square);
+  if (c.ingoing) {
+    const double together = s.u_rate > 0.0 ? mass / (moment + s.u_rate) : (moment - s.u_rate) / lapse;
+    return {spin * (together - c.energy), (1.0 + a2 * u2) * together / u2 + beside};
+  }
+  return {spin * s.u * (2.0 * c.energy - spin * c.axial_angular_momentum * s.u) / lapse,
+          (1.0 + a2 * u2) * moment / lapse / u2 + beside};
+}
+
+}  // namespace detail
+
 //! Rate of every component of the state with the body's own time τ.
 //!
 //! Carter's potentials for mass 1 (Bardeen, Press & Teukolsky 1972, eq. 2.9), differentiated once: with K = Q + (L - aE)²,
@@ -116,16 +163,14 @@ ERGO_HD OrbitState orbit_rate(double spin, const OrbitConstants& c, const OrbitS
   const double spring = a2 * (1.0 - c.energy * c.energy) * s.m.z;
   const double bend = spring * s.m.z - dot(s.m_rate, s.m_rate);
   const double mino = u2 / (1.0 + a2 * u2 * s.m.z * s.m.z);  // dλ/dτ = 1/Σ
-  const double sine_square = s.m.x * s.m.x + s.m.y * s.m.y;
+  const detail::OrbitDrag dragged = detail::orbit_drag(spin, c, s, moment, 1.0 + shear * u2, lapse);
   OrbitState rate{};
   rate.u = mino * s.u_rate;
   rate.u_rate = mino * force;
   rate.m = mino * s.m_rate;
   rate.m_rate = mino * Vector3<double>{bend * s.m.x, bend * s.m.y, bend * s.m.z - spring};
-  rate.drag = mino * spin * s.u * (2.0 * c.energy - spin * c.axial_angular_momentum * s.u) / lapse;
-  rate.time =
-      ((1.0 + a2 * u2) * (moment) / lapse / u2 + spin * (c.axial_angular_momentum - spin * c.energy * sine_square)) *
-      mino;
+  rate.drag = mino * dragged.drag;
+  rate.time = mino * dragged.time;
   return rate;
 }
 
@@ -176,7 +221,8 @@ ERGO_HD double orbit_step_growth(double error, double tolerance) {
 }
 
 //! Follows a body for `duration` of its own time [M], backwards where negative, in steps of Cash & Karp's pair whose errors stay below
-//! `tolerance` [rad]. False, with the body where it came to, when it gets too near to the horizon or `step_limit` is reached.
+//! `tolerance` [rad]. False, with the body where it came to, when it gets too near to the horizon (but OrbitConstants::ingoing) or `step_limit`
+//! is reached.
 ERGO_HD bool advance_orbit(double spin, const OrbitConstants& constants, double duration, double tolerance,
                            int step_limit, OrbitState& state) {
   double done = 0.0;

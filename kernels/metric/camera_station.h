@@ -32,6 +32,8 @@ struct CameraStationOf {
   DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
   DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
+  bool within_horizon =
+      false;  //!< then φ is the azimuth of ingoing Kerr coordinates, which at infinity is Boyer-Lindquist's
 };
 
 using CameraStation = CameraStationOf<double>;
@@ -68,9 +70,9 @@ ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
 
 //! Prepares a camera at Boyer-Lindquist (r, θ, φ) [M, rad] whose observer moves as told.
 //!
-//! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity. Outside the horizon every observer works; the rain
-//! observer (Doran's free fall from rest at infinity) works at the horizon as well, because it never passes through the ZAMO
-//! frame: with the rain's speed v and the ZAMO's lapse α = √(1 - v²),
+//! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity, and in the rain's for rain_boost. Outside the horizon every
+//! observer works; the rain (Doran's free fall from rest at infinity), and what is boosted from it, work at the horizon and within it down
+//! to the inner one as well, because they never pass through the ZAMO frame: with the rain's speed v and the ZAMO's lapse α = √(1 - v²),
 //!   E = ε + v q_r + ω L,      dr/dλ = √A (q_r + v ε)       in the rain frame,
 //!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame (the same, without the cancellation).
 ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, double phi, ObserverMotion motion,
@@ -84,12 +86,16 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   station.cosine_phi = ::cos(phi);
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
-  const bool in_rain_frame = motion == ObserverMotion::rain;
+  station.within_horizon = r <= station.horizon_r;
+  const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
   const double own = in_rain_frame ? 1.0 : lapse;
   const double mixed = in_rain_frame ? f.rain_speed : 0.0;
-  const LorentzTransform boost = boost_from_moving_frame(
-      in_rain_frame ? Vector3<double>{0.0, 0.0, 0.0} : observer_velocity(motion, spin, r, theta, given));
+  const Vector3<double> rest = {0.0, 0.0, 0.0};
+  const LorentzTransform boost =
+      boost_from_moving_frame(motion == ObserverMotion::rain ? rest
+                              : in_rain_frame                ? given
+                                                             : observer_velocity(motion, spin, r, theta, given));
   const double axial = -f.circumference_factor * station.sine_theta;
   const double radial = ::sqrt(f.area) / (r * r);
   station.energy = detail::direction_form(boost, {own, mixed, 0.0, f.frame_dragging * axial});
@@ -114,7 +120,8 @@ ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
           detail::converted<S>(c.axial_momentum),
           detail::converted<S>(c.outward_rate),
           detail::converted<S>(c.polar_rate),
-          detail::converted<S>(c.azimuthal_rate)};
+          detail::converted<S>(c.azimuthal_rate),
+          c.within_horizon};
 }
 
 //! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
@@ -138,6 +145,7 @@ ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const 
   const S a_cosine = a * camera.cosine_theta;
   ray.polar_constant = polar * polar + azimuthal * azimuthal - a_cosine * a_cosine;
   ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
+  ray.within_horizon = camera.within_horizon;
   return ray;
 }
 

@@ -59,11 +59,14 @@ ERGO_HD FrameBoost frame_boost(const Vector3<double>& beta) {
   return {(1.0 / speed) * beta, ::sqrt((1.0 + speed) / (1.0 - speed))};
 }
 
-//! Aberration for an observer at (r, θ) outside the horizon; see make_camera_station for the arguments.
+//! Aberration for an observer at (r, θ); see make_camera_station for the arguments, and for who may be within the horizon.
 ERGO_HD Aberration aberration_to_rain(double spin, double r, double theta, ObserverMotion motion,
                                       const Vector3<double>& given) {
   if (motion == ObserverMotion::rain) {
     return {};
+  }
+  if (motion == ObserverMotion::rain_boost) {
+    return {{}, frame_boost(given)};
   }
   const KerrFunctions f = kerr_functions(spin, r, theta);
   // The rain falls at v = rain_speed past the ZAMO, whose lapse √(ΣΔ/A) is 1/γ.

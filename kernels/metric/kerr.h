@@ -12,6 +12,30 @@ namespace ergodome::inline ERGO_TARGET {
 //! Radius of the outer event horizon [M]: 1 + √(1 - a²).
 ERGO_HD double horizon_radius(double spin) { return 1.0 + ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin))); }
 
+//! Radius of the inner horizon [M]: 1 - √(1 - a²), 0 without spin.
+ERGO_HD double inner_horizon_radius(double spin) { return spin * spin / horizon_radius(spin); }
+
+//! How deep cameras may be within the horizon [M]: at the inner one all light of the outside's future comes at once, and without spin there
+//! is the singularity in its place. The horizon itself where the spin is 1.
+ERGO_HD double least_interior_radius(double spin) {
+  const double inner = inner_horizon_radius(spin);
+  return inner + 0.02 * (horizon_radius(spin) - inner);
+}
+
+//! What is between the azimuth of ingoing Kerr coordinates and Boyer-Lindquist's, which are one far away: ∫ a dr / Δ from infinity to r [rad].
+//! On both sides of the horizon, at which it has no end; without end at the horizon of an extremal hole as well.
+ERGO_HD double ingoing_turn(double spin, double r) {
+  const double outer = horizon_radius(spin);
+  const double inner = inner_horizon_radius(spin);
+  const double gap = outer - inner;
+  if (spin == 0.0) {
+    return 0.0;
+  }
+  // ln|(r - r_+) / (r - r_-)| without its cancellation far away, or where the horizons are close.
+  const double ratio = gap / (r - inner);
+  return gap > 0.0 ? spin / gap * (ratio < 1.0 ? ::log1p(-ratio) : ::log(ratio - 1.0)) : -spin / (r - outer);
+}
+
 //! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.
 ERGO_HD double static_limit_radius(double spin, double theta) {
   const double a_cosine = spin * ::cos(theta);

@@ -13,7 +13,8 @@ enum class ObserverMotion {
   geodesic,    //!< circular equatorial orbit along +φ at the coordinate radius r
   retrograde,  //!< circular equatorial orbit along -φ
   rain,        //!< free fall from rest at infinity, without angular momentum
-  velocity     //!< any velocity in the ZAMO frame
+  velocity,    //!< any velocity in the ZAMO frame
+  rain_boost  //!< any velocity in the rain's frame, which this observer's frame is a boost of: at the horizon and within it, too
 };
 
 //! A linear map of 4-vectors (energy first, then r, θ, φ components), row by row.
@@ -25,8 +26,8 @@ inline namespace ERGO_TARGET {
 
 //! Velocity of an observer in the ZAMO frame, in units of c.
 //!
-//! `given` is used for ObserverMotion::velocity alone. The speed is 1 or more, or not a number, where such an observer cannot
-//! exist (static in the ergosphere, circular inside the photon orbit): the caller checks.
+//! `given` is used for ObserverMotion::velocity and rain_boost alone. The speed is 1 or more, or not a number, where such an observer cannot
+//! exist (static in the ergosphere, circular inside the photon orbit), and within the horizon, where no ZAMO does: the caller checks.
 ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, double spin, double r, double theta,
                                           const Vector3<double>& given) {
   const KerrFunctions f = kerr_functions(spin, r, theta);
@@ -46,6 +47,11 @@ ERGO_HD Vector3<double> observer_velocity(ObserverMotion motion, double spin, do
       return along_phi(-1.0 / (r * ::sqrt(r) - spin));
     case ObserverMotion::rain:
       return {-f.rain_speed, 0.0, 0.0};
+    case ObserverMotion::rain_boost: {
+      const double lapse = ::sqrt(f.sigma * f.delta / f.area);
+      const double shared = 1.0 / (1.0 - f.rain_speed * given.x);
+      return {shared * (given.x - f.rain_speed), shared * lapse * given.y, shared * lapse * given.z};
+    }
     case ObserverMotion::velocity:
       break;
   }
@@ -81,6 +87,15 @@ ERGO_HD LorentzTransform operator*(const LorentzTransform& a, const LorentzTrans
     }
   }
   return product;
+}
+
+//! The rotation from the axes of an observer who is boosted from the ZAMO to those of one who moves alike, but is boosted from the rain
+//! (Wigner's rotation): row by row, and outside the horizon. `in_zamo` and `in_rain` are the velocities of either, of one motion.
+ERGO_HD LorentzTransform rain_axes_from_zamo_axes(double spin, double r, double theta, const Vector3<double>& in_zamo,
+                                                  const Vector3<double>& in_rain) {
+  const Vector3<double> falls = observer_velocity(ObserverMotion::rain, spin, r, theta, {0.0, 0.0, 0.0});
+  return boost_from_moving_frame({-in_rain.x, -in_rain.y, -in_rain.z}) *
+         (boost_from_moving_frame({-falls.x, -falls.y, -falls.z}) * boost_from_moving_frame(in_zamo));
 }
 
 }  // namespace ERGO_TARGET

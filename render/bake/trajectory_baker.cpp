@@ -220,6 +220,10 @@ class Baker {
 }  // namespace
 
 TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& settings) {
+  if (leads_within(show)) {
+    throw Error(show.name, "the camera falls through the horizon, and lenses are baked outside",
+                "play and render make a lens for each of its pictures");
+  }
   if (find_animation(show, "hole.spin") != nullptr) {
     throw Error(show.name, "the hole's spin changes with time (hole.spin), and lenses are baked for one spin",
                 "play and render it with --lens live, or leave the spin as it is");

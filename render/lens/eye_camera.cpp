@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
@@ -14,6 +15,11 @@ namespace {
 
 //! All eyes of one head move together: at the velocity that the head's observer has at the head's place.
 void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
+  if (pose.velocity && pose.velocity_in_rain) {
+    eye.motion = ObserverMotion::rain_boost;
+    eye.velocity = *pose.velocity;
+    return;
+  }
   eye.motion = pose.velocity ? ObserverMotion::velocity : show.camera.motion;
   eye.velocity = pose.velocity.value_or(show.camera.velocity);
   if (eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo) {
@@ -31,7 +37,9 @@ void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
 
 EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset) {
   const double horizon = horizon_radius(show.spin);
-  if (!(pose.r > horizon)) {
+  const bool in_rain = pose.velocity && pose.velocity_in_rain;
+  const double deepest = in_rain ? std::min(least_interior_radius(show.spin), horizon) : horizon;
+  if (!(pose.r > deepest)) {
     throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
   }
   if (!std::isfinite(pose.r + pose.theta + pose.phi + offset.x + offset.y + offset.z)) {
@@ -45,9 +53,11 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
       head[i][j] = turn[j][i];
     }
   }
-  // An eye that the baseline would put into the hole waits just outside.
-  const EyeEvent event =
-      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, horizon + 1e-3 * (pose.r - horizon));
+  // An eye that the baseline would put into the hole waits just outside, as do those of a head that falls: both are on one side.
+  const double before = pose.r > horizon ? horizon : deepest;
+  const double behind = pose.r > horizon ? INFINITY : horizon;
+  const EyeEvent event = eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset,
+                                   {before + 1e-3 * (pose.r - before), behind, in_rain});
   EyeCamera eye{};
   eye.spin = show.spin;
   eye.r = event.r;

@@ -10,16 +10,16 @@ struct EyeCamera {
   double spin;   //!< [M]
   double r;      //!< Boyer-Lindquist radius [M]
   double theta;  //!< polar angle [rad]
-  double phi;    //!< azimuth [rad]
+  double phi;    //!< azimuth [rad]; within the horizon that of ingoing Kerr coordinates
   ObserverMotion motion;
-  Vector3<double> velocity{};    //!< in the ZAMO frame, for ObserverMotion::velocity
+  Vector3<double> velocity{};    //!< in the ZAMO frame for ObserverMotion::velocity, in the rain's for rain_boost
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
   double head_r;                 //!< the head's place: the eye's own for a single eye [M]
   double head_theta;             //!< [rad]
 };
 
-//! An eye of the show's camera at a pose, `offset` M from the head in the view's axes (x right, y up, z back). Throws Error inside the
-//! horizon, where the observer would outrun light, and for numbers that are none.
+//! An eye of the show's camera at a pose, `offset` M from the head in the view's axes (x right, y up, z back). Throws Error within the
+//! horizon for cameras that do not fall there, near the inner one, where the observer would outrun light, and for numbers that are none.
 EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset);
 
 //! The same for an eye to the right of the head; 0 is the head itself.

@@ -70,9 +70,10 @@ const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCame
 const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const EyeCamera& eye) {
   // A frame's way of a fast flight; from farther off the picture would jump.
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
-    return grid.spin == order.spin && std::abs(grid.r - order.place.r) < 0.1 * (order.place.r - 1.0) &&
-           std::abs(grid.theta - order.place.theta) < 0.1 && grid.error <= 2.0 * error_of(order) &&
-           moves_alike(grid.motion, grid.velocity, eye);
+    const double horizon = horizon_radius(order.spin);
+    return grid.spin == order.spin && std::abs(grid.r - order.place.r) < 0.1 * std::abs(order.place.r - 1.0) &&
+           (grid.r > horizon) == (order.place.r > horizon) && std::abs(grid.theta - order.place.theta) < 0.1 &&
+           grid.error <= 2.0 * error_of(order) && moves_alike(grid.motion, grid.velocity, eye);
   });
   return found != grids_.end() ? &*found : nullptr;
 }

@@ -27,7 +27,8 @@ ObserverMotion motion_of(const std::string& name) {
   static const std::map<std::string, ObserverMotion> motions = {
       {"zamo", ObserverMotion::zamo},         {"static", ObserverMotion::fixed},
       {"geodesic", ObserverMotion::geodesic}, {"retrograde", ObserverMotion::retrograde},
-      {"rain", ObserverMotion::rain},         {"boost", ObserverMotion::velocity}};
+      {"rain", ObserverMotion::rain},         {"boost", ObserverMotion::velocity},
+      {"rain_boost", ObserverMotion::rain_boost}};
   return motions.at(name);
 }
 
@@ -62,6 +63,23 @@ const std::vector<ReferenceRay>& reference_rays() {
       ray.mino_time = number(row, "mino_time");
       ray.edge_distance = number(row, "edge_distance", -1.0);
       ray.magnification = number(row, "magnification");
+      result.push_back(ray);
+    }
+    return result;
+  }();
+  return rays;
+}
+
+const std::vector<ReferenceRay>& reference_rays_within() {
+  static const std::vector<ReferenceRay> rays = [] {
+    std::vector<ReferenceRay> result;
+    for (const Row& row : read_table("within_horizon.csv")) {
+      ReferenceRay ray{};
+      fill_camera(ray, row);
+      ray.id = static_cast<int>(number(row, "id"));
+      ray.status = row.at("status") == "escaped" ? RayStatus::escaped : RayStatus::captured;
+      ray.sky = vector(row, "sky_x", "sky_y", "sky_z");
+      ray.g = number(row, "g");
       result.push_back(ray);
     }
     return result;

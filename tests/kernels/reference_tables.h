@@ -45,6 +45,8 @@ struct ReferenceCrossing {
 };
 
 const std::vector<ReferenceRay>& reference_rays();
+//! Those of tests/data/within_horizon.csv, which know nothing but the sky and g.
+const std::vector<ReferenceRay>& reference_rays_within();
 const std::vector<ReferenceEdgePoint>& reference_edge();
 const std::vector<ReferenceCrossing>& reference_crossings();
 

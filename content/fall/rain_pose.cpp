@@ -1,0 +1,29 @@
+#include "content/fall/rain_pose.h"
+
+namespace ergodome {
+
+glm::dquat rain_turn(double spin, double r, double theta, const Vector3<double>& in_zamo,
+                     const Vector3<double>& in_rain) {
+  const LorentzTransform turn = rain_axes_from_zamo_axes(spin, r, theta, in_zamo, in_rain);
+  glm::dmat3 matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      matrix[column][row] = turn.row[row + 1][column + 1];
+    }
+  }
+  return glm::normalize(glm::quat_cast(matrix));
+}
+
+CameraPose in_zamo_frame(const CameraPose& pose, double spin) {
+  if (!pose.velocity || !pose.velocity_in_rain || !(pose.r > horizon_radius(spin))) {
+    return pose;
+  }
+  CameraPose other = pose;
+  other.velocity = observer_velocity(ObserverMotion::rain_boost, spin, pose.r, pose.theta, *pose.velocity);
+  other.velocity_in_rain = false;
+  const glm::dquat turn = rain_turn(spin, pose.r, pose.theta, *other.velocity, *pose.velocity);
+  other.orientation = glm::normalize(glm::conjugate(turn) * pose.orientation);
+  return other;
+}
+
+}  // namespace ergodome
