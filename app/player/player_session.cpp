@@ -172,6 +172,9 @@ StereoSettings PlayerSession::stereo_now() const {
   StereoSettings stereo = stereo_;
   stereo.baseline = playback_.baseline().value_or(show_now_.stereo.baseline);
   stereo.convergence = convergence_.value_or(show_now_.stereo.convergence);
+  if (leads_within(show_)) {
+    stereo.model = StereoModel::physical;  // the others know nothing of the inside
+  }
   return stereo;
 }
 

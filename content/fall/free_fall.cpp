@@ -58,6 +58,9 @@ FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& sett
   follow(wanted);
   const double reached = stations_.back().proper_time;
   followed_s_ = reached < wanted ? clock_.time_s(reached, latest_s).value_or(latest_s) : latest_s;
+  if (crossing_) {
+    horizon_s_ = clock_.time_s(*crossing_, end_of_time_s);
+  }
   note_turns();
   for (FallTurn& turn : turns_) {
     turn.time_s = clock_.time_s(turn.time_s, latest_s).value_or(latest_s);
@@ -110,7 +113,7 @@ void FreeFall::follow(double proper_time) {
       const double to = from.proper_time + h;
       const double last_r = leads_within_ ? settings_.least_r : std::max(settings_.least_r, horizon + horizon_gap);
       if (leads_within_ && radius_of(from.state) > horizon && !(radius_of(next.end) > horizon)) {
-        horizon_s_ = clock_.time_s(time_at_radius(from, to, horizon), end_of_time_s);
+        crossing_ = time_at_radius(from, to, horizon);
       }
       if (!(radius_of(next.end) > last_r)) {
         return end_at_radius(from, to, last_r);

@@ -107,6 +107,7 @@ class FreeFall {
   std::vector<Station> stations_;
   std::vector<FallTurn> turns_;
   double least_r_;
+  std::optional<double> crossing_;  //!< own time at the horizon of a fall that leads through it [M]
   std::optional<double> horizon_s_;
   std::optional<double> stop_s_;
   double followed_s_;

@@ -160,7 +160,7 @@ TEST(FallReader, NamesWhatIsWrongInItsTable) {
               HasSubstr("camera.fall.velocity.beta"));
   EXPECT_THAT(error_in("t_s = 4\nclock = 6\nvelocity = { beta = 0.1, toward = [nan, 0, 0] }\n"),
               HasSubstr("camera.fall.velocity.toward"));
-  EXPECT_THAT(error_in(usual + "least_r = 1.2\n"), HasSubstr("f.toml:10: camera.fall.least_r is 1.2 M"));
+  EXPECT_THAT(error_in(usual + "least_r = 1.436\n"), HasSubstr("f.toml:10: camera.fall.least_r is 1.436 M"));
   EXPECT_THAT(error_in(usual + "least_r = 20\n"), HasSubstr("camera.fall.least_r is 20 M"));
   EXPECT_THAT(error_in("t_s = 4\nclock = 1e9\nvelocity = { beta = 0.2, toward = [0, 0, 1] }\n"),
               HasSubstr("camera.fall.clock runs so fast"));

@@ -33,6 +33,14 @@ const char* const no_float =
     "nearer than float tells directions: rays in float may say that they do not converge, or take the other side; "
     "grids keep the edge from double";
 
+//! Within the horizon, and next to where it ends for cameras. Nothing is baked there, and angles end at the horizon.
+constexpr Allowed within = {1e-10, 5e-5, 0.12, not_asked, not_asked};
+constexpr Allowed deep_within = {2e-8, 2e-4, 0.12, not_asked, not_asked};
+const char* const more_caustics =
+    "light comes out past the orbits of light, where errors grow by one over the distance from the edge; and a "
+    "hundredth of the sky lies so near to "
+    "caustics that the map's smaller singular value is below 0.1: on the screen errors grow by one over that";
+
 }  // namespace
 
 const std::vector<HardCase>& hard_cases() {
@@ -100,6 +108,16 @@ const std::vector<HardCase>& hard_cases() {
        {unbounded, unbounded, not_asked, not_asked, not_asked},
        "space is dragged round a million times; tests ShellCrossings hold what can be held "
        "there"},
+      {"JustWithinTheHorizon",
+       {0.9, r_plus - 1e-6, 1.2, rain},
+       whole_sky,
+       {5e-9, 2e-5, 0.12, not_asked, not_asked},
+       "the closed form takes two numbers from each other that have no end at the horizon; beside caustics as within "
+       "it"},
+      {"WithinTheHorizon", {0.9, 1.0, 1.2, rain_boost, {0.1, -0.2, 0.3}}, whole_sky, within, more_caustics},
+      {"OnTheAxisWithinTheHorizon", {0.9, 1.0, 0.0, rain}, whole_sky, within, more_caustics},
+      {"AboveTheInnerHorizon", {0.9, 0.5816, 1.2, rain}, whole_sky, deep_within, more_caustics},
+      {"AboveTheSingularity", {0.0, 0.04, 1.2, rain}, whole_sky, deep_within, more_caustics},
       {"InTheErgosphere",
        {0.999, 1.5, 0.5 * pi},
        whole_sky,

@@ -1,5 +1,6 @@
 #include "tests/hard_cases/random_places.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>
@@ -63,6 +64,17 @@ Place random_place(std::mt19937_64& random, double least_height) {
   place.theta = random_theta(random);
   const double motion = uniform(random, 0.0, 1.0);
   place.motion = motion < 0.4 ? ObserverMotion::zamo : motion < 0.7 ? ObserverMotion::rain : ObserverMotion::velocity;
+  place.beta = uniform(random, 0.0, 0.99) * any_direction(random);
+  return place;
+}
+
+Place random_place_within(std::mt19937_64& random) {
+  Place place{};
+  place.spin = std::clamp(random_spin(random), -0.9999, 0.9999);
+  const double least = least_interior_radius(place.spin);
+  place.r = least + uniform(random, 0.001, 0.999) * (horizon_radius(place.spin) - least);
+  place.theta = random_theta(random);
+  place.motion = uniform(random, 0.0, 1.0) < 0.5 ? ObserverMotion::rain : ObserverMotion::rain_boost;
   place.beta = uniform(random, 0.0, 0.99) * any_direction(random);
   return place;
 }

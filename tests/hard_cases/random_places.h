@@ -23,6 +23,10 @@ constexpr double room_of(Seed seed) { return seed == Seed::by_chance ? 100.0 : 1
 //! fall, or at up to 0.99 c.
 Place random_place(std::mt19937_64& random, double least_height);
 
+//! Within the horizon: spins to ±0.9999 and 0, radii down to the least that cameras may have, polar angles as above; in free fall from rest
+//! far away, or at up to 0.99 c past that.
+Place random_place_within(std::mt19937_64& random);
+
 //! Half over the whole sky; the rest about principal rays, light through the axis, and `nearest` ... 0.1 rad from the shadow's edge.
 Directions random_rays(std::mt19937_64& random, const CameraStation& camera, int count, double nearest);
 

@@ -63,9 +63,8 @@ TEST(WithinHorizon, RungeKuttaPairsSeeTheSkyOfTheReference) {
 }
 
 TEST(WithinHorizon, ClosedFormSeesTheSkyOfTheReference) {
-  expect_reference(3e-13, [](double spin, const RayStart<double>& start, double&, bool&) {
-    return trace_closed_form(spin, start);
-  });
+  expect_reference(
+      3e-13, [](double spin, const RayStart<double>& start, double&, bool&) { return trace_closed_form(spin, start); });
 }
 
 TEST(WithinHorizon, ClosedFormTellsItsErrorAtTheHorizonItself) {
@@ -114,8 +113,8 @@ TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
     Vector3<double> seen[2];
     for (int side = 0; side < 2; ++side) {
       const double r = horizon_radius(spin) + (side == 0 ? -beside : beside);
-      const CameraStation camera = make_camera_station(spin, r, 1.1, side == 0 ? 0.0 : -ingoing_turn(spin, r),
-                                                       ObserverMotion::rain);
+      const CameraStation camera =
+          make_camera_station(spin, r, 1.1, side == 0 ? 0.0 : -ingoing_turn(spin, r), ObserverMotion::rain);
       double steps = 0.0;
       bool reached = false;
       seen[side] = turned_to_camera(
