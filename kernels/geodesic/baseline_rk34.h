@@ -104,7 +104,8 @@ ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start
   T error = zero;
   steps = zero;
   // Boyer-Lindquist's azimuth ends at the horizon: of light that came in through it the angles tell nothing.
-  const MaskOf<T> begun = start.within_horizon ? zero < zero : active_at_start;
+  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const MaskOf<T> begun = active_at_start & (horizon_r * start.u < T(S(1)));
   auto active = begun;
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
     const detail::BaselineTrial<T> trial = detail::try_baseline_step(spin, start, y, h);

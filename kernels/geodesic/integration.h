@@ -17,7 +17,7 @@ struct RayState {
 
 template <class T>
 ERGO_HD RayState<T> initial_state(const RayStart<T>& start) {
-  return {start.u, start.u_rate, start.m, start.m_rate, T(ScalarOf<T>(0))};
+  return {start.u, start.u_rate, start.m, start.m_rate, T(start.turn)};
 }
 
 //! Where on the sky a ray at u = 0 points: its polar position, turned about the axis by the frame dragging.
@@ -40,7 +40,8 @@ ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
           {value_of(start.m.x), value_of(start.m.y), value_of(start.m.z)},
           {value_of(start.m_rate.x), value_of(start.m_rate.y), value_of(start.m_rate.z)},
           value_of(start.energy),
-          start.within_horizon};
+          start.ingoing,
+          start.turn};
 }
 
 //! How much smaller than the tolerance local errors must stay: near the critical curve an error grows by 1 / distance.

@@ -141,9 +141,9 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
     return spin == 0.0 ? 0.0 : 2e-15 * (::fabs(at_outer * i.pole[0]) + ::fabs(at_inner * i.pole[1])) + held;
   };
   const RadialIntegrals to_camera = radial_integrals(roots, ray.u, ray.u_rate, rho);
-  if (ray.within_horizon) {
+  const double r = 1.0 / ray.u;
+  if (!(r > outer)) {
     // Principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
-    const double r = 1.0 / ray.u;
     const double turn = spin == 0.0 ? 0.0 : (spin / gap) * ::log(::fabs((r - outer) / (r - inner)));
     const double rounding = 2e-16 * ::fabs(spin) / gap * (::fabs(r / (r - outer)) + ::fabs(r / (r - inner)));
     return {to_camera.time, -(drag(to_camera) + turn), drag_error(to_camera, ray.u) + rounding};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "kernels/core/arithmetic.h"
 #include "kernels/core/vector3.h"
 
 namespace ergodome {
@@ -27,8 +28,11 @@ struct RayStart {
   Vector3<T> m;              //!< polar position, |m| = 1
   Vector3<T> m_rate;         //!< dm / dλ, backwards [M]
   T energy;                  //!< energy at infinity over energy seen by the observer: g = 1 / energy
-  //! The camera is within the horizon: light goes in through it once, and ψ with φ is the azimuth of ingoing Kerr coordinates.
-  bool within_horizon = false;
+  //! The camera is within the horizon or next to it: all light from the sky only comes in to it, and on the way azimuths are counted in ingoing
+  //! Kerr coordinates, where nothing is singular.
+  bool ingoing = false;
+  ScalarOf<T> turn =
+      ScalarOf<T>(0);  //!< the camera's azimuth in those [rad]; 0 where it is counted otherwise, and within the horizon
 };
 
 //! Where a ray ends.

@@ -7,7 +7,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Rate of frame dragging, backwards: ψ' = -(2 a u - a² L u²) / (1 - 2u + a² u²) in Boyer-Lindquist's azimuth.
 //!
-//! For a camera within the horizon it is counted in that of ingoing Kerr coordinates, dφ + (a/Δ) dr. Light that comes in there has dr/dλ = -√R,
+//! Where light only comes in (RayStart::ingoing) it is counted in that of ingoing Kerr coordinates, dφ + (a/Δ) dr. Such light has dr/dλ = -√R,
 //! and with X = r² + a² - a L
 //!   ψ' = -a [(X - √R) / Δ - 1] = a - a K / (X + √R):
 //! nothing is singular at the horizon, where X = √R > 0 for all light that comes through it. √R u² = -u', as u falls all the way.
@@ -16,7 +16,7 @@ ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>&
   using S = ScalarOf<T>;
   const S a2 = spin * spin;
   const T u2 = s.u * s.u;
-  if (ray.within_horizon) {
+  if (ray.ingoing) {
     const T sum = S(1) + (a2 - spin * ray.axial_angular_momentum) * u2 - s.u_rate;
     return spin - (spin * ray.shear_constant) * u2 / sum;
   }
@@ -126,7 +126,7 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
     // Frame dragging diverges at the horizon. An estimate that leaves out the first stage (the third-order pair's) does not see how fast
     // it changes for light that starts there, so that a step covers half of the way from the horizon at the most.
-    if (!start.within_horizon) {
+    if (!start.ingoing) {
       const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
       h = minimum(h, S(0.5) * way);
     }

@@ -16,13 +16,13 @@ struct TaylorCoefficients {
   T u_quadratic;              //!< 3 K / s²
   T u_cubic;                  //!< -2 a² Q / s²
   T polar;                    //!< C / s²
-  T drag_u;                   //!< -2 a / s, backwards; within the horizon a / s
-  T drag_u2;                  //!< a² L / s, backwards; within the horizon -a K / s
+  T drag_u;                   //!< -2 a / s, backwards; where `ingoing` a / s
+  T drag_u2;                  //!< a² L / s, backwards; where `ingoing` -a K / s
   RealOf<T> spin2;            //!< a² / s²
   ScalarOf<T> outer_horizon;  //!< r_+
-  bool within_horizon;        //!< as RayStart's
+  bool ingoing;               //!< as RayStart's
   T moment;                   //!< a² - a L, and
-  RealOf<T> pace;             //!< s, of rays from within the horizon
+  RealOf<T> pace;             //!< s, of those rays
 };
 
 //! `inverse_scale` is 1 / s.
@@ -42,10 +42,10 @@ ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RaySta
                              ray.axial_angular_momentum * (inverse_scale * a2),
                              square * a2,
                              S(1) + safe_sqrt(S(1) - a2),
-                             ray.within_horizon,
+                             ray.ingoing,
                              T(S(0)),
                              Real(S(0))};
-  if (ray.within_horizon) {
+  if (ray.ingoing) {
     c.drag_u = T(inverse_scale * spin);
     c.drag_u2 = ray.shear_constant * (inverse_scale * -spin);
     c.moment = a2 - spin * ray.axial_angular_momentum;
@@ -105,7 +105,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   T square[Order + 1];  // u²
   T force[Order + 1];   // u'' / u
   T bend[Order + 1];    // B
-  T lapse[Order + 1];   // Δ u²; within the horizon (X + √R) u²
+  T lapse[Order + 1];   // Δ u²; where `ingoing` (X + √R) u²
   T drag_rate[Order + 1];
   s.u[0] = state.u;
   s.u[1] = state.u_rate;
@@ -121,7 +121,7 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   for (int k = 0; k < Order; ++k) {
     square[k] = detail::square_coefficient(s.u, k);
     T drag_sum(S(0));
-    if (c.within_horizon) {
+    if (c.ingoing) {
       lapse[k] = c.moment * square[k] - s.u[k + 1] * (c.pace * S(k + 1));
       if (k == 0) {
         lapse[0] = lapse[0] + S(1);

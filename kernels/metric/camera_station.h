@@ -32,8 +32,8 @@ struct CameraStationOf {
   DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
   DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
-  bool within_horizon =
-      false;  //!< then φ is the azimuth of ingoing Kerr coordinates, which at infinity is Boyer-Lindquist's
+  bool ingoing = false;             //!< as RayStart's
+  S turn = S(0);  //!< as RayStart's; within the horizon φ itself is the azimuth of ingoing Kerr coordinates
 };
 
 using CameraStation = CameraStationOf<double>;
@@ -86,7 +86,8 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   station.cosine_phi = ::cos(phi);
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
-  station.within_horizon = r <= station.horizon_r;
+  station.ingoing = comes_in_alone(spin, r);
+  station.turn = station.ingoing && r > station.horizon_r ? ingoing_turn(spin, r) : 0.0;
   const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
   const double own = in_rain_frame ? 1.0 : lapse;
@@ -121,7 +122,8 @@ ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
           detail::converted<S>(c.outward_rate),
           detail::converted<S>(c.polar_rate),
           detail::converted<S>(c.azimuthal_rate),
-          c.within_horizon};
+          c.ingoing,
+          static_cast<S>(c.turn)};
 }
 
 //! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
@@ -145,7 +147,8 @@ ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const 
   const S a_cosine = a * camera.cosine_theta;
   ray.polar_constant = polar * polar + azimuthal * azimuthal - a_cosine * a_cosine;
   ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
-  ray.within_horizon = camera.within_horizon;
+  ray.ingoing = camera.ingoing;
+  ray.turn = camera.turn;
   return ray;
 }
 

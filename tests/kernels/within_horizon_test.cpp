@@ -105,6 +105,24 @@ TEST(WithinHorizon, AnglesOfTheBaselineTellNothing) {
   });
 }
 
+TEST(WithinHorizon, RaysFromNextToItDoNotDependOnHowTheirAzimuthIsCounted) {
+  for (const double spin : {0.5, -0.9, 0.998}) {
+    const double height = 0.2 * (photon_orbit_radius(std::abs(spin), 1.0) - horizon_radius(spin));
+    const CameraStation camera =
+        make_camera_station(spin, horizon_radius(spin) + height, 1.2, 0.0, ObserverMotion::zamo);
+    RayStart<double> start = start_ray(camera, normalized({0.9, -0.02, 0.03}));
+    ASSERT_TRUE(start.ingoing);
+    ASSERT_TRUE(comes_from_sky(spin, camera.horizon_r, start));
+    double steps = 0.0;
+    bool reached = false;
+    const Vector3<double> ingoing = trace_taylor<20>(spin, start, true, {1e-14, 1000}, steps, reached).sky;
+    start.ingoing = false;
+    start.turn = 0.0;
+    const Vector3<double> outer = trace_taylor<20>(spin, start, true, {1e-14, 1000}, steps, reached).sky;
+    EXPECT_LT(test::length(ingoing - outer), 1e-12) << spin;
+  }
+}
+
 //! What the rain sees from both sides of the horizon in one direction, the outer one turned to ingoing Kerr's azimuth.
 TEST(WithinHorizon, NothingHappensToTheSkyAtTheHorizon) {
   constexpr double beside = 1e-7;
