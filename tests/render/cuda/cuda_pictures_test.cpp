@@ -29,6 +29,7 @@ struct Scene {
   ViewMode mode = ViewMode::sky;
   LensChoice lens = LensChoice::direct;
   std::function<void(Show&)> change = [](Show&) {};
+  double part = 0.31;  //!< of the show that has passed
 };
 
 std::ostream& operator<<(std::ostream& stream, const Scene& scene) { return stream << scene.name; }
@@ -44,7 +45,7 @@ std::vector<Picture> pictures(const Scene& scene, Backend backend) {
   const Show show = show_of(scene);
   ShowRenderer renderer(show, backend, scene.lens);
   std::vector<Picture> made;
-  for (FrameImage& image : renderer.render(0.31 * std::max(show.duration_s, 1.0), {scene.mode, 384})) {
+  for (FrameImage& image : renderer.render(scene.part * std::max(show.duration_s, 1.0), {scene.mode, 384})) {
     made.push_back(std::move(image.picture));
   }
   return made;
@@ -146,6 +147,7 @@ std::vector<Scene> scenes() {
   std::vector<Scene> all = {
       {"dome", "dome-still"},
       {"path", "first-light"},
+      {"within_the_horizon", "through", ViewMode::sky, LensChoice::direct, [](Show&) {}, 0.8},
       {"whole_sky", "grid-sky"},
       {"edge", "prograde-edge"},
       {"stars", "star-field"},
@@ -205,7 +207,7 @@ std::vector<Scene> scenes() {
       {"frequency_ratio", "dome-still", ViewMode::frequency_ratio},
       {"magnification", "dome-still", ViewMode::magnification},
   };
-  for (const char* name : {"dome", "path", "whole_sky", "edge", "disk", "flat_eyes"}) {
+  for (const char* name : {"dome", "path", "within_the_horizon", "whole_sky", "edge", "disk", "flat_eyes"}) {
     all.push_back(by_grid(*std::ranges::find(all, name, &Scene::name)));
   }
   return all;
