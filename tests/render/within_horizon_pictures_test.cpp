@@ -23,13 +23,14 @@ Show show_through() {
   return show;
 }
 
-std::vector<float> picture_of(const Show& show, double time_s, LensChoice lens) {
+std::vector<float> light_at(const Show& show, double time_s, LensChoice lens) {
   ShowRenderer renderer(show, Backend::cpu, lens);
-  return renderer.render(time_s, {ViewMode::sky, 128}).front().picture.rgba;
+  const auto rgba = renderer.render(time_s, {ViewMode::sky, 128}).front().picture.rgba;
+  return {rgba.begin(), rgba.end()};
 }
 
-//! Mean difference of two pictures over their mean light.
-double difference(const std::vector<float>& a, const std::vector<float>& b) {
+//! Mean difference of two pictures over the mean light of the first.
+double change_of_light(const std::vector<float>& a, const std::vector<float>& b) {
   double sum = 0.0;
   double light = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -44,15 +45,15 @@ double difference(const std::vector<float>& a, const std::vector<float>& b) {
 TEST(WithinHorizonPictures, NothingChangesWhereTheCameraFallsThroughIt) {
   const Show show = show_through();
   const double horizon_s = *show.camera.orbit->horizon_s();
-  const auto before = picture_of(show, horizon_s - 1e-5, LensChoice::direct);
-  EXPECT_LT(difference(before, picture_of(show, horizon_s + 1e-5, LensChoice::direct)), 1e-3);
-  EXPECT_GT(difference(before, picture_of(show, horizon_s + 0.5, LensChoice::direct)), 3e-2);
+  const auto before = light_at(show, horizon_s - 1e-5, LensChoice::direct);
+  EXPECT_LT(change_of_light(before, light_at(show, horizon_s + 1e-5, LensChoice::direct)), 1e-3);
+  EXPECT_GT(change_of_light(before, light_at(show, horizon_s + 0.5, LensChoice::direct)), 3e-2);
 }
 
 TEST(WithinHorizonPictures, GridsShowWhatRaysShow) {
   const Show show = show_through();
   for (const double time_s : {*show.camera.orbit->horizon_s() + 0.2, show.duration_s}) {
-    EXPECT_LT(difference(picture_of(show, time_s, LensChoice::direct), picture_of(show, time_s, LensChoice::live)),
+    EXPECT_LT(change_of_light(light_at(show, time_s, LensChoice::direct), light_at(show, time_s, LensChoice::live)),
               1e-2);
   }
 }
