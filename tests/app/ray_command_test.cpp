@@ -90,13 +90,27 @@ TEST_F(RayCommands, TraceInClosedFormKnowsWhatTheHorizonsOfAnExtremalHoleDoToIt)
 
 TEST_F(RayCommands, TraceTellsOfRaysThatDoNotConverge) {
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi,id\n0.9,10,1.57,zamo,-0.3,0.2,0.9,x\n");
-  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34"), 0) << output_;
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34 --tolerance 1e-12"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("1 of 1 ray did not converge"));
   std::istringstream written(text("sky.csv"));
   std::string line;
   std::getline(written, line);
   std::getline(written, line);
   EXPECT_TRUE(line.starts_with("x,not_converged,,,,") && line.ends_with(",")) << line;
+}
+
+TEST_F(RayCommands, ThePublishedTracerFindsTheSkyWithItsPublishedTolerance) {
+  write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi,id\n0,10,1.2,zamo,0.6,0.3,0.7,x\n");
+  ASSERT_EQ(run("trace --rays rays.csv --out exact.csv --method closed_form"), 0) << output_;
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv --method baseline_rk34"), 0) << output_;
+  const auto exact = test::read_csv(folder_ / "exact.csv");
+  const auto sky = test::read_csv(folder_ / "sky.csv");
+  ASSERT_EQ(sky.at(0).at("status"), "escaped");
+  for (const char* axis : {"sky_x", "sky_y", "sky_z"}) {
+    EXPECT_NEAR(std::stod(sky[0].at(axis)), std::stod(exact[0].at(axis)), 0.02) << axis;
+  }
+  // The article's rays end within its 2,000 steps.
+  EXPECT_LT(std::stod(sky[0].at("steps")), 2000.0);
 }
 
 TEST_F(RayCommands, EdgeOfTheReferencePointsIsNowhere) {
