@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "content/show_files.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -16,6 +17,15 @@ std::int64_t nanoseconds_of(const timespec& time) { return std::int64_t{1'000'00
 
 std::int64_t nanoseconds_of(FileWatch::WallTime time) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+}
+
+//! Throws Error where a show's file holds nothing to read.
+void require_version(const std::filesystem::path& file) {
+  const auto stamp = stamp_of(file);
+  if (!stamp || stamp->bytes == 0) {
+    throw Error(file.string(), stamp ? "is empty" : "is not a file any more",
+                "put it back; until then the version that was read last runs on");
+  }
 }
 
 }  // namespace
@@ -53,7 +63,7 @@ bool FileWatch::look(File& file, MonotonicTime now) const {
     file.since = now;
   }
   const bool there = stamp && stamp->bytes > 0;
-  if (!there || stamp == file.known || now - *file.since < settings_.settle) {
+  if (stamp == file.known || now - *file.since < (there ? settings_.settle : settings_.gone)) {
     return false;
   }
   file.known = stamp;
@@ -86,6 +96,7 @@ ShowReload::Result ShowReload::reload() {
   Result result;
   const auto read_at = std::chrono::system_clock::now();
   try {
+    require_version(file_);
     result.show = load_(file_);
     watch_.watch(files_of(file_, *result.show), read_at);
   } catch (const std::exception& problem) {

@@ -30,13 +30,14 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 
 //! Watches files by looking at them now and then, and tells when one has become another and then stood still.
 //!
-//! Editors empty a file and fill it, or rename one over it: what is told is a state that lasted, and a file that is gone, or empty,
-//! is not told but waited for.
+//! Editors empty a file and fill it, or take it away before another gets its name: what is told is a state that lasted, longer for a file that is gone, or
+//! empty.
 class FileWatch {
  public:
   struct Settings {
     std::chrono::nanoseconds look_every = std::chrono::milliseconds(250);
     std::chrono::nanoseconds settle = std::chrono::milliseconds(200);  //!< for which a new version stands still
+    std::chrono::nanoseconds gone = std::chrono::seconds(2);           //!< for which a file is missing, or empty
   };
 
   FileWatch() : FileWatch(Settings{}) {}

@@ -114,15 +114,37 @@ TEST_F(HotReload, AFileThatIsStillBeingWrittenIsWaitedFor) {
   EXPECT_EQ(results_, 1);
 }
 
-TEST_F(HotReload, AFileThatVanishesIsWaitedFor) {
+TEST_F(HotReload, AFileThatVanishesForAMomentIsWaitedFor) {
   run();
   std::filesystem::remove(folder_ / "show.toml");
-  EXPECT_FALSE(run(5s));
+  EXPECT_FALSE(run(1s));
   write("show.toml", "");
-  EXPECT_FALSE(run(5s)) << "and so is one that is empty";
+  EXPECT_FALSE(run(1s)) << "and so is one that is empty";
   write("show.toml", second_version);
   const auto result = run();
   ASSERT_TRUE(result && result->show);
+}
+
+TEST_F(HotReload, AFileThatStaysAwayIsToldOnceAndReadWhenItIsBack) {
+  run();
+  std::filesystem::rename(folder_ / "show.toml", folder_ / "away");
+  const auto gone = run(9s);
+  ASSERT_TRUE(gone);
+  EXPECT_THAT(gone->problem, testing::HasSubstr("show.toml: is not a file any more"));
+  EXPECT_EQ(results_, 1);
+  std::filesystem::rename(folder_ / "away", folder_ / "show.toml");
+  const auto back = run();
+  ASSERT_TRUE(back && back->show);
+  EXPECT_EQ(back->problem, "");
+}
+
+TEST_F(HotReload, AFileThatStaysEmptyIsToldOnce) {
+  run();
+  write("show.toml", "");
+  const auto empty = run(9s);
+  ASSERT_TRUE(empty);
+  EXPECT_THAT(empty->problem, testing::HasSubstr("show.toml: is empty"));
+  EXPECT_EQ(results_, 1);
 }
 
 TEST_F(HotReload, AFileTheShowNamesIsWatchedEvenBeforeItIsThere) {
