@@ -41,7 +41,7 @@ class HelpLines {
     }
     std::string& cell = line_[of_pad ? 1 : 0];
     cell += cell.empty() ? "" : ", ";
-    cell += label_of(input);
+    cell += label_of(input, choice_.language);
   }
 
   void end() {

@@ -28,8 +28,8 @@ std::optional<Input> input_of(std::string_view name);
 //! The name of an input as input_of reads it.
 std::string name_of(const Input& input);
 
-//! What is printed on it: "[", "A / Cross".
-std::string label_of(const Input& input);
+//! What is printed on it, or it is called, in a language of the help ("de"; else English): "[", "A / Cross", "Leertaste", "Strg+R".
+std::string label_of(const Input& input, std::string_view language = "en");
 
 //! Every name, without modifiers.
 const std::vector<std::string>& input_names();

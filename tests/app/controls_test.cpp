@@ -202,6 +202,12 @@ TEST(Controls, HelpInWordsTellsOfThePadAloneWhereThereIsOne) {
 TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
   const std::string english = Controls().help_text({});
   const std::string german = Controls().help_text({.language = "de"});
+  for (const char* key : {"Leertaste", "Umschalt+", "Strg+", "Pos1", "Kreuz"}) {
+    EXPECT_THAT(german, HasSubstr(key));
+  }
+  for (const char* key : {"Space", "Shift", "Ctrl", "Home", "mouse", "stick up", "wheel"}) {
+    EXPECT_THAT(german, Not(HasSubstr(key)));
+  }
   EXPECT_EQ(std::ranges::count(english, '\n'), std::ranges::count(german, '\n'));
   EXPECT_THAT(german, HasSubstr("anhalten, weiter"));
 }
