@@ -60,12 +60,18 @@ void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
     const int usual_px = std::clamp(std::min(width, height) / 50, 11, 36);
     if (place == PanelPlace::middle) {
       // Help is a list in columns, and as large as the window lets it.
-      const FittedText& list = fitted_help(text, {width, height}, usual_px);
+      const FittedText& list = fitted_help(text, {width, free_height(height)}, usual_px);
       panel.panel.set(list.text, list.letter_px, TextFace::monospaced);
     } else {
       panel.panel.set(text, usual_px, TextFace::proportional, width);
     }
   }
+}
+
+//! How much of a window's height the lines at the top on the left leave.
+int PlayerScreen::free_height(int height) const {
+  const auto top = texts_.find(PanelPlace::top_left);
+  return height - (top == texts_.end() || top->second.words.empty() ? 0 : top->second.panel.height_px());
 }
 
 const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextSize& window, int usual_px) {
@@ -85,7 +91,7 @@ void PlayerScreen::draw_window(int width, int height) {
     presenter_.draw(width, height, part);
     for (auto& [place, text] : texts_) {
       if (!text.words.empty()) {
-        text.panel.draw(width, height, place);
+        text.panel.draw(width, place == PanelPlace::middle ? free_height(height) : height, place);
       }
     }
   };

@@ -42,7 +42,8 @@ class PlayerScreen {
   [[nodiscard]] std::vector<WindowEvent> events();
   [[nodiscard]] bool closed() const;
 
-  //! Lines of text over the picture, at a place; none where it is empty. In the middle they are a list whose cells tabs part.
+  //! Lines of text over the picture, at a place; none where it is empty. In the middle they are a list whose cells tabs part, below
+  //! what stands at the top on the left.
   void set_text(PanelPlace place, const std::string& text);
 
   //! Factor on the light of pictures, 0 to 1; text keeps its own.
@@ -56,6 +57,7 @@ class PlayerScreen {
 
  private:
   void draw_window(int width, int height);
+  [[nodiscard]] int free_height(int height) const;
   const FittedText& fitted_help(const std::string& list, const TextSize& window, int usual_px);
 
   std::optional<DomeSetup> setup_;

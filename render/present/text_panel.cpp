@@ -84,6 +84,8 @@ void TextPanel::set(const std::string& text, int font_px, TextFace face, int wid
   glTextureParameteri(state_->texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
+int TextPanel::height_px() const { return state_->texture == 0 ? 0 : state_->height; }
+
 void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place) {
   if (state_->texture == 0) {
     return;

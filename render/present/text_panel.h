@@ -22,6 +22,9 @@ class TextPanel {
   //! Takes over lines of text; none where it is empty, or where no font is installed. `widest_px`: as of text_lines_image().
   void set(const std::string& text, int font_px, TextFace face = TextFace::proportional, int widest_px = 0);
 
+  //! Of what it shows now [px]; 0 where that is nothing.
+  [[nodiscard]] int height_px() const;
+
   //! Draws it at its place in the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle);
 
