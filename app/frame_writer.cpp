@@ -121,7 +121,23 @@ void FrameWriter::write_movies(int first, int last) const {
   }
 }
 
-void FrameWriter::write_facts() const { write_sequence_facts(options_.out, renderer_.show(), format_, eye_width_px()); }
+void FrameWriter::write_facts(int first, int last) const {
+  const Show& show = renderer_.show();
+  const FramePart part = show.stereo.layout == StereoLayout::separate ? FramePart::left : FramePart::whole;
+  const auto face = has_face_files(show.view) ? std::optional(CubeFace{}) : std::nullopt;
+  const auto lies_there = [&](int frame) {
+    std::error_code problem;
+    return std::filesystem::exists(path_of(frame, part, face), problem);
+  };
+  // Long shows are rendered in parts, one beside the other.
+  while (first > 0 && lies_there(first - 1)) {
+    --first;
+  }
+  while (last + 1 < frame_count(show) && lies_there(last + 1)) {
+    ++last;
+  }
+  write_sequence_facts(options_.out, show, format_, {first, last}, eye_width_px());
+}
 
 int FrameWriter::eye_width_px() const { return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px; }
 

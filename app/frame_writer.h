@@ -58,8 +58,8 @@ class FrameWriter {
   //! Puts the frames first to last together as films: one, or one for each eye that has files of its own.
   void write_movies(int first, int last) const;
 
-  //! The sheet of facts beside the frames.
-  void write_facts() const;
+  //! The sheet of facts beside the frames first to last, and beside those that lie there without a gap before and after them.
+  void write_facts(int first, int last) const;
 
   [[nodiscard]] int written() const { return written_; }
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }

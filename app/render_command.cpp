@@ -102,7 +102,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
     progress.advance_to(frame - first + 1);
   }
   if (options.setup.empty()) {
-    writer.write_facts();
+    writer.write_facts(first, last);
   }
 }
 

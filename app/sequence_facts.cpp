@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/show_loading.h"
@@ -16,37 +17,47 @@ namespace {
 
 using Facts = nlohmann::ordered_json;
 
-void add_view(const Show& show, int size_px, Facts& facts) {
+//! A number of the show in these frames; of one that changes, its values in the first and the last, and the least and the greatest in all.
+Facts number_in(const Show& show, const char* path, double unchanging, FrameSpan frames) {
+  const Animation* const animation = find_animation(show, path);
+  if (animation == nullptr) {
+    return unchanging;
+  }
+  const auto value_in = [&](int frame) { return value_at(*animation, frame_time_s(show, frame)); };
+  double least = value_in(frames.first);
+  double greatest = least;
+  for (int frame = frames.first; frame <= frames.last; ++frame) {
+    least = std::min(least, value_in(frame));
+    greatest = std::max(greatest, value_in(frame));
+  }
+  return {{"first", value_in(frames.first)}, {"last", value_in(frames.last)}, {"least", least}, {"greatest", greatest}};
+}
+
+void add_view(const Show& show, FrameSpan frames, int size_px, Facts& facts) {
   constexpr const char* lenses[] = {"equidistant", "equisolid", "stereographic", "orthographic", "polynomial"};
   const Projection projection = make_projection(show.view, size_px, 0.0);
   facts["eye_width_px"] = projection.width_px;
   facts["eye_height_px"] = projection.height_px;
   facts["projection"] = projection_names()[static_cast<std::size_t>(show.view.projection)];
-  const bool zooms = find_animation(show, "view.fov_deg") != nullptr;
   if (show.view.projection == ViewProjection::pinhole && show.view.frustum) {
     const FrustumAngles& frustum = *show.view.frustum;
     facts["frustum_deg"] = {
         {"left", frustum.left_deg}, {"right", frustum.right_deg}, {"up", frustum.up_deg}, {"down", frustum.down_deg}};
-  } else if (!zooms && show.view.projection != ViewProjection::equirect &&
-             show.view.projection != ViewProjection::cube) {
-    facts["fov_deg"] = show.view.field_of_view_deg;
+  } else if (show.view.projection != ViewProjection::equirect && show.view.projection != ViewProjection::cube) {
+    facts["fov_deg"] = number_in(show, "view.fov_deg", show.view.field_of_view_deg, frames);
   }
   if (show.view.projection == ViewProjection::dome) {
     facts["lens"] = lenses[static_cast<int>(show.view.lens)];
-    if (find_animation(show, "view.tilt_deg") == nullptr) {
-      facts["tilt_deg"] = show.view.tilt_deg;
-    }
+    facts["tilt_deg"] = number_in(show, "view.tilt_deg", show.view.tilt_deg, frames);
     facts["front"] = "bottom of the picture";
   }
   facts["seen_from"] = show.view.from_outside ? "outside" : "inside";
 }
 
-void add_stereo(const Show& show, Facts& facts) {
+void add_stereo(const Show& show, FrameSpan frames, Facts& facts) {
   facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
   if (show.stereo.layout != StereoLayout::mono) {
-    if (find_animation(show, "stereo.baseline") == nullptr) {
-      facts["baseline_M"] = show.stereo.baseline;
-    }
+    facts["baseline_M"] = number_in(show, "stereo.baseline", show.stereo.baseline, frames);
     facts["eyes_swapped"] = show.stereo.swap_eyes;
   }
 }
@@ -63,8 +74,8 @@ void add_format(const FrameFormat& format, Facts& facts) {
   }
 }
 
-//! The files of the first frame: one, or one for each eye or each face of a cube.
-Facts first_files(const Show& show, const FrameFormat& format) {
+//! The files of a frame: one, or one for each eye or each face of a cube.
+Facts files_of(const Show& show, const FrameFormat& format, int frame) {
   const bool separate = show.stereo.layout == StereoLayout::separate;
   std::vector<std::string> files;
   for (const FramePart part : {FramePart::whole, FramePart::left, FramePart::right}) {
@@ -74,23 +85,28 @@ Facts first_files(const Show& show, const FrameFormat& format) {
     for (int face = 0; face < (has_face_files(show.view) ? cube_faces : 1); ++face) {
       const auto of_face = has_face_files(show.view) ? std::optional(static_cast<CubeFace>(face)) : std::nullopt;
       files.push_back(
-          frame_path(show.name, 0, frame_count(show), part, file_ending(format.image), of_face).generic_string());
+          frame_path(show.name, frame, frame_count(show), part, file_ending(format.image), of_face).generic_string());
     }
   }
   return files.size() == 1 ? Facts(files.front()) : Facts(files);
 }
 
-Facts facts_of(const Show& show, const FrameFormat& format, int size_px) {
+Facts facts_of(const Show& show, const FrameFormat& format, FrameSpan frames, int size_px) {
+  const int count = frames.last - frames.first + 1;
+  const bool all = count == frame_count(show);
   Facts facts;
   facts["title"] = show.title;
   facts["made_by"] = "Ergodome " ERGODOME_VERSION;
-  facts["files"] = first_files(show, format);
-  facts["frames"] = frame_count(show);
-  facts["first_frame"] = 1;
+  facts["files"] = files_of(show, format, frames.first);
+  facts["frames"] = count;
+  facts["first_frame"] = frames.first + 1;
+  facts["last_frame"] = frames.last + 1;
+  facts["frames_of_show"] = frame_count(show);
   facts["frame_rate_hz"] = show.frame_rate_hz;
-  facts["duration_s"] = show.duration_s;
-  add_view(show, size_px, facts);
-  add_stereo(show, facts);
+  facts["begins_at_s"] = frame_time_s(show, frames.first);
+  facts["duration_s"] = all ? show.duration_s : count / show.frame_rate_hz;
+  add_view(show, frames, size_px, facts);
+  add_stereo(show, frames, facts);
   add_format(format, facts);
   return facts;
 }
@@ -98,8 +114,8 @@ Facts facts_of(const Show& show, const FrameFormat& format, int size_px) {
 }  // namespace
 
 void write_sequence_facts(const std::filesystem::path& folder, const Show& show, const FrameFormat& format,
-                          int size_px) {
-  const Facts facts = facts_of(show, format, size_px);
+                          FrameSpan frames, int size_px) {
+  const Facts facts = facts_of(show, format, frames, size_px);
   std::string text;
   for (const auto& [name, value] : facts.items()) {
     text += fmt::format("{}: {}\n", name, value.is_string() ? value.get<std::string>() : value.dump());

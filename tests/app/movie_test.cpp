@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/app/command_line.h"
@@ -123,6 +124,30 @@ TEST_F(CommandLine, ASequenceHasASheetOfFactsForPeopleAndForPrograms) {
   text << std::ifstream(folder_ / "f/small.txt").rdbuf();
   EXPECT_THAT(text.str(), HasSubstr("frame_rate_hz: 24.0\n"));
   EXPECT_THAT(text.str(), HasSubstr("projection: dome\n"));
+}
+
+TEST_F(CommandLine, ASheetOfFactsTellsOfTheFramesThatLieThere) {
+  write("zoom.toml",
+        "duration_s = 2\nframe_rate_hz = 10\n[[camera.key]]\nr = 9\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n"
+        "[[animate]]\nnumber = \"view.fov_deg\"\nkey = [{ t_s = 0, value = 100, ease = \"linear\" }, { t_s = 2, value "
+        "= 120 }]\n");
+  const auto facts = [&] {
+    std::ifstream file(folder_ / "f/zoom.json");
+    return nlohmann::json::parse(file);
+  };
+  ASSERT_EQ(run("render zoom.toml --out f --backend cpu --lens direct --frames 6:8"), 0) << output_;
+  const nlohmann::json part = facts();
+  EXPECT_EQ(part["files"], "zoom_000006.png");
+  EXPECT_EQ(part["frames"], 3);
+  EXPECT_EQ(part["first_frame"], 6);
+  EXPECT_EQ(part["last_frame"], 8);
+  EXPECT_EQ(part["frames_of_show"], 20);
+  EXPECT_NEAR(part["duration_s"].get<double>(), 0.3, 1e-12);
+  EXPECT_NEAR(part["fov_deg"]["first"].get<double>(), 105.0, 0.6) << "frame 6 is shown from 0.5 s on";
+  EXPECT_NEAR(part["fov_deg"]["last"].get<double>() - part["fov_deg"]["first"].get<double>(), 2.0, 1e-9);
+  ASSERT_EQ(run("render zoom.toml --out f --backend cpu --lens direct --frames 9:10"), 0) << output_;
+  EXPECT_EQ(facts()["first_frame"], 6) << "the parts lie beside each other";
+  EXPECT_EQ(facts()["frames"], 5);
 }
 
 TEST_F(CommandLine, PatternsNeedNoShow) {
