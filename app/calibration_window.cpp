@@ -38,7 +38,7 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
   } catch (const Error& problem) {
     // Patterns can be looked at all the same; who adjusts is to know beforehand.
     message_ = std::string("cannot be saved: ") + problem.what();
-    fmt::print(stderr, "ergodome: {}\n", message_);
+    tell_refusal(problem.what());
   }
   renew_master();
   renew_text();
@@ -116,12 +116,20 @@ void CalibrationWindow::save() {
     for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
       projectors_.replace(i, pictures_.pictures()[i]);
     }
+    told_refusal_.clear();
+    fmt::print("{}\n", message_);
   } catch (const Error& problem) {
     // What was adjusted is still there, and can be saved once the reason is gone.
-    message_ = problem.what();
+    message_ = std::string("cannot be saved: ") + problem.what();
+    tell_refusal(problem.what());
   }
-  fmt::print("{}\n", message_);
   renew_text();
+}
+
+void CalibrationWindow::tell_refusal(const std::string& problem) {
+  if (std::exchange(told_refusal_, problem) != problem) {
+    fmt::print(stderr, "ergodome: cannot be saved: {}\n", problem);
+  }
 }
 
 void CalibrationWindow::renew() {

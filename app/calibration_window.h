@@ -39,6 +39,8 @@ class CalibrationWindow {
   void repeat_held_key();
   void act(CalibrationAction action);
   void save();
+  //! Says on the terminal why nothing can be saved, unless it said so last.
+  void tell_refusal(const std::string& problem);
   //! Shows what keys have changed since the last time.
   void renew();
   void renew_master();
@@ -54,6 +56,7 @@ class CalibrationWindow {
   Presenter presenter_;
   ProjectorWindows projectors_;
   std::string message_;                 //!< of the last saving, or why a change cannot be shown
+  std::string told_refusal_;            //!< why nothing could be saved, as the terminal says it last
   Renewal renewal_ = Renewal::nothing;  //!< what keys since the last drawing ask for
   KeyRepeat keys_;
 };
