@@ -149,7 +149,7 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
 }
 
 void run(const BakeOptions& options) {
-  require_other_file("--out", options.out, {options.show});
+  require_output_file("--out", options.out, {options.show});
   const auto start = std::chrono::steady_clock::now();
   const Show show = load_show(options.show);
   if (show.grid_scheme != GridScheme::conforming) {
@@ -160,10 +160,6 @@ void run(const BakeOptions& options) {
   const fs::path out = options.out;
   if (!options.replace) {
     require_own(out, show);
-  }
-  if (out.has_parent_path()) {
-    std::error_code ignored;
-    fs::create_directories(out.parent_path(), ignored);
   }
   const std::string name = out.filename().string();
   const bool whole = settings.parts == 1;

@@ -161,7 +161,6 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   write_dome_setup(file, setup);
   fmt::print("written to {}\n", file.string());
   if (!options.mpcdi.empty()) {
-    make_folder(std::filesystem::absolute(options.mpcdi).parent_path());
     write_mpcdi(options.mpcdi,
                 mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr)))));
     fmt::print("written to {}\n", options.mpcdi);
@@ -169,7 +168,11 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
 }
 
 void run(const CalibrateOptions& options) {
-  require_other_file("--mpcdi", options.mpcdi, {options.setup});
+  const std::filesystem::path mpcdi = options.mpcdi;
+  // The folder of --out is made.
+  const bool in_out =
+      (mpcdi.parent_path() / "").lexically_normal() == (std::filesystem::path(options.out) / "").lexically_normal();
+  (in_out ? require_other_file : require_output_file)("--mpcdi", mpcdi, {options.setup});
   require_other_png("--screenshot", options.shown.screenshot, {});
   if (options.live) {
     if (!options.shown.screenshot.empty()) {

@@ -37,7 +37,7 @@ void print_summary(const StarCatalogue& catalogue) {
 }
 
 void run(const CatalogueOptions& options) {
-  require_other_file("--out", options.out, {options.stars});
+  require_output_file("--out", options.out, {options.stars});
   Show show;
   show.sky.stars = options.stars;
   StarCatalogue catalogue = load_stars(show);

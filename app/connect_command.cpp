@@ -105,7 +105,7 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
 }
 
 void run_connect(const ConnectOptions& options) {
-  require_other_file("--out", options.out, {options.pairs});
+  require_output_file("--out", options.out, {options.pairs});
   const std::vector<PairRow> rows = read_pair_table(options.pairs);
   const std::vector<Answer> answers =
       options.method == "table" ? connect_through_tables(rows, options) : connect_in_closed_form(rows);

@@ -104,9 +104,9 @@ void convert_mesh(const ConvertOptions& options) {
 }
 
 void run(const ConvertOptions& options) {
-  require_other_file("TO", options.to, {options.from});
   const FileKind from = kind_of(options.from);
   const FileKind to = kind_of(options.to);
+  (to == FileKind::folder ? require_other_file : require_output_file)("TO", options.to, {options.from});
   if (from == FileKind::setup && (to == FileKind::mpcdi || to == FileKind::folder)) {
     return convert_setup(options, read_dome_setup(options.from));
   }

@@ -68,7 +68,7 @@ void add_edge_command(CLI::App& app) {
   command->add_option("--points", options->points, "write this many points of the edge for each camera instead")
       ->check(CLI::Range(1, 1'000'000));
   command->callback([options] {
-    require_other_file("--out", options->out, {options->rays});
+    require_output_file("--out", options->out, {options->rays});
     run_edge(*options);
   });
 }

@@ -19,6 +19,17 @@ void require_other_file(const std::string& option, const std::filesystem::path& 
   }
 }
 
+void require_output_file(const std::string& option, const std::filesystem::path& written,
+                         std::initializer_list<std::filesystem::path> read) {
+  std::error_code problem;
+  const std::filesystem::path folder = written.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, problem)) {
+    throw Error(option + " " + written.string(), "there is no folder " + folder.string(),
+                "make it, or choose another name");
+  }
+  require_other_file(option, written, read);
+}
+
 void require_other_png(const std::string& option, const std::filesystem::path& written,
                        std::initializer_list<std::filesystem::path> read) {
   std::string ending = written.extension().string();
@@ -26,7 +37,7 @@ void require_other_png(const std::string& option, const std::filesystem::path& w
   if (!written.empty() && ending != ".png") {
     throw Error(option + " " + written.string(), "is no name of a PNG", "let it end in .png");
   }
-  require_other_file(option, written, read);
+  require_output_file(option, written, read);
 }
 
 }  // namespace ergodome

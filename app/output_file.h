@@ -11,6 +11,10 @@ namespace ergodome {
 void require_other_file(const std::string& option, const std::filesystem::path& written,
                         std::initializer_list<std::filesystem::path> read);
 
+//! The same for a file whose folder is to be there: throws where it is not. Folders are made where an option names one alone.
+void require_output_file(const std::string& option, const std::filesystem::path& written,
+                         std::initializer_list<std::filesystem::path> read);
+
 //! The same for a PNG; throws where the name does not end like one.
 void require_other_png(const std::string& option, const std::filesystem::path& written,
                        std::initializer_list<std::filesystem::path> read);

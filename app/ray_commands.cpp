@@ -276,7 +276,7 @@ void add_trace_command(CLI::App& app) {
       ->check(number_between(0.0, 1e3));
   const auto near_field = add_near_ray_options(*command, {method, precision});
   command->callback([options, near_field] {
-    require_other_file("--out", options->out, {options->rays, near_field->objects});
+    require_output_file("--out", options->out, {options->rays, near_field->objects});
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
       run_trace(*options);
     }

@@ -123,7 +123,7 @@ void run(PlayArguments arguments) {
   }
   PlayOptions& options = arguments.options;
   require_other_png("--screenshot", options.screenshot, {arguments.show, arguments.setup});
-  require_other_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
+  require_output_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
   options.free_flight = options.free_flight || arguments.show.empty();
   if (!arguments.setup.empty()) {
     use_setup(arguments);

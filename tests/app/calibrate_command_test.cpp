@@ -93,7 +93,7 @@ TEST_F(CalibrateCommand, WritesNothingWhereOneFileCannotBeWritten) {
 TEST_F(CalibrateCommand, WritesNothingWhereTheMpcdiHasNoPlace) {
   write("dome.toml", dome_of_two);
   EXPECT_NE(run("calibrate dome.toml --out made --size 512 --mpcdi dome.toml/a.mpcdi"), 0);
-  EXPECT_THAT(output_, HasSubstr("dome.toml is no folder"));
+  EXPECT_THAT(output_, HasSubstr("there is no folder dome.toml"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "made"));
 }
 
