@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
+#include <set>
 
 #include "content/files/counted.h"
 #include "kernels/core/error.h"
@@ -62,7 +64,14 @@ LensChoice lens_choice(const LensOptions& options) {
                                     : LensChoice::automatic;
 }
 
-void tell_on_terminal(const std::string& note) { fmt::print(stderr, "ergodome: {}\n", note); }
+void tell_on_terminal(const std::string& note) {
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::scoped_lock lock(mutex);
+  if (told.insert(note).second) {
+    fmt::print(stderr, "ergodome: {}\n", note);
+  }
+}
 
 std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend, Tell tell) {
   const LensChoice choice = lens_choice(options);

@@ -30,7 +30,7 @@ LensChoice lens_choice(const LensOptions& options);
 //! Takes a sentence for the person who watches.
 using Tell = std::function<void(const std::string&)>;
 
-//! Writes it on the terminal.
+//! Writes it on the terminal; what was written there before is not said again. From any thread.
 void tell_on_terminal(const std::string& note);
 
 //! The stream of the show's baked stations; none where there is no trajectory or the choice needs none. Throws Error where a trajectory
