@@ -4,7 +4,9 @@
 
 #include <filesystem>
 
+#include "calibration/mpcdi_reader.h"
 #include "content/fingerprint.h"
+#include "content/mesh/mesh_files.h"
 #include "content/show_files.h"
 #include "content/show_reader.h"
 
@@ -17,13 +19,18 @@ namespace fs = std::filesystem;
 //! Names of files, with what tells one state of each from another.
 std::string states_of_files(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   std::string states;
-  const auto add = [&](const fs::path& folder, const std::string& name) {
+  const auto add = [&](const fs::path& folder, const fs::path& name) {
     if (!name.empty()) {
-      states += fmt::format("{} {}\n", name, fingerprint_of_file(folder / name));
+      states += fmt::format("{} {}\n", name.string(), fingerprint_of_file(folder / name));
     }
   };
   for (const NamedFile& file : files_of_pictures(show)) {
     add(show.folder, file.name);
+    if (file.key.ends_with(".mesh")) {
+      for (const fs::path& beside : files_of_mesh(fs::path(show.folder) / file.name)) {
+        add(beside.parent_path(), beside.filename());
+      }
+    }
   }
   for (const Overlay& overlay : show.timeline.overlays) {
     add(show.folder, overlay.image);
@@ -32,6 +39,11 @@ std::string states_of_files(const RenderOptions& options, const Show& show, cons
   add(show.folder, show.name + ".trajectory");
   for (const ProjectorSetup& projector : setup ? setup->projectors : std::vector<ProjectorSetup>()) {
     add(setup->folder, projector.warp ? projector.warp->file : "");
+    if (projector.warp && projector.warp->format == WarpFormat::mpcdi) {
+      for (const fs::path& beside : files_of_mpcdi(setup->folder / projector.warp->file)) {
+        add(beside.parent_path(), beside.filename());
+      }
+    }
     add(setup->folder, projector.blend_mask);
     add(setup->folder, projector.black_level_mask);
   }

@@ -209,4 +209,22 @@ Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order) {
   return parse_mpcdi_description(bytes, path.string(), files_in_folder(path.parent_path()), order);
 }
 
+std::vector<std::filesystem::path> files_of_mpcdi(const std::filesystem::path& path) {
+  const std::string bytes =
+      read_whole_file(path, most_archive_bytes, "give an MPCDI archive or its description in XML");
+  std::vector<std::filesystem::path> named;
+  if (!bytes.starts_with("PK")) {
+    const MpcdiFiles files = files_in_folder(path.parent_path());
+    const auto noted = [&](const std::string& name, std::size_t most_bytes) {
+      const std::filesystem::path beside = path.parent_path() / name;
+      if (std::ranges::find(named, beside) == named.end()) {
+        named.push_back(beside);
+      }
+      return files(name, most_bytes);
+    };
+    parse_mpcdi_description(bytes, path.string(), noted, RowOrder::bottom_up);
+  }
+  return named;
+}
+
 }  // namespace ergodome

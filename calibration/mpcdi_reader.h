@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "calibration/mpcdi.h"
 
@@ -23,6 +24,9 @@ using MpcdiFiles = std::function<std::string(const std::string& name, std::size_
 //! member, for everything else that the specification rules out, and for archives, XML and maps beyond the bounds of their
 //! readers.
 Mpcdi read_mpcdi(const std::filesystem::path& path, RowOrder order = RowOrder::bottom_up);
+
+//! Files that a description names in its folder, each once; none of an archive, which holds what it names. Throws Error like read_mpcdi().
+std::vector<std::filesystem::path> files_of_mpcdi(const std::filesystem::path& path);
 
 //! The same from an archive in memory.
 Mpcdi parse_mpcdi_archive(std::span<const std::byte> bytes, const std::string& name, RowOrder order);

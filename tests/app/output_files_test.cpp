@@ -67,6 +67,21 @@ TEST_F(CommandLine, RequestsOfFramesHangOnWhatFilesHoldNotOnTheirTimes) {
   EXPECT_NE(request(), before);
 }
 
+TEST_F(CommandLine, RequestsOfFramesHangOnWhatMeshesName) {
+  write("ship.obj", "mtllib ship.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("ship.mtl", "newmtl hull\nmap_Kd -s 2 2 1 hull plates.png\n");
+  write("hull plates.png", "rust");
+  write("small.toml", tiny_show + "[[objects]]\nmesh = \"ship.obj\"\nmethod = \"trace\"\nposition = [5, 0, 0]\n");
+  const auto request = [&] { return frame_request({}, load_show((folder_ / "small.toml").string()), std::nullopt); };
+  const std::string rusty = request();
+  EXPECT_EQ(request(), rusty);
+  write("hull plates.png", "lead");
+  const std::string leaden = request();
+  EXPECT_NE(leaden, rusty) << "a picture that the materials name";
+  write("ship.mtl", "newmtl hull\nKd 1 0 0\n");
+  EXPECT_NE(request(), leaden) << "the materials";
+}
+
 TEST_F(CommandLine, RenderResumesFramesWhoseBudgetLeavesThingsOpen) {
   write("small.toml", tiny_show);
   const std::string render = "render small.toml --out frames --frames 1:1 --backend cpu --budget 9fps --resume";

@@ -233,6 +233,15 @@ TEST_F(MpcdiFile, WithoutAnArchiveHasItsFilesBesideIt) {
   expect_media(read_mpcdi(folder_ / "wall.mpcdi.xml"));
 }
 
+TEST_F(MpcdiFile, TellsWhichFilesItNamesUnlessItHoldsThem) {
+  write_media(media_xml);
+  const std::vector<std::filesystem::path> named = files_of_mpcdi(folder_ / "wall.mpcdi.xml");
+  EXPECT_THAT(named, testing::Contains(folder_ / "left.pfm"));
+  EXPECT_EQ(named.size(), media_members(media_xml).size() - 1) << "all but the description";
+  write("wall.mpcdi", zip_by_hand(media_members(media_xml)));
+  EXPECT_THAT(files_of_mpcdi(folder_ / "wall.mpcdi"), testing::IsEmpty());
+}
+
 TEST_F(MpcdiFile, PathsThatLeadOutOfTheFolderAreRefused) {
   for (const char* path : {"../left.pfm", "/etc/passwd", "a/../../left.pfm", "C:left.pfm", "..\\left.pfm"}) {
     write_media(replaced(media_xml, "left.pfm", path));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "content/mesh/built_in_meshes.h"
+#include "content/mesh/mesh_files.h"
 #include "content/mesh/mesh_reader.h"
 #include "content/mesh/named_file.h"
 #include "content/mesh/triangle_boxes.h"
@@ -282,6 +283,21 @@ TEST_F(MeshFilesOnDisk, MaterialsThatAreNotThereAreAnErrorThatNamesThem) {
               testing::AllOf(testing::HasSubstr("d.obj: names \"colours.mtl\""), testing::HasSubstr("put it there")));
   write("colours.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
   EXPECT_THAT(read_mesh(folder_ / "d.obj").parts.front().color, testing::ElementsAre(0.5F, 0.25F, 0.0F));
+}
+
+TEST_F(MeshFilesOnDisk, WhatAMeshNamesIsFoundWithoutReadingIt) {
+  write("e.obj", "  mtllib e.mtl\r\n# mtllib f.mtl\nv 0 0 0\n");
+  write("e.mtl", "newmtl bark\nmap_Kd -s 2 2 1 old bark.png\nmap_Ks gone.png\n");
+  write("f.mtl", "");
+  write("old bark.png", "");
+  EXPECT_THAT(files_of_mesh(folder_ / "e.obj"),
+              testing::UnorderedElementsAre(folder_ / "e.mtl", folder_ / "old bark.png"));
+  write("e.gltf", R"({"buffers": [{"uri": "e.bin"}, {"uri": "data:text/plain;base64,AAAA"}],
+                      "images": [{"uri" : "old%20bark.png"}, {"uri": "../out.png"}]})");
+  write("e.bin", "");
+  EXPECT_THAT(files_of_mesh(folder_ / "e.gltf"),
+              testing::UnorderedElementsAre(folder_ / "e.bin", folder_ / "old bark.png"));
+  EXPECT_THAT(files_of_mesh(folder_ / "none.obj"), testing::IsEmpty());
 }
 
 TEST_F(MeshFilesOnDisk, AMissingFileAndAnotherKindAreErrorsWithARemedy) {
