@@ -59,6 +59,7 @@ double shadow_width_deg(const Show& show, double time_s) {
 }
 
 nlohmann::json facts_of(const Show& show) {
+  const ShowNotes notes = notes_of_files(show);
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   nlohmann::json facts;
@@ -76,9 +77,9 @@ nlohmann::json facts_of(const Show& show) {
   facts["baseline"] = show.stereo.baseline;
   facts["budget_px"] = show.quality.budget_px;
   facts["not_drawn_yet"] = missing_features(show);
-  facts["timeline"] = facts_of_timeline(show);
+  facts["timeline"] = facts_of_timeline(show, notes.unusable);
   facts["idle"] = facts_of_idle_lines(show);
-  facts["notes"] = notes_of_files(show);
+  facts["notes"] = notes.unseen;
   if (show.camera.orbit) {
     facts["fall"] = facts_of_fall(show);
   }
@@ -200,6 +201,17 @@ void run_for_trajectory(const InspectOptions& options) {
   }
 }
 
+//! Throws Error where a show names files that could not be shown or heard, which the facts tell one by one.
+void require_usable_files(const std::string& show, const nlohmann::json& facts) {
+  const FaultyFiles files = facts.contains("timeline") ? faulty_files(facts["timeline"]) : FaultyFiles{};
+  if (files.faulty > 0) {
+    throw Error(show,
+                fmt::format("{} of {} that it names {} of no use", files.faulty, counted(files.all, "file"),
+                            files.faulty == 1 ? "is" : "are"),
+                "the list of what is in it says which and why");
+  }
+}
+
 void run(const InspectOptions& options) {
   require_other_png("--picture", options.picture, {options.file});
   const std::filesystem::path file = options.file;
@@ -244,6 +256,7 @@ void run(const InspectOptions& options) {
       print_grid(facts["grid"]);
     }
   }
+  require_usable_files(options.file, facts);
 }
 
 }  // namespace

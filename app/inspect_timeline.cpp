@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/playback/audio_file.h"
 #include "content/animated_show.h"
 #include "content/files/counted.h"
 #include "content/show_files.h"
@@ -15,7 +14,12 @@ namespace {
 
 using nlohmann::json;
 
-json file_facts(const Show& show, const std::string& file) { return {{"file", file}, {"there", is_there(show, file)}}; }
+json file_facts(const Show& show, const NamedFile& file, const std::map<std::string, std::string>& unusable) {
+  const auto problem = unusable.find(file.key);
+  return {{"file", file.name},
+          {"there", is_there(show, file.name)},
+          {"problem", problem == unusable.end() ? "" : problem->second}};
+}
 
 json presence_facts(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
 
@@ -40,6 +44,9 @@ std::string shown(const json& text) { return shown(text.get<LocalText>()); }
 void print_file(const json& facts, const std::string& more) {
   fmt::print("  {:<40} {}{}\n", facts["file"].get<std::string>(), more,
              facts["there"].get<bool>() ? "" : "  NOT THERE");
+  if (!facts["problem"].get<std::string>().empty()) {
+    fmt::print("    CANNOT BE USED: {}\n", facts["problem"].get<std::string>());
+  }
 }
 
 std::string times(const json& facts) {
@@ -48,11 +55,11 @@ std::string times(const json& facts) {
 
 }  // namespace
 
-json facts_of_timeline(const Show& show) {
+json facts_of_timeline(const Show& show, const std::map<std::string, std::string>& unusable) {
   const Timeline& timeline = show.timeline;
   json facts = {{"languages", languages(timeline)}, {"duration_s", show.duration_s}};
   for (const NamedFile& file : files_of_pictures(show)) {
-    json& added = facts["files"].emplace_back(file_facts(show, file.name));
+    json& added = facts["files"].emplace_back(file_facts(show, file, unusable));
     added["key"] = file.key;
   }
   for (const Animation& animation : timeline.animations) {
@@ -71,16 +78,18 @@ json facts_of_timeline(const Show& show) {
     json& added = facts["captions"].emplace_back(presence_facts(caption.presence));
     added["text"] = caption.text;
   }
-  for (const Overlay& overlay : timeline.overlays) {
-    json& added = facts["overlays"].emplace_back(file_facts(show, overlay.image));
+  for (std::size_t i = 0; i < timeline.overlays.size(); ++i) {
+    const Overlay& overlay = timeline.overlays[i];
+    const NamedFile file = {fmt::format("overlay[{}].image", i), overlay.image};
+    json& added = facts["overlays"].emplace_back(file_facts(show, file, unusable));
     added.update(presence_facts(overlay.presence));
     added["fisheye"] = overlay.fisheye;
   }
-  for (const AudioTrack& track : timeline.audio) {
-    json& added = facts["audio"].emplace_back(file_facts(show, track.file));
+  for (std::size_t i = 0; i < timeline.audio.size(); ++i) {
+    const AudioTrack& track = timeline.audio[i];
+    json& added =
+        facts["audio"].emplace_back(file_facts(show, {fmt::format("audio[{}].file", i), track.file}, unusable));
     added.update({{"from_s", track.from_s}, {"language", track.language}, {"loop", track.loop}});
-    const bool there = added["there"].get<bool>();
-    added["problem"] = there ? sound_problem(std::filesystem::path(show.folder) / track.file) : "";
   }
   const auto mark_late = [&](const char* list, const char* start) {
     if (facts.contains(list)) {
@@ -129,10 +138,18 @@ void print_timeline(const json& facts) {
                fmt::format("from {:>9.3f} s{}{}", one["from_s"].get<double>(), language.empty() ? "" : "  " + language,
                            one["loop"].get<bool>() ? "  again and again" : "") +
                    late(one));
-    if (!one["problem"].get<std::string>().empty()) {
-      fmt::print("    CANNOT BE PLAYED: {}\n", one["problem"].get<std::string>());
-    }
   });
+}
+
+FaultyFiles faulty_files(const json& facts) {
+  FaultyFiles files;
+  for (const char* const list : {"files", "overlays", "audio"}) {
+    for (const json& file : facts.value(list, json::array())) {
+      ++files.all;
+      files.faulty += file["there"].get<bool>() && file["problem"].get<std::string>().empty() ? 0 : 1;
+    }
+  }
+  return files;
 }
 
 }  // namespace ergodome

@@ -1,47 +1,108 @@
 #include "app/show_notes.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "app/playback/audio_file.h"
+#include "content/environment_image.h"
+#include "content/mesh/mesh_reader.h"
 #include "content/show_files.h"
 #include "content/stars/star_catalogue.h"
 #include "kernels/core/error.h"
+#include "render/effects/diffraction.h"
 #include "render/objects/object_horizon.h"
+#include "render/objects/object_meshes.h"
+#include "render/overlay/overlay_image.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Adds what `look` finds, or what is wrong with the files that it reads.
-template <class Look>
-void add_notes(std::vector<std::string>& notes, const Look& look) {
+namespace fs = std::filesystem;
+
+//! Pictures on a mesh that its frames need.
+void read_images(const TriangleMesh& mesh) {
+  for (const MeshPart& part : mesh.parts) {
+    if (!part.image.empty()) {
+      static_cast<void>(read_mesh_image(part.image));
+    }
+  }
+}
+
+//! Reads a file as the show's frames need it, by the kind of its key; throws Error where they could not.
+void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
+  if (file.key == "sky.stars") {
+    if (load_stars(show).stars.empty()) {
+      notes.unseen.push_back(note_of_no_stars(show));
+    }
+    return;
+  }
+  read_named(show, file.key, file.name, [&](const fs::path& path) {
+    if (file.key == "sky.map" || file.key.ends_with(".texture")) {
+      static_cast<void>(read_environment_image(path));
+    } else if (file.key.ends_with(".pattern")) {
+      static_cast<void>(load_diffraction_pattern(path));
+    } else if (file.key.ends_with(".mesh")) {
+      read_images(read_mesh(path));
+    } else if (file.key.ends_with(".image")) {
+      static_cast<void>(read_overlay_image(path));
+    }
+    return 0;
+  });
+}
+
+//! What is wrong with a file; empty where nothing is.
+std::string problem_of(const Show& show, const NamedFile& file, ShowNotes& notes) {
+  if (file.key.starts_with("audio")) {
+    return sound_problem(fs::path(show.folder) / file.name);
+  }
   try {
-    look();
+    read_as_shown(show, file, notes);
   } catch (const Error& problem) {
-    notes.emplace_back(problem.what());
+    return problem.what();
+  }
+  return "";
+}
+
+//! Adds what is seen of meshes that could be read.
+void add_objects_in_horizon(const Show& show, ShowNotes& notes) {
+  const bool readable = std::ranges::all_of(
+      show.objects, [&](const ObjectSettings& object) { return object.mesh.empty() || is_there(show, object.mesh); });
+  const bool sound =
+      std::ranges::none_of(notes.unusable, [](const auto& each) { return each.first.ends_with(".mesh"); });
+  if (show.objects.empty() || !readable || !sound) {
+    return;
+  }
+  try {
+    for (const ObjectInHorizon& inside : objects_in_horizon(show, load_meshes(show))) {
+      notes.unseen.push_back(note_of(show, inside));
+    }
+  } catch (const Error& problem) {
+    notes.unseen.emplace_back(problem.what());
   }
 }
 
 }  // namespace
 
-std::vector<std::string> notes_of_files(const Show& show) {
-  std::vector<std::string> notes;
-  const std::string& stars = show.sky.stars;
-  if (!stars.empty() && !is_built_in_catalogue(stars) && is_there(show, stars)) {
-    add_notes(notes, [&] {
-      if (load_stars(show).stars.empty()) {
-        notes.push_back(note_of_no_stars(show));
-      }
-    });
+ShowNotes notes_of_files(const Show& show) {
+  ShowNotes notes;
+  // A logo that comes ten times is read once.
+  std::map<std::string, std::string> known;
+  for (const NamedFile& file : files_of_show(show)) {
+    if (!is_there(show, file.name)) {
+      continue;
+    }
+    const std::string use = file.key.substr(file.key.rfind('.')) + " " + file.name;
+    const auto found = known.find(use);
+    const std::string problem = found != known.end() ? found->second : problem_of(show, file, notes);
+    known[use] = problem;
+    if (!problem.empty()) {
+      notes.unusable[file.key] = problem;
+    }
   }
-  const bool meshes_there = std::ranges::all_of(
-      show.objects, [&](const ObjectSettings& object) { return object.mesh.empty() || is_there(show, object.mesh); });
-  if (!show.objects.empty() && meshes_there) {
-    add_notes(notes, [&] {
-      for (const ObjectInHorizon& inside : objects_in_horizon(show, load_meshes(show))) {
-        notes.push_back(note_of(show, inside));
-      }
-    });
-  }
+  add_objects_in_horizon(show, notes);
   return notes;
 }
 

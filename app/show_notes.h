@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,14 @@
 
 namespace ergodome {
 
-//! Sentences about what a show names and nobody will see (ShowRenderer::notes()), or what cannot be read of its stars and objects. Reads their files, where
-//! they are there.
-std::vector<std::string> notes_of_files(const Show& show);
+//! What is to be known of the files that a show names before it is shown.
+struct ShowNotes {
+  std::map<std::string, std::string>
+      unusable;  //!< why files cannot be used that are there, as who shows it would be told; by their key ("sky.map")
+  std::vector<std::string> unseen;  //!< sentences about what nobody will see (ShowRenderer::notes())
+};
+
+//! Reads every file that the show names and that is there, pictures on meshes too, as they are read for its frames: a map of 8192 x 4096 takes about a second.
+ShowNotes notes_of_files(const Show& show);
 
 }  // namespace ergodome

@@ -45,7 +45,7 @@ std::vector<NamedFile> files_of_pictures(const Show& show) {
 std::vector<NamedFile> files_of_show(const Show& show) {
   std::vector<NamedFile> files = files_of_pictures(show);
   for (std::size_t i = 0; i < show.timeline.overlays.size(); ++i) {
-    files.push_back({fmt::format("overlays[{}].image", i), show.timeline.overlays[i].image});
+    files.push_back({fmt::format("overlay[{}].image", i), show.timeline.overlays[i].image});
   }
   for (std::size_t i = 0; i < show.timeline.audio.size(); ++i) {
     files.push_back({fmt::format("audio[{}].file", i), show.timeline.audio[i].file});

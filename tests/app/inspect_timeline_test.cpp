@@ -25,7 +25,7 @@ const std::string long_show = std::string(spinning_show) +
 TEST_F(CommandLine, InspectTellsWhatAShowDoesWithTime) {
   write("long.toml", long_show);
   write("words.ogg", "");
-  ASSERT_EQ(run("inspect long.toml"), 0) << output_;
+  EXPECT_EQ(run("inspect long.toml"), 1) << output_;
   EXPECT_THAT(output_, AllOf(HasSubstr("languages       de, en, fr"), HasSubstr("2 keys, 0.25 to 0.75"),
                              HasSubstr("2.000 s  de: Der Schatten | en: The shadow"), HasSubstr("Grüße an alle")));
   const std::size_t logo = output_.find("logo.png");
@@ -43,7 +43,7 @@ TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
         "[[objects]]\nmesh = \"there.obj\"\nmethod = \"trace\"\nposition = [12, 0, 0]\n[[caption]]\nfrom_s = 5\n"
         "to_s = 6\ntext = \"too late\"\n");
   write("there.obj", "");
-  ASSERT_EQ(run("inspect named.toml"), 0) << output_;
+  EXPECT_EQ(run("inspect named.toml"), 1) << output_;
   const auto line_of = [&](const std::string& name) {
     const std::size_t at = output_.rfind(name);
     return at == std::string::npos ? "" : output_.substr(at, output_.find('\n', at) - at);
@@ -68,7 +68,7 @@ TEST_F(CommandLine, InspectMarksCameraKeysAndNumbersThatComeAfterTheEnd) {
 
 //! A sphere of radius 1 at a place.
 std::string show_with_sphere(const std::string& place) {
-  return "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 16\n[[objects]]\n"
+  return "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n[[objects]]\n"
          "shape = \"sphere\"\nmethod = \"trace\"\nsize = 0.5\nposition = " +
          place + "\n";
 }
@@ -104,7 +104,7 @@ TEST_F(CommandLine, InspectSaysNothingOfAnObjectBesideTheHorizon) {
 }
 
 TEST_F(CommandLine, InspectTellsOfACatalogueWithoutStars) {
-  write("dark.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\nstars = \"none.csv\"\n[view]\nsize_px = 16\n");
+  write("dark.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\nstars = \"none.csv\"\n[view]\nsize_px = 16\n");
   write("none.csv", "ra_deg,dec_deg,v_mag\n");
   ASSERT_EQ(run("inspect dark.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars (sky.stars, dark.toml:5); name another catalogue"));
@@ -113,14 +113,40 @@ TEST_F(CommandLine, InspectTellsOfACatalogueWithoutStars) {
 TEST_F(CommandLine, InspectTellsOfASoundFileThatCannotBePlayed) {
   write("loud.toml", "[[camera.key]]\nr = 12\n[[audio]]\nfile = \"words.ogg\"\n");
   write("words.ogg", "no sound");
-  ASSERT_EQ(run("inspect loud.toml"), 0) << output_;
-  EXPECT_THAT(output_, testing::ContainsRegex("CANNOT BE PLAYED: [^\n]*words.ogg"));
+  EXPECT_EQ(run("inspect loud.toml"), 1) << output_;
+  EXPECT_THAT(output_, testing::ContainsRegex("CANNOT BE USED: [^\n]*words.ogg"));
+}
+
+TEST_F(CommandLine, InspectReadsEveryFileThatAShowNames) {
+  write("evening.toml",
+        "duration_s = 2\n[[camera.key]]\nr = 20\n[sky]\nmap = \"map.png\"\n[effects]\ndiffraction = { pattern = "
+        "\"spikes.png\" }\n[[shells]]\nradius = 30\ntexture = \"square.ppm\"\n[[objects]]\nmesh = \"ship.obj\"\n"
+        "method = \"trace\"\nposition = [12, 0, 0]\n[[overlay]]\nimage = \"torn.ppm\"\nfrom_s = 0\nto_s = 1\n"
+        "[[overlay]]\nimage = \"sky.ppm\"\nfrom_s = 1\nto_s = 2\n");
+  write("map.png", "no image");
+  write("spikes.png", "");
+  write("square.ppm", "P6\n16 16\n255\n" + std::string(768, 'x'));
+  write("torn.ppm", "P6\n16 8\n255\n" + std::string(40, 'x'));
+  write("ship.obj", "v 0 0 0\n");
+  EXPECT_EQ(run("inspect evening.toml"), 1);
+  const std::pair<const char*, const char*> problems[] = {
+      {"map.png", "(sky.map, evening.toml:5)"},
+      {"spikes.png", "(effects.diffraction.pattern, evening.toml:7"},
+      {"square.ppm", "is 16 x 16, not twice as wide as high"},
+      {"ship.obj", "(objects[0].mesh, evening.toml:12)"},
+      {"torn.ppm", "(overlay[0].image, evening.toml:16)"}};
+  for (const auto& [file, problem] : problems) {
+    const std::size_t at = output_.find(std::string("CANNOT BE USED: ") + file);
+    ASSERT_NE(at, std::string::npos) << file << ": " << output_;
+    EXPECT_THAT(output_.substr(at, output_.find('\n', at) - at), HasSubstr(problem)) << file;
+  }
+  EXPECT_THAT(output_, HasSubstr("evening.toml: 5 of 6 files that it names are of no use"));
 }
 
 TEST_F(CommandLine, InspectTellsItAsJson) {
   write("long.toml", long_show);
-  ASSERT_EQ(run("inspect long.toml --json"), 0) << output_;
-  const nlohmann::json timeline = nlohmann::json::parse(output_)["timeline"];
+  EXPECT_EQ(run("inspect long.toml --json"), 1) << "files are missing";
+  const nlohmann::json timeline = nlohmann::json::parse(output_.substr(output_.find('{')))["timeline"];
   EXPECT_EQ(timeline["animated"][0]["number"], "hole.spin");
   EXPECT_EQ(timeline["animated"][0]["to_s"], 4.0);
   EXPECT_EQ(timeline["chapters"][0]["title"]["de"], "Der Schatten");
