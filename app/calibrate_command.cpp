@@ -197,29 +197,40 @@ void add_calibrate_command(CLI::App& app) {
       app.add_subcommand("calibrate", "Compute warps and blend masks of a dome's projectors from where they stand");
   auto options = std::make_shared<CalibrateOptions>();
   command->add_option("setup", options->setup, "dome setup (.toml) with a lens for each projector")->required();
-  command->add_option("--out", options->out,
-                      "folder for warps (Bourke's meshes), masks (PNG), and a setup that names them");
-  command->add_option("--mpcdi", options->mpcdi, "write the same as an MPCDI calibration, too");
+  CLI::Option* const out = command->add_option(
+      "--out", options->out, "folder for warps (Bourke's meshes), masks (PNG), and a setup that names them");
+  CLI::Option* const mpcdi =
+      command->add_option("--mpcdi", options->mpcdi, "write the same as an MPCDI calibration, too");
   const CLI::Option* const size = command->add_option("--size", options->master_px, "width of the domemaster in pixels")
                                       ->check(CLI::Range(64, 16'384));
-  command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
-      ->check(number_between(0.01, 10.0))
-      ->capture_default_str();
-  command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
-      ->check(number_between(0.5, 8.0))
-      ->capture_default_str();
-  command
-      ->add_option("--evenness", options->blend.evenness,
-                   "1 evens out what is spread over more of the dome, 0 leaves it")
-      ->check(number_between(0.0, 1.0))
-      ->capture_default_str();
-  command->add_flag("--live", options->live,
-                    "show test patterns on the projectors and adjust the setup by keys, instead of computing warps");
-  command->add_flag("--no-control", options->shown.hide_control, "with --live: the projectors' windows alone");
+  CLI::Option* const tolerance =
+      command->add_option("--tolerance", options->tolerance_px, "pixels of the domemaster that a warp may be off by")
+          ->check(number_between(0.01, 10.0))
+          ->capture_default_str();
+  CLI::Option* const softness =
+      command->add_option("--softness", options->blend.softness, "of seams: 1 linear, 2 or more without kinks")
+          ->check(number_between(0.5, 8.0))
+          ->capture_default_str();
+  CLI::Option* const evenness = command
+                                    ->add_option("--evenness", options->blend.evenness,
+                                                 "1 evens out what is spread over more of the dome, 0 leaves it")
+                                    ->check(number_between(0.0, 1.0))
+                                    ->capture_default_str();
+  CLI::Option* const live = command->add_flag(
+      "--live", options->live,
+      "show test patterns on the projectors and adjust the setup by keys, instead of computing warps");
+  command->add_flag("--no-control", options->shown.hide_control, "with --live: the projectors' windows alone")
+      ->needs(live);
   command->add_option("--for", options->shown.for_seconds, "with --live: end by itself after this many seconds")
-      ->check(number_between(0.0, 1e9));
-  command->add_option("--screenshot", options->shown.screenshot,
-                      "with --live: write what the windows showed last as FILE_PROJECTOR.png for FILE.png");
+      ->check(number_between(0.0, 1e9))
+      ->needs(live);
+  command
+      ->add_option("--screenshot", options->shown.screenshot,
+                   "with --live: write what the windows showed last as FILE_PROJECTOR.png for FILE.png")
+      ->needs(live);
+  for (CLI::Option* const computing : {out, mpcdi, tolerance, softness, evenness}) {
+    live->excludes(computing);
+  }
   command->footer(calibration_key_help());
   command->callback([options, size] {
     options->size_given = size->count() > 0;

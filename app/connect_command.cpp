@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/output_file.h"
 #include "app/progress.h"
@@ -133,7 +134,12 @@ void add_connect_command(CLI::App& app) {
   command->add_option("--columns", options->columns, "for table: nodes in azimuth, an order")
       ->check(CLI::Range(4, 8192))
       ->capture_default_str();
-  command->callback([options] { run_connect(*options); });
+  IdleOptions idle(*command);
+  idle.add("without --method table", [options] { return options->method != "table"; }, {"--rows", "--columns"});
+  command->callback([options, idle] {
+    idle.refuse();
+    run_connect(*options);
+  });
 }
 
 }  // namespace ergodome

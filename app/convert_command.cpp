@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/idle_options.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/projector_folder.h"
@@ -143,7 +144,16 @@ void add_convert_command(CLI::App& app) {
   command->add_option("--size", options->size, "columns and rows of a .pfm (default: the mesh's own)")
       ->delimiter('x')
       ->type_name("WxH");
-  command->callback([options] { run(*options); });
+  IdleOptions idle(*command);
+  idle.add("of what is not MPCDI", [options] { return kind_of(options->from) != FileKind::mpcdi; }, {"--radius"});
+  idle.add("where neither file is a .data mesh",
+           [options] { return kind_of(options->from) != FileKind::bourke && kind_of(options->to) != FileKind::bourke; },
+           {"--aspect"});
+  idle.add("where no .pfm is written", [options] { return kind_of(options->to) != FileKind::map; }, {"--size"});
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

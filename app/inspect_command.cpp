@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/idle_line_facts.h"
+#include "app/idle_options.h"
 #include "app/inspect_fall.h"
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
@@ -180,6 +181,9 @@ void inspect_grid(const LensStation& station, double budget_px, const InspectOpt
   }
 }
 
+//! Whether a file that is neither a trajectory nor a setup is read as a sky map.
+bool is_image(const std::filesystem::path& file) { return file.has_extension() && file.extension() != ".toml"; }
+
 void run_for_trajectory(const InspectOptions& options) {
   nlohmann::json facts = facts_of_trajectory(options.file);
   if (!options.picture.empty()) {
@@ -232,10 +236,8 @@ void run(const InspectOptions& options) {
     }
     return;
   }
-  const bool is_image =
-      std::filesystem::path(options.file).has_extension() && std::filesystem::path(options.file).extension() != ".toml";
   nlohmann::json facts;
-  if (is_image) {
+  if (is_image(file)) {
     facts = facts_of(read_environment_image(options.file));
   } else {
     const Show show = load_show(options.file);
@@ -269,17 +271,26 @@ void add_inspect_command(CLI::App& app) {
           "file", options->file,
           "show (.toml or the name of a built-in one), trajectory, dome setup (.toml), or equirectangular image")
       ->required();
-  command->add_option(
+  CLI::Option* const picture = command->add_option(
       "--picture", options->picture,
       "draw the lens grid of the show's camera or of a trajectory's station, or a dome's projectors, to this PNG");
   command->add_option("--time", options->time_s, "with --picture: show time [s]")
       ->check(show_time())
+      ->needs(picture)
       ->capture_default_str();
   command->add_option("--size", options->size_px, "with --picture: its width in pixels")
       ->check(CLI::Range(16, 8192))
+      ->needs(picture)
       ->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
-  command->callback([options] { run(*options); });
+  IdleOptions idle(*command);
+  idle.add("of a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
+           {"--picture"});
+  idle.add("of a dome setup", [options] { return is_dome_setup(options->file); }, {"--time"});
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

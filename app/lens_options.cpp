@@ -44,7 +44,7 @@ const char* stand_in_for_stream(const Projection& projection, const LensOptions&
 
 }  // namespace
 
-void add_lens_options(CLI::App& command, LensOptions& options) {
+void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle) {
   command
       .add_option("--lens", options.lens,
                   "streamed (from a trajectory), live (a grid for each place), direct (a ray a pixel), or auto")
@@ -55,6 +55,12 @@ void add_lens_options(CLI::App& command, LensOptions& options) {
   command.add_option("--stream-memory", options.stream_memory_mib, "most memory for streamed stations, in MiB")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
+  idle.add("with --lens live or direct",
+           [&options] {
+             const LensChoice choice = lens_choice(options);
+             return choice == LensChoice::live || choice == LensChoice::direct;
+           },
+           {"--trajectory", "--stream-memory"});
 }
 
 LensChoice lens_choice(const LensOptions& options) {

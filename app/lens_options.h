@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/idle_options.h"
 #include "content/show.h"
 #include "render/lens/lens_source.h"
 #include "render/lens/station_stream.h"
@@ -22,8 +23,8 @@ struct LensOptions {
   int stream_memory_mib = 256;
 };
 
-//! Adds --lens, --trajectory and --stream-memory to a command.
-void add_lens_options(CLI::App& command, LensOptions& options);
+//! Adds --lens, --trajectory and --stream-memory to a command, and to its idle options where they change nothing. `options` outlive both.
+void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle);
 
 LensChoice lens_choice(const LensOptions& options);
 

@@ -211,13 +211,19 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  add_lens_options(*command, options->lens);
+  IdleOptions idle(*command);
+  add_lens_options(*command, options->lens, idle);
+  CLI::Option* const measure =
+      command->add_flag("--measure", options->measure, "render a picture, twice, and count what it has taken");
   command->add_option("--time", options->time_s, "with --measure: show time [s]")
       ->check(show_time())
+      ->needs(measure)
       ->capture_default_str();
-  command->add_flag("--measure", options->measure, "render a picture, twice, and count what it has taken");
   command->add_flag("--json", options->json, "as JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

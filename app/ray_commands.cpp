@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/idle_options.h"
 #include "app/near_ray_commands.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
@@ -275,7 +276,16 @@ void add_trace_command(CLI::App& app) {
                    "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
       ->check(number_between(0.0, 1e3));
   const auto near_field = add_near_ray_options(*command, {method, precision});
-  command->callback([options, near_field] {
+  IdleOptions idle(*command);
+  idle.add("without --method grid", [options] { return options->method != "grid"; }, {"--budget", "--size"});
+  idle.add("without --method quadtree", [options] { return options->method != "quadtree"; },
+           {"--level", "--interpolation", "--blend"});
+  idle.add("with --method closed_form", [options] { return options->method == "closed_form"; },
+           {"--tolerance", "--precision"});
+  idle.add("with --method quadtree", [options] { return options->method == "quadtree"; },
+           {"--tolerance", "--precision"});
+  command->callback([options, near_field, idle] {
+    idle.refuse();
     require_output_file("--out", options->out, {options->rays, near_field->objects});
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
       run_trace(*options);

@@ -10,6 +10,7 @@
 #include "app/frame_range.h"
 #include "app/frame_request.h"
 #include "app/frame_writer.h"
+#include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/movie.h"
 #include "app/number_check.h"
@@ -106,35 +107,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   }
 }
 
-//! Throws Error for options that say something else than what projectors' frames and test patterns are.
-void refuse_idle_options(const RenderOptions& options) {
-  const auto refuse = [](bool given, const char* option, const char* why) {
-    if (given) {
-      throw Error(option, why, "leave it out");
-    }
-  };
-  if (!options.setup.empty()) {
-    constexpr const char* why = "changes nothing of projectors' frames, whose domemasters the setup tells";
-    refuse(!options.projection.empty() && options.projection != "dome", "--projection", why);
-    refuse(options.from_outside, "--from-outside", why);
-  }
-  if (!options.pattern.empty()) {
-    constexpr const char* why = "changes nothing of a test pattern";
-    refuse(!options.frames.empty(), "--frames", why);
-    refuse(!options.movie.empty(), "--movie", why);
-    refuse(options.frame_rate_hz > 0.0, "--fps", why);
-    refuse(options.view != "sky", "--view", why);
-    refuse(!options.method.empty(), "--method", why);
-    refuse(!options.budget.empty(), "--budget", why);
-    refuse(options.checked_moments > 0, "--check", why);
-    refuse(options.resume, "--resume", why);
-    refuse(options.baseline.has_value(), "--baseline", why);
-    refuse(!options.language.empty(), "--language", why);
-  }
-}
-
 void run(RenderOptions options) {
-  refuse_idle_options(options);
   Show show = chosen_show(options);
   const std::optional<DomeSetup> setup = chosen_setup(options);
   if (setup) {
@@ -169,6 +142,19 @@ void run(RenderOptions options) {
     fmt::print(stderr, "ergodome: {} did not converge and {} the mean of the sky\n",
                counted(writer.unresolved(), "pixel"), writer.unresolved() == 1 ? "shows" : "show");
   }
+}
+
+//! Options that say something else than what projectors' frames, test patterns and checks are.
+void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
+  idle.add("of projectors' frames, whose domemasters the setup tells", [options] { return !options->setup.empty(); },
+           {"--from-outside"});
+  idle.add("of projectors' frames, whose domemasters the setup tells",
+           [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
+  idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
+           {"--frames", "--movie", "--fps", "--view", "--method", "--budget", "--check", "--resume", "--baseline",
+            "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
+  idle.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
+           {"--frames", "--movie", "--format", "--compression", "--alpha", "--resume", "--language"});
 }
 
 //! What --pattern takes.
@@ -219,7 +205,6 @@ void add_render_command(CLI::App& app) {
       ->add_option("--method", options->method,
                    "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
       ->check(CLI::IsMember(follow_method_names()));
-  add_lens_options(*command, options->lens);
   add_budget_option(*command, options->budget);
   command
       ->add_option("--check", options->checked_moments,
@@ -231,7 +216,13 @@ void add_render_command(CLI::App& app) {
                       "dome setup (.toml): write what each of its projectors shows, as NAME_000001_PROJECTOR.png");
   command->add_option("--language", options->language, "of captions, by its tag (en, de)");
   command->add_flag("--resume", options->resume, "skip frames that are there, complete, and were asked for alike");
-  command->callback([options] { run(*options); });
+  IdleOptions idle(*command);
+  add_lens_options(*command, options->lens, idle);
+  add_idle_options(options, idle);
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

@@ -10,6 +10,7 @@
 #include "app/accuracy/report_folder.h"
 #include "app/accuracy/report_table.h"
 #include "app/commands.h"
+#include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/pixel_text.h"
 #include "app/show_loading.h"
@@ -108,7 +109,12 @@ void add_accuracy_command(CLI::App& app) {
       ->check(CLI::IsMember(std::vector<std::string>(accuracy_axis_names.begin(), accuracy_axis_names.end())));
   command->add_option("--at", options->at, "error at which methods are compared")->capture_default_str();
   command->add_flag("--json", options->json, "print JSON in place of the table");
-  command->callback([options] { run(*options); });
+  IdleOptions idle(*command);
+  idle.add("with --json, without --out", [options] { return options->json && options->out.empty(); }, {"--at"});
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

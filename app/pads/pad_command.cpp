@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/number_check.h"
 #include "app/pads/hid_fixture.h"
@@ -294,18 +295,25 @@ void add_pad_command(CLI::App& app) {
   auto* command = app.add_subcommand("pad", "List controllers, show what they do, measure them, write their settings");
   auto options = std::make_shared<PadOptions>();
   auto* live = command->add_flag("--live", options->live, "show what sticks and buttons do, until Ctrl-C");
-  command
-      ->add_flag("--calibrate", options->calibrate,
-                 "measure a controller's sticks and triggers, and write the settings")
-      ->excludes(live);
+  auto* calibrate = command
+                        ->add_flag("--calibrate", options->calibrate,
+                                   "measure a controller's sticks and triggers, and write the settings")
+                        ->excludes(live);
   command->add_option("--pad", options->pad, "which controller to measure, from 1 in the order they are listed")
-      ->check(CLI::Range(1, 16));
+      ->check(CLI::Range(1, 16))
+      ->needs(calibrate);
   command->add_option("--for", options->for_s, "end after so many seconds")->check(number_between(0.1, 1e9));
   command->add_option("--settings", options->settings,
                       "file to read; default: $XDG_CONFIG_HOME/ergodome/pads.toml, or in ~/.config");
-  command->add_option("--out", options->out, "file to write settings to, with comments; an older one is kept as .bak");
+  command->add_option("--out", options->out, "file to write settings to, with comments; an older one is kept as .bak")
+      ->excludes(live);
   command->add_option("--fixture", options->fixture, "play recorded reports in place of controllers");
-  command->callback([options] { run(*options); });
+  IdleOptions idle(*command);
+  idle.add("without --live or --calibrate", [options] { return !options->live && !options->calibrate; }, {"--for"});
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
 }
 
 }  // namespace ergodome

@@ -193,7 +193,8 @@ void add_play_command(CLI::App& app) {
   command->add_option("--baseline", arguments->baseline, "distance of the eyes [M], instead of the show's")
       ->check(number_between(0.0, 1e3));
   command->add_flag("--tint-eyes", arguments->tint_eyes, "the left eye's picture reddish, the right one's cyan");
-  add_lens_options(*command, arguments->lens);
+  IdleOptions idle(*command);
+  add_lens_options(*command, arguments->lens, idle);
   const CLI::Option* const size =
       command->add_option("--size", arguments->options.size_px, "width of one eye's image in pixels")
           ->check(CLI::Range(16, 8192))
@@ -231,11 +232,12 @@ void add_play_command(CLI::App& app) {
       ->add_option("--clock-start", arguments->options.services.clock_start,
                    "with --clock mtc: the time code at which the show begins")
       ->capture_default_str();
-  command->add_flag("!--no-sound", arguments->options.services.sound, "play no sound");
+  CLI::Option* const no_sound = command->add_flag("!--no-sound", arguments->options.services.sound, "play no sound");
   command
       ->add_option("--sound-later", arguments->options.services.sound_later_s,
                    "seconds by which sound is heard later, for displays that take their time")
-      ->check(number_between(-1.0, 1.0));
+      ->check(number_between(-1.0, 1.0))
+      ->excludes(no_sound);
   add_remote_options(*command, arguments->options.services.remote);
   CLI::Option* const locked =
       command->add_flag("--exhibit", arguments->exhibit,
@@ -253,7 +255,10 @@ void add_play_command(CLI::App& app) {
       ->needs(locked)
       ->capture_default_str();
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
-  command->callback([arguments, size] {
+  idle.add("of projectors' pictures, whose domemasters the setup tells",
+           [arguments] { return !arguments->setup.empty() && arguments->projection != "dome"; }, {"--projection"});
+  command->callback([arguments, size, idle] {
+    idle.refuse();
     arguments->size_given = size->count() > 0;
     run(*arguments);
   });

@@ -121,7 +121,7 @@ TEST_F(CommandLine, RenderRefusesOptionsThatWouldChangeNothing) {
                 "--pattern checker --movie a.mp4", "--pattern checker --frames 1:2", "--pattern checker --view g",
                 "--pattern checker --budget 1px", "--pattern checker --fps 30", "--pattern checker --resume",
                 "--pattern checker --baseline 1"})) {
-    EXPECT_EQ(run("render small.toml --out o " + options), 1) << options;
+    EXPECT_EQ(run("render small.toml --out o " + options), 2) << options;
     EXPECT_THAT(output_, HasSubstr("changes nothing of")) << options;
   }
   EXPECT_FALSE(fs::exists(folder_ / "o"));
