@@ -84,6 +84,8 @@ class PlayerSession {
   void adjust_stereo(KeyAction action);
   void navigate(const PlayerInput& input, double seconds);
   void look(double seconds);
+  //! Chooses who looks, and at what velocity, from where the camera is at a time of the show.
+  void observe(double seconds, double time_s);
   //! Who looks from a path that has a velocity.
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
   //! Notes the frame's pose, and how who looks moves.

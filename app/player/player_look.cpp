@@ -1,0 +1,86 @@
+// What a session shows at an instant: where the camera is, who looks, and how.
+#include <algorithm>
+#include <cmath>
+
+#include "app/player/player_session.h"
+#include "content/fall/rain_pose.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double wheel_zoom = 0.1;  //!< logarithm of the field of view for a step
+constexpr double narrowest_deg = 0.01;
+constexpr double widest_screen_deg = 170.0;
+constexpr double widest_dome_deg = 360.0;
+
+}  // namespace
+
+void PlayerSession::look(double seconds) {
+  const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
+  const std::string& language = playback_.language();
+  // Off its path only numbers that change tell one time of a show from another.
+  frame_.time_s = flying() && show_.timeline.animations.empty() ? 0.0 : time_s;
+  frame_.pose = navigator_->pose();
+  if (!flying()) {
+    frame_.path_time_s = time_s;
+  }
+  observe(seconds, time_s);
+  frame_.mode = mode_;
+  frame_.field_of_view_deg = field_of_view_deg();
+  frame_.stereo = stereo_now();
+  frame_.exposure_stops = playback_.exposure_stops();
+  frame_.language = language;
+  frame_.captions = playback_.captions();
+  frame_.light = playback_.light();
+}
+
+void PlayerSession::observe(double seconds, double time_s) {
+  // Within the horizon nobody but who falls is there to look.
+  const bool within = !(frame_.pose.r > horizon_radius(show_now_.spin));
+  const ObserverMode mode = within ? ObserverMode::natural : observer_;
+  const CameraPose in_zamo = in_zamo_frame(frame_.pose, show_now_.spin);
+  // On the way back to a path that has velocities who looks moves as that does already, so that nothing jumps where it is met.
+  const std::optional<Vector3<double>> moves = navigator_->course() == Navigator::Course::returning
+                                                   ? in_zamo_frame(camera_pose(show_, time_s), show_now_.spin).velocity
+                                                   : in_zamo.velocity;
+  const std::optional<ObserverView> own = within  ? falling_within(playback_.language())
+                                          : moves ? observer_at(*moves)
+                                                  : navigator_->own_observer(playback_.language());
+  const ObserverView wanted =
+      observer_view(mode, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, playback_.language());
+  frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
+  if (mode != ObserverMode::natural) {
+    frame_.pose = in_zamo;
+    frame_.pose.velocity.reset();
+  } else if (!flying()) {
+    // Baked lenses are the show's observer's, who need not be told.
+    frame_.observer.motion = show_.camera.motion;
+    frame_.observer.velocity = show_.camera.velocity;
+  }
+}
+
+ObserverView PlayerSession::observer_at(const Vector3<double>& velocity) const {
+  const std::string& language = playback_.language();
+  return show_.camera.orbit != nullptr ? falling_observer(velocity, language)
+                                       : observer_of(ObserverMotion::velocity, velocity, show_now_.spin, frame_.pose.r,
+                                                     frame_.pose.theta, language);
+}
+
+double PlayerSession::field_of_view_deg() const {
+  const double widest = show_.view.projection == ViewProjection::pinhole ? widest_screen_deg : widest_dome_deg;
+  return std::clamp(show_now_.view.field_of_view_deg * std::exp(-wheel_zoom * zoom_steps_), narrowest_deg,
+                    std::max(widest, show_now_.view.field_of_view_deg));
+}
+
+StereoSettings PlayerSession::stereo_now() const {
+  StereoSettings stereo = stereo_;
+  stereo.baseline = playback_.baseline().value_or(show_now_.stereo.baseline);
+  stereo.convergence = convergence_.value_or(show_now_.stereo.convergence);
+  if (leads_within(show_)) {
+    stereo.model = StereoModel::physical;  // the others know nothing of the inside
+  }
+  return stereo;
+}
+
+}  // namespace ergodome
