@@ -167,12 +167,22 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   }
 }
 
+//! Whether a file's folder is there once --out is made: that itself, or one above it.
+bool is_made_with(const std::filesystem::path& file, const std::filesystem::path& out) {
+  const auto plain = [](const std::filesystem::path& folder) {
+    return (std::filesystem::absolute(folder) / "").lexically_normal().parent_path();
+  };
+  const std::filesystem::path folder = plain(std::filesystem::absolute(file).parent_path());
+  std::filesystem::path made = plain(out);
+  while (made != folder && made.has_relative_path()) {
+    made = made.parent_path();
+  }
+  return made == folder;
+}
+
 void run(const CalibrateOptions& options) {
   const std::filesystem::path mpcdi = options.mpcdi;
-  // The folder of --out is made.
-  const bool in_out =
-      (mpcdi.parent_path() / "").lexically_normal() == (std::filesystem::path(options.out) / "").lexically_normal();
-  (in_out ? require_other_file : require_output_file)("--mpcdi", mpcdi, {options.setup});
+  (is_made_with(mpcdi, options.out) ? require_other_file : require_output_file)("--mpcdi", mpcdi, {options.setup});
   require_other_png("--screenshot", options.shown.screenshot, {});
   if (options.live) {
     if (!options.shown.screenshot.empty()) {

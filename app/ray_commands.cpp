@@ -231,8 +231,8 @@ void run_trace(const RayOptions& options) {
   write_text_atomically(options.out, "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" +
                                          joined_in_place(table.lines, grouped.place));
   if (table.unresolved > 0) {
-    fmt::print(stderr, "ergodome: {} of {} did not converge; give a coarser --tolerance, or another --method\n",
-               table.unresolved, counted(rows.size(), "ray"));
+    fmt::print(stderr, "ergodome: {} of {} did not converge; give {}another --method\n", table.unresolved,
+               counted(rows.size(), "ray"), options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
   }
 }
 

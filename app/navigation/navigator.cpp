@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/navigation/comfort.h"
+#include "content/fall/rain_pose.h"
 
 namespace ergodome {
 
@@ -57,7 +58,7 @@ Navigator::Navigator(const Show& show)
       settings_(show.flight),
       space_(show.spin, show.flight),
       limits_(turn_limits(show.flight.comfort)),
-      start_(place_of(camera_pose(show, show.camera.keys.front().time_s))),
+      start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), show.spin))),
       place_(start_),
       mode_(show.flight.mode),
       path_falls_(show.camera.orbit != nullptr),

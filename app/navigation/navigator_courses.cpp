@@ -18,8 +18,11 @@ void Navigator::leave_path() {
     return;
   }
   if (course_ == Course::path && path_falls_) {
+    // From here on the view's axes are boosted from the ZAMO.
     path_ = in_zamo_frame(path_, spin_);
+    path_before_ = in_zamo_frame(path_before_, spin_);
     place_ = place_of(path_);
+    before_ = place_of(path_before_);
     asked_velocity_ = path_.velocity;
   }
   take_velocity_of(before_, place_, frame_s_);
@@ -46,7 +49,7 @@ void Navigator::start_return() {
   const double seconds = frame_s_ > 0.0 ? frame_s_ : 1.0;
   const bool known = frame_s_ > 0.0;
   const CameraPlace camera[2] = {known ? before_ : place_, place_};
-  const CameraPose path[2] = {known ? path_before_ : path_, path_};
+  const CameraPose path[2] = {in_zamo_frame(known ? path_before_ : path_, spin_), in_zamo_frame(path_, spin_)};
   return_.emplace(space_, settings_, camera, path, seconds);
 }
 
@@ -66,7 +69,7 @@ void Navigator::return_to_path() {
 }
 
 void Navigator::advance_return(double seconds) {
-  place_ = return_->advance(seconds, path_);
+  place_ = return_->advance(seconds, in_zamo_frame(path_, spin_));
   if (return_->arrived()) {
     return_.reset();
     course_ = Course::path;

@@ -51,22 +51,26 @@ void check_end(const TomlTable& table, const Show& show) {
   }
 }
 
+double deepest_rest(double spin) { return std::ceil(1e5 * least_interior_radius(spin)) * 1e-5; }
+
+//! Whether there is room within the horizon for a fall to come to rest.
+bool has_inside(double spin) { return deepest_rest(spin) < horizon_radius(spin) / nearest_rest; }
+
 //! Where time comes to rest: before the horizon, or behind it and before the inner one.
 void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   const FallSettings& fall = *show.camera.fall;
   const double horizon = horizon_radius(show.spin);
   const double before = std::ceil(1e5 * nearest_rest * horizon) * 1e-5;
-  const double deepest = std::ceil(1e5 * least_interior_radius(show.spin)) * 1e-5;
+  const double deepest = deepest_rest(show.spin);
   const bool within = fall.least_r > 0.0 && fall.least_r < horizon;
-  const bool has_inside = deepest < horizon / nearest_rest;
   if (fall.least_r > 0.0 && !(fall.least_r >= before && fall.least_r < begin_r) &&
       !(within && fall.least_r >= deepest && fall.least_r <= horizon / nearest_rest)) {
-    throw table.error_at("least_r",
-                         fmt::format("is {} M, not between the horizon and the place of the beginning", fall.least_r),
-                         fmt::format("choose it from {:.6g} to below {:.6g}", before, begin_r) +
-                             (has_inside ? fmt::format(", or within the horizon, from {:.6g} to {:.6g}", deepest,
-                                                       std::floor(1e5 * horizon / nearest_rest) * 1e-5)
-                                         : ""));
+    throw table.error_at(
+        "least_r", fmt::format("is {} M, not between the horizon and the place of the beginning", fall.least_r),
+        fmt::format("choose it from {:.6g} to below {:.6g}", before, begin_r) +
+            (has_inside(show.spin) ? fmt::format(", or within the horizon, from {:.6g} to {:.6g}", deepest,
+                                                 std::floor(1e5 * horizon / nearest_rest) * 1e-5)
+                                   : ""));
   }
   if (within && fall.until_s) {
     throw table.error_at("until_s", "ends a fall that least_r leads into the hole",
@@ -166,12 +170,14 @@ void let_fall(const toml::table& fall, const std::string& file, Show& show) {
   show.camera.after_fall = keys_after_fall(show);
   const FreeFall& orbit = *show.camera.orbit;
   if (!orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() < show.duration_s) {
-    throw table.error_at("t_s",
-                         fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
-                         fmt::format("end the fall before (until_s), or write least_r = {:.4g}, where time comes to "
-                                     "rest; {:.4g} leads through the horizon",
-                                     1.05 * horizon_radius(show.spin),
-                                     0.5 * (horizon_radius(show.spin) + least_interior_radius(show.spin))));
+    const double horizon = horizon_radius(show.spin);
+    throw table.error_at(
+        "t_s", fmt::format("begins a fall that leads into the horizon at {:.6g} s", *orbit.horizon_s()),
+        fmt::format("end the fall before (until_s), or write least_r = {:.4g}, where time comes to rest",
+                    1.05 * horizon) +
+            (has_inside(show.spin)
+                 ? fmt::format("; {:.4g} leads through the horizon", 0.5 * (horizon + deepest_rest(show.spin)))
+                 : ""));
   }
   if (!orbit.stop_s() && !orbit.horizon_s() && orbit.followed_s() < show.duration_s) {
     throw table.error_at(

@@ -56,6 +56,12 @@ FreeFall::FreeFall(double spin, const FallStart& start, const FallSettings& sett
   const double latest_s = std::max(end_s, settings.time_s);
   const double wanted = clock_.proper_time(latest_s);
   follow(wanted);
+  if (leads_within_ && !crossing_) {
+    leads_within_ = false;
+    stations_.clear();
+    begin();
+    follow(wanted);
+  }
   const double reached = stations_.back().proper_time;
   followed_s_ = reached < wanted ? clock_.time_s(reached, latest_s).value_or(latest_s) : latest_s;
   if (crossing_) {

@@ -60,7 +60,7 @@ class FreeFall {
   //! The nearest that it comes to the hole [M].
   [[nodiscard]] double least_r() const { return least_r_; }
 
-  //! Whether the fall is meant to lead through the horizon.
+  //! Whether the fall is meant to lead through the horizon, and comes there.
   [[nodiscard]] bool leads_within() const { return leads_within_; }
 
   //! When the horizon is reached; nothing where it is not.

@@ -2,6 +2,7 @@
 
 #include "kernels/elliptic/carlson.h"
 #include "kernels/geodesic/radial_potential.h"
+#include "kernels/metric/kerr.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -138,15 +139,16 @@ ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
     // Rounding of the parts, some ten operations each; and the integral over 1/u of what holding the horizons apart changes.
     const double to_horizon = ::fmax(::fabs(1.0 - u), 1e-4);
     const double held = half_gap > 3e-6 ? 0.0 : 1e-11 / (to_horizon * to_horizon * to_horizon);
-    return spin == 0.0 ? 0.0 : 2e-15 * (::fabs(at_outer * i.pole[0]) + ::fabs(at_inner * i.pole[1])) + held;
+    // And of the camera's own place, where the drag changes as 1 over its distance from the horizon.
+    const double beside = ::fabs(1.0 - outer * u);
+    const double placed = beside < 0.01 ? 2e-16 / (gap * beside) : 0.0;
+    return spin == 0.0 ? 0.0 : 2e-15 * (::fabs(at_outer * i.pole[0]) + ::fabs(at_inner * i.pole[1])) + held + placed;
   };
   const RadialIntegrals to_camera = radial_integrals(roots, ray.u, ray.u_rate, rho);
   const double r = 1.0 / ray.u;
-  if (!(r > outer)) {
+  if (!(r > horizon_radius(spin))) {
     // Principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
-    const double turn = spin == 0.0 ? 0.0 : (spin / gap) * ::log(::fabs((r - outer) / (r - inner)));
-    const double rounding = 2e-16 * ::fabs(spin) / gap * (::fabs(r / (r - outer)) + ::fabs(r / (r - inner)));
-    return {to_camera.time, -(drag(to_camera) + turn), drag_error(to_camera, ray.u) + rounding};
+    return {to_camera.time, -(drag(to_camera) + ingoing_turn(spin, r)), drag_error(to_camera, ray.u)};
   }
   if (ray.u_rate <= 0.0) {
     return {to_camera.time, -drag(to_camera), drag_error(to_camera, ray.u)};

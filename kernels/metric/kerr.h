@@ -31,9 +31,12 @@ ERGO_HD double ingoing_turn(double spin, double r) {
   if (spin == 0.0) {
     return 0.0;
   }
-  // ln|(r - r_+) / (r - r_-)| without its cancellation far away, or where the horizons are close.
+  if (!(gap > 0.0)) {
+    return -spin / (r - outer);
+  }
+  // ln|(r - r_+) / (r - r_-)|: far away, or where the horizons are close, without the cancellation of its fraction from 1.
   const double ratio = gap / (r - inner);
-  return gap > 0.0 ? spin / gap * (ratio < 1.0 ? ::log1p(-ratio) : ::log(ratio - 1.0)) : -spin / (r - outer);
+  return spin / gap * (ratio < 0.5 ? ::log1p(-ratio) : ::log(::fabs((r - outer) / (r - inner))));
 }
 
 //! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.

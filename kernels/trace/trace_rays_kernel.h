@@ -61,7 +61,9 @@ struct TraceByClosedForm {
                                     at(start.u_rate),
                                     {at(start.m.x), at(start.m.y), at(start.m.z)},
                                     {at(start.m_rate.x), at(start.m_rate.y), at(start.m_rate.z)},
-                                    at(start.energy)};
+                                    at(start.energy),
+                                    start.ingoing,
+                                    static_cast<double>(start.turn)};
       const RayEnd<double> exact = trace_closed_form(static_cast<double>(spin), ray);
       set_lane(end.sky.x, i, static_cast<S>(exact.sky.x));
       set_lane(end.sky.y, i, static_cast<S>(exact.sky.y));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "content/animated_show.h"
+#include "content/fall/rain_pose.h"
 #include "kernels/core/error.h"
 #include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
@@ -127,7 +128,10 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   for (int i = -steps; i <= steps; ++i) {
     poses.push_back(camera_pose(show_, time_s + half * i / steps));
     if (!middle.velocity) {
-      poses.back().velocity.reset();  // who looks was chosen in the show's place
+      // Who looks was chosen in the show's place, and is outside the horizon.
+      const CameraPose outside = in_zamo_frame(poses.back(), show_.spin);
+      poses.back() = outside.velocity_in_rain ? middle : outside;
+      poses.back().velocity.reset();
     }
   }
   return poses;

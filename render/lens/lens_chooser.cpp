@@ -130,6 +130,10 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   }
   EyeCamera eye = request.eye;
   const bool behind = grid.r != eye.r || grid.theta != eye.theta;
+  if (behind && eye.r > horizon_radius(eye.spin)) {
+    // The sky of another radius is about the same in the azimuth of what falls in.
+    eye.phi += ingoing_turn(eye.spin, eye.r) - ingoing_turn(eye.spin, grid.r);
+  }
   eye.r = grid.r;
   eye.theta = grid.theta;
   return std::make_unique<GridLens>(backend_, "live", StationBlend(grid.station), eye, request.projection,

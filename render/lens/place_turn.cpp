@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/metric/kerr.h"
+
 namespace ergodome {
 
 namespace {
-
-//! How far an ingoing principal null ray turns about the axis on its way from infinity to r [rad]: the integral of a / Δ.
-double principal_turn(double spin, double r) {
-  const double half = std::sqrt(std::max(0.0, (1.0 - spin) * (1.0 + spin)));  // (r_+ - r_-) / 2
-  const double x = half / (r - 1.0);
-  return spin / (r - 1.0) * (x > 1e-4 ? std::atanh(x) / x : 1.0 + x * x / 3.0);
-}
 
 glm::dmat3 about_axis(double angle) {
   return {std::cos(angle), std::sin(angle), 0.0, -std::sin(angle), std::cos(angle), 0.0, 0.0, 0.0, 1.0};
@@ -23,7 +18,7 @@ glm::dmat3 about_axis(double angle) {
 glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
   const double tilt = to.theta - from.theta;
   const glm::dmat3 tilted(std::cos(tilt), 0.0, -std::sin(tilt), 0.0, 1.0, 0.0, std::sin(tilt), 0.0, std::cos(tilt));
-  return about_axis(-principal_turn(spin, to.r)) * tilted * about_axis(principal_turn(spin, from.r));
+  return about_axis(ingoing_turn(spin, to.r)) * tilted * about_axis(-ingoing_turn(spin, from.r));
 }
 
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {

@@ -129,14 +129,30 @@ TEST(FallWithin, KeepsItsDirectionsWhereItIsTakenToTheZamosFrame) {
   const CameraPose same = in_zamo_frame(falls, show.spin);
   ASSERT_TRUE(falls.velocity_in_rain);
   EXPECT_FALSE(same.velocity_in_rain);
-  // What is straight ahead comes with the same energy, whoever tells the velocity.
-  const auto energy = [&](const CameraPose& pose, ObserverMotion motion) {
-    const glm::dvec3 ahead = pose.orientation * glm::dvec3(0.3, 0.2, -1.0);
-    const glm::dvec3 n = glm::normalize(ahead);
+  // Light from anywhere has the same energy and angular momentum, whoever tells the velocity.
+  const auto light_in = [&](const CameraPose& pose, ObserverMotion motion, const glm::dvec3& seen) {
+    const glm::dvec3 n = glm::normalize(pose.orientation * seen);
     const CameraStation camera = make_camera_station(show.spin, pose.r, pose.theta, 0.0, motion, *pose.velocity);
-    return start_ray(camera, Vector3<double>{n.x, n.y, n.z}).energy;
+    return start_ray(camera, Vector3<double>{n.x, n.y, n.z});
   };
-  EXPECT_NEAR(energy(falls, ObserverMotion::rain_boost), energy(same, ObserverMotion::velocity), 1e-12);
+  for (const glm::dvec3& seen : {glm::dvec3(0.3, 0.2, -1.0), glm::dvec3(-1.0, 0.1, 0.3), glm::dvec3(0.1, 1.0, 0.5)}) {
+    const RayStart<double> rain = light_in(falls, ObserverMotion::rain_boost, seen);
+    const RayStart<double> zamo = light_in(same, ObserverMotion::velocity, seen);
+    EXPECT_NEAR(rain.energy, zamo.energy, 1e-12);
+    EXPECT_NEAR(rain.axial_angular_momentum, zamo.axial_angular_momentum, 1e-11);
+    EXPECT_NEAR(rain.polar_constant, zamo.polar_constant, 1e-10);
+  }
+}
+
+TEST(FallWithin, IsAFallLikeAnyOtherWhereTheHorizonIsNotReached) {
+  const std::string circles =
+      "duration_s = 60\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 12\n[camera.fall]\nvelocity = \"geodesic\"\nclock = "
+      "2\n";
+  const Show meant = parse_show(circles + "least_r = 0.8\n[disk]\n", "meant.toml");
+  const Show plain = parse_show(circles, "plain.toml");
+  EXPECT_FALSE(leads_within(meant));
+  EXPECT_FALSE(camera_pose(meant, 30.0).velocity_in_rain);
+  EXPECT_EQ(camera_pose(meant, 30.0).phi, camera_pose(plain, 30.0).phi);
 }
 
 TEST(FallWithin, ComesToRestAtItsLeastRadius) {

@@ -58,6 +58,29 @@ TEST(WithinHorizonPictures, GridsShowWhatRaysShow) {
   }
 }
 
+TEST(WithinHorizonPictures, BothEyesGoOnAsTheyWereWhereTheirHeadFallsThroughTheHorizon) {
+  // One eye is farther in than the other.
+  Show show = show_through();
+  for (CameraKey& key : show.camera.keys) {
+    key.yaw = 1.2;
+  }
+  show.stereo.layout = StereoLayout::separate;
+  const auto eyes_at = [&](double time_s) {
+    ShowRenderer renderer(show, Backend::cpu, LensChoice::direct);
+    std::vector<std::vector<float>> eyes;
+    for (const FrameImage& image : renderer.render(time_s, {ViewMode::sky, 128})) {
+      eyes.emplace_back(image.picture.rgba.begin(), image.picture.rgba.end());
+    }
+    return eyes;
+  };
+  const double horizon_s = *show.camera.orbit->horizon_s();
+  const auto before = eyes_at(horizon_s - 0.15);
+  const auto after = eyes_at(horizon_s + 0.15);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    EXPECT_LT(change_of_light(before.at(eye), after.at(eye)), 0.5) << eye;
+  }
+}
+
 TEST(WithinHorizonPictures, EyesAreApartByTheirBaselineAndOnOneSide) {
   const Show show = show_through();
   const CameraPose pose = camera_pose(show, *show.camera.orbit->horizon_s() + 1e-3);
