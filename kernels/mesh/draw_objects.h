@@ -45,7 +45,8 @@ struct ObjectTileBatch {
   const std::int32_t* tiles;  //!< two numbers each: their first pixel, x and y
   int count;
   int side_px;
-  TileMark* marks;  //!< one a tile
+  double turn_per_px;  //!< by so much the planes of neighbours' rays are turned beside the shadow [rad]
+  TileMark* marks;     //!< one a tile
 };
 
 //! What a pixel is full of, if not the number of a mesh.
@@ -55,7 +56,7 @@ inline constexpr std::int32_t pixel_of_several = -2;
 //! Where in a pixel its rays are.
 enum class PixelPattern : std::uint8_t {
   grid,
-  slices  //!< along the shadow's edge, the thinner the nearer to it; not for eyes of the stereo model `flat`
+  slices  //!< along the shadow's edge, the thinner the nearer to it
 };
 
 //! Pixels to be looked at.
@@ -91,6 +92,10 @@ struct FlatEyeSight {
   double tolerance_px;  //!< what a ray says of its neighbours may be off by so much
   FlatHorizon horizon;
 };
+
+//! Slices' lines of sight have rays of the head's own; they are cut into so many parts, and there are none where the eye's way is longer than this many pixels.
+inline constexpr double parts_of_slices = 2.0;
+inline constexpr double most_way_of_slices = 4.0;
 
 //! The part of an eye's lines of sight on which objects may be.
 struct FlatReach {

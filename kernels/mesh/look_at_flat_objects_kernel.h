@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/flat_eyes/eye_line.h"
 #include "kernels/mesh/look_at_objects_kernel.h"
 #include "kernels/mesh/pixel_lines.h"
 
@@ -14,7 +15,28 @@ struct ObjectRaysOfHead {
 
   const FlatObjectPixelBatch& batch;
 
+  //! Where the farthest part of the pixel's line has its ray: light that has gone round the hole comes from there.
+  [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
+    const FlatReach& reach = batch.reach[at];
+    const double part_w = static_cast<double>(reach.most_w - reach.least_w) / parts_of(reach);
+    const EyeLine<double> line = {middle_of_pixel(batch.pixels, at), batch.sight.eye};
+    const CameraStation& camera = batch.pixels.objects.camera;
+    return slice_pixel(camera, start_near_ray(camera, line.at(static_cast<double>(reach.least_w) + 0.5 * part_w).n));
+  }
+
   ERGO_HD void find(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
+    // Rays that lines share are too far from one another for images that are thinner than a pixel.
+    const int together = batch.pixels.pattern == PixelPattern::slices ? 1 : count;
+    for (int k = 0; k < count; k += together) {
+      look_along_lines(first, m + k, together, met + k);
+    }
+  }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+
+  //! Looks along lines that share the head's rays.
+  ERGO_HD void look_along_lines(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
     PixelLines lines[lanes];
     for (int i = 0; i < lanes; ++i) {
       Vector3<double> own[PixelLines::most];
@@ -22,7 +44,7 @@ struct ObjectRaysOfHead {
         own[k] = {lane(m[k].x, i), lane(m[k].y, i), lane(m[k].z, i)};
       }
       const FlatReach& reach = batch.reach[first + i < batch.pixels.count ? first + i : batch.pixels.count - 1];
-      const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
+      const double part = part_of(reach);
       lines[i].begin(batch.sight, reach, part, own, count);
     }
     for (int k = 0; k < count; ++k) {
@@ -49,8 +71,19 @@ struct ObjectRaysOfHead {
     }
   }
 
- private:
-  static constexpr int lanes = RealTraits<T>::lane_count;
+  //! How far the eye's way brings a pixel's lines [rad].
+  [[nodiscard]] ERGO_HD double way_of(const FlatReach& reach) const {
+    return static_cast<double>(reach.most_w - reach.least_w) * length_of(batch.sight.eye);
+  }
+
+  //! What a ray stands for along them [rad]. Lines of slices have no more than parts_of_slices.
+  [[nodiscard]] ERGO_HD double part_of(const FlatReach& reach) const {
+    const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
+    return batch.pixels.pattern == PixelPattern::slices ? ::fmax(part, way_of(reach) / (parts_of_slices - 0.5)) : part;
+  }
+  [[nodiscard]] ERGO_HD int parts_of(const FlatReach& reach) const {
+    return 1 + static_cast<int>(way_of(reach) / part_of(reach));
+  }
 
   //! What one of the head's rays may stand for along a line of sight, as the head sees it. A neighbour at δ px is off by some ½ δ² of how fast the width of
   //! a pixel grows, for which its square over r is taken [px]: towards a critical curve both grow alike.

@@ -12,9 +12,15 @@ template <class T, NearParts Parts>
 struct ObjectRaysOfEye {
   static constexpr int most_quads = 1;
 
-  const ObjectScene& objects;
+  const ObjectPixelBatch& batch;
+
+  [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
+    const ObjectScene& objects = batch.objects;
+    return slice_pixel(objects.camera, start_near_ray(objects.camera, objects.turning, middle_of_pixel(batch, at)));
+  }
 
   ERGO_HD void find(int, const Vector3<T>* n, int count, SampleHits<T>* met) const {
+    const ObjectScene& objects = batch.objects;
     const CameraStation& camera = objects.camera;
     for (int k = 0; k < count; ++k) {
       const NearRay<T> ray = start_near_ray(camera, objects.turning, n[k]);
@@ -33,7 +39,7 @@ struct LookAtObjects {
   ObjectPixelBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const ObjectRaysOfEye<T, Parts> rays = {batch.objects};
+    const ObjectRaysOfEye<T, Parts> rays = {batch};
     ObjectQuads<T, ObjectRaysOfEye<T, Parts>>{batch, rays}.draw(index);
   }
 };

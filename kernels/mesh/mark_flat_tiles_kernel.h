@@ -75,11 +75,11 @@ struct MarkFlatTiles {
   static constexpr double width_by_edge = 1.6;
 
   ERGO_HD static void see_all(Seen& seen) {
-    see(seen, seen.from_w, seen.from_w + seen.parts * seen.step_w);
+    see(seen, TileMark::fine, seen.from_w, seen.from_w + seen.parts * seen.step_w);
     seen.width = widest;
   }
-  ERGO_HD static void see(Seen& seen, double least_w, double most_w) {
-    seen.mark = TileMark::fine;
+  ERGO_HD static void see(Seen& seen, TileMark mark, double least_w, double most_w) {
+    seen.mark = mark > seen.mark ? mark : seen.mark;
     seen.least_w = ::fmin(seen.least_w, least_w);
     seen.most_w = ::fmax(seen.most_w, most_w);
   }
@@ -88,7 +88,7 @@ struct MarkFlatTiles {
   ERGO_HD void see_by_edge(Seen& seen, double middle_w) const {
     const double least_w = middle_w - 0.5 * seen.step_w;
     if (least_w < batch.sight.most_hole_w) {
-      see(seen, least_w, ::fmin(middle_w + 0.5 * seen.step_w, batch.sight.most_hole_w));
+      see(seen, TileMark::edge, least_w, ::fmin(middle_w + 0.5 * seen.step_w, batch.sight.most_hole_w));
       seen.width = ::fmax(seen.width, width_by_edge);
     }
   }
@@ -131,7 +131,7 @@ struct MarkFlatTiles {
   //! Keeps what is seen no farther than `reach_w` from the nearness of the part's middle.
   ERGO_HD void look_through(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
                             double reach_w, Seen& seen) const {
-    visit_tile_pieces(batch.tiles.objects.scene, step, half_px, NeighbourTimes::same,
+    visit_tile_pieces(batch.tiles.objects.scene, step, {half_px, batch.tiles.turn_per_px, NeighbourTimes::same},
                       [&](const PathPiece& p, double radius, const PixelOnPath& pixel) {
                         const Dual<double> from = step.distance(Dual<double>(p.from_h));
                         const Dual<double> to = step.distance(Dual<double>(p.to_h));
@@ -140,10 +140,8 @@ struct MarkFlatTiles {
                         const double farthest = seen.reference.nearness(to.value + beside);
                         // What is not a number is near, too.
                         if (!(nearest < w - reach_w) && !(farthest > w + reach_w)) {
-                          const bool fine = !(pixel.width < fine_part * radius);
-                          seen.mark = fine || seen.mark == TileMark::fine ? TileMark::fine : TileMark::objects;
-                          seen.most_w = ::fmax(seen.most_w, ::fmin(nearest, w + reach_w));
-                          seen.least_w = ::fmin(seen.least_w, ::fmax(farthest, w - reach_w));
+                          see(seen, mark_of(radius, pixel), ::fmax(farthest, w - reach_w),
+                              ::fmin(nearest, w + reach_w));
                           seen.width = ::fmax(seen.width, pixel.width / length_of(p.middle));
                         }
                         return false;
@@ -151,10 +149,15 @@ struct MarkFlatTiles {
   }
 
   ERGO_HD void store(int at, const Seen& seen) const {
-    batch.tiles.marks[at] = seen.mark;
     const double most_w = ::fmin(seen.most_w, batch.sight.most_w);
-    batch.reach[at] = {static_cast<float>(::fmin(::fmax(seen.least_w, 0.0), most_w)), static_cast<float>(most_w),
-                       static_cast<float>(seen.width)};
+    const double least_w = ::fmin(::fmax(seen.least_w, 0.0), most_w);
+    batch.tiles.marks[at] = mark_of_line(seen.mark, (most_w - least_w) * length_of(batch.sight.eye));
+    batch.reach[at] = {static_cast<float>(least_w), static_cast<float>(most_w), static_cast<float>(seen.width)};
+  }
+
+  //! Slices are not worth it where the eye's way brings their lines past many of the head's pixels.
+  ERGO_HD TileMark mark_of_line(TileMark mark, double way) const {
+    return mark > TileMark::fine && way > most_way_of_slices * batch.sight.pixel ? TileMark::fine : mark;
   }
 };
 

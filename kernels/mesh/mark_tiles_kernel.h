@@ -52,27 +52,13 @@ struct MarkTiles {
 
  private:
   ERGO_HD TileMark look_through(const PathStep<mark_order, Parts, Dual<double>>& step, TileMark mark) const {
-    visit_tile_pieces(batch.objects.scene, step, 0.5 * batch.side_px, NeighbourTimes::any,
+    visit_tile_pieces(batch.objects.scene, step, {0.5 * batch.side_px, batch.turn_per_px, NeighbourTimes::any},
                       [&](const PathPiece&, double radius, const PixelOnPath& pixel) {
                         const TileMark own = mark_of(radius, pixel);
                         mark = own > mark ? own : mark;
                         return mark == TileMark::thin;
                       });
     return mark;
-  }
-
-  ERGO_HD static TileMark mark_of(double radius, const PixelOnPath& pixel) {
-    // Images are stretched about a hole, by this and more next to the shadow's edge.
-    constexpr double stretched = 4.0;
-    constexpr double thin_px = 4.0;
-    const bool is_stretched = !(pixel.widest < stretched * pixel.narrowest);
-    if (is_stretched && !(thin_px * pixel.widest < 2.0 * radius)) {
-      return TileMark::thin;
-    }
-    if (!(pixel.width < fine_part * radius)) {
-      return TileMark::fine;
-    }
-    return is_stretched ? TileMark::stretched : TileMark::objects;
   }
 };
 

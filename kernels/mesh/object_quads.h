@@ -19,7 +19,7 @@ struct SampleHits {
 };
 
 //! Light of pixels in which objects may be seen, from some quads of places each: rays.find(first, directions, count, met) tells what is met in directions
-//! of up to rays.most_quads quads by a register of pixels. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+//! of up to rays.most_quads quads by a register of pixels, rays.slice(number) how a pixel is cut along the shadow's edge. Index i stands for the pixels i * lanes, i * lanes + 1, ...
 template <class T, class Rays>
 struct ObjectQuads {
   const ObjectPixelBatch& batch;
@@ -29,7 +29,7 @@ struct ObjectQuads {
     const int first = index * lanes;
     PixelSum sums[lanes] = {};
     LampSight lamp;
-    const PixelPlaces<lanes> places(batch, first);
+    const PixelPlaces<lanes> places(batch, first, [this](int at) { return rays.slice(at); });
     const int quads = batch.samples * batch.samples / quad_size;
     for (int quad = 0; quad < quads; quad += Rays::most_quads) {
       const int left = quads - quad;

@@ -108,12 +108,9 @@ ERGO_HD RayStart<T> in_unit_of_energy(const NearRay<T>& ray) {
 
 //! A pixel cut along the shadow's edge, as the darkness of the ray in its middle and how that changes tell of it (kernels/geodesic/radial_potential.h).
 //! Where they tell nothing, evenly, from left to right.
-ERGO_HD PixelSlices slice_pixel(const ObjectScene& objects, double x_px, double y_px) {
+ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<double>>& ray) {
   constexpr double far_away_px = 1e3;
   const PixelSlices even(1.0, 0.0, -far_away_px);
-  const Vector3<Dual<double>> n = observed_footprint(objects, x_px, y_px);
-  const CameraStation& camera = objects.camera;
-  const NearRay<Dual<double>> ray = start_near_ray(camera, objects.turning, n);
   if (!(ray.energy.value > 0.0)) {
     return even;
   }
@@ -126,6 +123,12 @@ ERGO_HD PixelSlices slice_pixel(const ObjectScene& objects, double x_px, double 
              : even;
 }
 
+//! Through the middle of a pixel of a batch, the observer's direction with its derivatives.
+ERGO_HD Vector3<Dual<double>> middle_of_pixel(const ObjectPixelBatch& batch, int at) {
+  const std::int32_t* const pixel = batch.pixels + 2 * static_cast<long>(at);
+  return observed_footprint(batch.objects, pixel[0] + 0.5, pixel[1] + 0.5);
+}
+
 //! A pixel of a batch: x and y. Beyond the last one that again.
 ERGO_HD const std::int32_t* pixel_of_batch(const ObjectPixelBatch& batch, int at) {
   return batch.pixels + 2 * static_cast<long>(at < batch.count ? at : batch.count - 1);
@@ -135,11 +138,12 @@ ERGO_HD const std::int32_t* pixel_of_batch(const ObjectPixelBatch& batch, int at
 template <int Pixels>
 class PixelPlaces {
  public:
-  //! Of the pixels from `first` on.
-  ERGO_HD PixelPlaces(const ObjectPixelBatch& batch, int first) : pattern_(batch.pattern), samples_(batch.samples) {
+  //! Of the pixels from `first` on; slice(number) cuts one.
+  template <class Slice>
+  ERGO_HD PixelPlaces(const ObjectPixelBatch& batch, int first, const Slice& slice)
+      : pattern_(batch.pattern), samples_(batch.samples) {
     for (int i = 0; i < Pixels && pattern_ == PixelPattern::slices; ++i) {
-      const std::int32_t* const at = pixel_of_batch(batch, first + i);
-      slices_[i] = slice_pixel(batch.objects, at[0] + 0.5, at[1] + 0.5);
+      slices_[i] = slice(first + i < batch.count ? first + i : batch.count - 1);
     }
   }
 

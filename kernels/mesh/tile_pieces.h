@@ -66,7 +66,11 @@ struct PixelOnPath {
   double width;              //!< in x and y of the picture together
   double across, along;      //!< the same, across the path and along it
   double widest, narrowest;  //!< across it
+  Vector3<double> narrow;    //!< where the latter points
 };
+
+//! Images are stretched about a hole, by this and more next to the shadow's edge.
+inline constexpr double stretched_part = 4.0;
 
 //! Which neighbours of a ray are near to a thing: those that are at the same time, or those that are at any.
 enum class NeighbourTimes { same, any };
@@ -84,9 +88,32 @@ ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& place, const Vect
   const double xy = dot(x_across, y_across);
   const double spread = ::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
   const double middle = 0.5 * (xx + yy);
-  return {length_of(x) + length_of(y), ::sqrt(xx) + ::sqrt(yy), (::fabs(x_along) + ::fabs(y_along)) * ::sqrt(square),
-          ::sqrt(middle + spread), ::sqrt(::fmax(middle - spread, 0.0))};
+  // Of all s x + t y with s² + t² = 1 the longest.
+  const double turn = 0.5 * ::atan2(2.0 * xy, xx - yy);
+  const Vector3<double> wide = ::cos(turn) * x_across + ::sin(turn) * y_across;
+  const Vector3<double> narrow = cross(way, wide);
+  const double length = ::fmax(length_of(narrow), 1e-300);
+  return {length_of(x) + length_of(y),
+          ::sqrt(xx) + ::sqrt(yy),
+          (::fabs(x_along) + ::fabs(y_along)) * ::sqrt(square),
+          ::sqrt(middle + spread),
+          ::sqrt(::fmax(middle - spread, 0.0)),
+          (1.0 / length) * narrow};
 }
+
+//! How far neighbours of a ray within some pixels go out of the surface that they are stretched in [M].
+ERGO_HD double reach_out_of_plane(const PixelOnPath& pixel, double within_px, double turn_per_px) {
+  // Rays that part beside a hole stay in one plane through it, but for what its spin turns them.
+  constexpr double turned = 0.15;
+  return within_px * (::sqrt(2.0) * pixel.narrowest + (turned + within_px * turn_per_px) * pixel.widest);
+}
+
+//! Pixels about a ray.
+struct Neighbours {
+  double half_px;      //!< they are so far from it in the picture
+  double turn_per_px;  //!< by so much the planes of their rays are turned [rad]
+  NeighbourTimes times;
+};
 
 //! How far from a piece of a ray's path its neighbours within some pixels are [M].
 ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel, double within_px,
@@ -108,18 +135,35 @@ ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel,
 //! A pixel of more than this part of an object's radius may hold more of it than a few samples tell.
 inline constexpr double fine_part = 0.15;
 
-//! Calls each(piece, radius, pixel) for the pieces of a step that the ball of such a radius about a mesh comes so near to that rays within `half_px` of it
+//! How an object of such a radius is looked at.
+ERGO_HD TileMark mark_of(double radius, const PixelOnPath& pixel) {
+  constexpr double thin_px = 4.0;
+  const bool is_stretched = !(pixel.widest < stretched_part * pixel.narrowest);
+  if (is_stretched && !(thin_px * pixel.widest < 2.0 * radius)) {
+    return TileMark::thin;
+  }
+  if (!(pixel.width < fine_part * radius)) {
+    return TileMark::fine;
+  }
+  return is_stretched ? TileMark::stretched : TileMark::objects;
+}
+
+//! Calls each(piece, radius, pixel) for the pieces of a step that the ball of such a radius about a mesh comes so near to that its neighbours
 //! may meet it, until it says that it is enough.
 template <NearParts Parts, class Each>
 ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order, Parts, Dual<double>>& step,
-                               double half_px, NeighbourTimes times, const Each& each) {
+                               const Neighbours& neighbours, const Each& each) {
   constexpr double most_uneven = 0.05;
+  const double within_px = footprint_slack * neighbours.half_px;
   const auto place = [&](double h) { return plain_vector(step.point(Dual<double>(h))); };
   visit_pieces(step.length, 1e-9 * scene.greatest_r, most_uneven, place, [&](const PathPiece& p) {
     const PixelOnPath pixel = pixel_on_path(step.point(Dual<double>(p.middle_h())), p.to - p.from);
     // The middle stands for the whole piece, whose footprint grows along it.
-    const double reach = p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() +
-                         footprint_reach(p, pixel, footprint_slack * half_px, times);
+    const double reach =
+        p.stray() + 2.0 * ::fabs(p.unevenness()) * p.chord() + footprint_reach(p, pixel, within_px, neighbours.times);
+    // What is not a number is not stretched.
+    const bool stretched = pixel.widest > stretched_part * pixel.narrowest && length_of(pixel.narrow) > 0.5;
+    const double beside = stretched ? p.stray() + reach_out_of_plane(pixel, within_px, neighbours.turn_per_px) : 0.0;
     bool enough = false;
     for (int i = 0; i < scene.count && !enough; ++i) {
       const PlacedMesh& mesh = scene.meshes[i];
@@ -129,8 +173,12 @@ ERGO_HD void visit_tile_pieces(const MeshScene& scene, const PathStep<mark_order
       if (has_delay(Parts) && mesh.retarded) {
         moved = length_of(mesh_position(mesh, step.delay(p.from_h)) - mesh_position(mesh, step.delay(p.to_h)));
       }
+      const Vector3<double> middle = ball_middle(mesh, at);
+      if (stretched && ::fabs(dot(pixel.narrow, middle - p.middle)) > radius + beside + moved) {
+        continue;
+      }
       // What is not a number is near, too.
-      if (!(distance_from_segment(ball_middle(mesh, at), p.from, p.to) > radius + reach + moved)) {
+      if (!(distance_from_segment(middle, p.from, p.to) > radius + reach + moved)) {
         enough = each(p, radius, pixel);
       }
     }

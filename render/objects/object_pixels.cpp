@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
+#include "kernels/projection/pixel_measure.h"
+#include "kernels/shadow/critical_curve.h"
 
 namespace ergodome {
 
@@ -21,6 +24,17 @@ constexpr int thin_slices = 8;
 //! And of those whose images are only stretched, after four rays.
 constexpr int stretched_slices = 6;
 
+//! What a pixel is of the shadow's radius, where that is narrowest.
+double part_of_shadow(const ObjectScene& objects) {
+  constexpr int sides = 4;
+  const ShadowChart chart = make_shadow_chart(objects.camera);
+  double least = 1.0;
+  for (int i = 0; i < sides; ++i) {
+    least = std::min(least, std::sin(edge_polar_angle(objects.camera, chart, 0.5 * pi * i)));
+  }
+  return pixel_angle(objects.projection) / std::max(least, 1e-3);
+}
+
 }  // namespace
 
 ObjectPixels::ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count,
@@ -33,6 +47,7 @@ ObjectPixels::ObjectPixels(Backend backend, const ObjectScene& objects, int firs
       row_count_(row_count),
       top_(std::max(first_row - 1, 0)),
       bottom_(std::min(first_row + row_count + 1, objects.projection.height_px)),
+      turn_per_px_(part_of_shadow(objects)),
       seen_(static_cast<std::size_t>(bottom_ - top_) * static_cast<std::size_t>(width_)),
       rgba_(4 * static_cast<std::size_t>(row_count) * static_cast<std::size_t>(width_)),
       time_(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(width_)) {}

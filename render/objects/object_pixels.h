@@ -62,11 +62,13 @@ class ObjectPixels {
   void mark_pixels(Wanted& wanted) const;
   void mark_flat_pixels(Wanted& wanted);
 
-  //! Marks single pixels, and adds those that may see objects.
-  void mark_single_pixels(std::vector<std::int32_t> pixels, Wanted& wanted) const;
+  //! Marks tiles, and adds the pixels of those that may see objects. Gives back the parts of those that are to be marked by themselves.
+  [[nodiscard]] std::vector<std::int32_t> mark_tiles(std::vector<std::int32_t> places, int side_px,
+                                                     Wanted& wanted) const;
 
-  //! Looks through tiles, and adds the pixels of those that see anything, which they tell where.
-  void add_seen(Tiles& tiles, int side_px, Wanted& wanted);
+  //! Looks through tiles of a flat eye, and adds the pixels of those that see anything, which they tell where. Gives back those whose pixels are to be marked
+  //! one by one.
+  Tiles add_seen(Tiles& tiles, int side_px, Wanted& wanted);
 
   //! Where pixels may show objects.
   [[nodiscard]] std::vector<FlatReach> reach_of(const std::vector<std::int32_t>& pixels) const;
@@ -97,7 +99,8 @@ class ObjectPixels {
   int width_;
   std::optional<FlatEyeSight> flat_;
   int first_row_, row_count_;
-  int top_, bottom_;  //!< with the rows beside
+  int top_, bottom_;    //!< with the rows beside
+  double turn_per_px_;  //!< see ObjectTileBatch
   std::vector<Seen> seen_;
   std::vector<FlatReach> reach_;  //!< of a flat eye's pixels
   std::vector<float> rgba_;

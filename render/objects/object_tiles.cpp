@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "kernels/launch/launch.h"
 #include "kernels/projection/pixel_measure.h"
@@ -19,6 +20,12 @@ constexpr int least_part_px = 4;
 
 //! Whether the image covers any of a pixel.
 bool is_shown(const Projection& projection, int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) > 0.0; }
+
+//! Whether the parts of such a tile are marked by themselves: their pixels may take many rays.
+bool is_in_parts(TileMark mark, int side_px) {
+  const bool by_pixels = mark == TileMark::edge || mark == TileMark::thin;
+  return side_px > small_tile_px ? by_pixels || mark == TileMark::fine : by_pixels && side_px > 1;
+}
 
 //! Calls each(x, y) for the pixels of a tile that are in the rows and in the image.
 template <class Each>
@@ -59,7 +66,8 @@ void ObjectPixels::look_through(Tiles& tiles, int side_px, std::vector<TileMark>
   }
   const Buffer<std::int32_t> places(backend_, tiles.places, "objects' tiles");
   const Buffer<TileMark> marked(backend_, count, "objects' tiles");
-  const ObjectTileBatch batch = {objects_, places.data(), static_cast<int>(count), side_px, marked.data()};
+  const ObjectTileBatch batch = {objects_, places.data(), static_cast<int>(count),
+                                 side_px,  turn_per_px_,  marked.data()};
   if (flat_) {
     const Buffer<FlatReach> along(backend_, tiles.reach, "objects' tiles");
     const Buffer<FlatReach> seen(backend_, count, "objects' tiles");
@@ -130,15 +138,28 @@ void ObjectPixels::mark_flat_pixels(Wanted& wanted) {
     }
   }
   reach_.resize(seen_.size());
-  add_seen(whole, small_tile_px, wanted);
+  const Tiles thin = add_seen(whole, small_tile_px, wanted);
+  for (std::size_t i = 0; i < thin.reach.size(); ++i) {
+    visit_tile(objects_.projection, small_tile_px, thin.places[2 * i], thin.places[2 * i + 1], bottom_,
+               [&](int x, int y) {
+                 single_pixels.places.insert(single_pixels.places.end(), {x, y});
+                 single_pixels.reach.push_back(thin.reach[i]);
+               });
+  }
   add_seen(single_pixels, 1, wanted);
 }
 
-void ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wanted) {
+ObjectPixels::Tiles ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wanted) {
   std::vector<TileMark> marks;
   look_through(tiles, side_px, marks);
+  Tiles thin;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (marks[i] == TileMark::nothing) {
+      continue;
+    }
+    if (is_in_parts(marks[i], side_px)) {
+      thin.places.insert(thin.places.end(), {tiles.places[2 * i], tiles.places[2 * i + 1]});
+      thin.reach.push_back(tiles.reach[i]);
       continue;
     }
     std::vector<std::int32_t>& to = wanted.of(marks[i]);
@@ -147,38 +168,40 @@ void ObjectPixels::add_seen(Tiles& tiles, int side_px, Wanted& wanted) {
       reach_[index_of(x, y)] = tiles.reach[i];
     });
   }
+  return thin;
 }
 
 void ObjectPixels::mark_pixels(Wanted& wanted) const {
-  Tiles tiles = {shown_tiles(0, width_, top_, bottom_, object_tile_px), {}};
+  std::vector<std::int32_t> tiles = shown_tiles(0, width_, top_, bottom_, object_tile_px);
+  // Where pixels would take many rays, smaller tiles tell which of them.
+  for (const int side_px : {object_tile_px, small_tile_px, 1}) {
+    tiles = mark_tiles(std::move(tiles), side_px, wanted);
+  }
+}
+
+std::vector<std::int32_t> ObjectPixels::mark_tiles(std::vector<std::int32_t> places, int side_px,
+                                                   Wanted& wanted) const {
+  Tiles tiles = {std::move(places), {}};
   std::vector<TileMark> marks;
-  look_through(tiles, object_tile_px, marks);
+  look_through(tiles, side_px, marks);
   const Seams seams(objects_.projection);
-  std::vector<std::int32_t> single;
+  std::vector<std::int32_t> parts;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const int left = tiles.places[2 * i];
     const int top = tiles.places[2 * i + 1];
-    if (marks[i] != TileMark::nothing || seams.tear(left, top, object_tile_px)) {
-      const bool by_pixels = marks[i] == TileMark::edge || marks[i] == TileMark::thin;
-      std::vector<std::int32_t>& to = by_pixels ? single : wanted.of(marks[i]);
-      visit_tile(objects_.projection, object_tile_px, left, top, bottom_, [&](int x, int y) {
-        to.insert(to.end(), {x, y});
-      });
+    if (marks[i] == TileMark::nothing && !seams.tear(left, top, side_px)) {
+      continue;
     }
-  }
-  mark_single_pixels(std::move(single), wanted);
-}
-
-void ObjectPixels::mark_single_pixels(std::vector<std::int32_t> pixels, Wanted& wanted) const {
-  Tiles tiles = {std::move(pixels), {}};
-  std::vector<TileMark> marks;
-  look_through(tiles, 1, marks);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i] != TileMark::nothing) {
+    if (is_in_parts(marks[i], side_px)) {
+      const std::vector<std::int32_t> own =
+          shown_tiles(left, left + side_px, top, top + side_px, side_px > small_tile_px ? small_tile_px : 1);
+      parts.insert(parts.end(), own.begin(), own.end());
+    } else {
       std::vector<std::int32_t>& to = wanted.of(marks[i]);
-      to.insert(to.end(), {tiles.places[2 * i], tiles.places[2 * i + 1]});
+      visit_tile(objects_.projection, side_px, left, top, bottom_, [&](int x, int y) { to.insert(to.end(), {x, y}); });
     }
   }
+  return parts;
 }
 
 }  // namespace ergodome

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "content/show_reader.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/shadow/critical_curve.h"
+#include "render/frame/show_renderer.h"
 #include "render/objects/object_rays.h"
 #include "tests/render/eye_at.h"
 #include "tests/render/objects/traced_scene.h"
@@ -30,22 +33,45 @@ class ThinImages : public testing::TestWithParam<double> {
   [[nodiscard]] static EyeCamera eye(double r) { return eye_at(GetParam(), r, 1.45); }
   [[nodiscard]] static Projection projection() { return make_pinhole_projection(128, 128, 0.45); }
 
-  //! What a picture has of the ball within that part of the shadow's radius outside its edge [sr].
-  [[nodiscard]] static double drawn_solid_angle(double r) {
-    const Drawn drawn = draw(show(), eye(r), projection());
+  //! What a picture, of which covered(x, y) is the part of a pixel that objects cover, has of the ball within that part of the shadow's radius outside its
+  //! edge [sr].
+  template <class Covered>
+  [[nodiscard]] static double solid_angle(double r, const Projection& projection, const Covered& covered) {
     const CameraStation camera = station(eye(r));
     const ShadowChart chart = make_shadow_chart(camera);
     double sum = 0.0;
-    for (int y = 0; y < drawn.projection.height_px; ++y) {
-      for (int x = 0; x < drawn.projection.width_px; ++x) {
-        const Vector3<double> n = observed(eye(r), drawn.projection, x + 0.5, y + 0.5);
+    for (int y = 0; y < projection.height_px; ++y) {
+      for (int x = 0; x < projection.width_px; ++x) {
+        const Vector3<double> n = observed(eye(r), projection, x + 0.5, y + 0.5);
         const double edge = edge_polar_angle(camera, chart, chart_position_angle(chart, n));
-        if (drawn.covered(x, y) > 0.0F && chart_polar_angle(chart, n) < (1.0 + thin_part) * edge) {
-          sum += static_cast<double>(drawn.covered(x, y)) * pixel_solid_angle(drawn.projection, x + 0.5, y + 0.5);
+        if (covered(x, y) > 0.0F && chart_polar_angle(chart, n) < (1.0 + thin_part) * edge) {
+          sum += static_cast<double>(covered(x, y)) * pixel_solid_angle(projection, x + 0.5, y + 0.5);
         }
       }
     }
     return sum;
+  }
+
+  [[nodiscard]] static double drawn_solid_angle(double r) {
+    const Drawn drawn = draw(show(), eye(r), projection());
+    return solid_angle(r, drawn.projection, [&](int x, int y) { return drawn.covered(x, y); });
+  }
+
+  //! The same of one of the eyes of the stereo model `flat`, so far apart [M].
+  [[nodiscard]] static double solid_angle_of_flat_eye(double r, double baseline) {
+    Show eyes = parse_show(
+        "[hole]\nspin = " + std::to_string(GetParam()) +
+            "\n[camera]\n[[camera.key]]\nr = 30\n[sky]\nmap = \"black\"\n" +
+            "[stereo]\nmodel = \"flat\"\nlayout = \"separate\"\nbaseline = " + std::to_string(baseline) + "\n",
+        "thin.toml");
+    eyes.objects = show().objects;
+    CameraPose pose = camera_pose(eyes, 0.0);
+    pose.r = r;
+    pose.theta = eye(r).theta;
+    ShowRenderer renderer(eyes, Backend::cpu, LensChoice::direct);
+    const Picture left = renderer.render_window_parts(pose, projection(), ViewMode::sky).front();
+    return solid_angle(r, projection(),
+                       [&](int x, int y) { return left.rgba[4UL * static_cast<std::size_t>(y * left.width + x)]; });
   }
 
   //! The same by exact rays, on a Fibonacci lattice over the position angle and the logarithm of the distance from the edge.
@@ -74,6 +100,11 @@ TEST_P(ThinImages, HaveAsMuchLightAsExactRaysFind) {
   const double exact = exact_solid_angle(30.0);
   EXPECT_GT(exact, 0.0);
   EXPECT_NEAR(drawn_solid_angle(30.0), exact, (test::sanitized ? 0.2 : 0.07) * exact);
+}
+
+TEST_P(ThinImages, OfFlatEyesThatAreCloseHaveThatLightToo) {
+  const double exact = exact_solid_angle(30.0);
+  EXPECT_NEAR(solid_angle_of_flat_eye(30.0, 1e-3), exact, (test::sanitized ? 0.2 : 0.07) * exact);
 }
 
 TEST_P(ThinImages, KeepTheirLightAsTheCameraMovesByPartsOfAPixel) {
