@@ -123,7 +123,8 @@ PictureAnswer render_for_window(const PictureRequest& request) {
     answer.measuring_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }
   if (request.disparity_asked) {
-    answer.disparity = frame_disparity(renderer.show(), frame.pose, projection, renderer.object_outlines());
+    answer.disparity =
+        frame_disparity(renderer.show(), frame.pose, projection, renderer.object_outlines(), renderer.hiding_objects());
   }
   return answer;
 }

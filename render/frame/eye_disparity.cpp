@@ -111,14 +111,14 @@ void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
 }  // namespace
 
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,
-                                         std::span<const PlacedOutline> objects) {
+                                         std::span<const PlacedOutline> objects, const PlacedMeshes& hiding) {
   if (eye_count(show.stereo) < 2) {
     return std::nullopt;
   }
   const StereoEye left(show, pose, -1.0);
   const StereoEye right(show, pose, 1.0);
   DisparityMeter meter(left, right, projection);
-  const std::vector<SeenDirection> directions = seen_directions(show, pose, projection);
+  const std::vector<SeenDirection> directions = seen_directions(show, pose, projection, hiding);
   for (const SeenDirection& direction : directions) {
     const Vector3<double>& view = direction.view;
     Vector3<EdgeDual> sky{};

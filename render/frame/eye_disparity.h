@@ -7,6 +7,7 @@
 #include "content/show.h"
 #include "kernels/projection/projection.h"
 #include "render/objects/object_outline.h"
+#include "render/objects/placed_meshes.h"
 
 namespace ergodome {
 
@@ -21,12 +22,12 @@ struct Disparity {
   [[nodiscard]] double range_deg() const { return (greatest_arcmin - least_arcmin) / 60.0; }
 };
 
-//! The disparities of a frame: of the sky, where neither disk nor shells hide it, of a lattice of directions across the image, each followed from the left eye's ray to where the right
+//! The disparities of a frame: of the sky, where neither disk, shells nor objects hide it, of a lattice of directions across the image, each followed from the left eye's ray to where the right
 //! eye sees the same star; of the shadow's edge to both sides, in the model `physical`, where a picture shows it; and of what stands near the hole, see add_near_things. `objects`: the
-//! outlines of the show's objects (ShowRenderer::object_outlines). Double rays, 2 to 20 ms (benchmark stereo_disparity). Nothing for one eye, or where no direction is seen by both.
+//! outlines of the show's objects (ShowRenderer::object_outlines); `hiding`: those that hide sky, disk and shells behind them (hiding_objects). Double rays, 2 to 20 ms (benchmark stereo_disparity). Nothing for one eye, or where no direction is seen by both.
 //!
 //! In the model `flat` the sky has none but what convergence gives it.
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,
-                                         std::span<const PlacedOutline> objects);
+                                         std::span<const PlacedOutline> objects, const PlacedMeshes& hiding);
 
 }  // namespace ergodome

@@ -130,16 +130,29 @@ std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects
   return nearest;
 }
 
+//! Finds what a head sees in a direction.
+void look(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, SeenDirection& direction) {
+  direction.sights = near_sights(show, head, direction.view);
+  if (hiding.meshes.empty()) {
+    return;
+  }
+  const double distance = distance_of_objects(hiding, head, direction.view);
+  const auto behind = std::ranges::upper_bound(direction.sights, distance, {}, &NearSight::distance);
+  direction.ends_at_object = std::isfinite(distance);
+  direction.sights.erase(behind, direction.sights.end());
+}
+
 }  // namespace
 
-std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection) {
+std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
+                                           const PlacedMeshes& hiding) {
   std::vector<SeenDirection> directions;
   visit_lattice(projection, [&](const Vector3<double>& view) { directions.push_back({view, {}}); });
-  if (show.disk || !show.shells.empty()) {
+  if (show.disk || !show.shells.empty() || !hiding.meshes.empty()) {
     const EyeCamera head = eye_camera(show, pose, 0.0);
     parallel_for(static_cast<int>(directions.size()), 4, [&](int begin, int end) {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-        directions[i].sights = near_sights(show, head, directions[i].view);
+        look(show, head, hiding, directions[i]);
       }
     });
   }

@@ -27,13 +27,15 @@ void visit_lattice(const Projection& projection, Visit&& visit) {
 //! A direction across an image, in the view's axes, and what of disk and shells the head sees there.
 struct SeenDirection {
   Vector3<double> view;
-  std::vector<NearSight> sights;  //!< see near_sights
+  std::vector<NearSight> sights;  //!< see near_sights; what objects hide is not among them
+  bool ends_at_object = false;
 
-  [[nodiscard]] bool shows_sky() const { return sights.empty() || !sights.back().opaque; }
+  [[nodiscard]] bool shows_sky() const { return !ends_at_object && (sights.empty() || !sights.back().opaque); }
 };
 
-//! The directions in which a frame's disparities are looked at.
-std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection);
+//! The directions in which a frame's disparities are looked at. `hiding`: objects that hide what is behind them.
+std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
+                                           const PlacedMeshes& hiding);
 
 //! Adds what stands near the hole to the disparities of a frame, where a picture shows it: places of disk and shells in some directions, up to what
 //! is opaque, and of the sixteen nearest objects the nearest, the farthest and the outermost places, which nothing hides. Light comes to both eyes the short way

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernels/core/find_root.h"
-#include "kernels/mesh/path_step.h"
+#include "kernels/mesh/mesh_search.h"
 #include "kernels/near_field/near_pixels.h"
 #include "render/disk/disk_pass.h"
 #include "render/lens/direct_lens.h"
@@ -21,22 +21,31 @@ constexpr int most_steps = 2000;
 //! Nearer to the horizon than this share of its radius nothing is looked for.
 constexpr double horizon_margin = 1e-6;
 
-using Step = PathStep<near_order, NearParts::azimuth_and_distance, double>;
+template <NearParts Parts>
+using StepWith = PathStep<near_order, Parts, double>;
+using Step = StepWith<NearParts::azimuth_and_distance>;
 
-//! Follows light backwards from a direction of a head's view as long as it may come between the radii: visit(step).
-template <class Visit>
-void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
+//! Follows light backwards from a direction of a head's view as long as it may come between the radii, and visit(step) does not say that it is enough.
+template <NearParts Parts, class Visit>
+void follow_until(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   const CameraStation camera = station_of(head);
   const double(&m)[3][3] = head.frame_from_view;
   const auto row = [&](int i) { return m[i][0] * view.x + m[i][1] * view.y + m[i][2] * view.z; };
   const RadialBounds outside = {std::max(bounds.least, camera.horizon_r * (1.0 + horizon_margin)),
                                 std::max(bounds.greatest, 1.01 * camera.horizon_r)};
-  follow_path<near_order, NearParts::azimuth_and_distance>(
-      camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)}),
-      outside, MeshLimits{ray_tolerance, most_steps}, true, [&](int, const Step& step) {
-        visit(step);
-        return false;
-      });
+  follow_path<near_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi,
+                                 start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)}), outside,
+                                 MeshLimits{ray_tolerance, most_steps}, true,
+                                 [&](int, const StepWith<Parts>& step) { return visit(step); });
+}
+
+//! The same to the end: visit(step).
+template <class Visit>
+void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
+  follow_until<NearParts::azimuth_and_distance>(head, view, bounds, [&](const Step& step) {
+    visit(step);
+    return false;
+  });
 }
 
 //! Finds where a function of the way changes its sign between times of a step, one after the other.
@@ -138,6 +147,19 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
     sights.erase(last + 1, sights.end());
   }
   return sights;
+}
+
+double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view) {
+  constexpr NearParts parts = NearParts::azimuth_delay_and_distance;
+  double distance = std::numeric_limits<double>::infinity();
+  const MeshScene scene = meshes.around(head.spin, meshes.meshes.data());
+  follow_until<parts>(head, view, {scene.least_r, scene.greatest_r}, [&](const StepWith<parts>& step) {
+    detail::StepSearch<near_order, parts> search = {step, scene, 0.0, {}};
+    const bool found = search.run();
+    distance = found ? step.distance(search.found_h) : distance;
+    return found;
+  });
+  return distance;
 }
 
 std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<double>& view,

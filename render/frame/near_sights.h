@@ -5,6 +5,7 @@
 
 #include "content/show.h"
 #include "render/lens/eye_camera.h"
+#include "render/objects/placed_meshes.h"
 
 namespace ergodome {
 
@@ -18,6 +19,9 @@ struct NearSight {
 
 //! What of a show's disk and shells a head sees in a direction of its view, the nearest first, up to what is opaque. Double rays.
 std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, const Vector3<double>& view);
+
+//! The affine distance from a head of the first of some meshes that it sees in a direction of its view [M]; infinite where it sees none. Double rays.
+double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view);
 
 //! The affine distance from a head of a place that it sees in a direction of its view [M]; nothing where light from there does not pass by the place.
 std::optional<double> distance_of_place(const EyeCamera& head, const Vector3<double>& view,

@@ -139,6 +139,9 @@ class ShowRenderer {
   //! The outlines of the show's objects at the time that its numbers are of: what they do to two eyes is read from these.
   [[nodiscard]] std::vector<PlacedOutline> object_outlines() const;
 
+  //! The show's traced objects at that time, as they hide what is behind them. Those of more than a million triangles are left out on a GPU.
+  [[nodiscard]] PlacedMeshes hiding_objects() const;
+
  private:
   //! One eye's picture, or both: left, right.
   std::vector<Picture> render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,

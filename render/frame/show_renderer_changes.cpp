@@ -127,6 +127,10 @@ void ShowRenderer::set_show(const Show& show, std::shared_ptr<StationStream> str
   renderer_.set_stream(stream_);
 }
 
+PlacedMeshes ShowRenderer::hiding_objects() const {
+  return traced_objects_ ? traced_objects_->hiding(time_s_) : PlacedMeshes{};
+}
+
 std::vector<PlacedOutline> ShowRenderer::object_outlines() const {
   if (traced_objects_) {
     return traced_objects_->outlines(time_s_);

@@ -1,11 +1,19 @@
 #include "render/objects/surface_store.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernels/launch/work_counter.h"
 #include "render/objects/object_meshes.h"
 
 namespace ergodome {
+
+namespace {
+
+//! Of meshes on a GPU larger ones are in its memory alone.
+constexpr std::size_t most_kept_triangles = 1'000'000;
+
+}  // namespace
 
 SurfaceStore::SurfaceStore(const Show& show, Backend backend) {
   static WorkCounter counter("load_meshes");
@@ -18,6 +26,7 @@ SurfaceStore::SurfaceStore(const Show& show, Backend backend) {
   for (const std::size_t index : loaded.mesh_of) {
     const Stored& mesh = meshes_[index];
     trees_.push_back({mesh.nodes.data(), mesh.corners.data(), mesh.triangles.data(), mesh.middle, mesh.radius});
+    host_trees_.push_back(mesh.host_tree);
     outlines_.push_back(mesh.outline);
     surfaces_.push_back({mesh.vertices.data(), mesh.indices.data(), mesh.part_of.data(), mesh.parts.data()});
     triangle_count_ += loaded.meshes[index].triangle_count();
@@ -39,7 +48,7 @@ SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backe
     }
     parts.push_back(own);
   }
-  const TriangleBoxes boxes = build_triangle_tree(mesh);
+  TriangleBoxes boxes = build_triangle_tree(mesh);
   stored.nodes = {backend, boxes.nodes, "meshes"};
   stored.corners = {backend, boxes.corners, "meshes"};
   stored.triangles = {backend, boxes.triangles, "meshes"};
@@ -50,6 +59,13 @@ SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backe
   stored.middle = boxes.middle;
   stored.radius = boxes.radius;
   stored.outline = outline_of(mesh);
+  if (backend == Backend::cpu) {
+    stored.host_tree = {stored.nodes.data(), stored.corners.data(), stored.triangles.data(), stored.middle,
+                        stored.radius};
+  } else if (boxes.triangles.size() <= most_kept_triangles) {
+    stored.kept = std::move(boxes);
+    stored.host_tree = stored.kept.view();
+  }
   return stored;
 }
 

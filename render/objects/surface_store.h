@@ -25,6 +25,9 @@ class SurfaceStore {
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
 
+  //! The same in host memory. Of meshes in another backend's those of more than a million triangles have no nodes.
+  [[nodiscard]] const std::vector<TriangleTree>& host_trees() const { return host_trees_; }
+
   [[nodiscard]] const std::vector<MeshOutline>& outlines() const { return outlines_; }
 
   [[nodiscard]] long triangle_count() const { return triangle_count_; }
@@ -43,12 +46,15 @@ class SurfaceStore {
     Vector3<double> middle{};
     double radius = 0.0;
     MeshOutline outline;
+    TriangleBoxes kept;  //!< what host memory has beside another backend's
+    TriangleTree host_tree{};
   };
 
   static Stored store(const TriangleMesh& mesh, Backend backend);
 
   std::deque<Stored> meshes_;
   std::vector<TriangleTree> trees_;
+  std::vector<TriangleTree> host_trees_;
   std::vector<Surface> surfaces_;
   std::vector<MeshOutline> outlines_;
   std::vector<ObjectInHorizon> in_horizon_;

@@ -60,6 +60,19 @@ double TracedObjects::farthest_r(double time_s) const {
   return place_meshes(objects_, surfaces_.trees(), time_s).greatest_r;
 }
 
+PlacedMeshes TracedObjects::hiding(double time_s) const {
+  std::vector<ObjectSettings> objects;
+  std::vector<TriangleTree> trees;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const TriangleTree& tree = surfaces_.host_trees()[i];
+    if (tree.nodes != nullptr) {
+      objects.push_back(objects_[i]);
+      trees.push_back(tree);
+    }
+  }
+  return objects.empty() ? PlacedMeshes{} : place_meshes(objects, trees, time_s);
+}
+
 long TracedObjects::triangle_count() const { return surfaces_.triangle_count(); }
 
 ObjectScene TracedObjects::scene_for(const PictureView& view) {

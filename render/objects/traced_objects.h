@@ -46,6 +46,9 @@ class TracedObjects {
     return place_outlines(objects_, surfaces_.outlines(), time_s);
   }
 
+  //! The objects, where they are at a time of the show, as they hide what is behind them: in host memory, without those whose meshes are not there.
+  [[nodiscard]] PlacedMeshes hiding(double time_s) const;
+
   //! Objects of which some is not to be seen, as it lies within the horizon.
   [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return surfaces_.in_horizon(); }
 

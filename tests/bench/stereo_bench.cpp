@@ -119,7 +119,8 @@ void stereo_disparity(benchmark::State& state, const char* things, const char* m
   const CameraPose pose = camera_pose(show, 0.0);
   const Projection projection = make_projection(show.view, 1024, 0.0);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(frame_disparity(show, pose, projection, renderer.object_outlines()));
+    benchmark::DoNotOptimize(
+        frame_disparity(show, pose, projection, renderer.object_outlines(), renderer.hiding_objects()));
   }
 }
 

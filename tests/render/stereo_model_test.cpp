@@ -145,7 +145,7 @@ TEST(StereoModels, SwapTheirPicturesWhenEyesAreSwapped) {
 
 Disparity disparity_of(const std::string& stereo, const std::string& place = "r = 9\n") {
   const Show show = show_of_eyes(stereo, "projection = \"pinhole\"\nfov_deg = 100\n", place);
-  return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0), {}).value();
+  return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0), {}, {}).value();
 }
 
 TEST(Disparities, AreNoneAtBaselineZeroAndInTheSkyOfTheFlatModel) {

@@ -141,7 +141,7 @@ TEST(FlatNearField, CountsInTheDisparityThatAPersonReads) {
   const Show show = flat_show(shell, above_the_plane, 1.0);
   const CameraPose pose = camera_pose(show, 0.0);
   const Projection projection = make_projection(show.view, flat_px, 0.0);
-  const auto disparity = frame_disparity(show, pose, projection, {});
+  const auto disparity = frame_disparity(show, pose, projection, {}, {});
   ASSERT_TRUE(disparity);
   // The shell's nearest point is straight ahead, in the middle of the lattice, and all else is farther.
   const EyeCamera head = eye_camera(show, pose, 0.0);
@@ -150,7 +150,7 @@ TEST(FlatNearField, CountsInTheDisparityThatAPersonReads) {
   const double half_width_px = 0.5 * projection.width_px;
   EXPECT_NEAR(disparity->least_px, -half_width_px / projection.pinhole.half_width / distance, 0.02);
   EXPECT_NEAR(disparity->greatest_px, 0.0, 1e-6);
-  const auto sky_alone = frame_disparity(flat_show("", above_the_plane, 1.0), pose, projection, {});
+  const auto sky_alone = frame_disparity(flat_show("", above_the_plane, 1.0), pose, projection, {}, {});
   EXPECT_NEAR(sky_alone->least_px, 0.0, 1e-6);
 }
 

@@ -44,7 +44,8 @@ std::optional<Disparity> near_disparity_of(const Show& show) {
   const ShowRenderer renderer(show, Backend::cpu);
   const CameraPose pose = camera_pose(show, 0.0);
   DisparityMeter meter(StereoEye(show, pose, -1.0), StereoEye(show, pose, 1.0), projection_of(show));
-  add_near_things(show, pose, seen_directions(show, pose, projection_of(show)), renderer.object_outlines(), meter);
+  add_near_things(show, pose, seen_directions(show, pose, projection_of(show), renderer.hiding_objects()),
+                  renderer.object_outlines(), meter);
   return meter.result();
 }
 
@@ -234,7 +235,8 @@ TEST(NearDisparity, IsPartOfThatOfTheFrame) {
   for (const char* const model : {"physical", "flat", "omni"}) {
     const Show show = black_show(spinning + wide + small_ball("position = [13.5, 4.6, 3.4]") + eyes(model));
     const ShowRenderer renderer(show, Backend::cpu);
-    const auto frame = frame_disparity(show, camera_pose(show, 0.0), projection_of(show), renderer.object_outlines());
+    const auto frame = frame_disparity(show, camera_pose(show, 0.0), projection_of(show), renderer.object_outlines(),
+                                       renderer.hiding_objects());
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->least_px, disparity_of(show).least_px) << model;
     EXPECT_GT(frame->greatest_px, frame->least_px) << model;
@@ -245,12 +247,54 @@ TEST(NearDisparity, OfTheSkyCountsWhereNothingOpaqueIsBeforeIt) {
   const auto least_of_frame = [](const std::string& opacity) {
     const Show show =
         black_show(spinning + wide + "[[shells]]\nradius = 18\nfill_opacity = " + opacity + "\n" + eyes("omni"));
-    return frame_disparity(show, camera_pose(show, 0.0), projection_of(show), {}).value().least_px -
+    return frame_disparity(show, camera_pose(show, 0.0), projection_of(show), {}, {}).value().least_px -
            near_disparity_of(show).value().least_px;
   };
   EXPECT_EQ(least_of_frame("1"), 0.0);
   // Images of stars next to the shadow's edge are farther apart than anything.
   EXPECT_LT(least_of_frame("0.3"), -10.0);
+}
+
+TEST(NearDisparity, OfTheSkyAndShellsCountsWhereNoObjectIsBeforeIt) {
+  // A ball of 15 M, 20 M before the camera; the shell is a thousand M away.
+  const Show show =
+      black_show("[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 2000\ntheta_deg = 90\n" + wide +
+                 "[[shells]]\nradius = 1000\nfill_opacity = 0.3\n[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\n"
+                 "segments = 96\nrings = 48\nsize = 15\nposition = [1980, 0, 0]\n" +
+                 eyes("physical"));
+  const ShowRenderer renderer(show, Backend::cpu);
+  const double rim = std::asin(15.0 / 20.0);
+  int hidden = 0;
+  for (const SeenDirection& direction :
+       seen_directions(show, camera_pose(show, 0.0), projection_of(show), renderer.hiding_objects())) {
+    const double off = std::acos(-direction.view.z) - rim;
+    if (std::abs(off) > 0.02) {
+      EXPECT_EQ(direction.shows_sky(), off > 0.0) << off;
+      hidden += off < 0.0 ? 1 : 0;
+      EXPECT_TRUE(off > 0.0 || direction.sights.empty()) << off;
+    }
+  }
+  EXPECT_GT(hidden, 40);
+}
+
+TEST(NearDisparity, OfADiskCountsBeforeObjectsAlone) {
+  const auto sights_beside = [](const std::string& ball) {
+    const Show show = black_show("[hole]\nspin = 0\n[camera]\n[[camera.key]]\nr = 60\ntheta_deg = 30\n" + wide +
+                                 "[disk]\nouter = 20\n" + ball + eyes("physical"));
+    const ShowRenderer renderer(show, Backend::cpu);
+    std::size_t count = 0;
+    for (const SeenDirection& direction :
+         seen_directions(show, camera_pose(show, 0.0), projection_of(show), renderer.hiding_objects())) {
+      count += direction.sights.size();
+    }
+    return count;
+  };
+  const auto ball = [](const char* place) {
+    return "[[objects]]\nmethod = \"trace\"\nshape = \"sphere\"\nsize = 4\nposition = " + std::string(place) + "\n";
+  };
+  EXPECT_GT(sights_beside(""), 5U);
+  EXPECT_EQ(sights_beside(ball("[25, 0, 43.3]")), 0U);
+  EXPECT_EQ(sights_beside(ball("[-25, 0, -43.3]")), sights_beside(""));
 }
 
 TEST(NearDisparity, OfAShellsNearestPlaceIsThatOfABallThere) {
