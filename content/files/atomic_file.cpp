@@ -1,11 +1,18 @@
 #include "content/files/atomic_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <string>
+#include <string_view>
 
 #include "content/files/whole_file.h"
 #include "kernels/core/error.h"
@@ -25,6 +32,29 @@ void flush_to_disk(const std::filesystem::path& file, const std::filesystem::pat
     throw Error(final_name.string(), std::string("cannot be written: ") + std::strerror(problem),
                 "free some space or choose another folder");
   }
+}
+
+//! The machine's name, or as much of it as tells it from others.
+std::string host_name() {
+  constexpr std::size_t enough = 32;
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? std::string(name).substr(0, enough) : "unknown";
+}
+
+const std::string partial_prefix = ".partial-";
+
+std::string partial_name(const std::filesystem::path& path) {
+  return fmt::format("{}{}@{}-{}", partial_prefix, ::getpid(), host_name(), path.filename().string());
+}
+
+//! Whether a name is that of a partial file of this machine, whose process is gone.
+bool is_abandoned(const std::string& name) {
+  const char* const begin = name.c_str() + std::min(partial_prefix.size(), name.size());
+  pid_t process = 0;
+  const auto [rest, problem] = std::from_chars(begin, name.c_str() + name.size(), process);
+  const bool ours = name.starts_with(partial_prefix) && problem == std::errc() && process > 0 &&
+                    std::string_view(rest).starts_with(fmt::format("@{}-", host_name()));
+  return ours && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 }  // namespace
@@ -78,7 +108,7 @@ void write_atomically(const std::filesystem::path& named,
   }
   // The ending stays, because image writers choose their format by it.
   std::filesystem::path partial = path;
-  partial.replace_filename(".partial-" + std::to_string(::getpid()) + "-" + path.filename().string());
+  partial.replace_filename(partial_name(path));
   std::error_code ignored;
   try {
     write(partial);
@@ -92,6 +122,24 @@ void write_atomically(const std::filesystem::path& named,
     std::filesystem::remove(partial, ignored);
     throw;
   }
+}
+
+void remove_abandoned_files(const std::filesystem::path& folder) {
+  std::error_code problem;
+  for (const auto& each : std::filesystem::directory_iterator(folder.empty() ? "." : folder, problem)) {
+    std::error_code ignored;
+    if (is_abandoned(each.path().filename().string())) {
+      std::filesystem::remove(each.path(), ignored);
+    }
+  }
+}
+
+bool disk_is_full(const std::filesystem::path& file) {
+  constexpr std::uintmax_t next_to_nothing_bytes = 64U << 10U;
+  std::error_code problem;
+  const std::filesystem::space_info space =
+      std::filesystem::space(std::filesystem::absolute(file).parent_path(), problem);
+  return !problem && space.available < next_to_nothing_bytes;
 }
 
 void write_text_atomically(const std::filesystem::path& path, std::string_view text) {

@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! Writes a file so that it is there whole or not at all: `write` fills a file beside it (.partial-PID-NAME), which is then flushed to the
+//! Writes a file so that it is there whole or not at all: `write` fills a file beside it (.partial-PID@HOST-NAME), which is then flushed to the
 //! disk and renamed. A link stays, and what it names is written. When anything fails (a full disk, a folder without permission, an
 //! exception of `write`) the partial file is removed, an older file of that name stays as it was, and Error says what happened. Throws
 //! Error where the name is that of a device, a pipe or a folder.
@@ -19,6 +19,13 @@ std::filesystem::path behind_links(const std::filesystem::path& path);
 //! file, and its folder takes new ones, or can be made where it is not there. Changes nothing. Throws Error where that is not so; a disk that is full is
 //! seen by writing alone.
 void require_writable(const std::filesystem::path& path);
+
+//! Removes what write_atomically() of programs that were killed has left in a folder: partial files of this machine whose process is gone. Those of
+//! other machines, which write into a shared folder, and of programs that run stay, as does what cannot be removed.
+void remove_abandoned_files(const std::filesystem::path& folder);
+
+//! Whether a file's disk has next to nothing left, which libraries do not tell from other reasons why they cannot write.
+bool disk_is_full(const std::filesystem::path& file);
 
 //! write_atomically() for text.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -86,6 +88,27 @@ TEST_F(AtomicFile, KeepsTheOlderFileWhenWritingFails) {
 
 TEST_F(AtomicFile, FolderThatIsNotThereIsAnErrorWithTheName) {
   EXPECT_THAT(test::error_of([&] { write_text_atomically(folder_ / "no" / "a.txt", "x"); }), HasSubstr("a.txt"));
+}
+
+TEST_F(AtomicFile, WhatAKilledProgramLeftIsRemovedAndNothingElse) {
+  const pid_t killed = ::fork();
+  if (killed == 0) {
+    write_atomically(folder_ / "film.mp4", [](const fs::path& partial) {
+      std::ofstream(partial) << "half";
+      ::_exit(0);
+    });
+  }
+  ::waitpid(killed, nullptr, 0);
+  EXPECT_EQ(files(), 1);
+  const std::string gone = std::to_string(killed);
+  std::ofstream(folder_ / (".partial-" + gone + "@another machine-film.mp4")) << "of a shared folder";
+  std::ofstream(folder_ / ("film-" + gone)) << "another file";
+  write_atomically(folder_ / "own.mp4", [this](const fs::path& partial) {
+    std::ofstream(partial) << "whole";
+    remove_abandoned_files(folder_);
+  });
+  EXPECT_EQ(files(), 3);
+  EXPECT_EQ(text("own.mp4"), "whole");
 }
 
 //! A limit on the size of files stands for a full disk: the same calls fail, with the same code path.
