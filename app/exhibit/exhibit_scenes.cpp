@@ -22,6 +22,30 @@ Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
   return caption;
 }
 
+//! Takes what a command set into settings; what was refused sets nothing.
+void take_over(const TransportCommand& command, const PlayerStatus& status, bool baseline_set, KeptSettings& settings) {
+  using Kind = TransportCommand::Kind;
+  const bool any = command.kind == Kind::reset;
+  if (any || command.kind == Kind::exposure) {
+    settings.exposure_stops = status.exposure_stops;
+  }
+  if (any || command.kind == Kind::baseline) {
+    settings.baseline = baseline_set ? status.baseline : -1.0;
+  }
+  if (command.kind == Kind::volume) {
+    settings.volume = status.volume;
+  }
+  if (command.kind == Kind::captions) {
+    settings.captions = status.captions;
+  }
+  // Shows of one language say nothing about what was chosen.
+  const bool chosen =
+      command.kind == Kind::next_language || (command.kind == Kind::language && command.text == status.language);
+  if (chosen && status.languages.size() > 1) {
+    settings.language = status.language;
+  }
+}
+
 }  // namespace
 
 ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
@@ -85,13 +109,31 @@ std::vector<TransportCommand> ExhibitScenes::kept_commands() const {
   return commands;
 }
 
+void ExhibitScenes::note(const std::vector<TransportCommand>& commands) {
+  asked_.insert(asked_.end(), commands.begin(), commands.end());
+}
+
+std::vector<TransportCommand> ExhibitScenes::reset_commands() const {
+  using Kind = TransportCommand::Kind;
+  std::vector<TransportCommand> commands = {{Kind::reset, 0.0, {}}, {Kind::exposure, noted_.exposure_stops, {}}};
+  if (noted_.baseline >= 0.0) {
+    commands.push_back({Kind::baseline, noted_.baseline, {}});
+  }
+  return commands;
+}
+
+std::string ExhibitScenes::state_text(const PlayerStatus& status) const {
+  return fmt::format("{} {}{}{}",
+                     scene() == ExhibitScene::visitor ? "A visitor flies through" : "Nobody is here; it shows",
+                     show().title, status.blackout ? ", blacked out by an operator" : "",
+                     status.problem.empty() ? "" : ". Problem: " + status.problem);
+}
+
 void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
-  const KeptSettings now = {.exposure_stops = status.exposure_stops,
-                            .baseline = baseline_set ? status.baseline : -1.0,
-                            .volume = status.volume,
-                            // Shows of one language say nothing about what was chosen.
-                            .language = status.languages.size() > 1 ? status.language : noted_.language,
-                            .captions = status.captions};
+  KeptSettings now = noted_;
+  for (const TransportCommand& command : std::exchange(asked_, {})) {
+    take_over(command, status, baseline_set, now);
+  }
   if (now != noted_) {
     noted_ = now;
     changed_s_ = now_s_;

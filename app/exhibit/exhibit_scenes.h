@@ -44,8 +44,16 @@ class ExhibitScenes {
   [[nodiscard]] std::vector<TransportCommand> kept_commands() const;
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
-  //! Notes what is set now; writes it when it has not changed for a while. A disk that refuses is told in problem().
+  //! Notes what an operator asks for in this frame: what that sets is kept, while what visitors change by their keys and pads ends with their visit.
+  void note(const std::vector<TransportCommand>& commands);
+  //! What a visitor's reset is for the player: an operator's settings are none of it.
+  [[nodiscard]] std::vector<TransportCommand> reset_commands() const;
+  //! Takes what was noted since the last call from what is set now, and writes it when it has not changed for a while. A disk that refuses is told in
+  //! problem().
   void keep(const PlayerStatus& status, bool baseline_set);
+
+  //! What the exhibit does, in a sentence for whoever looks after the machine.
+  [[nodiscard]] std::string state_text(const PlayerStatus& status) const;
 
  private:
   ExhibitOptions options_;
@@ -57,6 +65,7 @@ class ExhibitScenes {
   double now_s_ = 0.0;
   KeptSettings kept_;   //!< in the file
   KeptSettings noted_;  //!< now
+  std::vector<TransportCommand> asked_;
   double changed_s_ = 0.0;
   std::string problem_;
 };

@@ -2,6 +2,7 @@
 
 #include <systemd/sd-daemon.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ergodome {
@@ -16,6 +17,14 @@ void tell_supervisor_alive(double now_s) {
   }
 }
 
-void tell_supervisor(const std::string& status) { sd_notify(0, ("STATUS=" + status).c_str()); }
+void tell_supervisor(std::string status) {
+  static std::string said;
+  // A line would begin another message.
+  std::ranges::replace(status, '\n', ' ');
+  if (status != said) {
+    said = status;
+    sd_notify(0, ("STATUS=" + status).c_str());
+  }
+}
 
 }  // namespace ergodome

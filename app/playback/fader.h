@@ -25,6 +25,7 @@ class Fader {
   }
 
   [[nodiscard]] double target() const { return target_; }
+  [[nodiscard]] std::chrono::nanoseconds whole() const { return whole_; }
 
   //! Slow at both ends: 3 p² - 2 p³ of the way p.
   [[nodiscard]] double value(MonotonicTime now) const {

@@ -51,6 +51,11 @@ void Playback::follow(std::shared_ptr<ExternalClock> clock) {
   }
 }
 
+void Playback::darken() {
+  fader_ = Fader(fader_.whole(), 0.0);
+  light_ = 0.0;
+}
+
 const ShowInstant& Playback::advance() {
   if (external_) {
     chase_state_ = chaser_.follow(clock_, external_->latest(), external_->patience());
@@ -229,7 +234,7 @@ void Playback::fill(PlayerStatus& status) const {
   status.playing = instant_.playing;
   status.speed = clock_.speed();
   status.loop = clock_.loop();
-  status.blackout = fader_.target() < 0.5;
+  status.blackout = dark();
   status.exposure_stops = exposure_stops_;
   status.baseline = baseline_.value_or(show_baseline_);
   status.stereo = stereo_;

@@ -46,6 +46,11 @@ class Playback {
   //! The picture of the latest instant, or an earlier one, was shown: what went by without counts as dropped.
   void note_shown(const ShowInstant& instant) { clock_.note_shown(instant); }
 
+  //! Dark at once: a show that comes after one that was blacked out.
+  void darken();
+  //! Whether it is blacked out, or on its way there.
+  [[nodiscard]] bool dark() const { return fader_.target() < 0.5; }
+
   //! Factor on the display's light.
   [[nodiscard]] double light() const { return light_; }
   //! Index of the chapter that is running; -1 before the first.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "app/budget/play_plan.h"
 #include "app/commands.h"
 #include "app/exhibit/kept_settings.h"
+#include "app/exhibit/log_file.h"
 #include "app/lens_options.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
@@ -171,6 +173,18 @@ void run(PlayArguments arguments) {
   Player(show, with_first(make, show.name, std::move(first)), options).run();
 }
 
+//! The same; an exhibit, whose terminal nobody sees, says in its log why it does not begin.
+void run_logged(const PlayArguments& arguments) {
+  try {
+    run(arguments);
+  } catch (const std::exception& problem) {
+    if (arguments.exhibit) {
+      open_log(state_folder() / "ergodome.log", {})->error("{}", problem.what());
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 void add_play_command(CLI::App& app) {
@@ -260,7 +274,7 @@ void add_play_command(CLI::App& app) {
   command->callback([arguments, size, idle] {
     idle.refuse();
     arguments->size_given = size->count() > 0;
-    run(*arguments);
+    run_logged(*arguments);
   });
 }
 

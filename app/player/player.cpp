@@ -94,6 +94,8 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
 Player::~Player() = default;
 
 void Player::begin(const Show& show, bool free_flight) {
+  // An operator's, which no visitor may end.
+  const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight));
   session_->show_times(options_.times_shown);
   if (recording_.wanted()) {
@@ -105,6 +107,9 @@ void Player::begin(const Show& show, bool free_flight) {
     for (const TransportCommand& command : exhibit_->kept_commands()) {
       session_->playback().apply(command);
     }
+  }
+  if (dark) {
+    session_->playback().darken();
   }
 }
 
@@ -173,6 +178,11 @@ void Player::advance_exhibit(PlayerInput& input) {
   if (exhibit_->scene() == ExhibitScene::attract) {
     input.actions.clear();  // the show is nobody's to change
     input.steering = {};
+  }
+  exhibit_->note(input.commands);
+  if (std::erase(input.actions, KeyAction::reset) > 0) {
+    const std::vector<TransportCommand> reset = exhibit_->reset_commands();
+    input.commands.insert(input.commands.end(), reset.begin(), reset.end());
   }
   if (another) {
     change_scene();

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/exhibit/supervisor.h"
 #include "app/lens_options.h"
 #include "app/player/player.h"
 #include "app/player/player_texts.h"
@@ -47,7 +48,8 @@ void Player::update_texts() {
     times += budget_ ? fmt::format("\n{}", budget_->display_text()) : "";
   }
   screen_.set_text(PanelPlace::top_left, times);
-  screen_.set_text(PanelPlace::bottom_middle, session_->caption());
+  // What visitors are to read stands there too, and comes first.
+  screen_.set_text(PanelPlace::bottom_middle, words_.empty() ? session_->caption() : "");
   screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
 }
 
@@ -68,6 +70,7 @@ void Player::post_status() {
   }
   if (exhibit_) {
     exhibit_->keep(status, session_->playback().baseline().has_value());
+    tell_supervisor(exhibit_->state_text(status));
   }
   services_.post(std::move(status));
 }

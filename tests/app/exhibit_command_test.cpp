@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -10,6 +11,7 @@
 namespace ergodome {
 namespace {
 
+using test::CommandLine;
 using testing::HasSubstr;
 
 //! An exhibit on a virtual display, and a visitor whose pad is a recording.
@@ -56,6 +58,13 @@ TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
   ASSERT_EQ(run("bake attract.toml --out attract.trajectory --size 16 --no-derivatives"), 0) << output_;
   ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;
   EXPECT_THAT(log(), HasSubstr("is too coarse for 0.25 px at 64: a ray is followed for each pixel"));
+}
+
+TEST_F(CommandLine, AnExhibitThatCannotBeginSaysSoInItsLog) {
+  ::setenv("XDG_STATE_HOME", folder_.c_str(), 1);
+  EXPECT_EQ(run("play missing.toml --exhibit"), 1);
+  ::unsetenv("XDG_STATE_HOME");
+  EXPECT_THAT(text("ergodome/ergodome.log"), HasSubstr("missing.toml"));
 }
 
 }  // namespace

@@ -121,6 +121,19 @@ TEST_F(TransportCommands, BlackoutFadesAndComesBack) {
   EXPECT_DOUBLE_EQ(playback_.light(), 1.0);
 }
 
+TEST_F(TransportCommands, ABlackoutOfAnEarlierShowGoesOnWithoutALightMoment) {
+  playback_.darken();
+  EXPECT_EQ(playback_.light(), 0.0);
+  time_.pass(5.0);
+  playback_.advance();
+  EXPECT_EQ(playback_.light(), 0.0);
+  EXPECT_TRUE(status().blackout);
+  tell(Kind::blackout, 0.0);
+  time_.pass(0.5);
+  playback_.advance();
+  EXPECT_DOUBLE_EQ(playback_.light(), 0.5);
+}
+
 TEST_F(TransportCommands, LanguagesGoRound) {
   EXPECT_THAT(status().languages, testing::ElementsAre("de", "en", "fr"));
   EXPECT_EQ(playback_.language(), "en");

@@ -1,0 +1,108 @@
+#include "app/exhibit/exhibit_scenes.h"
+
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "app/exhibit/supervisor.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+using Kind = TransportCommand::Kind;
+using testing::Contains;
+using testing::HasSubstr;
+
+//! An exhibit whose player's status a test sets.
+class KeptByAnExhibit : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    status_.languages = {"en", "de"};
+    status_.language = "en";
+    ExhibitOptions options;
+    options.state = folder_;
+    exhibit_.emplace(options, Show{}, Show{});
+    exhibit_->advance(0.0, true, false);
+  }
+
+  //! So much later what is set now is looked at again.
+  void keep_after(double seconds) {
+    now_s_ += seconds;
+    exhibit_->advance(now_s_, false, false);
+    exhibit_->keep(status_, false);
+  }
+
+  PlayerStatus status_;
+  std::optional<ExhibitScenes> exhibit_;
+  double now_s_ = 0.0;
+};
+
+TEST_F(KeptByAnExhibit, AVisitorsLanguageIsNot) {
+  status_.language = "de";
+  keep_after(1.0);
+  keep_after(10.0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "settings.toml"));
+  EXPECT_THAT(exhibit_->kept_commands(), testing::Not(Contains(TransportCommand{Kind::language, 0.0, "de"})));
+}
+
+TEST_F(KeptByAnExhibit, AnOperatorsLanguageIs) {
+  status_.language = "de";
+  exhibit_->note({{Kind::language, 0.0, "de"}});
+  keep_after(1.0);
+  keep_after(10.0);
+  EXPECT_THAT(text("settings.toml"), HasSubstr("language = 'de'"));
+  EXPECT_THAT(exhibit_->kept_commands(), Contains(TransportCommand{Kind::language, 0.0, "de"}));
+}
+
+TEST_F(KeptByAnExhibit, AnOperatorsVolumeIsWithoutAVisitorsLanguage) {
+  status_.language = "de";
+  status_.volume = 0.5;
+  exhibit_->note({{Kind::volume, 0.5, {}}});
+  keep_after(1.0);
+  EXPECT_THAT(exhibit_->kept_commands(), Contains(TransportCommand{Kind::volume, 0.5, {}}));
+  EXPECT_THAT(exhibit_->kept_commands(), testing::Not(Contains(TransportCommand{Kind::language, 0.0, "de"})));
+}
+
+TEST_F(KeptByAnExhibit, AnOperatorsExposureOutlastsAVisitorsReset) {
+  status_.exposure_stops = -2.0;
+  exhibit_->note({{Kind::exposure, -2.0, {}}});
+  keep_after(1.0);
+  EXPECT_THAT(exhibit_->reset_commands(),
+              testing::ElementsAre(TransportCommand{Kind::reset, 0.0, {}}, TransportCommand{Kind::exposure, -2.0, {}}));
+}
+
+TEST_F(KeptByAnExhibit, ASentenceSaysWhatItDoes) {
+  status_.blackout = true;
+  status_.problem = "no lens";
+  EXPECT_THAT(exhibit_->state_text(status_),
+              testing::AllOf(HasSubstr("visitor"), HasSubstr("blacked out"), HasSubstr("no lens")));
+}
+
+TEST_F(KeptByAnExhibit, TheServiceManagerIsToldWhenThatChanges) {
+  const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string name = (folder_ / "notify").string();
+  name.copy(address.sun_path, sizeof address.sun_path - 1);
+  ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
+  for (const char* state : {"one", "one", "two\nlines"}) {
+    tell_supervisor(state);
+  }
+  ::unsetenv("NOTIFY_SOCKET");
+  std::string told;
+  char message[200];
+  for (ssize_t got = 0; (got = ::recv(socket, message, sizeof message, MSG_DONTWAIT)) > 0;) {
+    told += std::string(message, static_cast<std::size_t>(got)) + ";";
+  }
+  ::close(socket);
+  EXPECT_EQ(told, "STATUS=one;STATUS=two lines;");
+}
+
+}  // namespace
+}  // namespace ergodome
