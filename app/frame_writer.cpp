@@ -6,6 +6,7 @@
 
 #include "app/backend_choice.h"
 #include "app/movie.h"
+#include "app/movie_plan.h"
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
@@ -75,6 +76,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
 void FrameWriter::write(int frame) {
   const Show& show = renderer_.show();
   if (options_.resume && is_there(frame)) {
+    ++resumed_;
     return;
   }
   const double time_s = frame_time_s(show, frame);
@@ -88,7 +90,7 @@ void FrameWriter::write(int frame) {
     const FrameImage& image = images[i];
     const FramePart part = views ? FramePart::whole : image.part;
     const std::filesystem::path path = path_of(frame, part, image.face);
-    make_folder(path.parent_path());
+    enter(path.parent_path());
     FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
     metadata.emplace_back("request", request_);
     if (projectors_) {
@@ -102,17 +104,33 @@ void FrameWriter::write(int frame) {
   ++written_;
 }
 
+void FrameWriter::enter(const std::filesystem::path& folder) {
+  make_folder(folder);
+  if (cleared_.insert(folder).second) {
+    remove_abandoned_files(folder);
+  }
+}
+
+std::unique_ptr<MovieSound> FrameWriter::sound_of(int first, int last) const {
+  const Show& show = renderer_.show();
+  if (show.timeline.audio.empty()) {
+    return nullptr;
+  }
+  return std::make_unique<MovieSound>(show, options_.language, frame_time_s(show, first),
+                                      frame_time_s(show, last + 1 - first),
+                                      std::filesystem::path(options_.movie).parent_path());
+}
+
 void FrameWriter::write_movies(int first, int last) const {
   const Show& show = renderer_.show();
-  const std::filesystem::path file = options_.movie;
-  const bool separate = show.stereo.layout == StereoLayout::separate;
-  const std::vector<FramePart> parts =
-      separate ? std::vector<FramePart>{FramePart::left, FramePart::right} : std::vector<FramePart>{FramePart::whole};
-  for (const FramePart part : parts) {
+  const std::filesystem::path folder = std::filesystem::path(options_.movie).parent_path();
+  make_folder(folder.empty() ? "." : folder);
+  const std::unique_ptr<MovieSound> sound = sound_of(first, last);
+  for (const FramePart part : movie_parts(show)) {
     Movie movie;
-    movie.file = file.parent_path() /
-                 (file.stem().string() + (separate ? "_" : "") + eye_folder(part).string() + file.extension().string());
+    movie.file = movie_path(options_.movie, part);
     movie.frame_rate_hz = show.frame_rate_hz;
+    movie.sound = sound.get();
     for (int frame = first; frame <= last; ++frame) {
       movie.pictures.push_back(path_of(frame, part, std::nullopt));
     }

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/lens_options.h"
+#include "app/movie_sound.h"
 #include "app/setup_show.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/frame_format.h"
@@ -62,12 +64,17 @@ class FrameWriter {
   void write_facts(int first, int last) const;
 
   [[nodiscard]] int written() const { return written_; }
+  //! Frames that were there, and were not made again.
+  [[nodiscard]] int resumed() const { return resumed_; }
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
  private:
   [[nodiscard]] int eye_width_px() const;
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
+  //! Makes a frame's folder, and clears it.
+  void enter(const std::filesystem::path& folder);
+  [[nodiscard]] std::unique_ptr<MovieSound> sound_of(int first, int last) const;
   [[nodiscard]] bool is_there(int frame) const;
   [[nodiscard]] bool is_there(int frame, FramePart part) const;
 
@@ -80,6 +87,8 @@ class FrameWriter {
   std::string request_;
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
+  int resumed_ = 0;
+  std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there
   long unresolved_ = 0;
 };
 

@@ -3,15 +3,19 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <optional>
+#include <sstream>
 
 #include "app/interrupt.h"
 #include "content/files/atomic_file.h"
@@ -25,20 +29,26 @@ namespace ergodome {
 namespace {
 
 constexpr const char* encoder = "ffmpeg";
+//! At which the program finds a film's sound.
+constexpr int sound_handle = 3;
 
-//! A running program that reads what is written to it, and writes what it has to say to a file.
+//! A running program that reads what is written to it. What it has to say is kept in memory: a disk may be full.
 class Program {
  public:
-  Program(const std::vector<std::string>& arguments, const std::filesystem::path& messages) {
+  Program(const std::vector<std::string>& arguments, const MovieSound* sound)
+      : messages_(::memfd_create("messages", MFD_CLOEXEC)) {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) {
+    if (messages_ < 0 || ::pipe2(ends, O_CLOEXEC) != 0) {
       throw Error(encoder, std::string("cannot be started: ") + std::strerror(errno), "close other programs");
     }
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, messages_, STDERR_FILENO);
+    if (sound != nullptr) {
+      posix_spawn_file_actions_adddup2(&actions, sound->rewound(), sound_handle);
+    }
     std::vector<char*> words;
     words.reserve(arguments.size() + 1);
     for (const std::string& argument : arguments) {
@@ -55,7 +65,10 @@ class Program {
                   "install ffmpeg, or give the numbered frames to another encoder");
     }
   }
-  ~Program() { static_cast<void>(finish()); }
+  ~Program() {
+    static_cast<void>(finish());
+    ::close(messages_);
+  }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
@@ -87,7 +100,18 @@ class Program {
     return *status_;
   }
 
+  //! What it has said, or the end of that.
+  [[nodiscard]] std::string messages() const {
+    constexpr off_t most = 1 << 16;
+    const off_t end = ::lseek(messages_, 0, SEEK_END);
+    std::string text(static_cast<std::size_t>(std::clamp<off_t>(end, 0, most)), '\0');
+    const ssize_t got = ::pread(messages_, text.data(), text.size(), std::max<off_t>(end - most, 0));
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    return text;
+  }
+
  private:
+  int messages_;
   pid_t process_ = 0;
   int input_ = -1;
   std::optional<int> status_;
@@ -109,17 +133,8 @@ class SignalsOfPipesIgnored {
   struct sigaction before_ {};
 };
 
-//! Removes a file in the end, whatever happens.
-struct FileRemoved {
-  std::filesystem::path file;
-  ~FileRemoved() {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-  }
-};
-
-std::string last_line(const std::filesystem::path& file) {
-  std::ifstream lines(file);
+std::string last_line(const std::string& text) {
+  std::istringstream lines(text);
   std::string last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) {
@@ -127,6 +142,17 @@ std::string last_line(const std::filesystem::path& file) {
     }
   }
   return last.empty() ? "nothing" : last.substr(0, 300);
+}
+
+//! What a disk did to a film, by the program's messages or by the space that is left; empty where it did nothing.
+std::string disk_problem(const std::string& messages, const std::filesystem::path& file) {
+  for (const int problem : {ENOSPC, EDQUOT, EFBIG, EROFS, EIO}) {
+    const std::string words = std::strerror(problem);
+    if (messages.find(words) != std::string::npos) {
+      return words;
+    }
+  }
+  return disk_is_full(file) ? std::strerror(ENOSPC) : "";
 }
 
 //! Writes a picture's pixels; false where the program reads no more.
@@ -142,34 +168,64 @@ bool send(const std::filesystem::path& file, const DisplayPixels& size, const Pr
 }
 
 void encode(const Movie& movie, const std::filesystem::path& partial) {
-  std::filesystem::path messages = partial;
-  messages += ".log";
   const DisplayPixels size = image_size(movie.pictures.front());
-  Program program(movie_arguments(movie, size.width, size.height, partial), messages);
-  const FileRemoved after = {messages};
+  Program program(movie_arguments(movie, size.width, size.height, partial), movie.sound);
   bool taken = true;
   for (const std::filesystem::path& picture : movie.pictures) {
     taken = taken && !interrupted() && send(picture, size, program);
   }
   const int status = program.finish();
-  const std::string said = last_line(messages);
+  const std::string said = program.messages();
   if (interrupted()) {
     throw Error(movie.file.string(), "was not finished", "the frames are there; go on with --resume");
   }
-  if (!taken || status != 0) {
-    throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, said),
-                "the frames are there; try another ending (.mp4, .mov, .mkv) or another encoder");
+  if (taken && status == 0) {
+    return;
+  }
+  const std::string disk = disk_problem(said, partial);
+  if (!disk.empty()) {
+    throw Error(movie.file.string(), "cannot be written: " + disk,
+                "the frames are there; free some space or choose another folder, and go on with --resume");
+  }
+  throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(said)),
+              "the frames are there; try another ending (.mp4, .mov, .mkv) or another encoder");
+}
+
+//! Where the sound comes from, and how it is packed.
+void add_sound(const Movie& movie, const std::string& ending, std::vector<std::string>& words) {
+  if (movie.sound == nullptr) {
+    words.emplace_back("-an");
+    return;
+  }
+  constexpr const char* format = std::endian::native == std::endian::little ? "f32le" : "f32be";
+  for (const std::string& word :
+       {std::string("-f"), std::string(format), std::string("-ar"), std::to_string(MovieSound::rate_hz),
+        std::string("-ac"), std::string("2"), std::string("-i"), fmt::format("pipe:{}", sound_handle),
+        std::string("-map"), std::string("0:v"), std::string("-map"), std::string("1:a")}) {
+    words.push_back(word);
+  }
+  for (const char* word : ending == ".mp4" ? std::vector<const char*>{"-c:a", "aac", "-b:a", "256k"}
+                                           : std::vector<const char*>{"-c:a", "pcm_s24le"}) {
+    words.emplace_back(word);
   }
 }
 
 }  // namespace
 
-void require_movie_encoder(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  if (ending != ".mp4" && ending != ".mov" && ending != ".mkv") {
+std::string movie_ending(const std::filesystem::path& file) {
+  constexpr std::array endings = {".mp4", ".mov", ".mkv"};
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::ranges::find(endings, ending) == endings.end()) {
     throw Error("--movie " + file.string(), "does not end as a film's name does", "choose .mp4, .mov or .mkv");
   }
-  Program program({encoder, "-version"}, "/dev/null");
+  return ending;
+}
+
+void require_movie_encoder(const std::filesystem::path& file) {
+  static_cast<void>(movie_ending(file));
+  require_writable(file);
+  Program program({encoder, "-version"}, nullptr);
   if (program.finish() != 0) {
     throw Error(encoder, "does not answer", "install ffmpeg, or leave out --movie and encode the frames elsewhere");
   }
@@ -179,7 +235,7 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
                                          const std::filesystem::path& partial) {
   // H.264's largest level ends at 8192 px, but decoders in hardware at 4096.
   constexpr int widest_h264_px = 4096;
-  const std::string ending = movie.file.extension().string();
+  const std::string ending = movie_ending(movie.file);
   std::vector<std::string> words = {encoder, "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
   const auto add = [&](std::initializer_list<const char*> more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -187,13 +243,18 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
   const std::string size = fmt::format("{}x{}", width_px, height_px);
   const std::string rate = fmt::format("{:.10g}", movie.frame_rate_hz);
   add({"-f", "rawvideo", "-pix_fmt", std::endian::native == std::endian::little ? "rgb48le" : "rgb48be", "-s",
-       size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0", "-an"});
+       size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0"});
+  add_sound(movie, ending, words);
   // sRGB's primaries are BT.709's; the matrix must be said, or players guess by the size.
+  add({"-color_primaries", "bt709", "-color_trc", "iec61966-2-1"});
   if (ending == ".mkv") {
     add({"-c:v", "ffv1", "-level", "3", "-f", "matroska"});
   } else {
-    add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=limited", "-colorspace", "bt709",
-         "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"});
+    // ProRes takes its tags from the pictures, not from the words beside them.
+    add({"-vf",
+         "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=limited,"
+         "setparams=color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709:range=tv",
+         "-colorspace", "bt709", "-color_range", "tv"});
     if (ending == ".mov") {
       add({"-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuv444p10le", "-f", "mov"});
     } else if (width_px > widest_h264_px) {

@@ -12,7 +12,7 @@
 #include "app/frame_writer.h"
 #include "app/idle_options.h"
 #include "app/interrupt.h"
-#include "app/movie.h"
+#include "app/movie_plan.h"
 #include "app/number_check.h"
 #include "app/pattern_frames.h"
 #include "app/progress.h"
@@ -54,23 +54,6 @@ Show chosen_show(const RenderOptions& options) {
     show.frame_rate_hz = options.frame_rate_hz;
   }
   return show;
-}
-
-//! Throws Error where no film could be made of the frames, before any is rendered.
-void require_movie(const RenderOptions& options, const Show& show) {
-  if (options.movie.empty()) {
-    return;
-  }
-  if (options.format == "exr") {
-    throw Error("--movie " + options.movie, "is not made of linear light", "choose --format png, png16 or tiff");
-  }
-  if (!options.setup.empty()) {
-    throw Error("--movie " + options.movie, "is of the master, not of projectors' frames", "leave out --setup");
-  }
-  if (has_face_files(show.view)) {
-    throw Error("--movie " + options.movie, "is not made of a cube's single faces", "choose cube_layout = \"cross\"");
-  }
-  require_movie_encoder(options.movie);
 }
 
 //! The dome whose projectors' frames are asked for, if any are.
@@ -122,6 +105,7 @@ void run(RenderOptions options) {
   tell_equal_eyes(show);
   require_file_layout(options, show);
   require_movie(options, show);
+  tell_movie_losses(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   // What a budget leaves open is chosen by times that are others in each run.
   const std::string request = frame_request(options, show, setup);
@@ -129,9 +113,15 @@ void run(RenderOptions options) {
     return;
   }
   make_folder(options.out);
+  if (!options.movie.empty()) {
+    remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
+  }
   FrameWriter writer(options, show, setup, request);
   write_frames(options, writer, first, last);
-  fmt::print("{} in {}\n", counted(writer.written(), "frame"), options.out);
+  fmt::print("{} in {}{}\n", counted(writer.written(), "frame"), options.out,
+             writer.resumed() > 0 ? fmt::format(", beside {} that {} there", counted(writer.resumed(), "frame"),
+                                                writer.resumed() == 1 ? "was" : "were")
+                                  : "");
   if (!options.movie.empty()) {
     writer.write_movies(first, last);
   }
@@ -197,7 +187,8 @@ void add_render_command(CLI::App& app) {
                     "a fourth channel: what the image covers, a dome's circle for instance, with the hole's shadow");
   command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's")
       ->check(number_between(0.1, 1000.0));
-  command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv");
+  command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv")
+      ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();

@@ -140,9 +140,13 @@ bool is_complete_part(ImageInput& input, int part, int width, int height) {
 }
 
 Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) {
-  const std::string reason = output != nullptr ? output->error() : "";
-  return {path.string(), "cannot be written: " + (reason.empty() ? "the folder or the disk refuses it" : reason),
-          "check the folder, its permissions and the space left"};
+  // The library tells every row that was refused in a line of its own, and of none why.
+  const std::string told = output != nullptr ? output->error() : "";
+  const std::string first = told.substr(0, told.find('\n'));
+  const std::string reason = disk_is_full(path) ? "the disk is full"
+                             : first.empty()    ? "the folder or the disk refuses it"
+                                                : first;
+  return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the space left"};
 }
 
 //! A writer of a format that the program counts on.
@@ -195,7 +199,7 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
     const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
     if (!written) {
-      throw Error(path.string(), "cannot be written", "check the folder, its permissions and the space left");
+      throw cannot_be_written(path, output.get());
     }
   });
 }

@@ -1,5 +1,10 @@
-#include <gmock/gmock.h>
+#include "app/movie.h"
 
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -85,6 +90,85 @@ TEST_F(RenderAMovie, IsNotThereWhenTheEncoderFails) {
   EXPECT_TRUE(fs::exists(folder_ / "f/small_000003.png"));
 }
 
+TEST_F(RenderAMovie, TellsAFullDiskByItsName) {
+  install("cat > /dev/null\necho 'write: No space left on device' >&2\necho 'Conversion failed!' >&2\nexit 1\n");
+  EXPECT_EQ(run("render small.toml --out f --frames 1:1 --movie film.mp4 --backend cpu"), 1);
+  EXPECT_THAT(output_, HasSubstr("film.mp4: cannot be written: No space left on device"));
+  EXPECT_THAT(output_, testing::Not(HasSubstr("another ending")));
+}
+
+//! Starts with silence; the step comes after a tenth of a second.
+std::string sound_with_a_step() {
+  constexpr int rate_hz = 48000;
+  const std::uint32_t bytes = 2 * rate_hz;
+  const auto number = [](std::uint32_t value, int width) {
+    std::string text;
+    for (int i = 0; i < width; ++i) {
+      text += static_cast<char>(value >> (8 * i) & 255U);
+    }
+    return text;
+  };
+  std::string wave = "RIFF" + number(36 + bytes, 4) + "WAVEfmt " + number(16, 4) + number(1, 2) + number(1, 2) +
+                     number(rate_hz, 4) + number(2 * rate_hz, 4) + number(2, 2) + number(16, 2) + "data" +
+                     number(bytes, 4);
+  for (int i = 0; i < rate_hz; ++i) {
+    wave += number(i < rate_hz / 10 ? 0 : 16000, 2);
+  }
+  return wave;
+}
+
+TEST_F(RenderAMovie, HasTheShowsSoundInStepWithItsPictures) {
+  write("step.wav", sound_with_a_step());
+  write("loud.toml", std::string(movie_show) + "[[audio]]\nfile = \"step.wav\"\nfrom_s = 0\n");
+  install("echo \"$@\" > '" + (folder_ / "words").string() + "'\nfor last; do :; done\ncat > \"$last\"\ncat <&3 > '" +
+          (folder_ / "sound").string() + "'\n");
+  ASSERT_EQ(run("render loud.toml --out f --fps 20 --frames 2:2 --movie film.MP4 --backend cpu"), 0) << output_;
+  EXPECT_THAT(words(), HasSubstr("-i pipe:3 -map 0:v -map 1:a -c:a aac"));
+  const std::string bytes = text("sound");
+  ASSERT_EQ(bytes.size(), 48000U / 20 * 2 * sizeof(float));
+}
+
+TEST(MovieSound, IsWhereTheShowHasIt) {
+  const fs::path folder = fs::temp_directory_path() / ("ergodome-sound-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / "step.wav", std::ios::binary) << sound_with_a_step();
+  Show show;
+  show.folder = folder;
+  show.duration_s = 2.0;
+  show.timeline.audio.emplace_back();
+  show.timeline.audio.back().file = "step.wav";
+  show.timeline.audio.back().from_s = 0.25;
+  const MovieSound sound(show, "", 0.15, 0.4, folder);
+  std::vector<float> samples(2 * 48000);
+  const ssize_t bytes = ::read(sound.rewound(), samples.data(), samples.size() * sizeof(float));
+  fs::remove_all(folder);
+  ASSERT_EQ(bytes, static_cast<ssize_t>(2 * sizeof(float) * 48000 * 4 / 10));
+  const auto first = std::ranges::find_if(samples, [](float sample) { return sample > 0.2F; });
+  // The step is at 0.25 + 0.1 s of the show, and the film begins at 0.15 s.
+  EXPECT_NEAR(static_cast<double>(first - samples.begin()) / 2.0 / 48000.0, 0.2, 0.001);
+}
+
+TEST_F(RenderAMovie, TellsWhichEyeLosesItsSharpness) {
+  install_recorder();
+  ASSERT_EQ(run("render small.toml --out f --frames 1:1 --stereo dubois --movie a.mp4 --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("colours at half the resolution"));
+}
+
+TEST(MovieArguments, TagColoursInEveryKindOfFilm) {
+  for (const char* file : {"a.mp4", "a.mov", "a.mkv"}) {
+    Movie movie;
+    movie.file = file;
+    EXPECT_THAT(movie_arguments(movie, 64, 64, "b"), testing::Contains("iec61966-2-1")) << file;
+  }
+}
+
+TEST(MovieArguments, TagThePicturesOfProRes) {
+  Movie movie;
+  movie.file = "a.mov";
+  EXPECT_THAT(movie_arguments(movie, 64, 64, "b"),
+              testing::Contains(HasSubstr("setparams=color_primaries=bt709:color_trc=iec61966-2-1")));
+}
+
 TEST_F(RenderAMovie, IsAnErrorWhenTheEncoderStopsReading) {
   install("exit 4\n");
   EXPECT_EQ(run("render small.toml --out f --size 512 --movie film.mp4 --backend cpu"), 1);
@@ -95,7 +179,6 @@ TEST_F(RenderAMovie, LeavesNothingElseBehind) {
   install("exit 4\n");
   EXPECT_EQ(run("render small.toml --out f --movie films/film.mp4 --backend cpu"), 1);
   install_recorder();
-  fs::create_directory(folder_ / "films");
   ASSERT_EQ(run("render small.toml --out f --resume --movie films/film.mp4 --backend cpu"), 0) << output_;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "films"), fs::directory_iterator()), 1);
 }
@@ -106,6 +189,13 @@ TEST_F(RenderAMovie, IsRefusedBeforeAnyFrameIsMade) {
   EXPECT_THAT(output_, HasSubstr(".mkv"));
   EXPECT_EQ(run("render small.toml --out f --format exr --movie film.mp4"), 1);
   EXPECT_THAT(output_, HasSubstr("linear light"));
+  EXPECT_EQ(run("render small.toml --out f --movie small.toml/film.mp4"), 1);
+  EXPECT_THAT(output_, HasSubstr("small.toml is no folder"));
+  EXPECT_EQ(run("render small.toml --out f --stereo rows --movie film.mp4"), 1);
+  EXPECT_THAT(output_, HasSubstr("choose .mov or .mkv"));
+  EXPECT_EQ(run("render small.toml --out f --budget 1px --check 1 --movie film.mp4"), 1);
+  EXPECT_THAT(output_, HasSubstr("--check writes none"));
+  EXPECT_EQ(run("render small.toml --out f --movie ''"), 2);
   ::setenv("PATH", "/nowhere", 1);
   EXPECT_EQ(run("render small.toml --out f --movie film.mp4"), 1);
   EXPECT_THAT(output_, HasSubstr("install ffmpeg"));
