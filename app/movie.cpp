@@ -144,15 +144,15 @@ std::string last_line(const std::string& text) {
   return last.empty() ? "nothing" : last.substr(0, 300);
 }
 
-//! What a disk did to a film, by the program's messages or by the space that is left; empty where it did nothing.
-std::string disk_problem(const std::string& messages, const std::filesystem::path& file) {
+//! What a disk did to a film, by the program's messages; empty where it did nothing.
+std::string disk_problem(const std::string& messages) {
   for (const int problem : {ENOSPC, EDQUOT, EFBIG, EROFS, EIO}) {
     const std::string words = std::strerror(problem);
     if (messages.find(words) != std::string::npos) {
       return words;
     }
   }
-  return disk_is_full(file) ? std::strerror(ENOSPC) : "";
+  return {};
 }
 
 //! Writes a picture's pixels; false where the program reads no more.
@@ -179,16 +179,20 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
   if (interrupted()) {
     throw Error(movie.file.string(), "was not finished", "the frames are there; go on with --resume");
   }
-  if (taken && status == 0) {
-    return;
+  const bool ended_well = taken && status == 0;
+  // ffmpeg may end well when a film's last bytes find no room, and only say so.
+  std::string disk = disk_problem(said);
+  if (disk.empty() && !ended_well && disk_is_full(partial)) {
+    disk = std::strerror(ENOSPC);
   }
-  const std::string disk = disk_problem(said, partial);
   if (!disk.empty()) {
     throw Error(movie.file.string(), "cannot be written: " + disk,
                 "the frames are there; free some space or choose another folder, and go on with --resume");
   }
-  throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(said)),
-              "the frames are there; try another ending (.mp4, .mov, .mkv) or another encoder");
+  if (!ended_well) {
+    throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(said)),
+                "the frames are there; try another ending (.mp4, .mov, .mkv) or another encoder");
+  }
 }
 
 //! Where the sound comes from, and how it is packed.
@@ -236,7 +240,7 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
   // H.264's largest level ends at 8192 px, but decoders in hardware at 4096.
   constexpr int widest_h264_px = 4096;
   const std::string ending = movie_ending(movie.file);
-  std::vector<std::string> words = {encoder, "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
+  std::vector<std::string> words = {encoder, "-hide_banner", "-nostdin", "-loglevel", "error", "-xerror", "-y"};
   const auto add = [&](std::initializer_list<const char*> more) {
     words.insert(words.end(), more.begin(), more.end());
   };

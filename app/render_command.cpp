@@ -88,6 +88,10 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   if (options.setup.empty()) {
     writer.write_facts(first, last);
   }
+  const int there = writer.resumed();
+  fmt::print(
+      "{} in {}{}\n", counted(writer.written(), "frame"), options.out,
+      there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
 }
 
 void run(RenderOptions options) {
@@ -114,14 +118,11 @@ void run(RenderOptions options) {
   }
   make_folder(options.out);
   if (!options.movie.empty()) {
+    // Before the frames, which may need the room.
     remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
   }
   FrameWriter writer(options, show, setup, request);
   write_frames(options, writer, first, last);
-  fmt::print("{} in {}{}\n", counted(writer.written(), "frame"), options.out,
-             writer.resumed() > 0 ? fmt::format(", beside {} that {} there", counted(writer.resumed(), "frame"),
-                                                writer.resumed() == 1 ? "was" : "were")
-                                  : "");
   if (!options.movie.empty()) {
     writer.write_movies(first, last);
   }

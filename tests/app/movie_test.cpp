@@ -97,6 +97,12 @@ TEST_F(RenderAMovie, TellsAFullDiskByItsName) {
   EXPECT_THAT(output_, testing::Not(HasSubstr("another ending")));
 }
 
+TEST_F(RenderAMovie, IsNoneWhoseLastBytesFoundNoRoomThoughTheEncoderEndsWell) {
+  install("for last; do :; done\ncat > \"$last\"\necho 'Error writing trailer: No space left on device' >&2\n");
+  EXPECT_EQ(run("render small.toml --out f --frames 1:1 --movie film.mkv --backend cpu"), 1);
+  EXPECT_FALSE(fs::exists(folder_ / "film.mkv"));
+}
+
 //! Starts with silence; the step comes after a tenth of a second.
 std::string sound_with_a_step() {
   constexpr int rate_hz = 48000;
