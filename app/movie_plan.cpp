@@ -14,9 +14,6 @@ void require_movie(const RenderOptions& options, const Show& show) {
     return;
   }
   const std::string named = "--movie " + options.movie;
-  if (options.checked_moments > 0) {
-    throw Error(named, "is made of frames, and --check writes none", "leave out one of them");
-  }
   if (options.format == "exr") {
     throw Error(named, "is not made of linear light", "choose --format png, png16 or tiff");
   }
