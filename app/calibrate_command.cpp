@@ -172,6 +172,9 @@ bool is_made_with(const std::filesystem::path& file, const std::filesystem::path
   const auto plain = [](const std::filesystem::path& folder) {
     return (std::filesystem::absolute(folder) / "").lexically_normal().parent_path();
   };
+  if (out.empty()) {
+    return false;
+  }
   const std::filesystem::path folder = plain(std::filesystem::absolute(file).parent_path());
   std::filesystem::path made = plain(out);
   while (made != folder && made.has_relative_path()) {
@@ -182,7 +185,8 @@ bool is_made_with(const std::filesystem::path& file, const std::filesystem::path
 
 void run(const CalibrateOptions& options) {
   const std::filesystem::path mpcdi = options.mpcdi;
-  (is_made_with(mpcdi, options.out) ? require_other_file : require_output_file)("--mpcdi", mpcdi, {options.setup});
+  (mpcdi.empty() || is_made_with(mpcdi, options.out) ? require_other_file : require_output_file)("--mpcdi", mpcdi,
+                                                                                                 {options.setup});
   require_other_png("--screenshot", options.shown.screenshot, {});
   if (options.live) {
     if (!options.shown.screenshot.empty()) {

@@ -31,10 +31,11 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   // Proper lengths to coordinate displacements: √(Δ/Σ) dr, in the rain's frame √A/Σ dr; r dθ = r/√Σ, r sinθ dφ = r √(Σ/A).
   const double outwards = room.in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
   const double scale[3] = {outwards, r / std::sqrt(f.sigma), r / f.circumference_factor};
-  // What falls goes straight in by its own azimuth, which next to the horizon runs away from the usual one; within it, it is the given one.
-  const double horizon = horizon_radius(spin);
-  const bool turns = room.in_rain && r > horizon;
-  const double azimuth_here = phi + (turns ? ingoing_turn(spin, r) : 0.0);
+  // What falls goes straight in by the azimuth of ingoing Kerr coordinates, from which the usual one runs away next to the horizon.
+  const auto turn_at = [&](double radius) {
+    return room.in_rain && radius > horizon_radius(spin) ? ingoing_turn(spin, radius) : 0.0;
+  };
+  const double azimuth_here = phi + turn_at(r);
   const Axes here = axes_at(theta, azimuth_here);
   double place[3];
   for (int j = 0; j < 3; ++j) {
@@ -47,12 +48,12 @@ EyeEvent eye_event(double spin, double r, double theta, double phi, const double
   }
   EyeEvent eye{};
   const double across = std::hypot(place[0], place[1]);
-  eye.r = std::min(std::max(std::hypot(across, place[2]), room.least_r), room.most_r);
+  eye.r = std::max(std::hypot(across, place[2]), room.least_r);
   eye.theta = std::atan2(across, place[2]);
   // The head's own branch of φ, so that a show of many turns does not jump.
   const double azimuth = across > 0.0 ? std::atan2(place[1], place[0]) : azimuth_here;
   const double azimuth_there = azimuth_here + std::remainder(azimuth - azimuth_here, full_turn);
-  eye.phi = turns ? azimuth_there - ingoing_turn(spin, eye.r) : azimuth_there;
+  eye.phi = azimuth_there - turn_at(eye.r);
   const Axes there = axes_at(eye.theta, azimuth_there);
   for (int i = 0; i < 3; ++i) {
     for (int view = 0; view < 3; ++view) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "kernels/core/vector3.h"
 
 namespace ergodome {
@@ -10,15 +8,14 @@ namespace ergodome {
 struct EyeEvent {
   double r;                      //!< [M]
   double theta;                  //!< [rad]
-  double phi;                    //!< [rad]
+  double phi;                    //!< [rad]; within the horizon, like the head's there, that of ingoing Kerr coordinates
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in the eye's own (e_r, e_θ, e_φ)
 };
 
 //! Where eyes may be, and who measures how far.
 struct EyeRoom {
-  double least_r;            //!< an eye that would come closer to the hole stays there [M]
-  double most_r = INFINITY;  //!< and one that would be farther, here
-  bool in_rain = false;      //!< lengths are those of the rain's frame, not the ZAMO's
+  double least_r;        //!< an eye that would come closer to the hole stays there [M]
+  bool in_rain = false;  //!< lengths are those of the rain's frame, not the ZAMO's, and eyes may be within the horizon
 };
 
 //! Where an eye is that sits at `offset` [M] from the head, in the view's axes (x right, y up, z back).

@@ -53,11 +53,9 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
       head[i][j] = turn[j][i];
     }
   }
-  // An eye that the baseline would put into the hole waits just outside, as do those of a head that falls: both are on one side.
-  const double before = pose.r > horizon ? horizon : deepest;
-  const double behind = pose.r > horizon ? INFINITY : horizon;
-  const EyeEvent event = eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset,
-                                   {before + 1e-3 * (pose.r - before), behind, in_rain});
+  // An eye that the baseline would put into the hole waits just outside; those of a head that falls, above where nobody goes.
+  const EyeEvent event =
+      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
   eye.spin = show.spin;
   eye.r = event.r;
