@@ -255,10 +255,10 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
     add({"-c:v", "ffv1", "-level", "3", "-f", "matroska"});
   } else {
     // ProRes takes its tags from the pictures, not from the words beside them.
-    add({"-vf",
-         "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=limited,"
-         "setparams=color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709:range=tv",
-         "-colorspace", "bt709", "-color_range", "tv"});
+    const std::string filters =
+        std::string("pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=limited,") +
+        "setparams=color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709:range=tv";
+    add({"-vf", filters.c_str(), "-colorspace", "bt709", "-color_range", "tv"});
     if (ending == ".mov") {
       add({"-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuv444p10le", "-f", "mov"});
     } else if (width_px > widest_h264_px) {

@@ -24,11 +24,13 @@ Vector3<double> vector(const Row& row, const std::string& x, const std::string& 
 }
 
 ObserverMotion motion_of(const std::string& name) {
-  static const std::map<std::string, ObserverMotion> motions = {
-      {"zamo", ObserverMotion::zamo},         {"static", ObserverMotion::fixed},
-      {"geodesic", ObserverMotion::geodesic}, {"retrograde", ObserverMotion::retrograde},
-      {"rain", ObserverMotion::rain},         {"boost", ObserverMotion::velocity},
-      {"rain_boost", ObserverMotion::rain_boost}};
+  static const std::map<std::string, ObserverMotion> motions = {{"zamo", ObserverMotion::zamo},
+                                                                {"static", ObserverMotion::fixed},
+                                                                {"geodesic", ObserverMotion::geodesic},
+                                                                {"retrograde", ObserverMotion::retrograde},
+                                                                {"rain", ObserverMotion::rain},
+                                                                {"boost", ObserverMotion::velocity},
+                                                                {"rain_boost", ObserverMotion::rain_boost}};
   return motions.at(name);
 }
 
