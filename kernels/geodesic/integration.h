@@ -15,9 +15,17 @@ struct RayState {
   T drag;  //!< ψ, backwards [rad]
 };
 
+//! Which lanes have light that only comes in to the camera.
+template <class T>
+ERGO_HD MaskOf<RealOf<T>> only_comes_in(const RayStart<T>& start) {
+  return value_of(start.u_rate) < RealOf<T>(ScalarOf<T>(0));
+}
+
 template <class T>
 ERGO_HD RayState<T> initial_state(const RayStart<T>& start) {
-  return {start.u, start.u_rate, start.m, start.m_rate, T(start.turn)};
+  const T zero(ScalarOf<T>(0));
+  const T drag = start.ingoing ? select(only_comes_in(start), T(start.turn), zero) : zero;
+  return {start.u, start.u_rate, start.m, start.m_rate, drag};
 }
 
 //! Where on the sky a ray at u = 0 points: its polar position, turned about the axis by the frame dragging.

@@ -28,11 +28,11 @@ struct RayStart {
   Vector3<T> m;              //!< polar position, |m| = 1
   Vector3<T> m_rate;         //!< dm / dλ, backwards [M]
   T energy;                  //!< energy at infinity over energy seen by the observer: g = 1 / energy
-  //! The camera is within the horizon or next to it: all light from the sky only comes in to it, and on the way azimuths are counted in ingoing
-  //! Kerr coordinates, where nothing is singular.
+  //! The camera is within the horizon or near to it: azimuths of light that only comes in, whose u_rate is negative, are counted in ingoing Kerr
+  //! coordinates on the way, where nothing is singular.
   bool ingoing = false;
   ScalarOf<T> turn =
-      ScalarOf<T>(0);  //!< the camera's azimuth in those [rad]; 0 where it is counted otherwise, and within the horizon
+      ScalarOf<T>(0);  //!< the camera's azimuth in those [rad]; 0 within the horizon, whose cameras have it already
 };
 
 //! Where a ray ends.

@@ -16,14 +16,15 @@ ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>&
   using S = ScalarOf<T>;
   const S a2 = spin * spin;
   const T u2 = s.u * s.u;
-  if (ray.ingoing) {
-    const T sum = S(1) + (a2 - spin * ray.axial_angular_momentum) * u2 - s.u_rate;
-    return spin - (spin * ray.shear_constant) * u2 / sum;
-  }
   // 1 - 2u + a² u² loses all digits next to the horizon; its factors do not.
   const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
   const T lapse = (S(1) - horizon_r * s.u) * (S(1) - (a2 / horizon_r) * s.u);
-  return (a2 * ray.axial_angular_momentum * u2 - S(2) * spin * s.u) / lapse;
+  const T outer = (a2 * ray.axial_angular_momentum * u2 - S(2) * spin * s.u) / lapse;
+  if (!ray.ingoing) {
+    return outer;
+  }
+  const T sum = S(1) + (a2 - spin * ray.axial_angular_momentum) * u2 - s.u_rate;
+  return select(only_comes_in(ray), spin - (spin * ray.shear_constant) * u2 / sum, outer);
 }
 
 //! The equations of motion in Mino time as a first-order system: rate of every component of the state.
@@ -126,10 +127,9 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   for (int step = 0; step < settings.step_limit && any(active); ++step) {
     // Frame dragging diverges at the horizon. An estimate that leaves out the first stage (the third-order pair's) does not see how fast
     // it changes for light that starts there, so that a step covers half of the way from the horizon at the most.
-    if (!start.ingoing) {
-      const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
-      h = minimum(h, S(0.5) * way);
-    }
+    const T way = maximum(S(1) - horizon_r * state.u, least_way) / (absolute(state.u_rate) + least_way);
+    const T near = minimum(h, S(0.5) * way);
+    h = start.ingoing ? select(only_comes_in(start), h, near) : near;
     const detail::Trial<T> trial = detail::try_step<Tableau>(spin, start, state, h, polar_speed, stage);
     const T allowed = maximum(tolerance, rounding);
     const auto accurate = trial.error <= allowed;

@@ -16,13 +16,16 @@ struct TaylorCoefficients {
   T u_quadratic;              //!< 3 K / s²
   T u_cubic;                  //!< -2 a² Q / s²
   T polar;                    //!< C / s²
-  T drag_u;                   //!< -2 a / s, backwards; where `ingoing` a / s
-  T drag_u2;                  //!< a² L / s, backwards; where `ingoing` -a K / s
+  T drag_u;                   //!< -2 a / s, backwards
+  T drag_u2;                  //!< a² L / s, backwards
   RealOf<T> spin2;            //!< a² / s²
   ScalarOf<T> outer_horizon;  //!< r_+
-  bool ingoing;               //!< as RayStart's
-  T moment;                   //!< a² - a L, and
-  RealOf<T> pace;             //!< s, of those rays
+  //! Of RayStart; for lanes of light that only comes in the next ones are others, with X + √R in place of Δ (drag_rate() in runge_kutta.h).
+  bool ingoing;
+  RealOf<T> lapse_u;     //!< -2; there 0
+  T lapse_u2;            //!< a²; there a² - a L
+  RealOf<T> lapse_rate;  //!< 0; there -s
+  RealOf<T> drag_lapse;  //!< 0; there a / s, and drag_u 0, drag_u2 -a K / s
 };
 
 //! `inverse_scale` is 1 / s.
@@ -43,13 +46,18 @@ ERGO_HD TaylorCoefficients<T> taylor_coefficients(ScalarOf<T> spin, const RaySta
                              square * a2,
                              S(1) + safe_sqrt(S(1) - a2),
                              ray.ingoing,
-                             T(S(0)),
+                             Real(-S(2)),
+                             T(a2),
+                             Real(S(0)),
                              Real(S(0))};
   if (ray.ingoing) {
-    c.drag_u = T(inverse_scale * spin);
-    c.drag_u2 = ray.shear_constant * (inverse_scale * -spin);
-    c.moment = a2 - spin * ray.axial_angular_momentum;
-    c.pace = S(1) / inverse_scale;
+    const MaskOf<Real> in = only_comes_in(ray);
+    c.drag_u = select(in, T(S(0)), c.drag_u);
+    c.drag_u2 = select(in, ray.shear_constant * (inverse_scale * -spin), c.drag_u2);
+    c.lapse_u = select(in, Real(S(0)), c.lapse_u);
+    c.lapse_u2 = select(in, a2 - spin * ray.axial_angular_momentum, c.lapse_u2);
+    c.lapse_rate = select(in, Real(S(-1)) / inverse_scale, c.lapse_rate);
+    c.drag_lapse = select(in, inverse_scale * spin, c.drag_lapse);
   }
   return c;
 }
@@ -120,20 +128,19 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
   ERGO_UNROLL
   for (int k = 0; k < Order; ++k) {
     square[k] = detail::square_coefficient(s.u, k);
-    T drag_sum(S(0));
+    T drag_sum = c.drag_u * s.u[k] + c.drag_u2 * square[k];
     if (c.ingoing) {
-      lapse[k] = c.moment * square[k] - s.u[k + 1] * (c.pace * S(k + 1));
-      if (k == 0) {
-        lapse[0] = lapse[0] + S(1);
-      }
-      drag_sum = c.drag_u * lapse[k] + c.drag_u2 * square[k];
+      lapse[k] = c.lapse_u2 * square[k] + s.u[k] * c.lapse_u + s.u[k + 1] * (c.lapse_rate * S(k + 1));
     } else {
       lapse[k] = a2 * square[k] - S(2) * s.u[k];
-      drag_sum = c.drag_u * s.u[k] + c.drag_u2 * square[k];
-      if (k == 0) {
-        // 1 - 2u + a² u² loses all digits next to an extremal horizon; its factors do not.
-        lapse[0] = (S(1) - c.outer_horizon * s.u[0]) * (S(1) - (a2 / c.outer_horizon) * s.u[0]);
-      }
+    }
+    if (k == 0) {
+      // 1 - 2u + a² u² loses all digits next to an extremal horizon; its factors do not.
+      const T by_factors = (S(1) - c.outer_horizon * s.u[0]) * (S(1) - (a2 / c.outer_horizon) * s.u[0]);
+      lapse[0] = c.ingoing ? select(c.lapse_rate < Real(S(0)), lapse[0] + S(1), by_factors) : by_factors;
+    }
+    if (c.ingoing) {
+      drag_sum = drag_sum + lapse[k] * c.drag_lapse;
     }
     if (k == 0) {
       inverse_lapse = Real(S(1)) / lapse[0];

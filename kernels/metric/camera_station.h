@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/angles.h"
 #include "kernels/core/arithmetic.h"
 #include "kernels/geodesic/ray.h"
 #include "kernels/metric/observer.h"
@@ -86,8 +87,8 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   station.cosine_phi = ::cos(phi);
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
-  station.ingoing = comes_in_alone(spin, r);
-  station.turn = station.ingoing && r > station.horizon_r ? ingoing_turn(spin, r) : 0.0;
+  station.ingoing = is_near_horizon(spin, r);
+  station.turn = station.ingoing && r > station.horizon_r ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
   const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
   const double own = in_rain_frame ? 1.0 : lapse;

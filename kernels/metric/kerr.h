@@ -51,17 +51,8 @@ ERGO_HD double photon_orbit_radius(double spin, double orbit_sign) {
   return 2.0 * (1.0 + ::cos(2.0 / 3.0 * ::acos(-orbit_sign * spin)));
 }
 
-//! Whether a camera is so deep below the innermost orbit of light, or within the horizon, that all light from the sky has only come in to it:
-//! what turns on the way, or comes out, does so farther out, or is the hole's.
-ERGO_HD bool comes_in_alone(double spin, double r) {
-  // No orbit of light is the innermost outside 3 M, and few cameras are there.
-  if (r > 3.0) {
-    return false;
-  }
-  constexpr double part = 0.25;
-  const double horizon = horizon_radius(spin);
-  return r <= horizon + part * (photon_orbit_radius(::fabs(spin), 1.0) - horizon);
-}
+//! Whether a camera is within the horizon or so near to it that 1 / Δ, in float, would be felt in Boyer-Lindquist's azimuth.
+ERGO_HD bool is_near_horizon(double spin, double r) { return r <= 1.2 * horizon_radius(spin); }
 
 //! Radius of the innermost stable circular orbit [M] in the sense of `orbit_sign`. Bardeen, Press & Teukolsky (1972), eq. 2.21.
 ERGO_HD double innermost_stable_radius(double spin, double orbit_sign) {
