@@ -78,18 +78,25 @@ void print_fall(const json& facts) {
     return;
   }
   fmt::print("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
+  const double crossing_s = facts.contains("horizon") ? facts["horizon"]["t_s"].get<double>() : INFINITY;
+  bool crosses = facts.contains("horizon");
+  const auto cross_before = [&](double time_s) {
+    if (crosses && crossing_s < time_s) {
+      line(crossing_s, facts["horizon"], "through the horizon; from here speeds are against the rain");
+      crosses = false;
+    }
+  };
   std::size_t printed = 0;
   for (const json& turn : facts["turns"]) {
+    const auto time_s = turn["t_s"].get<double>();
+    cross_before(time_s);
     if (++printed > most_turns_printed) {
       fmt::print("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turn"));
       break;
     }
-    line(turn["t_s"].get<double>(), turn, turn["kind"].get<std::string>());
+    line(time_s, turn, turn["kind"].get<std::string>());
   }
-  if (facts.contains("horizon")) {
-    line(facts["horizon"]["t_s"].get<double>(), facts["horizon"],
-         "through the horizon; from here speeds are against the rain");
-  }
+  cross_before(INFINITY);
   if (facts.contains("stop_s")) {
     line(facts["stop_s"].get<double>(), facts["end"], "time is at rest");
   }

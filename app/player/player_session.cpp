@@ -193,7 +193,8 @@ void PlayerSession::press_view(KeyAction action) {
       navigator_->reverse_orbit();
       break;
     case KeyAction::next_observer:
-      observer_ = next_observer(observer_);
+      // Within the horizon there is but one.
+      observer_ = frame_.pose.r > horizon_radius(show_now_.spin) ? next_observer(observer_) : observer_;
       break;
     default:
       adjust_stereo(action);
