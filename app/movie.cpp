@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "app/interrupt.h"
+#include "app/write_all.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 #include "render/output/image_reader.h"
@@ -73,20 +74,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   //! False where it reads no more.
-  [[nodiscard]] bool write(const char* bytes, std::size_t count) const {
-    while (count > 0) {
-      const ssize_t written = ::write(input_, bytes, count);
-      if (written < 0 && errno == EINTR) {
-        continue;
-      }
-      if (written <= 0) {
-        return false;
-      }
-      bytes += written;
-      count -= static_cast<std::size_t>(written);
-    }
-    return true;
-  }
+  [[nodiscard]] bool write(const char* bytes, std::size_t count) const { return write_all(input_, bytes, count); }
 
   //! Ends its input, waits for it, and returns its exit status.
   int finish() {

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 #include "app/interrupt.h"
 #include "app/lens_options.h"
 #include "app/playback/audio_messages.h"
 #include "app/playback/audio_mixer.h"
 #include "app/playback/playback.h"
+#include "app/write_all.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -39,23 +41,6 @@ int open_nameless(const std::filesystem::path& folder) {
   return file;
 }
 
-//! Whether all of it was written.
-bool write_samples(int file, const std::vector<float>& samples, std::size_t count) {
-  const char* bytes = reinterpret_cast<const char*>(samples.data());
-  for (std::size_t left = count * sizeof(float); left > 0;) {
-    const ssize_t written = ::write(file, bytes, left);
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written <= 0) {
-      return false;
-    }
-    bytes += written;
-    left -= static_cast<std::size_t>(written);
-  }
-  return true;
-}
-
 }  // namespace
 
 MovieSound::MovieSound(const Show& show, const std::string& language, double from_s, double length_s,
@@ -79,7 +64,8 @@ MovieSound::MovieSound(const Show& show, const std::string& language, double fro
     instant.now = now;
     mixer.update({instant, 1.0, spoken});
     const auto count = static_cast<std::size_t>(std::min<std::int64_t>(step_frames, frames - done));
-    if (!write_samples(file_.handle, output->render(step_frames), 2 * count)) {
+    const std::vector<float> samples = output->render(step_frames);
+    if (!write_all(file_.handle, reinterpret_cast<const char*>(samples.data()), 2 * count * sizeof(float))) {
       throw sound_refused(folder);
     }
   }

@@ -45,6 +45,17 @@ void fill_camera(Item& item, const Row& row) {
   item.n = (1.0 / length(n)) * n;
 }
 
+//! What all tables of rays tell of one.
+ReferenceRay ray_of(const Row& row) {
+  ReferenceRay ray{};
+  fill_camera(ray, row);
+  ray.id = static_cast<int>(number(row, "id"));
+  ray.status = row.at("status") == "escaped" ? RayStatus::escaped : RayStatus::captured;
+  ray.sky = vector(row, "sky_x", "sky_y", "sky_z");
+  ray.g = number(row, "g");
+  return ray;
+}
+
 }  // namespace
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
@@ -55,13 +66,8 @@ const std::vector<ReferenceRay>& reference_rays() {
   static const std::vector<ReferenceRay> rays = [] {
     std::vector<ReferenceRay> result;
     for (const Row& row : read_table("rays.csv")) {
-      ReferenceRay ray{};
-      fill_camera(ray, row);
-      ray.id = static_cast<int>(number(row, "id"));
+      ReferenceRay ray = ray_of(row);
       ray.kind = row.at("kind");
-      ray.status = row.at("status") == "escaped" ? RayStatus::escaped : RayStatus::captured;
-      ray.sky = vector(row, "sky_x", "sky_y", "sky_z");
-      ray.g = number(row, "g");
       ray.mino_time = number(row, "mino_time");
       ray.edge_distance = number(row, "edge_distance", -1.0);
       ray.magnification = number(row, "magnification");
@@ -76,13 +82,7 @@ const std::vector<ReferenceRay>& reference_rays_within() {
   static const std::vector<ReferenceRay> rays = [] {
     std::vector<ReferenceRay> result;
     for (const Row& row : read_table("within_horizon.csv")) {
-      ReferenceRay ray{};
-      fill_camera(ray, row);
-      ray.id = static_cast<int>(number(row, "id"));
-      ray.status = row.at("status") == "escaped" ? RayStatus::escaped : RayStatus::captured;
-      ray.sky = vector(row, "sky_x", "sky_y", "sky_z");
-      ray.g = number(row, "g");
-      result.push_back(ray);
+      result.push_back(ray_of(row));
     }
     return result;
   }();

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+
+namespace ergodome {
+
+//! Writes all bytes to an open file or pipe; false, with errno, where it takes no more.
+inline bool write_all(int handle, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = ::write(handle, bytes, count);
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written <= 0) {
+      return false;
+    }
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+}  // namespace ergodome
