@@ -2,8 +2,8 @@
 
 #include "kernels/core/mixed_dual.h"
 #include "kernels/disk/equatorial_crossings.h"
-#include "kernels/disk/horizon_winding.h"
 #include "kernels/disk/layer_limits.h"
+#include "kernels/near_field/horizon_winding.h"
 
 // Where light crosses the equatorial plane, as functions of its direction that are smooth wherever the disk may be seen.
 //
@@ -16,8 +16,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! The crossing of one order; outside the bounds of LayerLimits what they say, without derivatives.
 template <class T>
 struct CrossingLayer {
-  T u;       //!< 1 / r [1/M]
-  T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, less the horizon's winding at u; with the pattern alone
+  T u;  //!< 1 / r [1/M]
+  T cosine;  //!< of the Boyer-Lindquist azimuth from the camera's, less the winding at u (horizon_winding.h); with the pattern alone
   T sine;
   T delay;           //!< coordinate time from emission to the camera, less the winding's [M]; with the pattern alone
   T distance;        //!< affine distance from the camera [M]; where it is asked for
@@ -101,9 +101,24 @@ ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
   return {u, none, none, none, none, zero};
 }
 
+//! What azimuth and time lose of the winding: once, and what is counted in ingoing Kerr coordinates once more where the winding is that of light that
+//! goes on to the horizon, and not at all where it is its own.
+template <class T>
+struct LostWinding {
+  using Real = RealOf<T>;
+  HorizonWinding<ScalarOf<T>> horizon;
+  Real turn;
+  Real delay;
+
+  ERGO_HD LostWinding(const HorizonWinding<ScalarOf<T>>& w, const MaskOf<Real>& ingoing)
+      : horizon(w),
+        turn(select(ingoing, Real((w.sense + ScalarOf<T>(1)) * winding_turn(w)), Real(winding_turn(w)))),
+        delay(select(ingoing, Real((w.sense + ScalarOf<T>(1)) * winding_delay(w)), Real(winding_delay(w)))) {}
+};
+
 //! Reads a layer from the series where the light is in the plane. What goes on straight has lost its winding where it began to.
 template <int Order, class T, NearParts Parts>
-ERGO_HD CrossingLayer<T> layer_at(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& straight,
+ERGO_HD CrossingLayer<T> layer_at(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& straight,
                                   const NearSeries<Order, T, Parts>& s, const T& h) {
   const T none(RealOf<T>(ScalarOf<T>(0)));
   CrossingLayer<T> layer = empty_layer(series_value(s.u, h));
@@ -112,11 +127,11 @@ ERGO_HD CrossingLayer<T> layer_at(const HorizonWinding<ScalarOf<T>>& horizon, co
     const T y = series_value(s.y, h);
     T sine;
     T cosine;
-    const T wound = select(straight, none, winding(horizon, layer.u));
-    sine_cosine(series_value(s.drag, h) - winding_turn(horizon) * wound, sine, cosine);
+    const T wound = select(straight, none, winding(lost.horizon, layer.u));
+    sine_cosine(series_value(s.drag, h) - lost.turn * wound, sine, cosine);
     layer.cosine = x * cosine - y * sine;
     layer.sine = x * sine + y * cosine;
-    layer.delay = series_value(s.delay, h) - winding_delay(horizon) * wound;
+    layer.delay = series_value(s.delay, h) - lost.delay * wound;
   }
   if constexpr (has_distance(Parts)) {
     layer.distance = series_value(s.distance, h);
@@ -194,29 +209,27 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
 
 //! Takes the winding out of azimuth and time of lanes that go on straight from the state at h = 0 of a series that has been moved there by `h`.
 template <int Order, class T, NearParts Parts>
-ERGO_HD void unwind(const HorizonWinding<ScalarOf<T>>& horizon, const MaskOf<RealOf<T>>& leaves,
-                    const StraightRates<T>& rates, NearSeries<Order, T, Parts>& s, StraightRates<T>& kept) {
-  const T wound = winding(horizon, s.u[0]);
-  const T rate = winding_rate(horizon, s.u[0]) * s.u[1];
-  const auto turn = winding_turn(horizon);
-  const auto delay = winding_delay(horizon);
-  s.drag[0] = select(leaves, s.drag[0] - turn * wound, s.drag[0]);
-  s.delay[0] = select(leaves, s.delay[0] - delay * wound, s.delay[0]);
-  kept.drag = select(leaves, rates.drag - turn * rate, kept.drag);
-  kept.delay = select(leaves, rates.delay - delay * rate, kept.delay);
+ERGO_HD void unwind(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& leaves, const StraightRates<T>& rates,
+                    NearSeries<Order, T, Parts>& s, StraightRates<T>& kept) {
+  const T wound = winding(lost.horizon, s.u[0]);
+  const T rate = winding_rate(lost.horizon, s.u[0]) * s.u[1];
+  s.drag[0] = select(leaves, s.drag[0] - lost.turn * wound, s.drag[0]);
+  s.delay[0] = select(leaves, s.delay[0] - lost.delay * wound, s.delay[0]);
+  kept.drag = select(leaves, rates.drag - lost.turn * rate, kept.drag);
+  kept.delay = select(leaves, rates.delay - lost.delay * rate, kept.delay);
 }
 
 //! Looks for a crossing in a step, and counts it.
 template <int Order, class T, NearParts Parts>
-ERGO_HD void meet_plane(const HorizonWinding<ScalarOf<T>>& horizon, const NearSeries<Order, T, Parts>& s,
-                        const RealOf<T>& length, LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
+ERGO_HD void meet_plane(const LostWinding<T>& lost, const NearSeries<Order, T, Parts>& s, const RealOf<T>& length,
+                        LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
   const Real zero(S(0));
   const Real side = side_of(value_of(series_value(s.z, length)), state.side);
   const auto crossed = state.active & (side * state.side < zero);
   if (any(crossed)) {
-    const CrossingLayer<T> layer = layer_at(horizon, state.straight, s, exact_time_to_zero(s.z, state.side, length));
+    const CrossingLayer<T> layer = layer_at(lost, state.straight, s, exact_time_to_zero(s.z, state.side, length));
     for (int order = 0; order < crossing_orders; ++order) {
       keep_layer(crossed & (absolute(state.count - static_cast<S>(order)) < Real(S(0.5))), layer, layers[order]);
     }
@@ -258,9 +271,11 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const Real zero(S(0));
   const T none(zero);
   const NearRay<T> ray = detail::off_the_plane(start);
-  const HorizonWinding<S> horizon = horizon_winding(spin);
+  const auto sees = has_been_outside(spin, ray);
+  const auto within = begins_within(spin, ray);
   for (CrossingLayer<T>& layer : layers) {
-    layer = detail::empty_layer(T(Real(limits.lowest_u)));
+    // From within the horizon, where no light has been outside no other is near that has been far.
+    layer = detail::empty_layer(T(select(sees, Real(limits.lowest_u), Real(limits.highest_u))));
   }
   const Real scale =
       safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(S(1)));
@@ -268,15 +283,16 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
+  const detail::LostWinding<T> lost(horizon_winding(spin, any(within)), coefficients.ingoing);
   const Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), Real(S(1))));
-  detail::LayerState<T> state = {zero<Real(S(1)), zero> zero, side, zero, {none, none, none}};
+  detail::LayerState<T> state = {sees, zero > zero, side, zero, {none, none, none}};
   for (int step = 0; step < limits.step_limit && any(state.active); ++step) {
     detail::expand_near(spin, ray, coefficients, s);
     detail::straighten(state.straight, state.rates, s);
     const Real length = detail::near_step(s, scale, limits.tolerance);
     MaskOf<Real> leaves = zero > zero;
     const T h = detail::end_of_step(s, limits, length, state, leaves);
-    detail::meet_plane(horizon, s, value_of(h), state, layers);
+    detail::meet_plane(lost, s, value_of(h), state, layers);
     detail::StraightRates<T> rates = {none, none, none};
     if constexpr (has_delay(Parts)) {
       rates = {series_rate(s.drag, h), series_rate(s.delay, h), none};
@@ -287,7 +303,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
     detail::move_series_exactly(s, h);
     if constexpr (has_delay(Parts)) {
       if (any(leaves)) {
-        detail::unwind(horizon, leaves, rates, s, state.rates);
+        detail::unwind(lost, leaves, rates, s, state.rates);
       }
     }
     state.straight = state.straight | leaves;

@@ -31,16 +31,22 @@ ERGO_HD void keep_crossing(const Mask& mask, const EquatorialCrossing<T>& from, 
 }
 
 template <int Order, class T, NearParts Parts>
-ERGO_HD EquatorialCrossing<T> crossing_at(const NearSeries<Order, T, Parts>& s, const T& h, const RealOf<T>& scale,
-                                          const RealOf<T>& start) {
+ERGO_HD EquatorialCrossing<T> crossing_at(const SeriesReading<T>& reading, const NearSeries<Order, T, Parts>& s,
+                                          const T& h, const RealOf<T>& start) {
   const T none(ScalarOf<T>(0));
-  EquatorialCrossing<T> crossing = {series_value(s.u, h),       series_rate(s.u, h) * scale, none, none, none, none,
-                                    start + value_of(h) / scale};
+  EquatorialCrossing<T> crossing = {series_value(s.u, h),
+                                    series_rate(s.u, h) * reading.scale,
+                                    none,
+                                    none,
+                                    none,
+                                    none,
+                                    start + value_of(h) / reading.scale};
   if constexpr (has_delay(Parts)) {
     crossing.x = series_value(s.x, h);
     crossing.y = series_value(s.y, h);
     crossing.drag = series_value(s.drag, h);
     crossing.delay = series_value(s.delay, h);
+    reading.count_outside(crossing.u, crossing.drag, crossing.delay);
   }
   return crossing;
 }

@@ -13,7 +13,7 @@ inline constexpr int layer_orders = 3;
 //! A grid as kernels read it: the cells of kernels/lens/lens_grid.h over the chart of kernels/disk/disk_chart.h, a bicubic patch a leaf.
 //!
 //! Without a pattern one set of nodes has (u_0, u_1, u_2, 0) and their derivatives; with one there is a set for each order, of (u, cosφ, sinφ, delay),
-//! azimuth and delay less what the horizon winds (kernels/disk/horizon_winding.h).
+//! azimuth and delay less what the horizon winds (kernels/near_field/horizon_winding.h).
 struct DiskGrid {
   LensGrid cells;  //!< its `nodes` are not used
   const float* nodes[layer_orders];

@@ -133,7 +133,7 @@ struct DiskMiss {
     const float turned = ::atan2f(cosine * lane(layer.sine, i) - sine * lane(layer.cosine, i),
                                   cosine * lane(layer.cosine, i) + sine * lane(layer.sine, i));
     // Where the radius is wrong, so is what the horizon winds there.
-    const HorizonWinding<float> horizon = horizon_winding(spin);
+    const HorizonWinding<float> horizon = horizon_winding(spin, is_within_horizon(camera.grid.rays));
     const float wound = winding_turn(horizon) + rotation * winding_delay(horizon);
     const float read_u = minimum(maximum(quad_part(read.sky, 0), span.outer_u), span.inner_u);
     const float missed = ::fabsf(turned + rotation * (lane(layer.delay, i) - quad_part(read.sky, 3)) +

@@ -44,7 +44,8 @@ ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
 
 }  // namespace detail
 
-//! Follows a ray to its first crossings of the equatorial plane outside the horizon, in order. Rays that stay in the plane have none.
+//! Follows a ray to its first crossings of the equatorial plane outside the horizon, in order, also from a camera within it. Rays that stay in
+//! the plane have none.
 //!
 //! `active_at_start`: lanes to trace. WithDelay says whether the azimuth and the time are wanted: without them nothing is singular at the
 //! horizon or at infinity, and steps are longer. False where a ray met the step limit. With dual numbers all derivatives are exact ones.
@@ -67,26 +68,30 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
   const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, detail::disk_parts(WithDelay)> s;
   detail::start_series(ray, inverse_scale, s);
+  const SeriesReading<T> reading = {spin, coefficients.ingoing, scale};
   Real side = detail::side_of(value_of(s.z[0]), detail::side_of(value_of(s.z[1]), zero));
   Real count(S(0));
   Real time(S(0));
   auto fallen = zero > zero;
-  auto active = active_at_start & ((side > zero) | (side < zero));
+  auto active = active_at_start & ((side > zero) | (side < zero)) & has_been_outside(spin, ray);
+  // On its way out of the horizon nothing is seen of light that came in through it, and it is not done.
+  const Real out_of_horizon(minimum(bounds.innermost_u, S(1) / bounds.horizon_r));
+  auto emerging = (value_of(s.u[0]) > out_of_horizon) & (value_of(s.u[1]) < zero);
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
     detail::expand_near(spin, ray, coefficients, s);
     const Real length = detail::near_step(s, scale, limits.tolerance);
     const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
-    fallen = fallen | detail::falls_within(s, length, bounds.horizon_r);
+    fallen = fallen | (detail::falls_within(s, length, bounds.horizon_r) & !emerging);
     if (any(crossed)) {
-      const auto crossing = detail::crossing_at(s, detail::time_to_zero(s.z, side, zero, length), scale, time);
+      const auto crossing = detail::crossing_at(reading, s, detail::time_to_zero(s.z, side, zero, length), time);
       const Real u = value_of(crossing.u);
       // Light does not come back from where it has left: what the smooth equations say after that is no crossing.
       const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
       const auto back = leaving & (value_of(crossing.u_rate) > zero);
       const auto out_of_hole = fallen & (value_of(crossing.u_rate) < zero);
-      const auto outside =
-          crossed & (!(back | out_of_hole)) & (u > Real(bounds.least_u)) & (u < Real(bounds.greatest_u));
+      const Real greatest_u = select(emerging, out_of_horizon, Real(bounds.greatest_u));
+      const auto outside = crossed & (!(back | out_of_hole)) & (u > Real(bounds.least_u)) & (u < greatest_u);
       for (int order = 0; order < crossing_orders; ++order) {
         const Real beyond = count - static_cast<S>(order);
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
@@ -98,8 +103,11 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
     side = new_side;
     const Real u = value_of(s.u[0]);
     const auto outwards = value_of(s.u[1]) < zero;
+    const auto within = emerging & (u > out_of_horizon);
+    emerging = within & outwards;
+    fallen = fallen | (within & !outwards);
     const auto gone = (outwards & (u < Real(bounds.outermost_u))) | ((!outwards) & (u < zero)) | (fallen & outwards);
-    const auto going = (u > Real(bounds.least_u)) & (u < Real(bounds.innermost_u)) & !gone;
+    const auto going = (u > Real(bounds.least_u)) & ((u < Real(bounds.innermost_u)) | emerging) & !gone;
     active = active & going & (count < Real(S(crossing_orders - 0.5)));
   }
   return !active;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/disk/disk_light.h"
-#include "kernels/disk/horizon_winding.h"
+#include "kernels/near_field/horizon_winding.h"
 #include "kernels/near_field/near_ray.h"
 #include "kernels/near_field/seen_light.h"
 
@@ -29,7 +29,7 @@ ERGO_HD void put_layer_behind(const CameraStationOf<float>& camera, const DiskLo
   }
   SeenCrossing at = {span.coverage, span.r, layer.width * span.r, layer.outwards, 0.0F, 0.0F};
   if constexpr (WithPattern) {
-    const HorizonWinding<float> horizon = horizon_winding(camera.spin);
+    const HorizonWinding<float> horizon = horizon_winding(camera.spin, is_within_horizon(camera));
     const float wound = winding(horizon, 1.0F / span.r);
     at.phi = ::atan2f(layer.sine, layer.cosine) + winding_turn(horizon) * wound +
              ::atan2f(camera.sine_phi, camera.cosine_phi);

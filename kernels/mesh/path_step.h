@@ -123,6 +123,24 @@ ERGO_HD double length_within(const PathStep<Order, Parts, T>& step, double lengt
   return length;
 }
 
+//! Shortens the step of lanes that come out through the horizon to where they come to 1/r = `innermost_u`; tells which those are. Before that nothing
+//! stands, and azimuth and time are counted in ingoing Kerr coordinates.
+template <int Order, NearParts Parts, class T>
+ERGO_HD MaskOf<RealOf<T>> end_way_out(const NearSeries<Order, T, Parts>& s, const MaskOf<RealOf<T>>& on_way_out,
+                                      const RealOf<T>& innermost_u, RealOf<T>& length) {
+  using Real = RealOf<T>;
+  const MaskOf<Real> arrives = on_way_out & !(value_of(series_value(s.u, length)) > innermost_u);
+  if (any(arrives)) {
+    Real beyond[Order + 1];
+    for (int k = 0; k <= Order; ++k) {
+      beyond[k] = value_of(s.u[k]);
+    }
+    beyond[0] = beyond[0] - innermost_u;
+    length = select(arrives, time_to_zero(beyond, Real(1.0), Real(0.0), length), length);
+  }
+  return arrives;
+}
+
 //! The number that one lane of T holds.
 template <class T>
 struct OneLane {
@@ -152,9 +170,14 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
   const Real scale =
       safe_sqrt(maximum(value_of(ray.polar_constant), zero)) + maximum(absolute(value_of(ray.energy)), Real(1.0));
   const Real inverse_scale = Real(1.0) / scale;
-  const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
+  detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
+  coefficients.ingoing = coefficients.ingoing & (value_of(s.u[0]) > innermost);
+  s.drag[0] = select(coefficients.ingoing, s.drag[0], T(zero));
+  if constexpr (has_delay(Parts)) {
+    s.delay[0] = select(coefficients.ingoing, s.delay[0], T(zero));
+  }
   PathStep<Order, Parts, One> step;
   step.axes[0] = {cosine_phi, sine_phi, 0.0};
   step.axes[1] = {-sine_phi, cosine_phi, 0.0};
@@ -164,15 +187,17 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
   const auto goes_by = [&](const Real& rate) {
     return (keeps_inwards(fate, u, rate) & (u >= innermost)) | (keeps_outwards(fate, u, rate) & (u <= outermost));
   };
-  MaskOf<Real> active = active_at_start & !goes_by(value_of(s.u[1]));
+  MaskOf<Real> active = active_at_start & !goes_by(value_of(s.u[1])) & has_been_outside(spin, ray);
   for (int count = 0; count < limits.step_limit && any(active); ++count) {
     detail::expand_near(spin, ray, coefficients, s);
-    const Real length = detail::near_step(s, scale, limits.tolerance);
+    Real length = detail::near_step(s, scale, limits.tolerance);
+    const MaskOf<Real> on_way_out = coefficients.ingoing;
+    const MaskOf<Real> arrives = detail::end_way_out(s, on_way_out, innermost, length);
     const Real end_u = value_of(series_value(s.u, length));
     const Real end_rate = value_of(series_rate(s.u, length));
     // Far out light goes inwards only, or outwards only.
     const MaskOf<Real> far_out = (u < outermost) & (end_u < outermost) & (value_of(s.u[1]) * end_rate > zero);
-    const unsigned near = mask_bits(active & !far_out);
+    const unsigned near = mask_bits(active & !(far_out | on_way_out));
     Real found = zero;
     for (int i = 0; i < RealTraits<Real>::lane_count; ++i) {
       if (((near >> static_cast<unsigned>(i)) & 1U) == 0U) {
@@ -189,6 +214,8 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
     }
     time = time + length * inverse_scale;
     detail::move_series(s, length);
+    detail::count_on_outside(spin, arrives, s);
+    coefficients.ingoing = on_way_out & !arrives;
     u = end_u;
     active = active & !goes_by(end_rate) & !(found > zero);
   }

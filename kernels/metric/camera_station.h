@@ -35,6 +35,7 @@ struct CameraStationOf {
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
   bool ingoing = false;             //!< as RayStart's
   S turn = S(0);  //!< as RayStart's; within the horizon φ itself is the azimuth of ingoing Kerr coordinates
+  S lag = S(0);   //!< where it is `ingoing`, and not within: ingoing_lag() [M]
 };
 
 using CameraStation = CameraStationOf<double>;
@@ -88,7 +89,9 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
   station.ingoing = is_near_horizon(spin, r);
-  station.turn = station.ingoing && r > station.horizon_r ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
+  const bool has_outer_azimuth = station.ingoing && r > station.horizon_r;
+  station.turn = has_outer_azimuth ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
+  station.lag = has_outer_azimuth ? ingoing_lag(spin, r) : 0.0;
   const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
   const double own = in_rain_frame ? 1.0 : lapse;
@@ -124,7 +127,8 @@ ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
           detail::converted<S>(c.polar_rate),
           detail::converted<S>(c.azimuthal_rate),
           c.ingoing,
-          static_cast<S>(c.turn)};
+          static_cast<S>(c.turn),
+          static_cast<S>(c.lag)};
 }
 
 //! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
@@ -151,6 +155,12 @@ ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const 
   ray.ingoing = camera.ingoing;
   ray.turn = camera.turn;
   return ray;
+}
+
+//! Whether a camera is within the horizon.
+template <class S>
+ERGO_HD bool is_within_horizon(const CameraStationOf<S>& camera) {
+  return camera.u * camera.horizon_r > S(1);
 }
 
 //! A direction on the sky of a camera at φ = 0, turned to the camera's true azimuth.

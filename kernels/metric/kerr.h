@@ -39,6 +39,17 @@ ERGO_HD double ingoing_turn(double spin, double r) {
   return spin / gap * (ratio < 0.5 ? ::log1p(-ratio) : ::log(::fabs((r - outer) / (r - inner))));
 }
 
+//! By how much Boyer-Lindquist's time is ahead, at r > r_+, of that of who falls in, which is one with it far away and goes on through the horizon
+//! [M]: 2 r_+ W, W = ln((r - r_-) / (r - r_+)) / (r_+ - r_-). Without end at the horizon itself.
+ERGO_HD double ingoing_lag(double spin, double r) {
+  const double outer = horizon_radius(spin);
+  const double inner = inner_horizon_radius(spin);
+  const double gap = outer - inner;
+  // Where the horizons are close, without the cancellation of the fraction from 1.
+  const double part = gap / (r - outer);
+  return 2.0 * outer * (part > 1e-12 ? ::log1p(part) / gap : 1.0 / (r - outer));
+}
+
 //! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.
 ERGO_HD double static_limit_radius(double spin, double theta) {
   const double a_cosine = spin * ::cos(theta);

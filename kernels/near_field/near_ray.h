@@ -20,6 +20,9 @@ struct NearRay {
   T u_rate;                  //!< du/dλ; u_rate² = E² + (a² E² - C) u² + 2 K u³ - a² Q u⁴
   Vector3<T> m;       //!< polar position without frame dragging, φ = 0 at the camera (or the head of eyes that turn)
   Vector3<T> m_rate;  //!< dm/dλ [M]
+  bool ingoing = false;  //!< as RayStart's: azimuth and time of light that only comes in are counted so (near_series.h)
+  ScalarOf<T> turn = ScalarOf<T>(0);  //!< as CameraStation's
+  ScalarOf<T> lag = ScalarOf<T>(0);   //!< as CameraStation's [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -49,6 +52,9 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   ray.carter = polar * polar + (cosine * cosine) * (azimuthal * azimuthal - a2e2);
   const T skew = l - camera.spin * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
+  ray.ingoing = camera.ingoing;
+  ray.turn = camera.turn;
+  ray.lag = camera.lag;
   return ray;
 }
 
@@ -84,6 +90,35 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   return turning.coefficients != nullptr ? start_near_ray(turning, n) : start_near_ray(camera, n);
 }
 
+//! Which lanes have light that only comes in to the camera, and is counted so.
+template <class T>
+ERGO_HD MaskOf<RealOf<T>> counts_ingoing(const NearRay<T>& ray) {
+  using Real = RealOf<T>;
+  const Real zero(ScalarOf<T>(0));
+  const auto in = value_of(ray.u_rate) < zero;
+  return ray.ingoing ? in : in & !in;
+}
+
+//! Lanes that begin within the horizon.
+template <class T>
+ERGO_HD MaskOf<RealOf<T>> begins_within(ScalarOf<T> spin, const NearRay<T>& ray) {
+  using S = ScalarOf<T>;
+  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  return value_of(ray.u) * horizon_r > RealOf<T>(S(1));
+}
+
+//! Lanes whose light has been outside: all that begin there, and of those that begin within the horizon what came in through it, with
+//! E (r_+² + a²) - a L > 0. The rest is another universe's, and dark.
+template <class T>
+ERGO_HD MaskOf<RealOf<T>> has_been_outside(ScalarOf<T> spin, const NearRay<T>& ray) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const S horizon_r = S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));
+  const Real moment = (S(2) * horizon_r) * value_of(ray.energy) - spin * value_of(ray.axial_angular_momentum);
+  const Real zero(S(0));
+  return (!begins_within(spin, ray)) | ((moment > zero) & (value_of(ray.u_rate) < zero));
+}
+
 //! A ray without its derivatives.
 template <class T>
 ERGO_HD NearRay<RealOf<T>> plain_ray(const NearRay<T>& ray) {
@@ -95,7 +130,10 @@ ERGO_HD NearRay<RealOf<T>> plain_ray(const NearRay<T>& ray) {
           value_of(ray.u),
           value_of(ray.u_rate),
           {value_of(ray.m.x), value_of(ray.m.y), value_of(ray.m.z)},
-          {value_of(ray.m_rate.x), value_of(ray.m_rate.y), value_of(ray.m_rate.z)}};
+          {value_of(ray.m_rate.x), value_of(ray.m_rate.y), value_of(ray.m_rate.z)},
+          ray.ingoing,
+          ray.turn,
+          ray.lag};
 }
 
 }  // namespace ERGO_TARGET

@@ -28,18 +28,19 @@ struct NearPlace {
 namespace detail {
 
 template <int Order, NearParts Parts, class T>
-ERGO_HD NearPlace<T> place_at(const NearSeries<Order, T, Parts>& s, const T& h, const RealOf<T>& scale,
+ERGO_HD NearPlace<T> place_at(const SeriesReading<T>& reading, const NearSeries<Order, T, Parts>& s, const T& h,
                               const RealOf<T>& start) {
   NearPlace<T> place = {series_value(s.u, h),
-                        series_rate(s.u, h) * scale,
+                        series_rate(s.u, h) * reading.scale,
                         {series_value(s.x, h), series_value(s.y, h), series_value(s.z, h)},
                         series_value(s.drag, h),
                         T(ScalarOf<T>(0)),
                         T(ScalarOf<T>(0)),
-                        start + value_of(h) / scale};
+                        start + value_of(h) / reading.scale};
   if constexpr (has_delay(Parts)) {
     place.delay = series_value(s.delay, h);
   }
+  reading.count_outside(place.u, place.drag, place.delay);
   if constexpr (has_distance(Parts)) {
     place.distance = series_value(s.distance, h);
   }
@@ -59,7 +60,7 @@ struct RadialLeg {
 //! Reports the crossings of a leg, in order.
 template <int Order, NearParts Parts, class T, class Visitor>
 ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<ScalarOf<T>>& shells,
-                       const RadialLeg<RealOf<T>>& leg, const RealOf<T>& scale, const RealOf<T>& start,
+                       const RadialLeg<RealOf<T>>& leg, const SeriesReading<T>& reading, const RealOf<T>& start,
                        Visitor& visitor) {
   using S = ScalarOf<T>;
   using Real = RealOf<T>;
@@ -77,7 +78,7 @@ ERGO_HD void visit_leg(const NearSeries<Order, T, Parts>& s, const ShellRadii<Sc
       for (int k = 1; k <= Order; ++k) {
         from_shell[k] = s.u[k];
       }
-      visitor.cross(shell, crossed, place_at(s, time_to_zero(from_shell, side, leg.from_h, leg.to_h), scale, start));
+      visitor.cross(shell, crossed, place_at(reading, s, time_to_zero(from_shell, side, leg.from_h, leg.to_h), start));
     }
   }
 }
@@ -99,7 +100,7 @@ ERGO_HD T time_to_turn(const T (&u)[Order], const RealOf<T>& side, const RealOf<
 //! most once, so it crosses a shell twice at the most. Where a ray begins on a shell it does not cross it.
 //!
 //! The visitor has cross(shell, lanes, place), turn(lanes, place) where r turns, and done(), the lanes that need no more. Nothing is singular
-//! before the horizon, and rays end at the innermost shell at the latest, unless they turn. `active_at_start`: lanes to trace. False where a
+//! on the way, in or out of the horizon, and rays end at the innermost shell at the latest, unless they turn. `active_at_start`: lanes to trace. False where a
 //! ray met the step limit. With dual numbers all derivatives are exact ones.
 template <int Order, NearParts Parts, class T, class Visitor>
 ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, const ShellRadii<ScalarOf<T>>& shells,
@@ -118,12 +119,13 @@ ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, 
   const detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
+  const SeriesReading<T> reading = {spin, coefficients.ingoing, scale};
   Real time = zero;
   Real u = value_of(s.u[0]);
   const auto leaves_no_shell = [&](const Real& rate) {
     return (keeps_inwards(fate, u, rate) & (u >= innermost)) | (keeps_outwards(fate, u, rate) & (u <= outermost));
   };
-  MaskOf<Real> active = active_at_start & !leaves_no_shell(value_of(s.u[1]));
+  MaskOf<Real> active = active_at_start & !leaves_no_shell(value_of(s.u[1])) & has_been_outside(spin, ray);
   for (int step = 0; step < limits.step_limit && any(active); ++step) {
     detail::expand_near(spin, ray, coefficients, s);
     const Real length = detail::near_step(s, scale, limits.tolerance);
@@ -134,14 +136,14 @@ ERGO_HD MaskOf<RealOf<T>> trace_shells(ScalarOf<T> spin, const NearRay<T>& ray, 
     detail::RadialLeg<Real> leg = {zero, length, u, end_u, active};
     if (any(turning)) {
       const T turn = detail::time_to_turn(s.u, rate, length);
-      const NearPlace<T> place = detail::place_at(s, turn, scale, time);
+      const NearPlace<T> place = detail::place_at(reading, s, turn, time);
       leg.to_h = select(turning, value_of(turn), length);
       leg.to_u = select(turning, value_of(place.u), end_u);
-      detail::visit_leg(s, shells, leg, scale, time, visitor);
+      detail::visit_leg(s, shells, leg, reading, time, visitor);
       visitor.turn(turning, place);
       leg = {leg.to_h, length, leg.to_u, end_u, turning};
     }
-    detail::visit_leg(s, shells, leg, scale, time, visitor);
+    detail::visit_leg(s, shells, leg, reading, time, visitor);
     time = time + length * inverse_scale;
     detail::move_series(s, length);
     u = end_u;

@@ -56,6 +56,22 @@ ReferenceRay ray_of(const Row& row) {
   return ray;
 }
 
+std::vector<ReferenceCrossing> crossings_of(const std::string& name) {
+  std::vector<ReferenceCrossing> result;
+  for (const Row& row : read_table(name)) {
+    ReferenceCrossing crossing{};
+    fill_camera(crossing, row);
+    crossing.id = static_cast<int>(number(row, "id"));
+    crossing.order = static_cast<int>(number(row, "order"));
+    crossing.r_hit = number(row, "r_hit");
+    crossing.phi_hit = number(row, "phi_hit");
+    crossing.delay = number(row, "delay");
+    crossing.g_kepler = number(row, "g_kepler");
+    result.push_back(crossing);
+  }
+  return result;
+}
+
 }  // namespace
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
@@ -104,21 +120,12 @@ const std::vector<ReferenceEdgePoint>& reference_edge() {
 }
 
 const std::vector<ReferenceCrossing>& reference_crossings() {
-  static const std::vector<ReferenceCrossing> crossings = [] {
-    std::vector<ReferenceCrossing> result;
-    for (const Row& row : read_table("disk.csv")) {
-      ReferenceCrossing crossing{};
-      fill_camera(crossing, row);
-      crossing.id = static_cast<int>(number(row, "id"));
-      crossing.order = static_cast<int>(number(row, "order"));
-      crossing.r_hit = number(row, "r_hit");
-      crossing.phi_hit = number(row, "phi_hit");
-      crossing.delay = number(row, "delay");
-      crossing.g_kepler = number(row, "g_kepler");
-      result.push_back(crossing);
-    }
-    return result;
-  }();
+  static const std::vector<ReferenceCrossing> crossings = crossings_of("disk.csv");
+  return crossings;
+}
+
+const std::vector<ReferenceCrossing>& reference_crossings_within() {
+  static const std::vector<ReferenceCrossing> crossings = crossings_of("within_horizon_disk.csv");
   return crossings;
 }
 

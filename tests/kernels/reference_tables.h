@@ -49,6 +49,8 @@ const std::vector<ReferenceRay>& reference_rays();
 const std::vector<ReferenceRay>& reference_rays_within();
 const std::vector<ReferenceEdgePoint>& reference_edge();
 const std::vector<ReferenceCrossing>& reference_crossings();
+//! Those of tests/data/within_horizon_disk.csv; g_kepler is 0 within the innermost stable orbit.
+const std::vector<ReferenceCrossing>& reference_crossings_within();
 
 //! The error of a sky direction that double-precision input allows near the edge [rad].
 double allowed_sky_error(const ReferenceRay& ray);

@@ -8,6 +8,9 @@
 //
 // With Δ u² = (1 - r_+ u)(1 - r_- u), light that is followed inwards has dt/du -> 2 r_+ / (Δ u²) and dφ/du -> -a / (Δ u²) whatever its constants are.
 // So t - 2 r_+ W and φ + a W, with W = ∫ du / (Δ u²) = ln(1 + d q) / d, q = u / (1 - r_+ u), d = r_+ - r_-, stay smooth on the way; d -> 0 leaves q.
+//
+// Light that came out through the horizon, on its way back from a camera within, has all this the other way: t + 2 r_+ W and φ - a W go on there,
+// ingoing Kerr coordinates with a time that far away is Boyer-Lindquist's.
 namespace ergodome::inline ERGO_TARGET {
 
 template <class S>
@@ -15,22 +18,25 @@ struct HorizonWinding {
   S spin;
   S horizon_r;  //!< r_+
   S gap;        //!< d; 0 for holes that spin so fast that W is q
+  S sense;      //!< 1: of light that goes on to the horizon; -1: of light that came out through it
 };
 
+//! `within`: what is seen is seen from within the horizon.
 template <class S>
-ERGO_HD HorizonWinding<S> horizon_winding(S spin) {
+ERGO_HD HorizonWinding<S> horizon_winding(S spin, bool within = false) {
   const S half = safe_sqrt((S(1) - spin) * (S(1) + spin));
-  return {spin, S(1) + half, half > S(1e-3) ? S(2) * half : S(0)};
+  constexpr S least = S(sizeof(S) == 4 ? 1e-3 : 1e-6);
+  return {spin, S(1) + half, half > least ? S(2) * half : S(0), within ? S(-1) : S(1)};
 }
 
 //! What time and azimuth are together with W: factors of W.
 template <class S>
 ERGO_HD S winding_delay(const HorizonWinding<S>& w) {
-  return S(2) * w.horizon_r;
+  return S(2) * (w.sense * w.horizon_r);
 }
 template <class S>
 ERGO_HD S winding_turn(const HorizonWinding<S>& w) {
-  return -w.spin;
+  return -(w.sense * w.spin);
 }
 
 namespace detail {

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "kernels/geodesic/taylor.h"
+#include "kernels/near_field/near_ray.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! What is carried along a ray beside 1/r and the height m_z.
+enum class NearParts {
+  place_alone,
+  distance,
+  azimuth,
+  azimuth_and_delay,
+  azimuth_and_distance,
+  azimuth_delay_and_distance
+};
+
+constexpr bool has_azimuth(NearParts parts) { return parts >= NearParts::azimuth; }
+constexpr bool has_delay(NearParts parts) {
+  return parts == NearParts::azimuth_and_delay || parts == NearParts::azimuth_delay_and_distance;
+}
+//! The affine distance of kernels/geodesic/affine_distance.h.
+constexpr bool has_distance(NearParts parts) {
+  return parts == NearParts::distance || parts == NearParts::azimuth_and_distance ||
+         parts == NearParts::azimuth_delay_and_distance;
+}
+
+namespace detail {
+
+//! The series of a ray in scaled time; which of them it carries is said by Parts.
+template <int Order, class T, NearParts Parts>
+struct NearSeries {
+  T u[Order + 1];
+  T z[Order + 1];
+  T x[has_azimuth(Parts) ? Order + 1 : 1];
+  T y[has_azimuth(Parts) ? Order + 1 : 1];
+  T drag[has_azimuth(Parts) ? Order + 1 : 1];
+  T delay[has_delay(Parts) ? Order + 1 : 1];
+  T distance[has_distance(Parts) ? Order + 1 : 1];
+};
+
+//! Constants of a ray as the recurrences use them, in time scaled by 1 / s.
+template <class T>
+struct NearCoefficients {
+  T linear;       //!< (a² E² - C) / s², of u and of z
+  T u_quadratic;  //!< 3 K / s²
+  T u_cubic;      //!< -2 a² Q / s²
+  T polar;        //!< C / s²
+  T spring;       //!< a² E² / s²
+  RealOf<T> inverse_scale;
+  MaskOf<RealOf<T>>
+      ingoing;  //!< lanes whose azimuth and time are counted in ingoing Kerr coordinates: counts_ingoing()
+};
+
+}  // namespace detail
+
+}  // namespace ergodome::inline ERGO_TARGET
