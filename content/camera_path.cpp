@@ -234,7 +234,9 @@ glm::dquat key_orientation(const CameraKey& key) {
   return glm::normalize(look * yaw * pitch * roll);
 }
 
-CameraPose camera_pose(const Show& show, double time_s) {
+namespace {
+
+CameraPose pose_on_path(const Show& show, double time_s) {
   const FreeFall* const orbit = show.camera.orbit.get();
   const glm::dquat orientation = orientation_at(show.camera.keys, time_s);
   if (orbit != nullptr && orbit->until_s() && time_s > *orbit->until_s()) {
@@ -247,6 +249,16 @@ CameraPose camera_pose(const Show& show, double time_s) {
   }
   CameraPose pose = orbit != nullptr ? pose_before_fall(show, time_s) : place_at(show.camera.keys, time_s);
   pose.orientation = orientation;
+  return pose;
+}
+
+}  // namespace
+
+CameraPose camera_pose(const Show& show, double time_s) {
+  CameraPose pose = pose_on_path(show, time_s);
+  if (leads_within(show)) {
+    pose.clock_lead = outer_lag(show.spin, pose.r);
+  }
   return pose;
 }
 

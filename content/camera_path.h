@@ -20,6 +20,9 @@ struct CameraPose {
   std::optional<Vector3<double>> velocity = std::nullopt;
   //! That velocity is one in the rain's frame, and the axes are boosted from it: of a camera that falls through the horizon.
   bool velocity_in_rain = false;
+  //! By how much the camera's Boyer-Lindquist time, of which it sees what stands outside, is ahead of the show's [M]: of a camera that falls through the
+  //! horizon, where that time has no end, and behind which light is late by the time of who falls in (ingoing_lag()).
+  double clock_lead = 0.0;
 };
 
 //! The camera at a show time: at the keys exactly as they say, and for as long as they hold it.

@@ -143,9 +143,8 @@ void check_sights_within(TomlTable& root, const std::string& file, const Show& s
     return;
   }
   const std::pair<bool, const char*> sights[] = {
-      {show.disk.has_value(), "the light of a disk"},
-      {!show.shells.empty(), "shells"},
-      {!show.objects.empty(), "objects"},
+      {std::ranges::any_of(show.objects, [](const auto& o) { return o.method == ObjectMethod::polygon; }),
+       "objects of the method polygon"},
       {show.stereo.model != StereoModel::physical, "eyes of another model than physical"},
   };
   for (const auto& [is_there, what] : sights) {

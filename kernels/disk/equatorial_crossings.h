@@ -82,14 +82,17 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
     const Real length = detail::near_step(s, scale, limits.tolerance);
     const Real new_side = detail::side_of(value_of(series_value(s.z, length)), side);
     const auto crossed = active & (new_side * side < zero);
-    fallen = fallen | (detail::falls_within(s, length, bounds.horizon_r) & !emerging);
+    const auto falls = detail::falls_within(s, length, bounds.horizon_r) & !emerging;
+    // Light that begins a step outwards meets the plane on its way out before it falls.
+    const auto fell = fallen | (falls & (value_of(s.u[1]) > zero));
+    fallen = fallen | falls;
     if (any(crossed)) {
       const auto crossing = detail::crossing_at(reading, s, detail::time_to_zero(s.z, side, zero, length), time);
       const Real u = value_of(crossing.u);
       // Light does not come back from where it has left: what the smooth equations say after that is no crossing.
       const auto leaving = (value_of(s.u[1]) < zero) & (value_of(s.u[0]) < Real(limits.outermost_u));
       const auto back = leaving & (value_of(crossing.u_rate) > zero);
-      const auto out_of_hole = fallen & (value_of(crossing.u_rate) < zero);
+      const auto out_of_hole = fell & (value_of(crossing.u_rate) < zero);
       const Real greatest_u = select(emerging, out_of_horizon, Real(bounds.greatest_u));
       const auto outside = crossed & (!(back | out_of_hole)) & (u > Real(bounds.least_u)) & (u < greatest_u);
       for (int order = 0; order < crossing_orders; ++order) {

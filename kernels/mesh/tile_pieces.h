@@ -34,8 +34,7 @@ ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual
       return of.value + (footprint_slack * half_px) * (along * of.along_x + down * of.along_y);
     };
     const Vector3<T> at = {part(n.x), part(n.y), part(n.z)};
-    const NearRay<T> ray = start((1.0 / sqrt(dot(at, at))) * at);
-    return keeps_inwards(radial_fate(spin, ray), ray.u, ray.u_rate);
+    return comes_from_hole(spin, start((1.0 / sqrt(dot(at, at))) * at));
   };
   const MaskOf<T> middle = falls(0.0, 0.0);
   MaskOf<T> all = middle;

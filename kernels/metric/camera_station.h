@@ -35,7 +35,7 @@ struct CameraStationOf {
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
   bool ingoing = false;             //!< as RayStart's
   S turn = S(0);  //!< as RayStart's; within the horizon φ itself is the azimuth of ingoing Kerr coordinates
-  S lag = S(0);   //!< where it is `ingoing`, and not within: ingoing_lag() [M]
+  S lag = S(0);   //!< where it is `ingoing`: outer_lag() [M]
 };
 
 using CameraStation = CameraStationOf<double>;
@@ -89,9 +89,8 @@ ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, d
   station.sine_theta = ::sin(theta);
   station.cosine_theta = ::cos(theta);
   station.ingoing = is_near_horizon(spin, r);
-  const bool has_outer_azimuth = station.ingoing && r > station.horizon_r;
-  station.turn = has_outer_azimuth ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
-  station.lag = has_outer_azimuth ? ingoing_lag(spin, r) : 0.0;
+  station.turn = station.ingoing && r > station.horizon_r ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
+  station.lag = station.ingoing ? outer_lag(spin, r) : 0.0;
   const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
   const double lapse = ::sqrt(f.sigma * f.delta / f.area);
   const double own = in_rain_frame ? 1.0 : lapse;

@@ -50,6 +50,9 @@ ERGO_HD double ingoing_lag(double spin, double r) {
   return 2.0 * outer * (part > 1e-12 ? ::log1p(part) / gap : 1.0 / (r - outer));
 }
 
+//! The same, and 0 within the horizon, from where light is late by the time of who falls in.
+ERGO_HD double outer_lag(double spin, double r) { return r > horizon_radius(spin) ? ingoing_lag(spin, r) : 0.0; }
+
 //! Radius below which nothing can stand still against the stars [M]: the outer edge of the ergosphere at polar angle θ.
 ERGO_HD double static_limit_radius(double spin, double theta) {
   const double a_cosine = spin * ::cos(theta);

@@ -46,4 +46,13 @@ ERGO_HD MaskOf<Real> keeps_outwards(const RadialFate<Real>& fate, const Real& u,
   return (!(u_rate > Real(ScalarOf<Real>(0)))) & !(fate.turns & (u > fate.barrier_u));
 }
 
+//! Rays that do not come from the sky: they end in the hole, at once or after a turn, or begin within it and never were outside.
+template <class T>
+ERGO_HD MaskOf<RealOf<T>> comes_from_hole(ScalarOf<T> spin, const NearRay<T>& ray) {
+  const RadialFate<RealOf<T>> fate = radial_fate(spin, ray);
+  const RealOf<T> u = value_of(ray.u);
+  const auto escapes = keeps_outwards(fate, u, value_of(ray.u_rate)) | (fate.turns & (u < fate.barrier_u));
+  return !(escapes & has_been_outside(spin, ray));
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

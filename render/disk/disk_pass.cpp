@@ -49,10 +49,10 @@ double disk_temperature(const DiskSettings& disk, double spin, double r) {
   return temperature(disk, spin, r, greatest_flux(spin));
 }
 
-PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s) {
+PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s, double clock_lead) {
   const double r = 2.0 * inner_edge(disk, spin);
   const double period = life_in_turns * 2.0 * pi * (r * std::sqrt(r) + spin);
-  const double cycles = time_s * disk.speed / period;
+  const double cycles = (time_s * disk.speed + clock_lead) / period;
   const double whole = std::floor(cycles);
   // Whole periods modulo 2^32: a show may run for years.
   const auto cycle = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(whole, 4294967296.0)));
@@ -100,9 +100,9 @@ void DiskPass::make_profile() {
 
 bool DiskPass::is_visible() const { return look_.outer_r > look_.inner_r && look_.opacity > 0.0F; }
 
-DiskLook DiskPass::look_at(double time_s) const {
+DiskLook DiskPass::look_at(double time_s, double clock_lead) const {
   DiskLook look = look_;
-  look.pattern = pattern_time(*disk_, spin_, time_s);
+  look.pattern = pattern_time(*disk_, spin_, time_s, clock_lead);
   return look;
 }
 

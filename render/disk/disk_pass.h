@@ -21,8 +21,8 @@ class DiskPass {
   //! Whether there is anything to see: an edge that the show has moved past the other leaves nothing.
   [[nodiscard]] bool is_visible() const;
 
-  //! The disk as kernels read it, at a show time.
-  [[nodiscard]] DiskLook look_at(double time_s) const;
+  //! The disk as kernels read it, at a show time; `clock_lead` [M] as CameraPose has it.
+  [[nodiscard]] DiskLook look_at(double time_s, double clock_lead = 0.0) const;
 
   //! Temperatures in the table.
   static constexpr int profile_count = 1024;
@@ -44,7 +44,7 @@ double inner_edge(const DiskSettings& disk, double spin);
 //! The temperature of a disk at radius r [K], as its own matter measures it; 0 where it does not shine.
 double disk_temperature(const DiskSettings& disk, double spin, double r);
 
-//! Clouds at a show time: see PatternTime.
-PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s);
+//! Clouds at a show time, as late as light is behind it and `clock_lead` [M]: see PatternTime.
+PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s, double clock_lead = 0.0);
 
 }  // namespace ergodome

@@ -35,7 +35,7 @@ void follow_until(const EyeCamera& head, const Vector3<double>& view, const Radi
                                 std::max(bounds.greatest, 1.01 * camera.horizon_r)};
   follow_path<near_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi,
                                  start_near_ray(camera, Vector3<double>{row(0), row(1), row(2)}), outside,
-                                 MeshLimits{ray_tolerance, most_steps}, true,
+                                 MeshLimits{ray_tolerance, most_steps, -head.clock_lead}, true,
                                  [&](int, const StepWith<Parts>& step) { return visit(step); });
 }
 

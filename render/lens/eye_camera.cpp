@@ -63,6 +63,10 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
   eye.phi = event.phi;
   eye.head_r = pose.r;
   eye.head_theta = pose.theta;
+  eye.clock_lead = pose.clock_lead;
+  if (in_rain) {
+    eye.clock_lead += outer_lag(show.spin, eye.r) - outer_lag(show.spin, pose.r);
+  }
   set_motion(eye, show, pose);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

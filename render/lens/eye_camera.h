@@ -16,6 +16,7 @@ struct EyeCamera {
   double frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ)
   double head_r;                 //!< the head's place: the eye's own for a single eye [M]
   double head_theta;             //!< [rad]
+  double clock_lead = 0.0;       //!< as CameraPose's, of this eye [M]
 };
 
 //! An eye of the show's camera at a pose, `offset` M from the head in the view's axes (x right, y up, z back). Throws Error within the

@@ -14,7 +14,7 @@ void draw_near_field(Backend backend, const NearField& near_field, const Picture
     batch.turning = view.turning->cameras->view(view.turning->side);
   }
   if (near_field.disk != nullptr && near_field.disk->is_visible()) {
-    batch.disk = near_field.disk->look_at(view.time_s);
+    batch.disk = near_field.disk->look_at(view.time_s, view.camera().clock_lead);
     batch.drawing = has_pattern(batch.disk) ? DiskDrawing::pattern : DiskDrawing::plain;
   }
   if (near_field.shells != nullptr) {

@@ -89,7 +89,7 @@ ObjectScene TracedObjects::scene_for(const PictureView& view) {
                     looks_.data(),
                     lamp_,
                     guesses_.data(),
-                    {tolerance, picture_step_limit, 0.0},
+                    {tolerance, picture_step_limit, -eye.clock_lead},
                     shifted_,
                     std::ranges::any_of(placed.meshes, &PlacedMesh::retarded),
                     {}};

@@ -153,6 +153,26 @@ TEST(DiskCrossings, ComeInOrderOfTheDelay) {
   EXPECT_GT(second, 5);
 }
 
+//! 1/r of the first crossing of a ray; 0 where there is none.
+template <int Order>
+double first_crossing(const CameraStation& camera, const Vector3<double>& n, double tolerance) {
+  Crossings crossings;
+  trace_crossings<Order, false>(camera.spin, start_near_ray(camera, n), {1e-3, tolerance, 4000}, true, crossings);
+  return crossings[0].u;
+}
+
+TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
+  // Long steps lead out, through the plane, round and into the hole at once.
+  const CameraStation camera = make_camera_station(0.6, 1.802, 1.36, 0.0, ObserverMotion::rain);
+  for (int i = 0; i < 16; ++i) {
+    for (int j = 0; j < 16; ++j) {
+      const Vector3<double> down = {-0.97, 0.1 + 0.015 * i, -0.2 + 0.03 * j};
+      const Vector3<double> n = (1.0 / length(down)) * down;
+      EXPECT_NEAR(first_crossing<10>(camera, n, 1e-4), first_crossing<20>(camera, n, 1e-15), 1e-3) << i << ' ' << j;
+    }
+  }
+}
+
 TEST(DiskFlow, MovesAlongPhiWhateverTheSpin) {
   // Published radii: 9 M against a hole of spin 1, 1 M with it, 6 M without spin.
   EXPECT_NEAR(make_disk_flow(-1.0).stable_r, 9.0, 1e-12);

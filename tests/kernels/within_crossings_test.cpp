@@ -7,6 +7,7 @@
 #include "kernels/disk/crossing_layers.h"
 #include "kernels/disk/disk_emitter.h"
 #include "kernels/mesh/path_step.h"
+#include "kernels/shadow/shadow_chart.h"
 #include "kernels/shells/shell_crossings.h"
 #include "tests/kernels/reference_tables.h"
 
@@ -20,8 +21,6 @@ struct OuterPlace {
   double azimuth;
   double delay;
 };
-
-Vector3<double> unit(const Vector3<double>& v) { return (1.0 / length(v)) * v; }
 
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * pi)); }
 
@@ -154,7 +153,7 @@ TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
 OuterPlace crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
   const CameraStation camera = make_camera_station(spin, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];
-  trace_crossings<20, true>(spin, start_near_ray(camera, unit(n)), {1e-7, 1e-14, 4000}, true, found);
+  trace_crossings<20, true>(spin, start_near_ray(camera, normalized(n)), {1e-7, 1e-14, 4000}, true, found);
   const EquatorialCrossing<double>& c = found[0];
   const bool outside = r > horizon_radius(spin);
   return {c.u > 0.0 ? 1.0 / c.u : 0.0, std::atan2(c.y, c.x) + c.drag - (outside ? ingoing_turn(spin, r) : 0.0),
@@ -183,7 +182,7 @@ TEST(CrossingsFromWithin, AreNotThoseOfAnotherUniversesLight) {
   // E (r_+² + a²) - a L < 0: this light never was outside, though its 1/r runs as if it had been.
   const double spin = 0.9;
   const CameraStation camera = make_camera_station(spin, 1.0, 1.2, 0.0, ObserverMotion::rain);
-  const NearRay<double> ray = start_near_ray(camera, unit({-0.9, 0.3, 0.3}));
+  const NearRay<double> ray = start_near_ray(camera, normalized({-0.9, 0.3, 0.3}));
   ASSERT_LT(2.0 * horizon_radius(spin) * ray.energy - spin * ray.axial_angular_momentum, 0.0);
   EquatorialCrossing<double> crossings[crossing_orders];
   trace_crossings<20, true>(spin, ray, {1e-7, 1e-15, 4000}, true, crossings);

@@ -14,12 +14,20 @@
 namespace ergodome {
 namespace {
 
-//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, before a sky of few pixels.
-Show show_through() {
+constexpr const char* clouds =
+    "[disk]\nouter = 14\npattern = \"procedural\"\nspeed = 2\nprofile = \"uniform\"\nplunging = true\ninner = 1.6\n";
+constexpr const char* shells = "[[shells]]\nradius = 8\nline_width_deg = 4\nspacing_deg = 20\n";
+constexpr const char* ball =
+    "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 2\nretarded = true\n"
+    "orbit = { r = 7, phi_deg = 40, speed = 2 }\n";
+
+//! A camera that falls through the horizon of a hole of spin 0.9, at 1.4359 M, before a sky of few pixels and what else is said.
+Show show_through(const std::string& more = "") {
   Show show = parse_show(
       "duration_s = 40\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 6\ntheta_deg = 70\n[camera.fall]\n"
       "velocity = { beta = 0.4, toward = [-3, 1, 1] }\nclock = 1\nleast_r = 0.8\n[effects]\nredshift = true\n"
-      "[view]\nprojection = \"equirect\"\nfov_deg = 360\nsize_px = 128\n[stereo]\nbaseline = 0.1\n",
+      "[view]\nprojection = \"equirect\"\nfov_deg = 360\nsize_px = 128\n[stereo]\nbaseline = 0.1\n" +
+          more,
       "through.toml");
   show.sky.map = test::tiny_sky();
   return show;
@@ -57,6 +65,28 @@ TEST(WithinHorizonPictures, GridsShowWhatRaysShow) {
   for (const double time_s : {*show.camera.orbit->horizon_s() + 0.2, show.duration_s}) {
     EXPECT_LT(change_of_light(light_at(show, time_s, LensChoice::direct), light_at(show, time_s, LensChoice::live)),
               1e-2);
+  }
+}
+
+TEST(WithinHorizonPictures, WhatStandsOutsideIsSeenOnWhereTheCameraFallsThroughIt) {
+  for (const char* const what : {clouds, shells, ball}) {
+    Show show = show_through(what);
+    show.sky.exposure = 0.0;
+    const double horizon_s = *show.camera.orbit->horizon_s();
+    const auto before = light_at(show, horizon_s - 1e-5, LensChoice::direct);
+    EXPECT_LT(change_of_light(before, light_at(show, horizon_s + 1e-5, LensChoice::direct)), 1e-2) << what;
+    EXPECT_GT(change_of_light(before, light_at(show, horizon_s + 0.5, LensChoice::direct)), 3e-2) << what;
+  }
+}
+
+TEST(WithinHorizonPictures, GridsOfADiskShowWhatRaysShow) {
+  Show show = show_through("[disk]\nouter = 14\npattern = \"procedural\"\nspeed = 2\n");
+  show.sky.exposure = 0.0;
+  for (const double after_s : {-0.01, 0.01, 0.3, 1.0}) {
+    const double time_s = *show.camera.orbit->horizon_s() + after_s;
+    EXPECT_LT(change_of_light(light_at(show, time_s, LensChoice::direct), light_at(show, time_s, LensChoice::live)),
+              1e-2)
+        << after_s;
   }
 }
 
