@@ -138,14 +138,6 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
   return rows;
 }
 
-void require_outside(const std::vector<RayRow>& rows, const std::string& file) {
-  const auto within = std::ranges::find_if(rows, [](const RayRow& row) { return !(row.r > horizon_radius(row.spin)); });
-  if (within != rows.end()) {
-    throw Error(file, fmt::format("has a camera within the horizon, in the ray {} (r = {:.6g})", within->id, within->r),
-                "leave it out: from there only the sky is followed");
-  }
-}
-
 std::vector<RayRow> read_ray_table(const std::filesystem::path& path) {
   std::ifstream stream = open_table(path, "a table of rays");
   return read_ray_table(stream, path.string());

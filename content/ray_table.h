@@ -27,9 +27,6 @@ struct RayRow {
 //! exist, directions without length.
 std::vector<RayRow> read_ray_table(const std::filesystem::path& path);
 
-//! Throws Error with the first row whose camera is within the horizon: for what light meets on its way is known outside alone.
-void require_outside(const std::vector<RayRow>& rows, const std::string& file);
-
 //! The same from a stream; `file` is how messages call it. With `need_directions` false (points of the edge) n_* may be absent.
 std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions = true);
 
