@@ -17,7 +17,7 @@ template <class S>
 struct HorizonWinding {
   S spin;
   S horizon_r;  //!< r_+
-  S gap;        //!< d; 0 for holes that spin so fast that W is q
+  S gap;        //!< d
   S sense;      //!< 1: of light that goes on to the horizon; -1: of light that came out through it
 };
 
@@ -25,8 +25,7 @@ struct HorizonWinding {
 template <class S>
 ERGO_HD HorizonWinding<S> horizon_winding(S spin, bool within = false) {
   const S half = safe_sqrt((S(1) - spin) * (S(1) + spin));
-  constexpr S least = S(sizeof(S) == 4 ? 1e-3 : 1e-6);
-  return {spin, S(1) + half, half > least ? S(2) * half : S(0), within ? S(-1) : S(1)};
+  return {spin, S(1) + half, S(2) * half, within ? S(-1) : S(1)};
 }
 
 //! What time and azimuth are together with W: factors of W.
@@ -77,11 +76,24 @@ ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;
   const T q = u / detail::outer_part(w, u);
   // Far out, beyond infinity, it is nothing that matters: the logarithm's argument stays positive.
-  const T argument = S(1) + w.gap * q;
+  const T part = w.gap * q;
+  const T argument = S(1) + part;
   const T least(RealOf<T>(S(1e-3)));
-  return w.gap > S(0)
-             ? detail::logarithm_of(select(value_of(argument) > value_of(least), argument, least)) * (S(1) / w.gap)
-             : q;
+  const auto logarithm = [&] {
+    return detail::logarithm_of(select(value_of(argument) > value_of(least), argument, least)) * (S(1) / w.gap);
+  };
+  if (w.gap > S(2e-3)) {
+    return logarithm();
+  }
+  // Where the horizons are close a logarithm next to 1 has no digits left, and its series has.
+  constexpr int terms = sizeof(S) == 4 ? 6 : 14;
+  T series(RealOf<T>(S(1.0 / terms)));
+  ERGO_UNROLL
+  for (int k = terms - 1; k >= 1; --k) {
+    series = S(1.0 / k) - part * series;
+  }
+  const auto far = value_of(part) > RealOf<T>(S(0.1));
+  return any(far) ? select(far, logarithm(), q * series) : q * series;
 }
 
 //! dW/du.
@@ -89,7 +101,7 @@ template <class T>
 ERGO_HD T winding_rate(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;
   const T outer = detail::outer_part(w, u);
-  const T inner = w.gap > S(0) ? S(1) - (w.horizon_r - w.gap) * u : outer;
+  const T inner = S(1) - (w.horizon_r - w.gap) * u;
   return T(RealOf<T>(S(1))) / (outer * inner);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <random>
 
 #include "kernels/core/angles.h"
 #include "kernels/disk/crossing_layers.h"
@@ -175,6 +176,51 @@ TEST(CrossingsFromWithin, GoOnFromOutsideWithTheLagOfTheCamerasTime) {
       }
     }
     EXPECT_GT(seen, 0) << "spin " << spin;
+  }
+}
+
+//! The first crossing in a precision; u is 0 where there is none.
+template <class S>
+EquatorialCrossing<S> first_crossing_in(const CameraStation& station, const Vector3<double>& n, S tolerance) {
+  const CameraStationOf<S> camera = converted_station<S>(station);
+  const Vector3<S> direction = {static_cast<S>(n.x), static_cast<S>(n.y), static_cast<S>(n.z)};
+  EquatorialCrossing<S> found[crossing_orders];
+  trace_crossings<sizeof(S) == 4 ? 10 : 20, true>(camera.spin, start_near_ray(camera, direction),
+                                                  {S(1e-3), tolerance, 300}, true, found);
+  return found[0];
+}
+
+TEST(CrossingsFromWithin, AreInFloatWhereDoubleHasThemAtAllHeights) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  for (const double spin : {0.0, 0.3, -0.9, 0.998}) {
+    const double horizon = horizon_radius(spin);
+    const double depth = horizon - inner_horizon_radius(spin);
+    for (const double height : {-0.5 * depth, -1e-2 * depth, -1e-6, 1e-7, 1e-3}) {
+      int crossings = 0;
+      for (int i = 0; i < 200; ++i) {
+        const CameraStation camera =
+            make_camera_station(spin, horizon + height, 1.5 + 1.3 * part(random), 0.0, ObserverMotion::rain);
+        const Vector3<double> n = normalized({part(random), part(random), part(random)});
+        const EquatorialCrossing<double> exact = first_crossing_in<double>(camera, n, 1e-15);
+        // Next to the horizon azimuth and time are steeper than float.
+        if (exact.u * 1.05 * horizon > 1.0 || (exact.u > 0.0 && exact.u < 0.02)) {
+          continue;
+        }
+        const EquatorialCrossing<float> found = first_crossing_in<float>(camera, n, 1e-6F);
+        EXPECT_EQ(found.u > 0.0F, exact.u > 0.0) << spin << ' ' << height;
+        if (exact.u > 0.0) {
+          ++crossings;
+          EXPECT_NEAR(static_cast<double>(found.u) / exact.u, 1.0, 1e-3) << spin << ' ' << height;
+          EXPECT_LT(turn_between(static_cast<double>(std::atan2(found.y, found.x) + found.drag),
+                                 std::atan2(exact.y, exact.x) + exact.drag),
+                    1e-3)
+              << spin << ' ' << height;
+          EXPECT_NEAR(static_cast<double>(found.delay), exact.delay, 1e-3 / exact.u) << spin << ' ' << height;
+        }
+      }
+      EXPECT_GT(crossings, 10) << spin << ' ' << height;
+    }
   }
 }
 
