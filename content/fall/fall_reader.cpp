@@ -145,7 +145,7 @@ void check_sights_within(TomlTable& root, const std::string& file, const Show& s
   const std::pair<bool, const char*> sights[] = {
       {std::ranges::any_of(show.objects, [](const auto& o) { return o.method == ObjectMethod::polygon; }),
        "objects of the method polygon"},
-      {show.stereo.model != StereoModel::physical, "eyes of another model than physical"},
+      {show.stereo.model == StereoModel::flat, "eyes of the model flat"},
   };
   for (const auto& [is_there, what] : sights) {
     if (is_there) {

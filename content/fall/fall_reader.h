@@ -19,7 +19,7 @@ void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraK
 void let_fall(const toml::table& fall, const std::string& file, Show& show);
 
 //! Throws Error where the camera falls through the horizon of a show with what cannot be shown from there: objects of the method polygon, eyes of
-//! the models flat and omni.
+//! the model flat.
 void check_sights_within(TomlTable& root, const std::string& file, const Show& show);
 
 }  // namespace ergodome

@@ -80,6 +80,9 @@ ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const
   ray.carter = moment.x * moment.x + moment.y * moment.y - drag;
   const T skew = ray.axial_angular_momentum - a * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
+  // Eyes are where they are at one time of who falls in. (The few rays that go inwards do not heed how much the eye's usual time is ahead of the head's.)
+  ray.ingoing = camera.ingoing;
+  ray.lag = camera.lag;
   return ray;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/near_field/horizon_winding.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
 
@@ -32,6 +33,10 @@ struct OmniCameraOf {
   S inverse_reach;        //!< one over the radius within which the polynomials hold [1/M]
   int degree;             //!< of the polynomials
   const S* coefficients;  //!< omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
+  //! The head falls through the horizon and is near to it: m has azimuths of ingoing Kerr coordinates, in which eyes on both sides are side by side.
+  bool ingoing = false;
+  S turn = S(0);  //!< the head's, as CameraStation's
+  S lag = S(0);
 };
 
 //! A block of rows of one image through such an eye. The edge of `pixels` is that of the whole image, in the view's axes; `camera` there is the
@@ -77,6 +82,32 @@ struct OmniSight {
   Vector3<T> m_rate;
 };
 
+//! How far m and what moves it are to be turned about the spin axis, to have the head's own azimuth: all of light that only comes in (and is counted on in
+//! ingoing Kerr coordinates), the rest from the eye's usual azimuth.
+template <class T>
+ERGO_HD T omni_turn(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>& sight) {
+  const RealOf<T> zero(ScalarOf<T>(0));
+  const T head(RealOf<T>(camera.turn));
+  const auto horizon = horizon_winding(camera.spin);
+  const auto comes_in = value_of(sight.outward_rate) > zero;
+  return select(comes_in, head, head - winding_turn(horizon) * winding(horizon, sight.u));
+}
+
+//! What an eye of a head that is `ingoing` has, with m in axes that are turned to the head's own azimuth.
+template <class T>
+ERGO_HD OmniSight<T> in_heads_azimuth(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>& sight) {
+  T sine;
+  T cosine;
+  sine_cosine(omni_turn(camera, sight), sine, cosine);
+  const auto turned = [&](const Vector3<T>& v) {
+    return Vector3<T>{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+  };
+  OmniSight<T> other = sight;
+  other.m = turned(sight.m);
+  other.m_rate = turned(sight.m_rate);
+  return other;
+}
+
 template <class T>
 ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
   using S = ScalarOf<T>;
@@ -115,7 +146,9 @@ ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const V
            (number(omni_energy + 4 * i + 1) * n.x + number(omni_energy + 4 * i + 2) * n.y +
             number(omni_energy + 4 * i + 3) * n.z);
   };
-  return {number(0), {number(1), number(2), number(3)}, form(0), form(1), form(2), {form(3), form(4), form(5)}};
+  const OmniSight<T> sight = {number(0), {number(1), number(2), number(3)}, form(0), form(1),
+                              form(2),   {form(3), form(4), form(5)}};
+  return camera.ingoing ? in_heads_azimuth(camera, sight) : sight;
 }
 
 //! The ray that an eye sees in a direction of the view; in axes that are turned to the head's azimuth, for turned_to_camera.
@@ -134,6 +167,7 @@ ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, cons
   const S a = camera.spin;
   ray.polar_constant = dot(ray.m_rate, ray.m_rate) - (a * a) * (ray.m.z * ray.m.z);
   ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
+  ray.ingoing = camera.ingoing;
   return ray;
 }
 

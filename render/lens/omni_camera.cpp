@@ -42,9 +42,21 @@ Form sum_of(double a, const Form& first, double b, const Form& second) {
   return sum;
 }
 
+//! Whether eyes may be on both sides of the horizon.
+bool is_ingoing(const EyeCamera& head) {
+  return head.motion == ObserverMotion::rain_boost && is_near_horizon(head.spin, head.r);
+}
+
+//! An eye's azimuth: of ingoing Kerr coordinates where those of the head are asked for.
+double azimuth_of(const EyeCamera& eye, bool ingoing) {
+  const bool outside = eye.r > horizon_radius(eye.spin);
+  return eye.phi + (ingoing && outside ? ingoing_turn(eye.spin, eye.r) : 0.0);
+}
+
 //! The numbers of an exact camera; see omni_numbers.
-Numbers numbers_of(const EyeCamera& eye, double head_phi) {
-  const CameraStation camera = station_of(eye, eye.phi - head_phi);
+Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
+  const bool ingoing = is_ingoing(head);
+  const CameraStation camera = station_of(eye, azimuth_of(eye, ingoing) - azimuth_of(head, ingoing));
   const double st = camera.sine_theta;
   const double ct = camera.cosine_theta;
   const double sp = camera.sine_phi;
@@ -62,18 +74,18 @@ Numbers numbers_of(const EyeCamera& eye, double head_phi) {
 }
 
 //! The numbers of the camera at a place of the disk of all places.
-DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, double head_phi) {
-  return [&eye_at, reach, head_phi](const DiskPoint& point) {
-    const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head_phi);
+DiskNumbers exact_numbers(const EyePlace& eye_at, double reach, const EyeCamera& head) {
+  return [&eye_at, reach, head](const DiskPoint& point) {
+    const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head);
     return std::vector<double>(numbers.begin(), numbers.end());
   };
 }
 
 //! Largest error of a fit, each number beside the largest of its form.
-double fit_error(const EyePlace& eye_at, double reach, double head_phi, int degree,
+double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, int degree,
                  const std::vector<double>& coefficients) {
   const std::vector<DiskPoint> points = disk_points(3, 13, 0.37);
-  const DiskNumbers numbers_at = exact_numbers(eye_at, reach, head_phi);
+  const DiskNumbers numbers_at = exact_numbers(eye_at, reach, head);
   const auto terms = static_cast<std::size_t>(omni_terms(degree));
   double scale[8] = {};
   double error[8] = {};
@@ -109,12 +121,18 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
   camera_.fade_begin = std::cos(settings.fade_to);
   camera_.fade_scale = 1.0 / (std::cos(settings.fade_from) - camera_.fade_begin);
   camera_.inverse_reach = reach > 0.0 ? 1.0 / reach : 0.0;
+  if (is_ingoing(head)) {
+    const CameraStation station = station_of(head, 0.0);
+    camera_.ingoing = true;
+    camera_.turn = station.turn;
+    camera_.lag = station.lag;
+  }
   const double tolerance = std::max(0.1 * settings.tolerance, finest_fit);
   double error = 0.0;
   for (int degree = reach > 0.0 ? 1 : 0; degree <= omni_most_degree; ++degree) {
     camera_.degree = degree;
-    coefficients_ = fit_numbers(exact_numbers(eye_at, reach, head.phi), degree);
-    error = fit_error(eye_at, reach, head.phi, degree, coefficients_);
+    coefficients_ = fit_numbers(exact_numbers(eye_at, reach, head), degree);
+    error = fit_error(eye_at, reach, head, degree, coefficients_);
     if (error <= tolerance) {
       break;
     }
@@ -136,15 +154,12 @@ OmniCameraOf<float> OmniCamera::on_host(double side) const {
 
 OmniCameraOf<float> OmniCamera::view(double side) const {
   const auto narrow = [](double value) { return static_cast<float>(value); };
-  return {narrow(camera_.spin),
-          narrow(camera_.horizon_r),
-          narrow(side * camera_.offset),
-          narrow(camera_.inverse_convergence),
-          narrow(camera_.fade_begin),
-          narrow(camera_.fade_scale),
-          narrow(camera_.inverse_reach),
-          camera_.degree,
-          for_kernels_.data()};
+  return {narrow(camera_.spin),          narrow(camera_.horizon_r),
+          narrow(side * camera_.offset), narrow(camera_.inverse_convergence),
+          narrow(camera_.fade_begin),    narrow(camera_.fade_scale),
+          narrow(camera_.inverse_reach), camera_.degree,
+          for_kernels_.data(),           camera_.ingoing,
+          narrow(camera_.turn),          narrow(camera_.lag)};
 }
 
 OmniCameraOf<double> OmniCamera::exact(double side) const {

@@ -41,7 +41,7 @@ bool see_alike(const OmniEye& first, const OmniEye& second) {
   const OmniCameraOf<double> b = second.cameras->exact(second.side);
   return a.spin == b.spin && a.offset == b.offset && a.inverse_convergence == b.inverse_convergence &&
          a.fade_begin == b.fade_begin && a.fade_scale == b.fade_scale && a.inverse_reach == b.inverse_reach &&
-         a.degree == b.degree &&
+         a.degree == b.degree && a.ingoing == b.ingoing && a.turn == b.turn &&
          std::equal(a.coefficients, a.coefficients + omni_numbers * omni_terms(a.degree), b.coefficients);
 }
 

@@ -166,8 +166,8 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(FallWithin, RefusesWhatCannotBeSeenFromThere) {
-  EXPECT_THAT(error_of(through_the_horizon + "least_r = 0.8\n[stereo]\nmodel = \"omni\"\n"),
-              AllOf(HasSubstr("t.toml:10: camera.fall.least_r leads through the horizon"), HasSubstr("physical")));
+  EXPECT_THAT(error_of(through_the_horizon + "least_r = 0.8\n[stereo]\nmodel = \"flat\"\n"),
+              AllOf(HasSubstr("t.toml:10: camera.fall.least_r leads through the horizon"), HasSubstr("flat")));
   const std::string without_spin =
       "duration_s = 60\n[[camera.key]]\nr = 12\n[camera.fall]\nclock = 2\nvelocity = \"rain\"\nleast_r = 0.9\n";
   EXPECT_THAT(error_of(without_spin + "[[objects]]\nshape = \"sphere\"\nposition = [9, 0, 0]\nmethod = \"polygon\"\n"),

@@ -6,9 +6,13 @@
 #include <vector>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
+#include "kernels/disk/equatorial_crossings.h"
+#include "kernels/geodesic/radial_potential.h"
 #include "kernels/geodesic/taylor.h"
 #include "kernels/shadow/shadow_chart.h"
 #include "render/frame/show_renderer.h"
+#include "tests/render/omni_eyes.h"
 #include "tests/support/tiny_sky.h"
 
 namespace ergodome {
@@ -125,6 +129,93 @@ TEST(WithinHorizonPictures, EyesGoOnSeeingWhatTheySawWhereTheyFallThroughTheHori
     EXPECT_LT(apart_on_sky(seen_at(horizon_s - 0.01),
                            sky_before(eye_camera(show, camera_pose(show, horizon_s - 0.01), 0.0), away)),
               0.1);
+  }
+}
+
+//! Where in the equatorial plane a ray begins, pseudo-Cartesian, and how late it is by the time of who falls in; all 0 where there is none.
+struct PlaneSight {
+  double x, y, delay;
+};
+
+PlaneSight plane_sight(double spin, const NearRay<double>& ray, double phi, double lag) {
+  EquatorialCrossing<double> found[crossing_orders];
+  trace_crossings<20, true>(spin, ray, {1e-3, 1e-13, 1000}, true, found);
+  const EquatorialCrossing<double>& c = found[0];
+  if (!(c.u > 0.0)) {
+    return {0.0, 0.0, 0.0};
+  }
+  const double azimuth = std::atan2(c.y, c.x) + c.drag + phi;
+  return {std::cos(azimuth) / c.u, std::sin(azimuth) / c.u, c.delay - lag};
+}
+
+//! Eyes that turn with the direction, with cameras on both sides of the horizon.
+class TurningEyesWithin {
+ public:
+  TurningEyesWithin(const Show& show, double time_s)
+      : show_(show),
+        pose_(camera_pose(show, time_s)),
+        head_(eye_at({0.0, 0.0, 0.0})),
+        cameras_(Backend::cpu, [this](const Vector3<double>& offset) { return eye_at(offset); },
+                 {half_baseline, 0.0, pi / 3.0, 0.5 * pi, 1e-6}) {}
+
+  //! Compares what is seen in a direction with what the direction's own camera sees; tells whether there is anything.
+  bool compare(const Vector3<double>& view, double side) const {
+    const auto [camera, n] = test::own_ray([this](const Vector3<double>& offset) { return eye_at(offset); }, view,
+                                           side * half_baseline, 0.0);
+    const OmniCameraOf<double> turning = cameras_.exact(side);
+    const RayStart<double> own = start_ray(camera, n);
+    const RayStart<double> seen = start_ray(turning, view);
+    // Beside the edge of the shadow all is far apart.
+    const double dark = darkness(show_.spin, camera.horizon_r, own);
+    if (std::abs(dark) < 0.05) {
+      return false;
+    }
+    EXPECT_EQ(dark < 0.0, comes_from_sky(show_.spin, camera.horizon_r, seen));
+    const double own_phi = std::atan2(camera.sine_phi, camera.cosine_phi);
+    if (dark < 0.0) {
+      EXPECT_LT(apart_on_sky(sky_of(own, own_phi), sky_of(seen, head_.phi)), 1e-4);
+    }
+    const PlaneSight a = plane_sight(show_.spin, start_near_ray(camera, n), own_phi, camera.lag);
+    const PlaneSight b = plane_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
+    const double r = std::hypot(a.x, a.y);
+    if (r > 1.7 && r < 30.0) {
+      EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1e-3 * r);
+      EXPECT_NEAR(a.delay, b.delay, 1e-3 * r);
+    }
+    return dark < 0.0;
+  }
+
+ private:
+  static constexpr double half_baseline = 0.02;
+
+  [[nodiscard]] EyeCamera eye_at(const Vector3<double>& offset) const { return eye_camera(show_, pose_, offset); }
+
+  [[nodiscard]] Vector3<double> sky_of(const RayStart<double>& start, double phi) const {
+    double steps = 0.0;
+    bool reached = false;
+    const Vector3<double> sky = trace_taylor<20>(show_.spin, start, true, {1e-12, 1000}, steps, reached).sky;
+    return {std::cos(phi) * sky.x - std::sin(phi) * sky.y, std::sin(phi) * sky.x + std::cos(phi) * sky.y, sky.z};
+  }
+
+  const Show& show_;
+  CameraPose pose_;
+  EyeCamera head_;
+  OmniCamera cameras_;
+};
+
+TEST(WithinHorizonPictures, EyesThatTurnSeeOnBothSidesWhatEachDirectionsOwnCameraSees) {
+  const Show show = show_through();
+  for (const double after_s : {-0.1, -0.005, 0.005, 0.1, 2.0}) {
+    SCOPED_TRACE(after_s);
+    const TurningEyesWithin eyes(show, *show.camera.orbit->horizon_s() + after_s);
+    int bright = 0;
+    for (int i = 0; i < 200; ++i) {
+      const double y = -0.98 + 1.96 * i / 199.0;
+      const double level = std::sqrt(1.0 - y * y);
+      const Vector3<double> view = {level * std::sin(2.39996 * i), y, -level * std::cos(2.39996 * i)};
+      bright += eyes.compare(view, i % 2 == 0 ? 1.0 : -1.0) ? 1 : 0;
+    }
+    EXPECT_GT(bright, 30);
   }
 }
 
