@@ -16,23 +16,11 @@ struct FollowedRay {
   MaskOf<T> arrived;  //!< within the step limit
 };
 
-namespace detail {
-//! The same ray by Boyer-Lindquist's azimuth: what is followed to a radius may come from the hole.
-template <class T>
-ERGO_HD RayStart<T> in_outer_azimuth(const RayStart<T>& ray) {
-  RayStart<T> other = ray;
-  other.ingoing = false;
-  other.turn = ScalarOf<T>(0);
-  return other;
-}
-}  // namespace detail
-
 //! By Taylor series, as trace_taylor.
 template <int Order, class T>
-ERGO_HD FollowedRay<T> follow_taylor(ScalarOf<T> spin, const RayStart<T>& from, const WayEnd<T>& end,
+ERGO_HD FollowedRay<T> follow_taylor(ScalarOf<T> spin, const RayStart<T>& start, const WayEnd<T>& end,
                                      const MaskOf<T>& wanted, const IntegrationSettings& settings) {
   using S = ScalarOf<T>;
-  const RayStart<T> start = detail::in_outer_azimuth(from);
   const T tolerance = local_tolerance(spin, start, settings);
   const T polar_speed = safe_sqrt(maximum(start.polar_constant, T(S(0)))) + S(1);
   const T longest(S(3));
@@ -59,11 +47,10 @@ ERGO_HD FollowedRay<T> follow_taylor(ScalarOf<T> spin, const RayStart<T>& from, 
 
 //! By an embedded Runge-Kutta pair, as trace_runge_kutta.
 template <class Tableau, class T>
-ERGO_HD FollowedRay<T> follow_runge_kutta(ScalarOf<T> spin, const RayStart<T>& from, const WayEnd<T>& end,
+ERGO_HD FollowedRay<T> follow_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, const WayEnd<T>& end,
                                           const MaskOf<T>& wanted, const IntegrationSettings& settings) {
   using S = ScalarOf<T>;
   const T zero(S(0));
-  const RayStart<T> start = detail::in_outer_azimuth(from);
   const T polar_speed = safe_sqrt(maximum(start.polar_constant, zero)) + S(1);
   const T allowed = maximum(local_tolerance(spin, start, settings), T(S(4) * std::numeric_limits<S>::epsilon()));
   const T longest = S(0.5) / polar_speed;

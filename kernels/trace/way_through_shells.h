@@ -41,7 +41,7 @@ ERGO_HD WayEnd<T> way_through_shells(ScalarOf<T> spin, const RayStart<T>& ray, c
   const auto turns = fate.turns & ((inwards & before_barrier) | ((!inwards) & (!before_barrier)));
   const MaskOf<T> none = inwards & (!inwards);
   WayEnd<T> end = {zero, one, select(inwards, one, -one), none};
-  MaskOf<T> sees = ray.energy > zero;
+  MaskOf<T> sees = (ray.energy > zero) & has_been_outside(spin, near);
   const auto visit = [&](int k, bool leg_inwards, bool after_turn) {
     const T u(static_cast<S>(shells[k].u));
     const auto reached = ((u < fate.barrier_u) & before_barrier) | ((u >= fate.barrier_u) & (!before_barrier));
