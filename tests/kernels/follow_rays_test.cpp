@@ -47,8 +47,10 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
   std::mt19937 random(7);
   int met = 0;
   for (const double spin : {0.0, 0.9, -0.999}) {
-    for (const double r : {40.0, 20.0, 8.0, 4.0, 2.9, 2.3}) {
-      const CameraStation camera = make_camera_station(spin, r, 1.1, 0.0, ObserverMotion::zamo);
+    for (const double r : {40.0, 20.0, 8.0, 4.0, 2.9, 2.3, 1.2}) {
+      const bool within = r < horizon_radius(spin);
+      const CameraStation camera =
+          make_camera_station(spin, r, 1.1, 0.0, within ? ObserverMotion::rain : ObserverMotion::zamo);
       for (int i = 0; i < 300; ++i) {
         const Vector3<double> n = any_direction(random);
         const RayStart<double> start = start_ray(camera, n);
@@ -74,6 +76,26 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
     }
   }
   EXPECT_GT(met, 2000);
+}
+
+TEST(FollowedRays, ComeOutOfTheHorizonInFewSteps) {
+  const CameraStation camera = make_camera_station(0.6, 1.2, 1.3, 0.0, ObserverMotion::rain);
+  const WatchedShell shell = {1.0F / 12.0F, true};
+  std::mt19937 random(8);
+  int met = 0;
+  for (int i = 0; i < 200; ++i) {
+    const RayStart<double> start = start_ray(camera, any_direction(random));
+    const WayEnd<double> end = way_through_shells(0.6, start, &shell, 1);
+    if (end.meets && darkness(0.6, camera.horizon_r, start) < -0.1) {
+      ++met;
+      const IntegrationSettings settings = {1e-6, 1000, true};
+      const FollowedRay<double> by_series = follow_taylor<10>(0.6, start, end, true, settings);
+      EXPECT_TRUE(by_series.arrived && by_series.steps < 20.0) << by_series.steps;
+      const FollowedRay<double> by_steps = follow_runge_kutta<RungeKutta34>(0.6, start, end, true, settings);
+      EXPECT_TRUE(by_steps.arrived && by_steps.steps < 200.0) << by_steps.steps;
+    }
+  }
+  EXPECT_GT(met, 50);
 }
 
 //! A shell just above the horizon, seen from outside, by each integrator.
