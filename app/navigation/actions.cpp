@@ -29,6 +29,8 @@ constexpr ActionFacts actions[] = {
      "wer schaut: nächster Beobachter"},
     {reverse_orbit, "reverse_orbit", visitor, "Ctrl+N pad.left_stick", "orbits run the other way",
      "Umlauf in Gegenrichtung"},
+    {let_go, "let_go", visitor, "K pad.left_trigger_button", "let go: fall into the hole, and on",
+     "loslassen: ins Loch fallen und weiter"},
     {next_language, "next_language", visitor, "G pad.guide", "next language", "nächste Sprache"},
     {step_back, "step_back", presenter, "Ctrl+Left", "one picture back", "ein Bild zurück"},
     {step_forward, "step_forward", presenter, "Ctrl+Right", "one picture forward", "ein Bild vor"},

@@ -42,6 +42,7 @@ enum class KeyAction {
   reset,
   next_flight_mode,
   reverse_orbit,
+  let_go,
   next_observer,
   reload,
   full_screen,

@@ -13,6 +13,9 @@ inline glm::dvec3 shortened(const glm::dvec3& v, double most) {
   return length > most ? v * (most / length) : v;
 }
 
+//! Whether nobody would see something go at a rate.
+inline bool at_rest(const glm::dvec3& rate) { return glm::length(rate) <= 1e-6; }
+
 //! Brings a rate towards a wish, softly, but by no more than `most`; returns the length of the change.
 //!
 //! The way there is the straight one: a rate and a wish that are both within a limit stay within it.

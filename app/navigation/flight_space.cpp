@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "content/fall/within.h"
 #include "kernels/metric/kerr.h"
 
 namespace ergodome {
@@ -13,6 +14,8 @@ namespace {
 constexpr double leeway = 0.05;
 //! A camera at the guard stays this part of its radius above it: enough for a radius to be told from the guard's.
 constexpr double least_height = 1e-9;
+//! How far outside the horizon its guard is [M].
+constexpr double above_horizon = 0.02;
 
 //! Lengths per coordinate at a place: along the radius and the meridian, and how much shorter steps to the east are than those.
 struct LocalScale {
@@ -31,16 +34,30 @@ LocalScale local_scale(double spin, const CameraPlace& place) {
 
 double guard_radius(double spin, const FlightSettings& settings) {
   const double guard = settings.guard == FlightGuard::horizon
-                           ? horizon_radius(spin) + 0.02
+                           ? horizon_radius(spin) + above_horizon
                            : 1.01 * std::max(photon_orbit_radius(spin, 1.0), photon_orbit_radius(spin, -1.0));
   return std::max(guard, settings.least_r);
 }
 
-FlightSpace::FlightSpace(double spin, const FlightSettings& settings)
+bool is_beyond_return(double spin, double r) { return !(r > nearest_rest * horizon_radius(spin)); }
+
+bool guards_horizon_alone(double spin, const FlightSettings& settings) {
+  return settings.guard == FlightGuard::horizon && settings.least_r <= horizon_radius(spin) + above_horizon;
+}
+
+FlightSpace::FlightSpace(double spin, const FlightSettings& settings, double guard_r, bool through_horizon)
     : spin_(spin),
-      guard_r_(guard_radius(spin, settings)),
-      most_r_(std::max(settings.most_r, 1.1 * guard_r_)),
-      fastest_(settings.max_speed) {}
+      guard_r_(guard_r),
+      most_r_(std::max(settings.most_r, 1.1 * guard_r)),
+      fastest_(settings.max_speed),
+      through_horizon_(through_horizon) {}
+
+FlightSpace::FlightSpace(double spin, const FlightSettings& settings)
+    : FlightSpace(spin, settings, guard_radius(spin, settings), false) {}
+
+FlightSpace FlightSpace::through_horizon(double spin, const FlightSettings& settings) {
+  return {spin, settings, deepest_rest(spin), true};
+}
 
 double FlightSpace::distance(double r) const { return std::max(r - guard_r_, 0.0) + leeway * guard_r_; }
 
@@ -69,7 +86,7 @@ double FlightSpace::moved_radius(double r, double speed, double seconds) const {
 }
 
 void FlightSpace::move(CameraPlace& place, const glm::dvec3& velocity, double seconds) const {
-  const LocalScale scale = local_scale(spin_, place);
+  const LocalScale scale = through_horizon_ ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin_, place);
   const double length = distance(place.r);
   const glm::dvec3& n = place.towards;
   const double outward = glm::dot(velocity, n);
@@ -82,7 +99,7 @@ void FlightSpace::move(CameraPlace& place, const glm::dvec3& velocity, double se
 }
 
 glm::dvec3 FlightSpace::velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const {
-  const LocalScale scale = local_scale(spin_, place);
+  const LocalScale scale = through_horizon_ ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin_, place);
   const glm::dvec3& n = place.towards;
   const glm::dvec3 east = east_at(n);
   const glm::dvec3 across = towards_rate - glm::dot(towards_rate, n) * n;

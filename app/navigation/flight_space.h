@@ -13,6 +13,10 @@ class FlightSpace {
  public:
   FlightSpace(double spin, const FlightSettings& settings);
 
+  //! The space of who falls through the horizon: its guard is the deepest place that falls lead to, and the coordinates that lengths are
+  //! counted in are those of ingoing Kerr, r and angles times r, for proper lengths have no meaning there.
+  static FlightSpace through_horizon(double spin, const FlightSettings& settings);
+
   [[nodiscard]] double spin() const { return spin_; }
   //! No camera comes nearer than this [M].
   [[nodiscard]] double guard_r() const { return guard_r_; }
@@ -34,13 +38,23 @@ class FlightSpace {
   [[nodiscard]] glm::dvec3 velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const;
 
  private:
+  FlightSpace(double spin, const FlightSettings& settings, double guard_r, bool through_horizon);
+
   double spin_;
   double guard_r_;
   double most_r_;
   double fastest_;  //!< [distances/s]
+  bool through_horizon_;
 };
 
 //! Radius of the guard [M]: just outside the horizon, or outside every orbit of light; further out where the settings say so.
 double guard_radius(double spin, const FlightSettings& settings);
+
+//! Whether a camera is within the horizon, or so near to it that there is nothing but to fall on: there the frames of who moves otherwise are
+//! boosted from the falling one's so fast that few digits of them are left.
+bool is_beyond_return(double spin, double r);
+
+//! Whether the guard is at the horizon alone, which falls may then lead through.
+bool guards_horizon_alone(double spin, const FlightSettings& settings);
 
 }  // namespace ergodome

@@ -102,7 +102,9 @@ std::string Controls::help_text(const HelpChoice& choice) const {
     lines.end();
   }
   for (const ActionFacts& facts : all_actions()) {
-    if (choice.reader == ActionUser::presenter || facts.user == ActionUser::visitor) {
+    // Who shows an exhibit learns from its page how to leave it; elsewhere there is none to leave.
+    const bool presenters = facts.user == ActionUser::presenter && facts.action != KeyAction::leave_exhibit;
+    if (facts.user == ActionUser::visitor || (presenters && choice.reader == ActionUser::presenter)) {
       lines.begin(facts.english, facts.german);
       for (const Input& input : inputs_of(facts.action)) {
         lines.add(input);

@@ -5,6 +5,7 @@
 
 #include "app/navigation/comfort.h"
 #include "content/fall/rain_pose.h"
+#include "content/fall/within.h"
 
 namespace ergodome {
 
@@ -44,8 +45,6 @@ bool same(const CameraPose& a, const CameraPose& b) {
   return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
 }
 
-bool at_rest(const glm::dvec3& rate) { return glm::length(rate) <= 1e-6; }
-
 //! Whether a path leapt between two frames: somebody sought in the show.
 bool leapt(const CameraPose& from, const CameraPose& to) {
   return std::abs(std::log(to.r / from.r)) > 0.5 || glm::distance(place_of(from).towards, place_of(to).towards) > 0.5;
@@ -58,6 +57,8 @@ Navigator::Navigator(const Show& show)
       settings_(show.flight),
       space_(show.spin, show.flight),
       limits_(turn_limits(show.flight.comfort)),
+      kept_outside_(kept_outside(show)),
+      leads_through_(!kept_outside_ && guards_horizon_alone(show.spin, show.flight)),
       start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), show.spin))),
       place_(start_),
       mode_(show.flight.mode),
@@ -85,6 +86,7 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
     }
   }
   const CameraPlace from = place_;
+  const Vector3<double> velocity_from = ride_ ? ride_->velocity() : Vector3<double>{};
   switch (course_) {
     case Course::path:
       place_ = place_of(path_);
@@ -99,11 +101,15 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
       mouse_turn_ = shortened(mouse_turn_ + head_turn(amounts), 3.2);
       mouse_way_ = shortened(mouse_way_ + glm::dvec3(amounts.right, amounts.up, amounts.forward), 2.0);
       const Steering rates = sane(input.rates, 1.0);
+      const bool fell_through = falls_through();
       const int steps = std::max(1, static_cast<int>(std::ceil(frame_s / longest_step_s)));
       for (int i = 0; i < steps && frame_s > 0.0; ++i) {
         step(rates, frame_s / steps);
       }
-      before_ = from;
+      if (falls_through() == fell_through) {
+        before_ = from;
+      }
+      ride_before_ = velocity_from;
       break;
     }
   }
@@ -116,7 +122,7 @@ void Navigator::set_spin(double spin) {
   }
   spin_ = spin;
   space_ = FlightSpace(spin, settings_);
-  if (course_ != Course::path) {
+  if (course_ != Course::path && !falls_through()) {
     place_.r = std::max(place_.r, space_.guard_r());
   }
 }
@@ -191,20 +197,6 @@ void Navigator::step(const Steering& steering, double seconds) {
   turn_view(turn, seconds);
 }
 
-//! A ride begins at rest, or as the camera goes already.
-void Navigator::begin_ride() {
-  if (coasting() && !(asked_velocity_ && at_rest(around_))) {
-    return;
-  }
-  const CameraPose pose = pose_of(place_);
-  OrbitRide ride(space_, settings_, place_,
-                 asked_velocity_.value_or(circular_velocity(spin_, pose.r, pose.theta, orbit_sense_)));
-  if (ride.take_over(place_, fly_) || !coasting()) {
-    ride_ = ride;
-    asked_velocity_.reset();
-  }
-}
-
 void Navigator::move_around(double seconds, glm::dvec3& turn) {
   const glm::dvec3 axis = around_.x * axis_of_spin - around_.y * east_;
   const glm::dquat turned = rotation(seconds * axis);
@@ -220,7 +212,7 @@ void Navigator::move_on_orbit(double hurry, double seconds, glm::dvec3& turn) {
   turn += turn_of(shortest_rotation(before.towards, place_.towards)) / seconds;
   level_east();
   const glm::dvec3 way = (place_.towards - before.towards) / seconds;
-  fly_ = shortened(space_.velocity(before, (place_.r - before.r) / seconds, way), settings_.max_speed);
+  fly_ = shortened(ride_->space().velocity(before, (place_.r - before.r) / seconds, way), settings_.max_speed);
 }
 
 //! Turns the view, and holds the limits of comfort whatever was asked for.
@@ -251,14 +243,15 @@ void Navigator::take_east_from_view() {
 
 bool Navigator::coasting() const { return !at_rest(around_) || !at_rest(fly_); }
 
-void Navigator::take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds) {
+void Navigator::take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds,
+                                 const FlightSpace& space) {
   head_ = glm::dvec3(0.0);
   around_ = glm::dvec3(0.0);
   fly_ = glm::dvec3(0.0);
   turn_ = glm::dvec3(0.0);
   if (seconds > 0.0) {
     const glm::dvec3 way = (now.towards - before.towards) / seconds;
-    fly_ = shortened(space_.velocity(now, (now.r - before.r) / seconds, way), settings_.max_speed);
+    fly_ = shortened(space.velocity(now, (now.r - before.r) / seconds, way), settings_.max_speed);
     turn_ = shortened(turn_of(now.view * glm::conjugate(before.view)) / seconds, limits_.total);
   }
 }

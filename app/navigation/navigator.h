@@ -35,9 +35,10 @@ class Navigator {
   //! The hole's spin, where the show changes it. A ride goes on around the hole that it began at.
   void set_spin(double spin);
 
-  //! Takes the camera off the path, with the velocity it has, in free fall along the orbit of a path that falls; or from the show's first key, if the show says so.
+  //! Takes the camera off the path, with the velocity it has, in free fall along the orbit of a path that falls, within the horizon too; or from
+  //! the show's first key, if the show says so.
   void leave_path();
-  //! Flies back to the path, and follows it from there. On the path: nothing.
+  //! Flies back to the path, and follows it from there; at once where one of both is within the horizon. On the path: nothing.
   void return_to_path();
   //! Free flight, at rest, from where it first began.
   void reset();
@@ -49,8 +50,11 @@ class Navigator {
   void reverse_orbit();
   //! Falls freely from here on, from a velocity in the ZAMO frame slower than light. Throws Error for another.
   void ride(const Vector3<double>& velocity);
+  //! Falls freely from rest, carried along by space alone: into the hole. A camera that falls into it already goes on.
+  void let_go();
 
-  [[nodiscard]] CameraPose pose() const { return course_ == Course::path ? path_ : pose_of(place_); }
+  //! Has a velocity where the camera falls through the horizon.
+  [[nodiscard]] CameraPose pose() const;
   [[nodiscard]] Course course() const { return course_; }
   [[nodiscard]] FlightMode mode() const { return mode_; }
   //! Whether the last `advance` changed the pose.
@@ -58,6 +62,10 @@ class Navigator {
 
   //! How the camera itself moves, where that decides who looks: on an orbit, or hovering in free flight.
   [[nodiscard]] std::optional<ObserverView> own_observer(std::string_view language = "en") const;
+
+  //! Whether the camera, off its path, is where nothing leads out again: within the horizon, or all but there. Only `reset` and
+  //! `return_to_path` have it elsewhere then.
+  [[nodiscard]] bool committed() const;
 
   //! The way of flying, for the screen.
   [[nodiscard]] std::string_view mode_name(std::string_view language = "en") const;
@@ -80,13 +88,19 @@ class Navigator {
   glm::dvec3 from_mouse(glm::dvec3& pending, double most, double seconds) const;
   void step(const Steering& steering, double seconds);
   void begin_ride();
+  void end_ride();
+  void fall_on();
+  [[nodiscard]] bool falls_through() const { return ride_ && ride_->leads_through_horizon(); }
+  [[nodiscard]] bool may_fall_on() const;
+  [[nodiscard]] glm::dvec3 turn_of_azimuth() const;
+  [[nodiscard]] ObserverView observer_on_ride(std::string_view language) const;
   void follow_wish(const Wish& wish, double seconds);
   void move_around(double seconds, glm::dvec3& turn);
   void move_on_orbit(double hurry, double seconds, glm::dvec3& turn);
   void turn_view(const glm::dvec3& wanted, double seconds);
   void level_east();
   void take_east_from_view();
-  void take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds);
+  void take_velocity_of(const CameraPlace& before, const CameraPlace& now, double seconds, const FlightSpace& space);
   void advance_return(double seconds);
   void start_return();
   [[nodiscard]] bool coasting() const;
@@ -95,6 +109,8 @@ class Navigator {
   FlightSettings settings_;
   FlightSpace space_;
   TurnLimits limits_;
+  std::optional<LocalText> kept_outside_;  //!< why visitors do not fall through the horizon, where the show says so
+  bool leads_through_;                     //!< whether orbits that fall into the hole lead through the horizon
   CameraPlace start_;
   CameraPlace place_;
   Course course_ = Course::path;
@@ -114,7 +130,8 @@ class Navigator {
   glm::dvec3 east_{0.0, 1.0, 0.0};  //!< level and across `towards`; not turned round by the axis
   glm::dvec3 mouse_turn_{0.0};      //!< pitch, yaw, roll still to be turned [rad]
   glm::dvec3 mouse_way_{0.0};       //!< right, up, forward still to be gone [distances]
-  std::optional<OrbitRide> ride_;
+  std::optional<OrbitRide> ride_;   //!< through the horizon: `place_` and `before_` are in ingoing azimuths then
+  Vector3<double> ride_before_{};   //!< its velocity at `before_`
   std::optional<Vector3<double>> asked_velocity_;
   std::optional<PathReturn> return_;
 };

@@ -11,13 +11,18 @@ void Navigator::leave_path() {
   if (course_ == Course::free) {
     return;
   }
-  // From within the horizon no way leads out.
-  const bool within = course_ == Course::path && !(path_.r > horizon_radius(spin_));
-  if (within || (course_ == Course::path && settings_.from == FlightStart::first_key)) {
+  const bool from_path = course_ == Course::path;
+  const bool within = from_path && !(path_.r > horizon_radius(spin_));
+  if (from_path && settings_.from == FlightStart::path && may_fall_on() &&
+      (is_beyond_return(spin_, path_.r) || mode_ == FlightMode::geodesic)) {
+    fall_on();
+    return;
+  }
+  if (within || (from_path && settings_.from == FlightStart::first_key)) {
     reset();
     return;
   }
-  if (course_ == Course::path && path_falls_) {
+  if (from_path && path_falls_) {
     // From here on the view's axes are boosted from the ZAMO.
     path_ = in_zamo_frame(path_, spin_);
     path_before_ = in_zamo_frame(path_before_, spin_);
@@ -25,7 +30,7 @@ void Navigator::leave_path() {
     before_ = place_of(path_before_);
     asked_velocity_ = path_.velocity;
   }
-  take_velocity_of(before_, place_, frame_s_);
+  take_velocity_of(before_, place_, frame_s_, space_);
   course_ = Course::free;
   return_.reset();
   mouse_turn_ = mouse_way_ = glm::dvec3(0.0);
@@ -33,14 +38,14 @@ void Navigator::leave_path() {
 }
 
 void Navigator::reset() {
+  ride_.reset();
   place_ = before_ = start_;
   course_ = Course::free;
   mode_ = settings_.mode;
   orbit_sense_ = 1.0;
-  ride_.reset();
   return_.reset();
   asked_velocity_.reset();
-  take_velocity_of(place_, place_, 0.0);
+  take_velocity_of(place_, place_, 0.0, space_);
   mouse_turn_ = mouse_way_ = glm::dvec3(0.0);
   take_east_from_view();
 }
@@ -57,13 +62,14 @@ void Navigator::return_to_path() {
   if (course_ != Course::free) {
     return;
   }
-  if (!(path_.r > horizon_radius(spin_))) {
+  // From within the horizon no way leads out, and none leads in that a ship could go.
+  if (committed() || !(path_.r > horizon_radius(spin_))) {
     reset();
     course_ = Course::path;
     return;
   }
+  end_ride();
   start_return();
-  ride_.reset();
   asked_velocity_.reset();
   course_ = Course::returning;
 }
@@ -78,8 +84,11 @@ void Navigator::advance_return(double seconds) {
 
 void Navigator::set_mode(FlightMode mode) {
   leave_path();
+  if (committed()) {
+    return;
+  }
   if (mode != mode_) {
-    ride_.reset();  // the velocity that it had is the ship's now
+    end_ride();  // the velocity that it had is the ship's now
     take_east_from_view();
   }
   mode_ = mode;
@@ -87,12 +96,19 @@ void Navigator::set_mode(FlightMode mode) {
 
 void Navigator::next_mode() {
   const bool falls = course_ == Course::path && settings_.from == FlightStart::path && path_falls_ && path_.velocity;
+  if (falls && may_fall_on()) {
+    fall_on();
+    return;
+  }
   set_mode(falls ? FlightMode::geodesic : static_cast<FlightMode>((static_cast<int>(mode_) + 1) % 4));
 }
 
 void Navigator::reverse_orbit() {
   orbit_sense_ = -orbit_sense_;
-  ride_.reset();
+  if (committed()) {
+    return;
+  }
+  end_ride();
   asked_velocity_.reset();
 }
 
@@ -101,7 +117,10 @@ void Navigator::ride(const Vector3<double>& velocity) {
     throw Error("orbit", "would be faster than light", "choose a speed below 1");
   }
   set_mode(FlightMode::geodesic);
-  ride_.reset();
+  if (committed()) {
+    return;
+  }
+  end_ride();
   asked_velocity_ = velocity;
 }
 
@@ -109,17 +128,10 @@ std::optional<ObserverView> Navigator::own_observer(std::string_view language) c
   if (course_ != Course::free) {
     return std::nullopt;
   }
-  const CameraPose here = pose();
   if (ride_) {
-    ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
-    const bool german = language == "de";
-    view.name = german ? "auf seiner Umlaufbahn" : "on its own orbit";
-    view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
-    if (ride_->held()) {
-      view.sentence += german ? " (sie führt hinaus: die Zeit steht)" : " (it leads out of bounds: time stands still)";
-    }
-    return view;
+    return observer_on_ride(language);
   }
+  const CameraPose here = pose();
   if (mode_ == FlightMode::hover) {
     return observer_of(ObserverMotion::fixed, {}, spin_, here.r, here.theta, language);
   }

@@ -108,6 +108,25 @@ ObserverView falling_within(std::string_view language) {
   return view;
 }
 
+ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_zamo, std::optional<double> left,
+                               std::string_view language) {
+  const bool german = language == "de";
+  if (r > horizon_radius(spin)) {
+    ObserverView view = falling_observer(in_zamo, language);
+    view.name = german ? "ins Loch" : "into the hole";
+    view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
+    return view;
+  }
+  ObserverView view = falling_within(language);
+  view.name = german ? "innerhalb des Horizonts" : "within the horizon";
+  view.sentence = fmt::format("{}, r = {:.2f} M", view.name, r);
+  if (left) {
+    view.sentence += german ? fmt::format(", noch {:.2f} M eigene Zeit", *left)
+                            : fmt::format(", {:.2f} M of its own time left", *left);
+  }
+  return view;
+}
+
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
                            double spin, double r, double theta, std::string_view language) {
   if (mode == ObserverMode::natural) {
@@ -141,5 +160,7 @@ ObserverView ObserverFade::advance(double seconds, const ObserverView& wanted, d
   view.velocity = {local.x, local.y, local.z};
   return view;
 }
+
+bool ObserverFade::fading() const { return elapsed_s_ < fade_s; }
 
 }  // namespace ergodome

@@ -56,12 +56,20 @@ ObserverView falling_observer(const Vector3<double>& velocity, std::string_view 
 //! The same within the horizon, where there is no ZAMO.
 ObserverView falling_within(std::string_view language = "en");
 
+//! The observer of a visitor's camera that falls into the hole, at a radius [M] outside the horizon or within it. `in_zamo` is its velocity
+//! outside, `left` its own time to the deepest place, where that is known [M].
+ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_zamo, std::optional<double> left,
+                               std::string_view language = "en");
+
 //! Brings an observer's velocity from one to the next within a second: the sky slides where it would jump.
 class ObserverFade {
  public:
   //! Call once a frame with the observer that is wanted where the camera is. The motion is `velocity` while it fades, and what it was given
   //! before and after. Observers are told apart by their names.
   ObserverView advance(double seconds, const ObserverView& wanted, double spin, const CameraPose& pose);
+
+  //! Whether the last of them was not yet the one that was wanted.
+  [[nodiscard]] bool fading() const;
 
  private:
   std::string name_;

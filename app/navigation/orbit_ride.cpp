@@ -6,6 +6,7 @@
 #include "app/navigation/observer_mode.h"
 #include "app/navigation/turn_limits.h"
 #include "kernels/core/angles.h"
+#include "kernels/geodesic/rain_orbit.h"
 
 namespace ergodome {
 
@@ -29,39 +30,105 @@ OrbitState orbit_at(double spin, const CameraPlace& place, const Vector3<double>
   return make_orbit(spin, pose.r, pose.theta, pose.phi, velocity);
 }
 
+//! The turn from Boyer-Lindquist's azimuth to that of ingoing Kerr coordinates for poses: none within the horizon [rad].
+double ingoing_turn_of_pose(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
+
 }  // namespace
+
+CameraPlace ingoing_place(const CameraPose& pose, double spin) {
+  CameraPose turned = pose;
+  turned.phi += ingoing_turn_of_pose(spin, pose.r);
+  return place_of(turned);
+}
+
+CameraPose pose_of_ingoing(const CameraPlace& place, double spin) {
+  CameraPose pose = pose_of(place);
+  pose.phi -= ingoing_turn_of_pose(spin, pose.r);
+  return pose;
+}
 
 Vector3<double> circular_velocity(double spin, double r, double theta, double sense) {
   return nearest_velocity(sense > 0.0 ? ObserverMotion::geodesic : ObserverMotion::retrograde, spin, r, theta).velocity;
 }
 
-OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
-                     const Vector3<double>& velocity)
+OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, double r,
+                     const OrbitConstants& constants, const OrbitState& orbit)
     : space_(space),
-      orbit_(orbit_at(space.spin(), place, velocity)),
-      constants_(orbit_constants(space.spin(), orbit_)),
-      usual_clock_(2.0 * pi * place.r * std::sqrt(place.r) / round_s),
+      orbit_(orbit),
+      constants_(constants),
+      begin_r_(r),
       fastest_turn_(turn_limits(settings.comfort).around),
       fastest_(settings.max_speed),
       accel_(settings.comfort.accel) {}
 
-bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) {
-  constexpr double across_at_most = 0.02;  // nobody sees a camera change so little [distances/s]
+OrbitRide::OrbitRide(const FlightSpace& space, const FlightSettings& settings, const CameraPlace& place,
+                     const Vector3<double>& velocity)
+    : OrbitRide(space, settings, place.r, {}, orbit_at(space.spin(), place, velocity)) {
+  constants_ = orbit_constants(space.spin(), orbit_);
+}
+
+OrbitRide OrbitRide::through_horizon(double spin, const FlightSettings& settings, const CameraPose& pose) {
+  const CameraPose place = pose_of(ingoing_place(pose, spin));
+  const RainOrbit orbit = make_rain_orbit(spin, place.r, place.theta, place.phi, *pose.velocity);
+  OrbitRide ride(FlightSpace::through_horizon(spin, settings), settings, place.r, orbit.constants, orbit.state);
+  ride.left_ = ride.time_to_deepest();
+  return ride;
+}
+
+Vector3<double> OrbitRide::velocity() const {
+  if (!leads_through_horizon()) {
+    return orbit_velocity(space_.spin(), orbit_);
+  }
+  const double azimuth = pose_of({1.0 / orbit_.u, direction_of(orbit_)}).phi;
+  return orbit_rain_velocity(space_.spin(), constants_, orbit_, azimuth - orbit_.drag);
+}
+
+double OrbitRide::radial_speed() const { return -rate().u / (orbit_.u * orbit_.u) * clock_; }
+
+bool OrbitRide::falls_into_hole() const { return falls_in(space_.spin(), constants_, orbit_); }
+
+glm::dvec3 OrbitRide::way(const CameraPlace& place) const {
   const OrbitState now = rate();
   const double r = 1.0 / orbit_.u;
   const glm::dvec3 axis(0.0, 0.0, 1.0);
   const glm::dvec3 turned = glm::angleAxis(orbit_.drag, axis) * glm::dvec3(now.m.x, now.m.y, now.m.z);
-  const glm::dvec3 along = space_.velocity(place, -now.u * r * r, turned + now.drag * glm::cross(axis, place.towards));
-  const double clock = std::max(glm::dot(velocity, along) / glm::dot(along, along), 0.0);
-  if (!(glm::length(velocity - clock * along) <= across_at_most)) {
+  return space_.velocity(place, -now.u * r * r, turned + now.drag * glm::cross(axis, place.towards));
+}
+
+double OrbitRide::clock_along(const CameraPlace& place, const glm::dvec3& velocity) const {
+  const glm::dvec3 along = way(place);
+  return std::max(glm::dot(velocity, along) / std::max(glm::dot(along, along), 1e-12), 0.0);
+}
+
+bool OrbitRide::take_over(const CameraPlace& place, const glm::dvec3& velocity) {
+  constexpr double across_at_most = 0.02;  // nobody sees a camera change so little [distances/s]
+  if (!(glm::length(velocity - clock_along(place, velocity) * way(place)) <= across_at_most)) {
     return false;
   }
-  clock_ = clock;
-  taken_over_ = true;
+  go_as(place, velocity);
   return true;
 }
 
-double OrbitRide::comfortable_clock(double reach) const {
+void OrbitRide::go_as(const CameraPlace& place, const glm::dvec3& velocity) {
+  clock_ = clock_along(place, velocity);
+  taken_over_ = true;
+}
+
+void OrbitRide::take_clock_of(const OrbitRide& other) {
+  clock_ = other.clock_;
+  taken_over_ = other.taken_over_;
+}
+
+double OrbitRide::usual_clock(double r) const {
+  if (!leads_through_horizon()) {
+    return 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
+  }
+  // The time that is left goes with r^(3/2). Within the horizon there is much to see in little of it.
+  const double outside = std::clamp(0.5 * (r / horizon_radius(space_.spin()) - 1.0), 0.0, 1.0);
+  return (0.5 + 0.5 * outside) * 2.0 * pi * r * std::sqrt(r) / round_s;
+}
+
+double OrbitRide::comfortable_clock(double reach, double usual) const {
   const OrbitState now = rate();
   const double turn = std::sqrt(dot(now.m, now.m)) + std::abs(now.drag);
   // The orbit's own bend, and the scale of distances that changes on the way, take a part of the acceleration.
@@ -69,25 +136,52 @@ double OrbitRide::comfortable_clock(double reach) const {
   const double fastest =
       std::min({fastest_turn_ / std::max(turn, 1e-12), fastest_ * reach, std::sqrt(bend_part * accel_ / bend)});
   // An orbit that falls far out may be watched; what it comes near to slows it.
-  return std::min(fastest, 1e6 * usual_clock_);
+  return std::min(fastest, 1e6 * usual);
 }
 
 double OrbitRide::slowed(double clock) const {
+  constexpr double at_rest = 1e-6;
   const double r = 1.0 / orbit_.u;
+  if (leads_through_horizon() && r < space_.guard_r() * (1.0 + at_rest)) {
+    return 0.0;
+  }
   return clock * space_.slowing(r, -rate().u * r * r * clock);
 }
 
+std::optional<double> OrbitRide::left() const { return left_; }
+
+//! Follows the orbit ahead, in steps as long as they may be.
+std::optional<double> OrbitRide::time_to_deepest() const {
+  constexpr double coarse = 1e-8;
+  constexpr int most_steps = 2000;
+  OrbitState ahead = orbit_;
+  double time = 0.0;
+  double h = 0.01 / orbit_.u;
+  for (int step = 0; step < most_steps; ++step) {
+    const OrbitStep next = orbit_step(space_.spin(), constants_, h, ahead);
+    const bool over = 1.0 / next.end.u < space_.guard_r();
+    if (next.error <= coarse && !over) {
+      ahead = next.end;
+      time += h;
+    }
+    h *= over ? 0.5 : orbit_step_growth(next.error, coarse);
+    if (over && h < 1e-6) {
+      return time;
+    }
+  }
+  return std::nullopt;
+}
+
 void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
-  const Vector3<double> v = velocity();
-  const double beta = std::sqrt(dot(v, v));
-  const double length_per_clock = std::max(beta / std::sqrt(1.0 - beta * beta), 1e-6);
-  const double reach = space_.distance(place.r) / length_per_clock;  // clock in a distance
+  const double least_way = 1e-6 / space_.distance(place.r);
+  const double reach = 1.0 / std::max(glm::length(way(place)), least_way);
+  const double usual = usual_clock(place.r);
   const double change = (1.0 - 2.0 * bend_part) * accel_ * seconds * reach;
-  const double comfortable = comfortable_clock(reach);
+  const double comfortable = comfortable_clock(reach, usual);
   taken_over_ = taken_over_ && clock_ > comfortable;
   const double limit = slowed(taken_over_ ? std::max(comfortable, clock_ - change) : comfortable);
-  const double wish = std::min(usual_clock_ * (1.0 + 3.0 * std::clamp(hurry, 0.0, 1.0)), limit);
-  held_ = limit < 0.05 * std::min(usual_clock_, fastest_ * reach);
+  const double wish = std::min(usual * (1.0 + 3.0 * std::clamp(hurry, 0.0, 1.0)), limit);
+  held_ = limit < 0.05 * std::min(usual, fastest_ * reach);
   clock_ = std::min(clock_ + std::clamp(wish - clock_, -change, change), limit);
   const OrbitState before = orbit_;
   advance_orbit(space_.spin(), constants_, clock_ * seconds, tolerance, step_limit, orbit_);
@@ -97,6 +191,8 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
     orbit_ = before;
     clock_ = 0.0;
     held_ = true;
+  } else if (left_) {
+    left_ = std::max(*left_ - clock_ * seconds, 0.0);
   }
   place.r = 1.0 / orbit_.u;
   place.towards = direction_of(orbit_);

@@ -4,6 +4,7 @@
 
 #include "app/player/player_session.h"
 #include "content/fall/rain_pose.h"
+#include "content/key_curve.h"
 
 namespace ergodome {
 
@@ -40,23 +41,55 @@ void PlayerSession::observe(double seconds, double time_s) {
   const bool within = !(frame_.pose.r > horizon_radius(show_now_.spin));
   const ObserverMode mode = within ? ObserverMode::natural : observer_;
   const CameraPose in_zamo = in_zamo_frame(frame_.pose, show_now_.spin);
-  // On the way back to a path that has velocities who looks moves as that does already, so that nothing jumps where it is met.
-  const std::optional<Vector3<double>> moves = navigator_->course() == Navigator::Course::returning
-                                                   ? in_zamo_frame(camera_pose(show_, time_s), show_now_.spin).velocity
-                                                   : in_zamo.velocity;
-  const std::optional<ObserverView> own = within  ? falling_within(playback_.language())
-                                          : moves ? observer_at(*moves)
-                                                  : navigator_->own_observer(playback_.language());
-  const ObserverView wanted =
-      observer_view(mode, show_.camera, own, show_now_.spin, frame_.pose.r, frame_.pose.theta, playback_.language());
+  const ObserverView wanted = observer_view(mode, show_.camera, own_observer(in_zamo, time_s), show_now_.spin,
+                                            frame_.pose.r, frame_.pose.theta, playback_.language());
   frame_.observer = observer_fade_.advance(seconds, wanted, show_now_.spin, frame_.pose);
-  if (mode != ObserverMode::natural) {
-    frame_.pose = in_zamo;
-    frame_.pose.velocity.reset();
+  if (!frame_.pose.velocity_in_rain) {
+    other_eyes_from_r_ = frame_.pose.r;
+  }
+  const bool falls_off_path = flying() && frame_.pose.velocity_in_rain;
+  if (mode != ObserverMode::natural || (falls_off_path && !within && observer_fade_.fading())) {
+    look_as_other(in_zamo);
   } else if (!flying()) {
     // Baked lenses are the show's observer's, who need not be told.
     frame_.observer.motion = show_.camera.motion;
     frame_.observer.velocity = show_.camera.velocity;
+  }
+}
+
+std::optional<ObserverView> PlayerSession::own_observer(const CameraPose& in_zamo, double time_s) const {
+  const std::string& language = playback_.language();
+  if (navigator_->course() == Navigator::Course::free) {
+    return navigator_->own_observer(language);
+  }
+  if (!(in_zamo.r > horizon_radius(show_now_.spin))) {
+    return falling_within(language);
+  }
+  // On the way back to a path that has velocities who looks moves as that does already, so that nothing jumps where it is met.
+  const std::optional<Vector3<double>> moves = navigator_->course() == Navigator::Course::returning
+                                                   ? in_zamo_frame(camera_pose(show_, time_s), show_now_.spin).velocity
+                                                   : in_zamo.velocity;
+  return moves ? std::optional(observer_at(*moves)) : std::nullopt;
+}
+
+void PlayerSession::look_as_other(const CameraPose& in_zamo) {
+  const double horizon = horizon_radius(show_now_.spin);
+  const double nearest = 1.002 * horizon;
+  const double farthest = std::min(1.3 * horizon, other_eyes_from_r_);
+  const double r = in_zamo.r;
+  const double nearness = !frame_.pose.velocity_in_rain || r >= farthest ? 0.0
+                          : r <= nearest                                 ? 1.0
+                                                                         : eased((farthest - r) / (farthest - nearest));
+  if (nearness == 1.0) {
+    return;
+  }
+  const Vector3<double> falls = in_zamo.velocity.value_or(Vector3<double>{});
+  frame_.pose = in_zamo;
+  frame_.pose.velocity.reset();
+  if (nearness > 0.0) {
+    const ObserverView& seen = frame_.observer;
+    const Vector3<double> other = observer_velocity(seen.motion, show_now_.spin, r, frame_.pose.theta, seen.velocity);
+    frame_.pose.velocity = other + nearness * (falls - other);
   }
 }
 
@@ -77,7 +110,7 @@ StereoSettings PlayerSession::stereo_now() const {
   StereoSettings stereo = stereo_;
   stereo.baseline = playback_.baseline().value_or(show_now_.stereo.baseline);
   stereo.convergence = convergence_.value_or(show_now_.stereo.convergence);
-  if (leads_within(show_)) {
+  if (leads_within(show_) || navigator_->pose().velocity_in_rain) {
     stereo.model = StereoModel::physical;  // the others know nothing of the inside
   }
   return stereo;

@@ -192,6 +192,9 @@ void PlayerSession::press_view(KeyAction action) {
     case KeyAction::reverse_orbit:
       navigator_->reverse_orbit();
       break;
+    case KeyAction::let_go:
+      navigator_->let_go();
+      break;
     case KeyAction::next_observer:
       // Within the horizon there is but one.
       observer_ = frame_.pose.r > horizon_radius(show_now_.spin) ? next_observer(observer_) : observer_;
@@ -241,9 +244,15 @@ std::string PlayerSession::caption() const {
 }
 
 void PlayerSession::note_flight() {
-  if (!(frame_.pose.r > horizon_radius(show_now_.spin))) {
-    return;  // no keys lead there
+  if (is_beyond_return(show_now_.spin, frame_.pose.r)) {
+    // No keys lead there.
+    if (!std::exchange(told_record_ends_, true)) {
+      say(playback_.language() == "de" ? "Innerhalb des Horizonts wird nicht aufgezeichnet."
+                                       : "What is within the horizon is not recorded.");
+    }
+    return;
   }
+  told_record_ends_ = false;
   CameraPose pose = in_zamo_frame(frame_.pose, show_now_.spin);
   const ObserverView& seen = frame_.observer;
   const bool as_observer =

@@ -86,6 +86,11 @@ class PlayerSession {
   void look(double seconds);
   //! Chooses who looks, and at what velocity, from where the camera is at a time of the show.
   void observe(double seconds, double time_s);
+  //! How the camera itself moves, where that decides who looks; `in_zamo` is its pose.
+  [[nodiscard]] std::optional<ObserverView> own_observer(const CameraPose& in_zamo, double time_s) const;
+  //! Has another observer than the one who falls look from the frame's pose. Towards the horizon the other goes over into who falls: through it
+  //! nobody else goes, and nothing is to leap there.
+  void look_as_other(const CameraPose& in_zamo);
   //! Who looks from a path that has a velocity.
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
   //! Notes the frame's pose, and how who looks moves.
@@ -100,7 +105,9 @@ class PlayerSession {
   std::optional<Navigator> navigator_;
   ObserverMode observer_ = ObserverMode::natural;
   ObserverFade observer_fade_;
+  double other_eyes_from_r_ = 1e300;  //!< where the camera began to fall through the horizon [M]
   std::optional<FlightRecorder> recorder_;
+  bool told_record_ends_ = false;  //!< at the horizon
 
   ViewMode mode_ = ViewMode::sky;
   double zoom_steps_ = 0.0;

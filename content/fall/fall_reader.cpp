@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "content/animated_show.h"
 #include "content/camera_path.h"
+#include "content/fall/within.h"
 #include "content/motion_reader.h"
 #include "content/own_number.h"
 #include "content/show_reader.h"
@@ -17,9 +17,6 @@
 namespace ergodome {
 
 namespace {
-
-//! Where time may come to rest, relative to the horizon.
-constexpr double nearest_rest = 1.001;
 
 void check_clock(const TomlTable& table, const Show& show) {
   const Animation* const changing = find_animation(show, "camera.fall.clock");
@@ -50,11 +47,6 @@ void check_end(const TomlTable& table, const Show& show) {
                          "leave it out: the camera falls to the end of the show");
   }
 }
-
-double deepest_rest(double spin) { return std::ceil(1e5 * least_interior_radius(spin)) * 1e-5; }
-
-//! Whether there is room within the horizon for a fall to come to rest.
-bool has_inside(double spin) { return deepest_rest(spin) < horizon_radius(spin) / nearest_rest; }
 
 //! Where time comes to rest: before the horizon, or behind it and before the inner one.
 void check_rest(const TomlTable& table, const Show& show, double begin_r) {
@@ -139,21 +131,12 @@ void take_place_of_fall(const TomlTable& table, const CameraKey& before, CameraK
 }
 
 void check_sights_within(TomlTable& root, const std::string& file, const Show& show) {
-  if (!leads_within(show)) {
-    return;
-  }
-  const std::pair<bool, const char*> sights[] = {
-      {std::ranges::any_of(show.objects, [](const auto& o) { return o.method == ObjectMethod::polygon; }),
-       "objects of the method polygon"},
-      {show.stereo.model == StereoModel::flat, "eyes of the model flat"},
-  };
-  for (const auto& [is_there, what] : sights) {
-    if (is_there) {
-      const TomlTable fall(*root.table("camera")->get("fall")->as_table(), file, "camera.fall");
-      throw fall.error_at("least_r",
-                          fmt::format("leads through the horizon, from within which {} cannot be shown", what),
-                          "take that out of the show, or choose a least_r outside");
-    }
+  const std::optional<LocalText> hidden = leads_within(show) ? hidden_within(show) : std::nullopt;
+  if (hidden) {
+    const TomlTable fall(*root.table("camera")->get("fall")->as_table(), file, "camera.fall");
+    throw fall.error_at(
+        "least_r", fmt::format("leads through the horizon, from within which {} cannot be shown", hidden->at("en")),
+        "take that out of the show, or choose a least_r outside");
   }
 }
 

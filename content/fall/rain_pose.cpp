@@ -1,6 +1,20 @@
 #include "content/fall/rain_pose.h"
 
+#include <cmath>
+
 namespace ergodome {
+
+namespace {
+
+//! A velocity in the ZAMO frame as one in the rain's: the inverse of ObserverMotion::rain_boost's.
+Vector3<double> rain_velocity(double spin, double r, double theta, const Vector3<double>& in_zamo) {
+  const KerrFunctions f = kerr_functions(spin, r, theta);
+  const double lapse = std::sqrt(f.sigma * f.delta / f.area);
+  const double shared = 1.0 / (1.0 + f.rain_speed * in_zamo.x);
+  return {shared * (in_zamo.x + f.rain_speed), shared * lapse * in_zamo.y, shared * lapse * in_zamo.z};
+}
+
+}  // namespace
 
 glm::dquat rain_turn(double spin, double r, double theta, const Vector3<double>& in_zamo,
                      const Vector3<double>& in_rain) {
@@ -23,6 +37,18 @@ CameraPose in_zamo_frame(const CameraPose& pose, double spin) {
   other.velocity_in_rain = false;
   const glm::dquat turn = rain_turn(spin, pose.r, pose.theta, *other.velocity, *pose.velocity);
   other.orientation = glm::normalize(glm::conjugate(turn) * pose.orientation);
+  return other;
+}
+
+CameraPose in_rain_frame(const CameraPose& pose, double spin) {
+  if (!pose.velocity || pose.velocity_in_rain) {
+    return pose;
+  }
+  CameraPose other = pose;
+  other.velocity = rain_velocity(spin, pose.r, pose.theta, *pose.velocity);
+  other.velocity_in_rain = true;
+  other.orientation =
+      glm::normalize(rain_turn(spin, pose.r, pose.theta, *pose.velocity, *other.velocity) * pose.orientation);
   return other;
 }
 

@@ -14,4 +14,7 @@ glm::dquat rain_turn(double spin, double r, double theta, const Vector3<double>&
 //! horizon, as it is.
 CameraPose in_zamo_frame(const CameraPose& pose, double spin);
 
+//! The other way: of a camera outside the horizon that has a velocity.
+CameraPose in_rain_frame(const CameraPose& pose, double spin);
+
 }  // namespace ergodome

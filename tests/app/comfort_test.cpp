@@ -12,6 +12,12 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): flights of tests
 
+//! The view in directions that do not turn; in a fall through the horizon in those of ingoing azimuths.
+glm::dquat steady_view(const Navigator& navigator) {
+  const CameraPose pose = navigator.pose();
+  return (pose.velocity_in_rain ? ingoing_place(pose, navigator.space().spin()) : place_of(pose)).view;
+}
+
 //! Holds one thing after another and looks at the fastest turn, its fastest change, and those of a ship's velocity.
 struct Worst {
   double turn = 0.0;
@@ -24,12 +30,22 @@ Worst worst_of(Navigator& navigator, const CameraPose& path, int frames,
                const std::function<SteeringInput(int)>& input) {
   constexpr double step_s = 1.0 / 240.0;  // as long as the navigator's own steps, so that finite differences see each
   Worst worst;
-  glm::dquat view = place_of(navigator.pose()).view;
+  glm::dquat view = steady_view(navigator);
+  bool falls = navigator.pose().velocity_in_rain;
   glm::dvec3 turn = navigator.turn_rate();
   glm::dvec3 velocity = navigator.fly_velocity();
   for (int i = 0; i < frames; ++i) {
     navigator.advance(step_s, input(i), path);
-    const glm::dquat now = place_of(navigator.pose()).view;
+    const glm::dquat now = steady_view(navigator);
+    // Where such a fall begins or ends, turns and lengths are counted otherwise from then on.
+    const bool counted_anew = falls != navigator.pose().velocity_in_rain;
+    falls = navigator.pose().velocity_in_rain;
+    if (counted_anew) {
+      view = now;
+      turn = navigator.turn_rate();
+      velocity = navigator.fly_velocity();
+      continue;
+    }
     const glm::dvec3 rate = turn_of(now * glm::conjugate(view)) / step_s;
     worst.turn = std::max(worst.turn, glm::length(rate));
     worst.turn_change = std::max(worst.turn_change, glm::length(rate - turn) / step_s);

@@ -70,8 +70,53 @@ TEST(FlightThroughHorizon, ReturnsToTheViewOfThePath) {
   EXPECT_LT(greatest, 0.03);
 }
 
-TEST(FlightThroughHorizon, FromWithinBeginsWhereTheShowDid) {
+//! How far a flight is off a show's orbit, wherever on it: in place, over r, and in velocity and view.
+double off_the_orbit(const Show& show, const CameraPose& here) {
+  double least = 1e9;
+  for (double time_s = 0.0; time_s < 60.0; time_s += 0.002) {
+    const CameraPose there = camera_pose(show, time_s);
+    const Vector3<double> change = *there.velocity - *here.velocity;
+    const double way = std::abs(there.r / here.r - 1.0) + std::sqrt(dot(change, change)) +
+                       glm::distance(ingoing_place(there, 0.9).towards, ingoing_place(here, 0.9).towards);
+    least =
+        std::min(least, way + 2.0 * std::acos(std::min(std::abs(glm::dot(there.orientation, here.orientation)), 1.0)));
+  }
+  return least;
+}
+
+TEST(FlightThroughHorizon, FallsOnAlongTheOrbitOfThePathFromWithinAndFromAbove) {
+  const Show show = falling_through(0.3);
+  const double horizon_s = *show.camera.orbit->horizon_s();
+  for (const double after_s : {-4.0, -0.2, 0.3}) {
+    SCOPED_TRACE(after_s);
+    Navigator navigator = follower(show, horizon_s + after_s);
+    navigator.next_mode();
+    EXPECT_EQ(navigator.course(), Navigator::Course::free);
+    EXPECT_NEAR(navigator.pose().r, camera_pose(show, horizon_s + after_s).r, 1e-12);
+    const double at_first = glm::length(navigator.fly_velocity());
+    for (int i = 0; i < 200; ++i) {
+      navigator.advance(frame_s, {}, camera_pose(show, 0.0));
+      EXPECT_TRUE(i > 5 || glm::length(navigator.fly_velocity()) > 0.8 * at_first) << i;
+    }
+    EXPECT_LT(off_the_orbit(show, navigator.pose()), 0.02);
+  }
+}
+
+TEST(FlightThroughHorizon, FromWithinFallsOnWhereverSomebodySteers) {
   const Show show = falling_through(1.0);
+  Navigator navigator = follower(show, *show.camera.orbit->horizon_s() + 0.2);
+  const double r = navigator.pose().r;
+  ASSERT_LT(r, horizon_radius(0.9));
+  navigator.leave_path();
+  EXPECT_EQ(navigator.mode(), FlightMode::geodesic);
+  navigator.advance(frame_s, {}, camera_pose(show, 0.0));
+  EXPECT_LT(navigator.pose().r, r);
+  EXPECT_GT(navigator.pose().r, 0.9 * r);
+}
+
+TEST(FlightThroughHorizon, FromWithinBeginsAtTheFirstKeyWhereTheShowSaysSo) {
+  Show show = falling_through(1.0);
+  show.flight.from = FlightStart::first_key;
   Navigator navigator = follower(show, *show.camera.orbit->horizon_s() + 0.5);
   ASSERT_LT(navigator.pose().r, horizon_radius(0.9));
   navigator.leave_path();

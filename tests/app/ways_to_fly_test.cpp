@@ -126,7 +126,7 @@ TEST(Navigator, TheHoleStaysWhereItIsInTheViewOfAnInclinedOrbit) {
 }
 
 TEST(Navigator, AnOrbitThatFallsInComesToRestBeforeTheGuardAndSaysSo) {
-  Flier flier(show_at(0.9, 4.0, 90.0, "mode = \"geodesic\"\n"));
+  Flier flier(show_at(0.9, 4.0, 90.0, "mode = \"geodesic\"\nguard = \"photon_orbit\"\n"));
   flier.navigator.ride({-0.5, 0.0, 0.1});
   flier.hold({}, 40.0);
   EXPECT_GT(flier.navigator.pose().r, flier.navigator.space().guard_r());
