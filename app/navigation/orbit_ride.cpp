@@ -14,6 +14,9 @@ namespace {
 
 //! A round takes this long, unless a visitor hurries.
 constexpr double round_s = 40.0;
+//! And a fall through the horizon so long until 1/e of its own time is left, but for the last of it [M].
+constexpr double fall_s = 6.0;
+constexpr double last_own_time = 0.01;
 //! Part of the acceleration that comfort allows which the orbit itself may take.
 constexpr double bend_part = 0.3;
 constexpr double tolerance = 1e-11;
@@ -119,13 +122,9 @@ void OrbitRide::take_clock_of(const OrbitRide& other) {
   taken_over_ = other.taken_over_;
 }
 
-double OrbitRide::usual_clock(double r) const {
-  if (!leads_through_horizon()) {
-    return 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
-  }
-  // The time that is left goes with r^(3/2). Within the horizon there is much to see in little of it.
-  const double outside = std::clamp(0.5 * (r / horizon_radius(space_.spin()) - 1.0), 0.0, 1.0);
-  return (0.5 + 0.5 * outside) * 2.0 * pi * r * std::sqrt(r) / round_s;
+double OrbitRide::usual_clock() const {
+  // In a fall through the horizon what is left goes by ever more slowly: near its end there is most to see in the least time.
+  return left_ ? (*left_ + last_own_time) / fall_s : 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
 }
 
 double OrbitRide::comfortable_clock(double reach, double usual) const {
@@ -147,8 +146,6 @@ double OrbitRide::slowed(double clock) const {
   }
   return clock * space_.slowing(r, -rate().u * r * r * clock);
 }
-
-std::optional<double> OrbitRide::left() const { return left_; }
 
 //! Follows the orbit ahead, in steps as long as they may be.
 std::optional<double> OrbitRide::time_to_deepest() const {
@@ -175,7 +172,7 @@ std::optional<double> OrbitRide::time_to_deepest() const {
 void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
   const double least_way = 1e-6 / space_.distance(place.r);
   const double reach = 1.0 / std::max(glm::length(way(place)), least_way);
-  const double usual = usual_clock(place.r);
+  const double usual = usual_clock();
   const double change = (1.0 - 2.0 * bend_part) * accel_ * seconds * reach;
   const double comfortable = comfortable_clock(reach, usual);
   taken_over_ = taken_over_ && clock_ > comfortable;

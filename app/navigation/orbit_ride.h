@@ -47,7 +47,7 @@ class OrbitRide {
   [[nodiscard]] bool falls_into_hole() const;
 
   //! The camera's own time to the deepest place of a ride through the horizon [M]; nothing where that is too far ahead to be told.
-  [[nodiscard]] std::optional<double> left() const;
+  [[nodiscard]] std::optional<double> left() const { return left_; }
 
   //! Whether the orbit leads out of the space for visitors: its clock comes to rest at the border.
   [[nodiscard]] bool held() const { return held_; }
@@ -57,7 +57,7 @@ class OrbitRide {
             const OrbitState& orbit);
 
   //! Time of the orbit [M] in a second of a visitor who does not hurry.
-  [[nodiscard]] double usual_clock(double r) const;
+  [[nodiscard]] double usual_clock() const;
   //! The most time of the orbit [M] in a second of a visitor's that comfort allows here; `reach` is the orbit's time [M] for a distance.
   [[nodiscard]] double comfortable_clock(double reach, double usual) const;
   //! A clock slowed down before the border of the space for visitors.

@@ -1,0 +1,123 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/navigation/controls.h"
+#include "app/player/player_session.h"
+#include "content/fall/rain_pose.h"
+#include "content/fall/within.h"
+#include "content/show_reader.h"
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double session_spin = 0.9;
+
+//! A visitor's session in free flight, by a clock that the test turns.
+class VisitorSession : public testing::Test {
+ protected:
+  VisitorSession()
+      : session_(parse_show("duration_s = 9\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 4\ntheta_deg = 70\n[stereo]\n"
+                            "layout = \"side_by_side\"\nbaseline = 0.05\n"
+                            "[[chapter]]\nt_s = 0\ntitle = { en = \"A\", de = \"B\" }\n",
+                            "visit.toml"),
+                 {.free_flight = true, .language = "en", .source = [this] { return now_; }}) {
+    run(0.1);
+  }
+
+  void run(double seconds, const PlayerInput& input = {}) {
+    for (int i = 0; i < std::lround(60.0 * seconds); ++i) {
+      now_ += std::chrono::nanoseconds(16'666'667);
+      session_.advance(input);
+    }
+  }
+  void press(KeyAction action) {
+    PlayerInput input;
+    input.actions = {action};
+    run(1.0 / 60.0, input);
+  }
+  [[nodiscard]] bool within() const { return session_.frame().pose.r < horizon_radius(session_spin); }
+  void fall_within() {
+    press(KeyAction::let_go);
+    for (int i = 0; i < 3000 && !within(); ++i) {
+      run(1.0 / 60.0);
+    }
+    ASSERT_TRUE(within());
+  }
+
+  MonotonicTime now_ = std::chrono::seconds(1000);
+  PlayerSession session_;
+};
+
+TEST_F(VisitorSession, FallsThroughTheHorizonBelowTheTriggerOfAPad) {
+  PadState pressed;
+  pressed.buttons.set(static_cast<std::size_t>(PadButton::left_trigger));
+  PlayerInput input;
+  input.actions = Controls().pressed(PadState(), pressed);
+  run(1.0 / 60.0, input);
+  run(40.0);
+  EXPECT_LT(session_.frame().pose.r, 0.9 * horizon_radius(session_spin));
+  EXPECT_THAT(session_.caption(), HasSubstr("within the horizon"));
+}
+
+TEST_F(VisitorSession, SaysWhereOneIsInGermanToo) {
+  session_.playback().apply({TransportCommand::Kind::language, 0.0, "de"});
+  fall_within();
+  EXPECT_THAT(session_.frame().observer.sentence, HasSubstr("innerhalb des Horizonts"));
+}
+
+//! The velocity of who looks, in the rain's frame.
+Vector3<double> in_rain(const PlayerFrame& frame) {
+  CameraPose pose = frame.pose;
+  if (!pose.velocity) {
+    pose.velocity = observer_velocity(frame.observer.motion, session_spin, pose.r, pose.theta, frame.observer.velocity);
+  }
+  return *in_rain_frame(pose, session_spin).velocity;
+}
+
+TEST_F(VisitorSession, AnotherObserverGoesOverIntoWhoFallsWithoutALeap) {
+  press(KeyAction::let_go);
+  run(2.0);
+  press(KeyAction::next_observer);
+  run(2.0);
+  ASSERT_FALSE(session_.frame().pose.velocity_in_rain);
+  Vector3<double> before = in_rain(session_.frame());
+  for (int i = 0; i < 3000 && session_.frame().pose.r > 0.9 * horizon_radius(session_spin); ++i) {
+    run(1.0 / 60.0);
+    const Vector3<double> now = in_rain(session_.frame());
+    const Vector3<double> change = now - before;
+    ASSERT_LT(dot(change, change), 0.03 * 0.03) << session_.frame().pose.r;
+    before = now;
+  }
+  EXPECT_TRUE(within());
+}
+
+TEST_F(VisitorSession, SeesWithEyesOfTheModelThatIsKnownWithin) {
+  press(KeyAction::next_model);
+  ASSERT_NE(session_.frame().stereo.model, StereoModel::physical);
+  fall_within();
+  EXPECT_EQ(session_.frame().stereo.model, StereoModel::physical);
+}
+
+TEST_F(VisitorSession, RecordsAFallAsFarAsTheHorizonAndSaysSo) {
+  session_.record();
+  fall_within();
+  EXPECT_THAT(session_.caption(), HasSubstr("not recorded"));
+  const Show show = parse_show(to_toml(session_.recorded("A flight").value()), "flight.toml");
+  const double last_r = camera_pose(show, show.duration_s).r;
+  EXPECT_GT(last_r, horizon_radius(session_spin));
+  EXPECT_LT(last_r, 1.01 * horizon_radius(session_spin));
+}
+
+TEST_F(VisitorSession, ComesBackToTheShowFromWithin) {
+  fall_within();
+  press(KeyAction::return_to_path);
+  EXPECT_FALSE(session_.flying());
+  EXPECT_NEAR(session_.frame().pose.r, 4.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace ergodome
