@@ -86,6 +86,16 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
                              HasSubstr("time stands still")));
 }
 
+// From rest at r0 about a hole without spin: r = r0 (1 + cos η) / 2 at the own time (r0³ / 8)^(1/2) (η + sin η).
+TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
+  constexpr double r0 = 4.0;
+  CameraPose rests = camera_pose(show_at(0.0, r0), 0.0);
+  rests.velocity = Vector3<double>{};
+  const OrbitRide ride = OrbitRide::through_horizon(0.0, FlightSettings(), in_rain_frame(rests, 0.0));
+  const double eta = std::acos(2.0 * deepest_rest(0.0) / r0 - 1.0);
+  EXPECT_NEAR(ride.left().value(), std::sqrt(r0 * r0 * r0 / 8.0) * (eta + std::sin(eta)), 1e-5);
+}
+
 //! What of the sky a camera sees in a direction of its view: energy, angular momentum and azimuth of the light's way, regular at the horizon.
 struct Seen {
   double energy;
@@ -206,7 +216,11 @@ TEST(VisitorFallsIn, ComesBackFromWithinAtOnce) {
   for (const bool to_path : {true, false}) {
     Visitor visitor(show_at(0.6, 3.0));
     visitor.fall_within();
-    to_path ? visitor.flier.navigator.return_to_path() : visitor.flier.navigator.reset();
+    if (to_path) {
+      visitor.flier.navigator.return_to_path();
+    } else {
+      visitor.flier.navigator.reset();
+    }
     EXPECT_EQ(visitor.flier.navigator.course(), to_path ? Navigator::Course::path : Navigator::Course::free);
     visitor.flier.hold({}, 1.0);
     EXPECT_NEAR(visitor.pose().r, 3.0, 1e-9);
