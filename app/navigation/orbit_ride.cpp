@@ -74,7 +74,7 @@ OrbitRide OrbitRide::through_horizon(double spin, const FlightSettings& settings
   const CameraPose place = pose_of(ingoing_place(pose, spin));
   const RainOrbit orbit = make_rain_orbit(spin, place.r, place.theta, place.phi, *pose.velocity);
   OrbitRide ride(FlightSpace::through_horizon(spin, settings), settings, place.r, orbit.constants, orbit.state);
-  ride.left_ = ride.time_to_deepest();
+  ride.tell_left(place.r);
   return ride;
 }
 
@@ -147,6 +147,11 @@ double OrbitRide::slowed(double clock) const {
   return clock * space_.slowing(r, -rate().u * r * r * clock);
 }
 
+void OrbitRide::tell_left(double r) {
+  left_ = time_to_deepest();
+  left_told_r_ = r;
+}
+
 //! Follows the orbit ahead, in steps as long as they may be.
 std::optional<double> OrbitRide::time_to_deepest() const {
   constexpr double coarse = 1e-8;
@@ -190,6 +195,11 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
     held_ = true;
   } else if (left_) {
     left_ = std::max(*left_ - clock_ * seconds, 0.0);
+    // Errors of a long way are long times near its end.
+    constexpr double nearer = 0.7;
+    if (1.0 / orbit_.u < nearer * left_told_r_) {
+      tell_left(1.0 / orbit_.u);
+    }
   }
   place.r = 1.0 / orbit_.u;
   place.towards = direction_of(orbit_);

@@ -67,6 +67,7 @@ class OrbitRide {
   //! The way [distances] that the orbit goes in its own time [M].
   [[nodiscard]] glm::dvec3 way(const CameraPlace& place) const;
   [[nodiscard]] OrbitState rate() const { return orbit_rate(space_.spin(), constants_, orbit_); }
+  void tell_left(double r);
   [[nodiscard]] std::optional<double> time_to_deepest() const;
 
   FlightSpace space_;
@@ -78,6 +79,7 @@ class OrbitRide {
   double fastest_;
   double accel_;
   std::optional<double> left_;  //!< [M]
+  double left_told_r_ = 0.0;    //!< where that was found by following the orbit [M]
   bool held_ = false;
   bool taken_over_ = false;  //!< from a path that went faster than comfort would: the clock is coming down to it
 };
