@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "app/navigation/controls.h"
 #include "app/player/player_session.h"
 #include "content/fall/rain_pose.h"
 #include "content/fall/within.h"
 #include "content/show_reader.h"
+#include "render/lens/eye_camera.h"
 
 namespace ergodome {
 namespace {
@@ -117,6 +119,34 @@ TEST_F(VisitorSession, ComesBackToTheShowFromWithin) {
   press(KeyAction::return_to_path);
   EXPECT_FALSE(session_.flying());
   EXPECT_NEAR(session_.frame().pose.r, 4.0, 1e-9);
+}
+
+TEST_F(VisitorSession, AnyKeysAtAnyTimeLeaveACameraThatCanBeShown) {
+  Show show = parse_show(
+      "duration_s = 12\n[hole]\nspin = 0.9\n[camera.fall]\nclock = 1.5\nease_s = 0.5\nleast_r = 0.6\n"
+      "velocity = { beta = 0.4, toward = [-1, 0.4, 0.7] }\n[[camera.key]]\nr = 5\ntheta_deg = 70\n",
+      "keys.toml");
+  PlayerSession session(show, {.free_flight = false, .language = "en", .source = [this] { return now_; }});
+  std::mt19937 random(5);
+  bool went_in = false;
+  for (int i = 0; i < 20'000; ++i) {
+    constexpr int steps_ms[] = {0, 1, 16, 16, 16, 60, 2000, -3000};
+    now_ += std::chrono::milliseconds(steps_ms[random() % 8]);
+    PlayerInput input;
+    if (random() % 6 == 0) {
+      input.actions = {random() % 4 == 0 ? KeyAction::let_go : all_actions()[random() % all_actions().size()].action};
+    }
+    input.steering.rates.yaw = random() % 3 == 0 ? 1.0 : 0.0;
+    input.steering.rates.forward = random() % 9 == 0 ? -1.0 : 0.0;
+    session.advance(input);
+    const PlayerFrame& frame = session.frame();
+    show.camera.motion = frame.observer.motion;
+    show.camera.velocity = frame.observer.velocity;
+    const EyeCamera eye = eye_camera(show, frame.pose, 0.01);
+    ASSERT_TRUE(dot(eye.velocity, eye.velocity) < 1.0) << i << ' ' << frame.pose.r;
+    went_in = went_in || (session.flying() && frame.pose.r < horizon_radius(session_spin));
+  }
+  EXPECT_TRUE(went_in);
 }
 
 }  // namespace
