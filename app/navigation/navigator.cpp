@@ -45,9 +45,12 @@ bool same(const CameraPose& a, const CameraPose& b) {
   return a.r == b.r && a.theta == b.theta && a.phi == b.phi && a.orientation == b.orientation;
 }
 
-//! Whether a path leapt between two frames: somebody sought in the show.
-bool leapt(const CameraPose& from, const CameraPose& to) {
-  return std::abs(std::log(to.r / from.r)) > 0.5 || glm::distance(place_of(from).towards, place_of(to).towards) > 0.5;
+//! Whether a path leapt between two frames: somebody sought in the show. Near the horizon Boyer-Lindquist's azimuth of what falls in leaps by
+//! itself, and that of ingoing Kerr coordinates of what does not.
+bool leapt(double spin, const CameraPose& from, const CameraPose& to) {
+  const double way = std::min(glm::distance(place_of(from).towards, place_of(to).towards),
+                              glm::distance(ingoing_place(from, spin).towards, ingoing_place(to, spin).towards));
+  return std::abs(std::log(to.r / from.r)) > 0.5 || way > 0.5;
 }
 
 }  // namespace
@@ -73,7 +76,7 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
   const CameraPose shown = pose();
   const double frame_s = std::clamp(std::isfinite(seconds) ? seconds : 0.0, 0.0, longest_frame_s);
   if (frame_s > 0.0 || !begun_) {
-    const bool jump = !begun_ || leapt(path_, path);
+    const bool jump = !begun_ || leapt(spin_, path_, path);
     path_before_ = jump ? path : path_;
     path_ = path;
     frame_s_ = frame_s;
@@ -108,8 +111,8 @@ void Navigator::advance(double seconds, const SteeringInput& input, const Camera
       }
       if (falls_through() == fell_through) {
         before_ = from;
+        ride_before_ = velocity_from;
       }
-      ride_before_ = velocity_from;
       break;
     }
   }

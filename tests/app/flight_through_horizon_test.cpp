@@ -87,13 +87,14 @@ double off_the_orbit(const Show& show, const CameraPose& here) {
 TEST(FlightThroughHorizon, FallsOnAlongTheOrbitOfThePathFromWithinAndFromAbove) {
   const Show show = falling_through(0.3);
   const double horizon_s = *show.camera.orbit->horizon_s();
-  for (const double after_s : {-4.0, -0.2, 0.3}) {
+  for (const double after_s : {-4.0, -0.2, -0.005, 0.005, 0.3}) {
     SCOPED_TRACE(after_s);
     Navigator navigator = follower(show, horizon_s + after_s);
     navigator.next_mode();
     EXPECT_EQ(navigator.course(), Navigator::Course::free);
     EXPECT_NEAR(navigator.pose().r, camera_pose(show, horizon_s + after_s).r, 1e-12);
     const double at_first = glm::length(navigator.fly_velocity());
+    EXPECT_GT(at_first, 0.05);
     for (int i = 0; i < 200; ++i) {
       navigator.advance(frame_s, {}, camera_pose(show, 0.0));
       EXPECT_TRUE(i > 5 || glm::length(navigator.fly_velocity()) > 0.8 * at_first) << i;
