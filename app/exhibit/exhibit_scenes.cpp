@@ -6,6 +6,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/navigation/flight_space.h"
+
 namespace ergodome {
 
 namespace {
@@ -84,11 +86,15 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (exhibit_.welcome() <= 0.0) {
     return {};
   }
-  const LocalText how =
+  LocalText how =
       pad ? LocalText{{"en", "Left stick: around the hole and towards it\nRight stick: look about"},
                       {"de", "Linker Stick: um das Loch herum und darauf zu\nRechter Stick: umsehen"}}
           : LocalText{{"en", "W A S D: around the hole and towards it\nMouse: look about   F1: more keys"},
                       {"de", "W A S D: um das Loch herum und darauf zu\nMaus: umsehen   F1: weitere Tasten"}};
+  if (may_fall_through_horizon(visitor_)) {
+    how["en"] += pad ? "\nLeft trigger: fall into it, and on" : "\nK: fall into it, and on";
+    how["de"] += pad ? "\nLinker Abzug: hineinfallen, und weiter" : "\nK: hineinfallen, und weiter";
+  }
   return {caption_at(22.0, 3.0, {{"en", "Welcome! You are flying."}, {"de", "Willkommen! Sie fliegen."}}),
           caption_at(12.0, 1.8, how)};
 }

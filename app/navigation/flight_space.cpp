@@ -41,8 +41,10 @@ double guard_radius(double spin, const FlightSettings& settings) {
 
 bool is_beyond_return(double spin, double r) { return !(r > nearest_rest * horizon_radius(spin)); }
 
-bool guards_horizon_alone(double spin, const FlightSettings& settings) {
-  return settings.guard == FlightGuard::horizon && settings.least_r <= horizon_radius(spin) + above_horizon;
+bool may_fall_through_horizon(const Show& show) {
+  const FlightSettings& flight = show.flight;
+  return !kept_outside(show) && flight.guard == FlightGuard::horizon &&
+         flight.least_r <= horizon_radius(show.spin) + above_horizon;
 }
 
 FlightSpace::FlightSpace(double spin, const FlightSettings& settings, double guard_r, bool through_horizon)

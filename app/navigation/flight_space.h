@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/navigation/camera_place.h"
-#include "content/flight_settings.h"
+#include "content/show.h"
 
 namespace ergodome {
 
@@ -54,7 +54,8 @@ double guard_radius(double spin, const FlightSettings& settings);
 //! boosted from the falling one's so fast that few digits of them are left.
 bool is_beyond_return(double spin, double r);
 
-//! Whether the guard is at the horizon alone, which falls may then lead through.
-bool guards_horizon_alone(double spin, const FlightSettings& settings);
+//! Whether orbits that fall into the hole lead a visitor of a show through its horizon: where all that the show has can be seen from within
+//! (kept_outside), and what it guards is the horizon alone.
+bool may_fall_through_horizon(const Show& show);
 
 }  // namespace ergodome

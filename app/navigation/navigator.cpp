@@ -61,7 +61,7 @@ Navigator::Navigator(const Show& show)
       space_(show.spin, show.flight),
       limits_(turn_limits(show.flight.comfort)),
       kept_outside_(kept_outside(show)),
-      leads_through_(!kept_outside_ && guards_horizon_alone(show.spin, show.flight)),
+      leads_through_(may_fall_through_horizon(show)),
       start_(place_of(in_zamo_frame(camera_pose(show, show.camera.keys.front().time_s), show.spin))),
       place_(start_),
       mode_(show.flight.mode),

@@ -42,6 +42,20 @@ class KeptByAnExhibit : public test::FolderTest {
   double now_s_ = 0.0;
 };
 
+TEST(ExhibitWelcome, NamesTheFallIntoTheHoleWhereTheShowLetsVisitorsIn) {
+  for (const StereoModel model : {StereoModel::physical, StereoModel::flat}) {
+    Show show;
+    show.stereo.model = model;
+    ExhibitScenes exhibit({}, show, Show{});
+    exhibit.advance(0.0, true, false);
+    exhibit.advance(2.0, false, false);
+    const std::vector<Caption> captions = exhibit.captions(true);
+    ASSERT_EQ(captions.size(), 2U);
+    const bool named = captions[1].text.at("de").find("hineinfallen") != std::string::npos;
+    EXPECT_EQ(named, model == StereoModel::physical);
+  }
+}
+
 TEST_F(KeptByAnExhibit, AVisitorsLanguageIsNot) {
   status_.language = "de";
   keep_after(1.0);
