@@ -74,6 +74,7 @@ Navigator::Navigator(const Show& show)
 
 void Navigator::advance(double seconds, const SteeringInput& input, const CameraPose& path) {
   const CameraPose shown = pose();
+  clock_lead_ = shown.clock_lead;
   const double frame_s = std::clamp(std::isfinite(seconds) ? seconds : 0.0, 0.0, longest_frame_s);
   if (frame_s > 0.0 || !begun_) {
     const bool jump = !begun_ || leapt(spin_, path_, path);

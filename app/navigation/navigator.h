@@ -132,6 +132,8 @@ class Navigator {
   glm::dvec3 mouse_way_{0.0};       //!< right, up, forward still to be gone [distances]
   std::optional<OrbitRide> ride_;   //!< through the horizon: `place_` and `before_` are in ingoing azimuths then
   Vector3<double> ride_before_{};   //!< its velocity at `before_`
+  double clock_lead_ = 0.0;         //!< the pose's, that is kept where nobody falls through the horizon [M]
+  double lead_over_lag_ = 0.0;      //!< and by how much more than outer_lag() it is where somebody does [M]
   std::optional<Vector3<double>> asked_velocity_;
   std::optional<PathReturn> return_;
 };

@@ -14,11 +14,14 @@ CameraPose Navigator::pose() const {
     return path_;
   }
   if (!falls_through()) {
-    return pose_of(place_);
+    CameraPose pose = pose_of(place_);
+    pose.clock_lead = clock_lead_;
+    return pose;
   }
   CameraPose pose = pose_of_ingoing(place_, spin_);
   pose.velocity = ride_->velocity();
   pose.velocity_in_rain = true;
+  pose.clock_lead = outer_lag(spin_, pose.r) + lead_over_lag_;
   return pose;
 }
 
@@ -47,6 +50,7 @@ void Navigator::begin_ride() {
     falls = in_rain_frame(falls, spin_);
     ride_ = OrbitRide::through_horizon(spin_, settings_, falls);
     ride_->take_clock_of(ride);
+    lead_over_lag_ = clock_lead_ - outer_lag(spin_, falls.r);
     place_ = before_ = ingoing_place(falls, spin_);
     ride_before_ = ride_->velocity();
     turn_ += turn_of_azimuth();
@@ -82,6 +86,7 @@ void Navigator::fall_on() {
   before_ = ingoing_place(in_rain_frame(path_before_, spin_), spin_);
   ride_ = OrbitRide::through_horizon(spin_, settings_, path_);
   ride_before_ = ride_->velocity();
+  lead_over_lag_ = path_.clock_lead - outer_lag(spin_, path_.r);
   take_velocity_of(before_, place_, frame_s_, ride_->space());
   ride_->go_as(place_, fly_);
   course_ = Course::free;

@@ -19,11 +19,9 @@ std::optional<LocalText> hidden_within(const Show& show) {
     const char* german;
   };
   const Sight sights[] = {
-      {show.disk.has_value(), "the light of a disk", "das Licht einer Scheibe"},
-      {!show.shells.empty(), "shells", "Kugelschalen"},
-      {!show.objects.empty(), "objects", "Objekte"},
-      {show.stereo.model != StereoModel::physical, "eyes of another model than physical",
-       "Augen eines anderen Modells als physical"},
+      {std::ranges::any_of(show.objects, [](const auto& object) { return object.method == ObjectMethod::polygon; }),
+       "objects of the method polygon", "Objekte der Methode polygon"},
+      {show.stereo.model == StereoModel::flat, "eyes of the model flat", "Augen des Modells flat"},
   };
   const Sight* const hidden = std::ranges::find(sights, true, &Sight::is_there);
   return hidden != std::end(sights) ? std::optional(LocalText{{"en", hidden->english}, {"de", hidden->german}})

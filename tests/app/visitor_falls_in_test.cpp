@@ -251,14 +251,29 @@ TEST(VisitorFallsIn, FliesBackFromAboveTheHorizonWithoutALeap) {
   EXPECT_NEAR(visitor.pose().r, 4.0, 1e-9);
 }
 
+TEST(VisitorFallsIn, SeesWhatStandsOutsideGoOnInTime) {
+  constexpr double spin = 0.7;
+  Visitor visitor(show_at(spin, 5.0, 60.0));
+  visitor.flier.hold({}, frame_s);
+  // What is seen is as old as light is late by Boyer-Lindquist's time, and that lags without end at the horizon.
+  const auto since_let_go = [&] { return visitor.pose().clock_lead - outer_lag(spin, visitor.pose().r); };
+  const double first = since_let_go();
+  EXPECT_NEAR(visitor.pose().clock_lead, 0.0, 1e-3);
+  visitor.fall_until([&](const CameraPose& here) {
+    EXPECT_NEAR(since_let_go(), first, 1e-9) << here.r;
+    return here.r < 1.2 || testing::Test::HasFailure();
+  });
+  EXPECT_LT(visitor.pose().r, 1.2);
+}
+
 TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
   const struct {
     double spin;
     const char* flight;
     const char* says;
-  } shows[] = {{0.9, "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nsize = 0.5\nposition = [9, 0, 0]\n",
-                "objects cannot be shown"},
-               {0.9, "[stereo]\nmodel = \"omni\"\n", "eyes of another model"},
+  } shows[] = {{0.0, "[[objects]]\nshape = \"sphere\"\nmethod = \"polygon\"\nsize = 0.5\nposition = [9, 0, 0]\n",
+                "polygon cannot be shown"},
+               {0.9, "[stereo]\nmodel = \"flat\"\n", "model flat"},
                {0.9, "guard = \"photon_orbit\"\n", "out of bounds"},
                {1.0, "", "no inside"}};
   for (const auto& [spin, flight, says] : shows) {
