@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
@@ -25,8 +26,8 @@ constexpr double steepest = 0.1;
 constexpr double most_change = 0.01;
 //! What rays have not brought so near to an image has none [px]; next to a caustic, where images run along it, so near to the star.
 constexpr double near_px = 2.0;
-//! Nearer to the shadow's edge, rays in float cannot tell that [rad].
-constexpr double least_float_distance = 3e-4;
+//! Nearer to the shadow's edge rays in float tell neither that, nor that an image is too faint: next to a caustic some lead astray [rad].
+constexpr double least_float_distance = 1e-3;
 constexpr int star_step_limit = 400;
 //! Rounds of rays after the first in which most images are found, those left put together anew before each.
 constexpr int later_rounds = 3;
@@ -153,6 +154,11 @@ bool stays_faint(const StarCandidate& c, const ImageSearch& search) {
          search.brightness(c) * (c.change < most_change_told ? least_slack + between * c.change : far_slack) < 1.0;
 }
 
+//! Whether rays in float tell where there is no image. Without a chart, how near the edge is is not known.
+bool float_tells(const StarCandidate& c, const ImageSearch& search) {
+  return search.chart.chart.edge.count > 0 && c.edge_distance > least_float_distance;
+}
+
 //! Leaves those images that stay faint and of which `asked` says so.
 template <class Asked>
 void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision,
@@ -171,8 +177,9 @@ void leave_faint(std::vector<StarCandidate>& candidates, const ImageSearch& sear
 //! Seeks images, most of which one ray finds: the others shall not keep them waiting, nor those that never end each other.
 template <class S>
 void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& search, const RayPrecision& precision) {
+  const auto tells = [&](const StarCandidate& c) { return std::is_same_v<S, double> || float_tells(c, search); };
   refine<S>(candidates, search, precision, 1);
-  leave_faint(candidates, search, precision, [](const StarCandidate&) { return true; });
+  leave_faint(candidates, search, precision, tells);
   const auto refine_open = [&](int rounds, const auto& chosen) {
     with_some(
         candidates, [&](const StarCandidate& c) { return is_open(c, precision) && chosen(c); },
@@ -180,7 +187,8 @@ void refine_together(std::vector<StarCandidate>& candidates, const ImageSearch& 
   };
   for (int round = 0; round < later_rounds; ++round) {
     refine_open(1, [](const StarCandidate&) { return true; });
-    leave_faint(candidates, search, precision, [](const StarCandidate& c) { return c.change >= most_change_told; });
+    leave_faint(candidates, search, precision,
+                [&](const StarCandidate& c) { return c.change >= most_change_told && tells(c); });
   }
   refine_open(last_rounds, [](const StarCandidate& c) { return !is_lost(c); });
 }
@@ -209,9 +217,7 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   const double pixel = search.pixel;
   const SingularValues values = singular_values(c);
   const double smaller = std::min(std::sqrt(values.smaller_square), 1.0);
-  // Without a chart, how near the edge is is not known.
-  const bool float_tells = search.chart.chart.edge.count > 0 && c.edge_distance > least_float_distance;
-  if (float_tells && (is_lost(c) || c.miss * smaller > near_px * pixel)) {
+  if (float_tells(c, search) && (is_lost(c) || c.miss * smaller > near_px * pixel)) {
     return Start::none;
   }
   if (!(c.miss <= image_tolerance_px * pixel) || values.smaller_square < steepest * steepest) {

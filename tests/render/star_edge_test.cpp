@@ -112,6 +112,61 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   EXPECT_LE(found, 55U);
 }
 
+//! Stars with an image each in a ring about a shadow, where the closed form sees them, some times as bright as what is looked for.
+class RingOfImages {
+ public:
+  RingOfImages(const Place& place, double distance_px, double brightness) : eye_(eye_at_place(place)) {
+    settings_.pixel = pixel;
+    const CameraStation camera = camera_of(eye_);
+    const LensStation station = build_star_station(eye_, settings_);
+    const ImageObserver observer(eye_, station, colours().view(), false);
+    const StarChartOf<double> chart = observer.chart();
+    const double s = 1.0 + std::log(distance_px * pixel / 3.0) / static_cast<double>(station.range);
+    StarCatalogue catalogue;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double gamma_turns = (static_cast<double>(i) + 0.5) / count;
+      const ChartStretch<double> stretch = chart_stretch(chart.chart, gamma_turns, s);
+      const Vector3<MixedDual<double>> n = chart_direction_at(chart.chart, gamma_turns, stretch.alpha);
+      there_[i] = unit_of(observed_direction(chart.aberration, Vector3<double>{n.x.value, n.y.value, n.z.value}));
+      const Vector3<double> sky = exact_sky(camera, there_[i]);
+      const double magnification = error_of(camera, there_[i], sky).magnification;
+      CatalogueStar star;
+      star.ra_deg = std::atan2(sky.y, sky.x) / one_degree;
+      star.dec_deg = std::asin(sky.z) / one_degree;
+      star.v_mag = static_cast<float>(faintest_mag + 2.5 * std::log10(magnification / brightness));
+      star.b_v = 0.6F;
+      catalogue.stars.push_back(star);
+    }
+    const StarField field(catalogue, glm::dmat3(1.0), colours().view());
+    for (const StarImage& image : images_of(field, eye_, settings_)) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vector3<double> off = widened(image.direction) - there_[i];
+        found_[i] = found_[i] || std::sqrt(dot(off, off)) < 0.05 * pixel;
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t lost() const { return static_cast<std::size_t>(std::ranges::count(found_, false)); }
+
+  static constexpr std::size_t count = 400;
+
+ private:
+  static constexpr double pixel = pi / 2048;
+  static constexpr double faintest_mag = 10.0;
+  EyeCamera eye_;
+  StarSettings settings_ = settings_for(faintest_mag);
+  std::array<Vector3<double>, count> there_;
+  std::array<bool, count> found_{};
+};
+
+// Next to caustics rays in float are led astray there, or make images out to be too faint.
+TEST(StarImagesAtEdges, AreFoundAllRoundTheShadowWhereACameraFallsThroughTheHorizon) {
+  const Place just_within = {0.6, 1.7957, 1.3614, 0.0, ObserverMotion::rain};
+  for (const double distance_px : {0.2, 0.05}) {
+    EXPECT_EQ(RingOfImages(just_within, distance_px, 3.0).lost(), 0U) << distance_px << " px from the edge";
+  }
+}
+
 //! Images that are in `all` and not in `some`.
 std::vector<StarImage> missing_images(const std::vector<StarImage>& all, const std::vector<StarImage>& some,
                                       double within) {
