@@ -312,11 +312,16 @@ std::vector<double> path_ends_s(const Show& show) {
     add(leave_s(key));
   }
   if (show.camera.orbit) {
-    for (const FallTurn& turn : show.camera.orbit->turns()) {
+    const FreeFall& orbit = *show.camera.orbit;
+    for (const FallTurn& turn : orbit.turns()) {
       add(turn.time_s);
     }
-    add(show.camera.orbit->stop_s().value_or(show.duration_s));
-    add(show.camera.orbit->until_s().value_or(show.duration_s));
+    add(orbit.begin_s() - orbit.ease_s());
+    add(orbit.stop_s().value_or(show.duration_s));
+    if (orbit.until_s()) {
+      add(*orbit.until_s());
+      add(*orbit.until_s() + orbit.ease_s());
+    }
   }
   std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());

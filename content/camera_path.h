@@ -57,7 +57,8 @@ bool leads_within(const Show& show);
 //! Whether the camera's place or orientation changes in the course of the show.
 bool camera_moves(const Show& show);
 
-//! Times between which r and θ run one way, in order, from the show's beginning to its end: keys, and where the orbit of a fall turns [s].
+//! Times between which r and θ run one way, in order, from the show's beginning to its end: keys, where the orbit of a fall turns, and where the velocity
+//! begins to go over to the fall's and has gone back [s].
 std::vector<double> path_ends_s(const Show& show);
 
 }  // namespace ergodome

@@ -147,8 +147,7 @@ class Baker {
     }
     const Station first = station(begin_s);
     const Station last = station(end_s);
-    const double error_px = std::max(blending_error(*first, *last, begin_s + 0.5 * (end_s - begin_s)),
-                                     blending_error(*first, *last, begin_s + 0.25 * (end_s - begin_s)));
+    const double error_px = gap_error(*first, *last, begin_s, end_s);
     // Blends cannot be better than the grids that they are made of.
     const double floor_px =
         error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
@@ -181,11 +180,33 @@ class Baker {
 
   [[nodiscard]] bool meets_budget(float error_px) const { return static_cast<double>(error_px) <= settings_.budget_px; }
 
-  //! What the blend of two stations misses by at a time between them [px]; 0 where the camera stands still.
-  [[nodiscard]] double blending_error(const LensStation& first, const LensStation& last, double time_s) const {
+  //! Whether the head's observer moves alike at two times.
+  [[nodiscard]] bool moves_alike(double first_s, double second_s) const {
+    const EyeCamera first = eye_camera(show_, camera_pose(show_, first_s), 0.0);
+    const EyeCamera second = eye_camera(show_, camera_pose(show_, second_s), 0.0);
+    const Vector3<double> change = second.velocity - first.velocity;
+    return first.motion == second.motion && dot(change, change) == 0.0;
+  }
+
+  //! What the blend of two stations misses by between them [px]; 0 where the camera stands still and moves alike.
+  [[nodiscard]] double gap_error(const LensStation& first, const LensStation& last, double begin_s,
+                                 double end_s) const {
+    const double length_s = end_s - begin_s;
+    const double early_s = begin_s + 0.25 * length_s;
+    const double middle_s = begin_s + 0.5 * length_s;
+    double error_px = 0.0;
     if (first.r == last.r && first.theta == last.theta) {
-      return 0.0;
+      if (moves_alike(begin_s, early_s) && moves_alike(begin_s, middle_s) && moves_alike(begin_s, end_s)) {
+        return 0.0;
+      }
+      // The first station serves all the way there, and misses by most where the velocity is farthest from its own.
+      error_px = blending_error(first, last, end_s);
     }
+    return std::max({error_px, blending_error(first, last, middle_s), blending_error(first, last, early_s)});
+  }
+
+  //! The same at a time.
+  [[nodiscard]] double blending_error(const LensStation& first, const LensStation& last, double time_s) const {
     const LensView view = view_at(time_s);
     const StationBlend blend(Backend::cpu, on_host(first), on_host(last), view.place);
     return error_of(blend, view, first.leaf_count() > last.leaf_count() ? first : last);

@@ -144,6 +144,10 @@ TEST(FallEnd, IsAnEndOfAStretchToBake) {
   EXPECT_THAT(path_ends_s(ending_show(usual_fall_end)), testing::IsSupersetOf({4.0, fall_ends_s, 30.0}));
 }
 
+TEST(FallEnd, LiesBetweenWhereTheVelocityBeginsToGoOverAndWhereItHasGoneBack) {
+  EXPECT_THAT(path_ends_s(ending_show(usual_fall_end)), testing::IsSupersetOf({4.0 - 1.0, fall_ends_s + 1.0}));
+}
+
 std::string fall_end_error(const std::string& fall, const std::string& keys = begin_keys + turn_keys + glide_keys,
                            const std::string& observer = "zamo") {
   return test::error_of([&] { ending_show(fall, keys, observer); });
