@@ -44,9 +44,12 @@ void ShowRenderer::apply(double time_s) {
   time_s_ = time_s;
   const NumberChange change = animate(show_, time_s);
   if (change.sky) {
-    sky_ = ShowSky(show_, backend());
-    stars_ = show_.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(show_, backend());
-  } else if (change.stars && stars_) {
+    sky_.turn(show_, backend());
+    if (stars_) {
+      stars_->turn_sky(show_);
+    }
+  }
+  if (change.stars && stars_) {
     stars_->set_numbers(show_);
   }
   if (disk_) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "content/environment_image.h"
 #include "content/show.h"
 #include "render/sky/polygon_filter.h"
 #include "render/sky/sky_cube.h"
@@ -16,6 +18,10 @@ class ShowSky {
   //! Loads the map. Throws Error when it cannot be read.
   ShowSky(const Show& show, Backend backend);
 
+  //! Lays the map out anew as a show turns it that differs from the first in numbers alone. From the first time on its image is kept. Throws Error when it
+  //! cannot be read.
+  void turn(const Show& show, Backend backend);
+
   //! For SkyFilter::polygon a single texel a face, the mean.
   [[nodiscard]] const SkyCube& cube() const { return *cube_; }
 
@@ -29,7 +35,11 @@ class ShowSky {
   [[nodiscard]] BlackbodyTable colours() const { return colours_ ? colours_->view() : BlackbodyTable{}; }
 
  private:
+  void lay_out(const EnvironmentImage& image, const Show& show, Backend backend, const TemperatureFit* fit);
+
   SkyShift shift_;
+  std::optional<EnvironmentImage> image_;  //!< once it has turned
+  std::optional<TemperatureFit> fit_;      //!< the same
   std::unique_ptr<BlackbodyColours> colours_;
   std::unique_ptr<PolygonFilter> polygons_;
   std::unique_ptr<SkyCube> cube_;

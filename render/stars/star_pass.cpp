@@ -66,20 +66,39 @@ bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
 }  // namespace
 
 StarPass::StarPass(const Show& show, Backend backend)
-    : colours_(Backend::cpu),
+    : backend_(backend),
+      colours_(Backend::cpu),
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
       settings_(star_settings(show)),
       order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {
   if (show.sky.star_method == StarMethod::gather) {
     tree_.emplace(field_);
-  } else if (backend != Backend::cpu && !field_.stars().empty()) {
-    search_.emplace(backend, field_, colours_.view());
   }
+  search_field();
   // Spikes that come later must not keep a picture waiting.
   if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
     make_pattern(show);
   }
   splat_ = splat_settings(show, spikes_);
+}
+
+//! Lays the field out for a device's search, where there is one.
+void StarPass::search_field() {
+  if (backend_ != Backend::cpu && !tree_ && !field_.stars().empty()) {
+    search_.emplace(backend_, field_, colours_.view());
+  }
+}
+
+void StarPass::turn_sky(const Show& show) {
+  if (!catalogue_) {
+    catalogue_ = load_stars(show);
+  }
+  field_ = StarField(*catalogue_, sky_from_map(show.sky), colours_.view());
+  images_ = {};
+  if (tree_) {
+    tree_.emplace(field_);
+  }
+  search_field();
 }
 
 void StarPass::make_pattern(const Show& show) {

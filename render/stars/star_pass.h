@@ -35,6 +35,10 @@ class StarPass {
   //! Takes the numbers of a show that differs from the first in these alone (content/animatable_number.h), and not in its sky's turn.
   void set_numbers(const Show& show);
 
+  //! Turns the stars as a show does that differs from the first in numbers alone. Grids and patches stay: these tell stars by their light. From the first
+  //! time on the catalogue is kept.
+  void turn_sky(const Show& show);
+
   //! Finds the images for an eye, and with a shutter their trails; they are exact whatever the map's lens is.
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                               PixelMatch match = PixelMatch::exact);
@@ -71,7 +75,11 @@ class StarPass {
 
   const Turned& patches_for(const StarEye& eye, const StarSettings& settings);
 
+  void search_field();
+
+  Backend backend_;
   BlackbodyColours colours_;
+  std::optional<StarCatalogue> catalogue_;  //!< once the sky has turned
   StarField field_;
   std::optional<StarTree> tree_;       //!< where pixels gather stars
   std::optional<PatchSearch> search_;  //!< on a device

@@ -110,6 +110,16 @@ TEST(AnimatedFrames, ReadTheSkyAnewOnlyWhereItTurns) {
   EXPECT_TRUE(done.contains("load_stars"));
 }
 
+TEST(AnimatedFrames, ReadTheCatalogueOfATurningSkyNoMoreThanOnce) {
+  ShowRenderer turned(animated_show("sky.spin_axis.dec_deg", 0.0, 0.9), Backend::cpu);
+  turned.apply(0.3);
+  const auto before = work_done();
+  turned.apply(0.6);
+  const auto done = work_between(before, work_done());
+  EXPECT_TRUE(done.contains("buffer: sky map"));
+  EXPECT_FALSE(done.contains("load_stars"));
+}
+
 TEST(AnotherShow, GivesThePictureOfARendererOfItsOwn) {
   const Show first = starry_show();
   std::vector<Show> others(5, first);
