@@ -18,6 +18,7 @@ json file_facts(const Show& show, const NamedFile& file, const std::map<std::str
   const auto problem = unusable.find(file.key);
   return {{"file", file.name},
           {"there", is_there(show, file.name)},
+          {"folder", is_folder(show, file.name)},
           {"problem", problem == unusable.end() ? "" : problem->second}};
 }
 
@@ -42,8 +43,10 @@ std::string shown(const LocalText& text) {
 std::string shown(const json& text) { return shown(text.get<LocalText>()); }
 
 void print_file(const json& facts, const std::string& more) {
-  fmt::print("  {:<40} {}{}\n", facts["file"].get<std::string>(), more,
-             facts["there"].get<bool>() ? "" : "  NOT THERE");
+  const char* const missing = facts["there"].get<bool>()    ? ""
+                              : facts["folder"].get<bool>() ? "  IS A FOLDER, NOT A FILE"
+                                                            : "  NOT THERE";
+  fmt::print("  {:<40} {}{}\n", facts["file"].get<std::string>(), more, missing);
   if (!facts["problem"].get<std::string>().empty()) {
     fmt::print("    CANNOT BE USED: {}\n", facts["problem"].get<std::string>());
   }

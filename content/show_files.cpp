@@ -58,4 +58,9 @@ bool is_there(const Show& show, const std::string& name) {
   return std::filesystem::is_regular_file(std::filesystem::path(show.folder) / name, problem);
 }
 
+bool is_folder(const Show& show, const std::string& name) {
+  std::error_code problem;
+  return std::filesystem::is_directory(std::filesystem::path(show.folder) / name, problem);
+}
+
 }  // namespace ergodome

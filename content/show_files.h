@@ -39,4 +39,7 @@ std::vector<NamedFile> files_of_show(const Show& show);
 //! Whether a file that a show names is there.
 bool is_there(const Show& show, const std::string& name);
 
+//! Whether a folder is there in its place.
+bool is_folder(const Show& show, const std::string& name);
+
 }  // namespace ergodome

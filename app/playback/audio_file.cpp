@@ -4,9 +4,12 @@
 #include <sndfile.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <string>
 
+#include "app/playback/sound_bytes.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -22,8 +25,15 @@ void AudioFile::Close::operator()(void* file) const { sf_close(static_cast<SNDFI
 
 std::string sound_problem(const std::filesystem::path& path) {
   try {
-    const AudioFile file(path);
-    return "";
+    AudioFile file(path);
+    std::ifstream bytes(path, std::ios::binary);
+    std::error_code gone;
+    const std::uint64_t promised = promised_bytes(bytes);
+    const bool whole = promised <= std::filesystem::file_size(path, gone) && file.has_end();
+    return whole ? ""
+                 : Error(path.string(), "is torn: it breaks off before the end that its header tells",
+                         "copy or export it again")
+                       .what();
   } catch (const Error& problem) {
     return problem.what();
   }
@@ -56,6 +66,7 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
   channels_ = info.channels;
   rate_hz_ = info.samplerate;
   frames_ = info.frames;
+  guessed_length_ = (info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_MPEG;
 }
 
 AudioFile::~AudioFile() = default;
@@ -69,6 +80,14 @@ std::int64_t AudioFile::read_within(std::int64_t first_frame, std::int64_t count
   const std::int64_t came = std::clamp<std::int64_t>(sf_readf_float(file, samples, count), 0, count);
   next_frame_ = came == count ? first_frame + count : -1;
   return came;
+}
+
+bool AudioFile::has_end() {
+  if (guessed_length_) {
+    return true;
+  }
+  std::array<float, most_channels> last{};
+  return read_within(frames_ - 1, 1, last.data()) == 1;
 }
 
 bool AudioFile::read(std::int64_t first_frame, bool loop, std::span<float> samples) {

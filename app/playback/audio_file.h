@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! Why a file is no sound that can be played, for people; empty where it is.
+//! Why a file is no sound that can be played to its end, for people; empty where it is. Of a torn one what is there is played.
 std::string sound_problem(const std::filesystem::path& path);
 
 //! A sound file that is read from anywhere: what libsndfile knows, WAV, FLAC, Ogg Vorbis, Opus and MP3 among it.
@@ -34,6 +34,9 @@ class AudioFile {
   //! does: the rest is silent then.
   bool read(std::int64_t first_frame, bool loop, std::span<float> samples);
 
+  //! Whether its last frame can be read; true of MP3, whose length may be a guess.
+  bool has_end();
+
  private:
   //! Frames that lie within the file; how many of them came.
   std::int64_t read_within(std::int64_t first_frame, std::int64_t count, float* samples);
@@ -45,6 +48,7 @@ class AudioFile {
   int channels_ = 0;
   int rate_hz_ = 0;
   std::int64_t frames_ = 0;
+  bool guessed_length_ = false;   //!< from a bit rate, as of MP3 without a header that tells it
   std::int64_t next_frame_ = -1;  //!< where the library would go on; -1: unknown
 };
 

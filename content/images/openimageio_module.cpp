@@ -4,8 +4,11 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "content/images/image_library.h"
+#include "content/images/jpeg_end.h"
 
 namespace ergodome {
 
@@ -26,6 +29,9 @@ ImageShape shape_of(const OIIO::ImageSpec& spec) {
   shape.tiled = spec.tile_width > 0;
   return shape;
 }
+
+//! The first line of a message: readers of PNG say one thing in three.
+std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 class Input final : public ImageInput {
  public:
@@ -48,6 +54,7 @@ class Input final : public ImageInput {
   }
 
   [[nodiscard]] bool is_open() const { return input_ != nullptr; }
+  [[nodiscard]] bool is_jpeg() const { return std::string_view(input_->format_name()) == "jpeg"; }
   [[nodiscard]] const ImageShape& shape() const override { return shape_; }
 
   bool go_to_part(int part) override {
@@ -89,7 +96,7 @@ class Input final : public ImageInput {
     return std::string(input_->spec().get_string_attribute(name));
   }
 
-  std::string error() override { return input_->geterror(); }
+  std::string error() override { return first_line(input_->geterror()); }
 
  private:
   OIIO::Filesystem::IOMemReader memory_;
@@ -168,12 +175,25 @@ OIIO::cspan<float> span_of(std::span<const float> values) {
   return {values.data(), static_cast<std::ptrdiff_t>(values.size())};
 }
 
+//! The bytes of a file, or those that stand for it.
+std::string bytes_of(const std::string& name, const ImageLibrary::Wishes& wishes) {
+  if (wishes.bytes) {
+    return {reinterpret_cast<const char*>(wishes.bytes->data()), wishes.bytes->size()};
+  }
+  std::ifstream file(name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 class Library final : public ImageLibrary {
  public:
   std::unique_ptr<ImageInput> open(const std::string& name, const Wishes& wishes, std::string& problem) const override {
     auto input = std::make_unique<Input>(name, wishes);
     if (!input->is_open()) {
-      problem = OIIO::geterror();
+      problem = first_line(OIIO::geterror());
+      return nullptr;
+    }
+    if (input->is_jpeg() && !has_jpeg_end(bytes_of(name, wishes))) {
+      problem = "it is torn, and breaks off before its end";
       return nullptr;
     }
     return input;

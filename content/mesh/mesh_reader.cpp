@@ -16,13 +16,12 @@
 
 #include "content/files/whole_file.h"
 #include "content/mesh/named_file.h"
+#include "content/mesh/whole_mesh.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
-
-constexpr const char* wanted = "give a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb)";
 
 //! Bytes as the importer reads them.
 class ByteStream : public Assimp::IOStream {
@@ -117,26 +116,7 @@ MeshFormat format_of(const std::filesystem::path& path) {
       return format;
     }
   }
-  throw Error(path.string(), "is no kind of mesh that is read", wanted);
-}
-
-//! Throws Error unless the lengths in a GLB are those of its bytes: the importer makes room for whatever they say.
-void check_glb(std::string_view bytes, const std::string& place) {
-  constexpr std::size_t head = 12;
-  constexpr std::size_t chunk_head = 8;
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return std::size_t{value};
-  };
-  bool whole = bytes.size() >= head + chunk_head && bytes.starts_with("glTF") && word(8) == bytes.size();
-  for (std::size_t at = head; whole && at < bytes.size();) {
-    whole = bytes.size() - at >= chunk_head && word(at) <= bytes.size() - at - chunk_head;
-    at += whole ? chunk_head + word(at) : 0;
-  }
-  if (!whole) {
-    throw Error(place, "is no GLB, or a torn one", wanted);
-  }
+  throw Error(path.string(), "is no kind of mesh that is read", wanted_meshes);
 }
 
 //! An image that the importer has found in the file itself: a PNG, a JPEG, or what else its kind says.
@@ -242,7 +222,7 @@ TriangleMesh import_mesh(std::string_view bytes, MeshFormat format, const std::s
                                                            aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices);
   if (scene == nullptr || scene->mNumMeshes == 0) {
     const std::string reason = importer.GetErrorString();
-    throw Error(place, fmt::format("is no mesh with triangles{}{}", reason.empty() ? "" : ": ", reason), wanted);
+    throw Error(place, fmt::format("is no mesh with triangles{}{}", reason.empty() ? "" : ": ", reason), wanted_meshes);
   }
   // The importer of OBJ goes on without materials, and everything would be grey.
   if (!folder.empty() && !asked.missing().empty()) {
@@ -264,16 +244,14 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
   if (bytes.size() > largest_mesh_bytes) {
     throw Error(place, "is larger than 1 GiB", "simplify the mesh");
   }
-  if (format == MeshFormat::glb) {
-    check_glb(bytes, place);
-  }
+  require_whole_mesh(bytes, format, place);
   TriangleMesh mesh;
   try {
     mesh = import_mesh(bytes, format, place, folder);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {
-    throw Error(place, fmt::format("cannot be read: {}", problem.what()), wanted);
+    throw Error(place, fmt::format("cannot be read: {}", problem.what()), wanted_meshes);
   }
   drop_degenerate_triangles(mesh);
   if (mesh.indices.empty()) {
@@ -287,7 +265,7 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
   const MeshFormat format = format_of(path);
-  const std::string bytes = read_whole_file(path, largest_mesh_bytes, wanted);
+  const std::string bytes = read_whole_file(path, largest_mesh_bytes, wanted_meshes);
   std::filesystem::path folder = path.parent_path();
   return parse_mesh(bytes, format, path.string(), folder.empty() ? std::filesystem::path(".") : folder);
 }

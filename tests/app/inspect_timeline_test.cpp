@@ -55,6 +55,27 @@ TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
   EXPECT_THAT(line_of("too late"), HasSubstr("AFTER THE END"));
 }
 
+TEST_F(CommandLine, InspectTellsAFolderFromAFileThatIsMissing) {
+  write("named.toml",
+        "[[camera.key]]\nr = 20\n[sky]\nmap = \"black\"\n[[overlay]]\nimage = \"logo\"\nfrom_s = 0\nto_s = 1\n");
+  std::filesystem::create_directory(folder_ / "logo");
+  EXPECT_EQ(run("inspect named.toml"), 1) << output_;
+  EXPECT_THAT(output_, AllOf(testing::ContainsRegex("logo [^\n]*IS A FOLDER"), Not(HasSubstr("NOT THERE"))));
+}
+
+TEST_F(CommandLine, InspectTellsOfSoundThatBreaksOff) {
+  write("loud.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[[audio]]\nfile = \"words.wav\"\n");
+  // 8 samples of 16 bits are promised, and 4 are there.
+  const std::string samples(8, 'x');
+  const std::string header{
+      "RIFF\x34\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1F\0\0\x80\x3E\0\0\x02\0\x10\0data\x10\0\0\0", 44};
+  write("words.wav", header + samples);
+  EXPECT_EQ(run("inspect loud.toml"), 1) << output_;
+  EXPECT_THAT(output_, HasSubstr("CANNOT BE USED: words.wav: is torn"));
+  write("words.wav", header + samples + samples);
+  EXPECT_EQ(run("inspect loud.toml"), 0) << output_;
+}
+
 TEST_F(CommandLine, InspectMarksCameraKeysAndNumbersThatComeAfterTheEnd) {
   write("late.toml",
         "duration_s = 2\n[[camera.key]]\nr = 20\n[[camera.key]]\nt_s = 60\nr = 30\n[[animate]]\nnumber = "

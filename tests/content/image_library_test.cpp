@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <random>
+#include <span>
 
 #include "tests/support/folder_test.h"
 
@@ -11,6 +14,7 @@ namespace ergodome {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 using ImageLibraryFiles = test::FolderTest;
 
@@ -30,6 +34,42 @@ TEST_F(ImageLibraryFiles, ReadsBytesOfNoneAsNoImageWhateverLiesOnTheDisk) {
   ASSERT_TRUE(output && output->open(path, plan) && output->write(pixels) && output->close());
   EXPECT_NE(image_library().open(path, {}, problem), nullptr);
   EXPECT_EQ(image_library().open(path, {std::span<const std::byte>()}, problem), nullptr);
+}
+
+//! A grey image with noise, in a format of OpenImageIO's.
+std::vector<unsigned char> noisy_image(const char* format) {
+  std::vector<unsigned char> bytes;
+  std::string problem;
+  const auto output = image_library().create(format, &bytes, problem);
+  std::vector<float> pixels(64 * 64 * 3);
+  std::minstd_rand noise;
+  std::ranges::generate(pixels, [&] { return std::uniform_real_distribution<float>()(noise); });
+  const ImagePlan plan[] = {{64, 64, 3, ImageSample::whole_8, {}, {}, {}}};
+  const bool written = output && output->open("noise", plan) && output->write(pixels.data()) && output->close();
+  return written ? bytes : std::vector<unsigned char>();
+}
+
+TEST_F(ImageLibraryFiles, SaysThatAJpegIsTornWhereverItBreaksOff) {
+  const std::vector<unsigned char> jpeg = noisy_image("jpeg");
+  const auto opened = [&](std::size_t count) {
+    std::string problem;
+    return image_library().open("noise.jpg", {std::as_bytes(std::span(jpeg).first(count))}, problem) != nullptr;
+  };
+  ASSERT_GT(jpeg.size(), 2000U);
+  EXPECT_TRUE(opened(jpeg.size()));
+  for (const std::size_t left : {jpeg.size() - 1, jpeg.size() / 2, jpeg.size() / 4}) {
+    EXPECT_FALSE(opened(left)) << left;
+  }
+}
+
+TEST_F(ImageLibraryFiles, SaysInOneLineThatAPngIsTorn) {
+  const std::vector<unsigned char> png = noisy_image("png");
+  ASSERT_GT(png.size(), 2000U);
+  std::string problem;
+  const auto input = image_library().open("noise.png", {std::as_bytes(std::span(png).first(png.size() / 2))}, problem);
+  ASSERT_NE(input, nullptr) << problem;
+  EXPECT_FALSE(input->read_through());
+  EXPECT_THAT(input->error(), testing::AllOf(Not(testing::IsEmpty()), Not(HasSubstr("\n"))));
 }
 
 TEST_F(ImageLibraryFiles, ReadsRowsPartsAndWholeImagesAsTheyWereWritten) {

@@ -97,6 +97,32 @@ TEST_F(AudioFiles, ThatAreCutOffSayEitherSoAtOnceOrWhenTheyEnd) {
   EXPECT_FALSE(file.read(0, false, samples));
 }
 
+TEST_F(AudioFiles, OfEveryKindThatAreTornHaveAProblemAndWholeOnesNone) {
+  for (const auto& [name, format] :
+       {std::pair{"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_24}, std::pair{"a.aiff", SF_FORMAT_AIFF | SF_FORMAT_PCM_16},
+        std::pair{"large.wav", SF_FORMAT_RF64 | SF_FORMAT_PCM_16},
+        std::pair{"a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16}, std::pair{"a.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS},
+        std::pair{"a.opus", SF_FORMAT_OGG | SF_FORMAT_OPUS},
+        std::pair{"a.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III}}) {
+    const std::filesystem::path path = folder_ / name;
+    test::write_sound(path, {format, 48000, 1, 3.0}, burst);
+    EXPECT_EQ(sound_problem(path), "") << name;
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) * 2 / 3);
+    EXPECT_THAT(sound_problem(path), testing::HasSubstr(name)) << name;
+  }
+}
+
+TEST_F(AudioFiles, OfALengthThatWasNotKnownWhenTheyWereWrittenAreNotTorn) {
+  test::write_sound(folder_ / "a.wav", {SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 1, 0.1}, burst);
+  std::fstream file(folder_ / "a.wav", std::ios::in | std::ios::out | std::ios::binary);
+  std::string head(44, ' ');
+  file.read(head.data(), 44);
+  ASSERT_EQ(head.substr(36, 4), "data");
+  file.seekp(40);
+  file << "\xFF\xFF\xFF\xFF" << std::flush;
+  EXPECT_EQ(sound_problem(folder_ / "a.wav"), "");
+}
+
 TEST_F(AudioFiles, ThatAreNoSoundAreErrorsWithARemedy) {
   std::ofstream(folder_ / "text.wav") << "this is not a sound";
   std::ofstream(folder_ / "empty.wav") << "";

@@ -1,0 +1,110 @@
+#include "app/playback/sound_bytes.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace ergodome {
+
+namespace {
+
+enum class ByteOrder { little, big };
+
+//! The bytes from a place on, fewer at the end of the file.
+std::string bytes_at(std::istream& file, std::uint64_t place, std::size_t count) {
+  std::string bytes(count, '\0');
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(place));
+  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+//! Four bytes as a number; 0 where they are not there.
+std::uint32_t word_at(std::string_view bytes, std::size_t place, ByteOrder order) {
+  if (bytes.size() < place + 4) {
+    return 0;
+  }
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t from = order == ByteOrder::big ? place + i : place + 3 - i;
+    value = value << 8U | static_cast<unsigned char>(bytes[from]);
+  }
+  return value;
+}
+
+//! Where the chunk of samples ends; 0 where there is none, or its size was not known when it was written.
+std::uint64_t end_of_chunk(std::istream& file, std::string_view samples, ByteOrder order) {
+  // Programs that write to a pipe put the largest size there, or one a little below 2 GiB.
+  constexpr std::uint32_t unknown = 0x7FFFF000;
+  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 50U;
+  constexpr int most_chunks = 1000;
+  std::uint64_t place = 12;
+  std::uint64_t large = 0;  // the size in RF64, which is for more than 4 GiB
+  for (int i = 0; i < most_chunks; ++i) {
+    const std::string head = bytes_at(file, place, 8);
+    if (head.size() < 8) {
+      return 0;
+    }
+    const std::uint32_t size = word_at(head, 4, order);
+    if (head.starts_with(samples)) {
+      return size < unknown ? place + 8 + size : large > 0 && large < most_bytes ? place + 8 + large : 0;
+    }
+    if (head.starts_with("ds64")) {
+      const std::string sizes = bytes_at(file, place + 16, 8);
+      large = word_at(sizes, 0, order) | std::uint64_t{word_at(sizes, 4, order)} << 32U;
+    }
+    // Chunks begin at even places.
+    place += 8 + std::uint64_t{size} + size % 2;
+  }
+  return 0;
+}
+
+//! The bytes of an ID3 tag at the start of a file; its size is in sevens of bits.
+std::uint64_t tag_bytes(std::string_view head) {
+  if (head.size() < 10 || !head.starts_with("ID3")) {
+    return 0;
+  }
+  std::uint64_t size = 0;
+  for (std::size_t i = 6; i < 10; ++i) {
+    size = size << 7U | (static_cast<unsigned char>(head[i]) & 0x7FU);
+  }
+  return size + 10;
+}
+
+//! Where the stream of an MP3 ends by the Xing header in its first frame; 0 without one.
+std::uint64_t end_of_mp3(std::istream& file) {
+  const std::uint64_t start = tag_bytes(bytes_at(file, 0, 10));
+  const std::string frame = bytes_at(file, start, 64);
+  if (frame.size() < 2 || frame[0] != '\xFF' || (static_cast<unsigned char>(frame[1]) & 0xE0U) != 0xE0U) {
+    return 0;
+  }
+  std::size_t header = frame.find("Xing");
+  header = header != std::string::npos ? header : frame.find("Info");
+  if (header == std::string::npos) {
+    return 0;
+  }
+  constexpr std::uint32_t has_frames = 1;
+  constexpr std::uint32_t has_bytes = 2;
+  const std::uint32_t flags = word_at(frame, header + 4, ByteOrder::big);
+  const std::size_t place = header + 8 + ((flags & has_frames) != 0 ? 4 : 0);
+  // Encoders do not agree on which frames count; the library, too, lets a hundredth pass.
+  const std::uint64_t size = word_at(frame, place, ByteOrder::big);
+  return (flags & has_bytes) != 0 ? start + size - size / 100 : 0;
+}
+
+}  // namespace
+
+std::uint64_t promised_bytes(std::istream& file) {
+  const std::string head = bytes_at(file, 0, 12);
+  const std::string_view kind = std::string_view(head).substr(std::min<std::size_t>(8, head.size()));
+  if ((head.starts_with("RIFF") || head.starts_with("RF64")) && kind == "WAVE") {
+    return end_of_chunk(file, "data", ByteOrder::little);
+  }
+  if (head.starts_with("FORM") && (kind == "AIFF" || kind == "AIFC")) {
+    return end_of_chunk(file, "SSND", ByteOrder::big);
+  }
+  return end_of_mp3(file);
+}
+
+}  // namespace ergodome
