@@ -1,12 +1,12 @@
 #include "calibration/setup_conversion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "calibration/mpcdi_conversion.h"
 #include "calibration/projector_files.h"
-#include "kernels/core/error.h"
+#include "calibration/projector_picture.h"
 
 namespace ergodome {
 
@@ -16,8 +16,8 @@ namespace {
 constexpr MpcdiFrame dome_frame = {{0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}};
 
 //! A grey or coloured black level times its lift, as a mask in colour.
-BlendMap beta_of(const std::optional<BlendMap>& black_level, const Vector3<double>& lift) {
-  const BlendMap mask = black_level ? *black_level : BlendMap{2, 2, 1, 16, std::vector<float>(4, 1.0F)};
+BlendMap beta_of(const BlendMap& black_level, const Vector3<double>& lift) {
+  const BlendMap mask = black_level.width > 0 ? black_level : BlendMap{2, 2, 1, 16, std::vector<float>(4, 1.0F)};
   const double lifts[] = {lift.x, lift.y, lift.z};
   BlendMap beta{mask.width, mask.height, 3, 16, {}};
   beta.values.reserve(3 * mask.values.size() / static_cast<std::size_t>(mask.channels));
@@ -30,18 +30,19 @@ BlendMap beta_of(const std::optional<BlendMap>& black_level, const Vector3<doubl
   return beta;
 }
 
-MpcdiRegion flat_region(const ProjectorSetup& projector, const LoadedProjector& loaded, const WarpMesh& warp) {
+//! What a projector shows of the domemaster, whatever it was made from.
+MpcdiRegion flat_region(const ProjectorPicture& picture) {
   // For each pixel, because a mask is finer than the nodes of most meshes.
-  WarpMesh fine = resampled_warp(warp, projector.width_px, projector.height_px);
-  if (loaded.blend) {
-    multiply_intensity(fine, loaded.blend->map, loaded.blend->gamma_embedded);
+  WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
+  if (picture.blend.width > 0) {
+    multiply_intensity(fine, picture.blend, 1.0);
   }
-  MpcdiRegion region = region_from_warp(projector.name, fine, projector.width_px, projector.height_px,
-                                        projector.width_px, projector.height_px);
-  region.encode_gamma = projector.gamma;
-  const Vector3<double>& lift = loaded.black_level_lift;
+  MpcdiRegion region =
+      region_from_warp(picture.name, fine, picture.width_px, picture.height_px, picture.width_px, picture.height_px);
+  region.encode_gamma = picture.gamma;
+  const Vector3<double>& lift = picture.black_level_lift;
   if (lift.x > 0.0 || lift.y > 0.0 || lift.z > 0.0) {
-    region.beta = MpcdiMask{beta_of(loaded.black_level, lift), 1.0};
+    region.beta = MpcdiMask{beta_of(picture.black_level, lift), 1.0};
   }
   return region;
 }
@@ -58,6 +59,20 @@ MpcdiRegion posed_region(const ProjectorSetup& projector, const LoadedProjector&
   region.encode_gamma = projector.gamma;
   region.alpha = loaded.blend;
   return region;
+}
+
+//! The flat lenses and places of all projectors; none where one of them has something else, too.
+std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
+  std::vector<MpcdiRegion> regions;
+  for (const ProjectorSetup& projector : setup.projectors) {
+    const LoadedProjector loaded = load_projector(setup, projector);
+    const auto* const frustum = std::get_if<Frustum>(&loaded.lens);
+    if (frustum == nullptr || !std::holds_alternative<std::monostate>(loaded.warp) || projector.mirror) {
+      return std::nullopt;
+    }
+    regions.push_back(posed_region(projector, loaded, *frustum));
+  }
+  return regions;
 }
 
 }  // namespace
@@ -91,32 +106,15 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
 }
 
 Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date) {
+  std::optional<std::vector<MpcdiRegion>> posed = posed_regions(setup);
   std::vector<MpcdiRegion> flat;
-  std::vector<MpcdiRegion> posed;
-  for (const ProjectorSetup& projector : setup.projectors) {
-    const LoadedProjector loaded = load_projector(setup, projector);
-    const auto* const warp = std::get_if<WarpMesh>(&loaded.warp);
-    const auto* const frustum = std::get_if<Frustum>(&loaded.lens);
-    const bool bare = std::holds_alternative<std::monostate>(loaded.warp);
-    if (warp != nullptr && loaded.source == WarpSource::dome_picture) {
-      flat.push_back(flat_region(projector, loaded, *warp));
-    } else if (frustum != nullptr && bare && !projector.mirror) {
-      posed.push_back(posed_region(projector, loaded, *frustum));
-    }
-    if (flat.size() + posed.size() != 1 + static_cast<std::size_t>(&projector - setup.projectors.data()) ||
-        (!flat.empty() && !posed.empty())) {
-      throw Error(
-          "", fmt::format("projector \"{}\" does not fit into one MPCDI profile with the others", projector.name),
-          "give every projector a flat warp, as `ergodome calibrate --mpcdi` does, or every one a flat lens without "
-          "warp and mirror");
-    }
+  if (!posed) {
+    std::ranges::transform(projector_pictures(setup), std::back_inserter(flat), flat_region);
   }
-  const bool posed_alone = flat.empty();
-  Mpcdi mpcdi = media_calibration(posed_alone ? std::move(posed) : std::move(flat), date);
-  mpcdi.profile = posed_alone ? MpcdiProfile::shader_lamps : MpcdiProfile::media_2d;
-  const auto& regions = mpcdi.buffers[0].regions;
+  Mpcdi mpcdi = media_calibration(posed ? std::move(*posed) : std::move(flat), date);
+  mpcdi.profile = posed ? MpcdiProfile::shader_lamps : MpcdiProfile::media_2d;
   const bool lifted =
-      std::any_of(regions.begin(), regions.end(), [](const MpcdiRegion& region) { return !!region.beta; });
+      std::ranges::any_of(mpcdi.buffers[0].regions, [](const MpcdiRegion& region) { return !!region.beta; });
   mpcdi.color_level = lifted ? 3 : 1;
   return mpcdi;
 }

@@ -3,12 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include "calibration/mpcdi_conversion.h"
 #include "calibration/mpcdi_writer.h"
 #include "calibration/projector_files.h"
+#include "calibration/projector_picture.h"
+#include "calibration/warp_conversion.h"
 #include "tests/calibration/mpcdi_fixtures.h"
 #include "tests/support/folder_test.h"
 
@@ -134,9 +138,55 @@ TEST_F(SetupConversion, FlatLensesAloneBecomeShaderLampsAndComeBack) {
   EXPECT_FALSE(projector.warp);
 }
 
-TEST_F(SetupConversion, MirrorsAreNoProfileOfMpcdi) {
-  const DomeSetup mirrored = setup("fisheye = { fov_deg = 90 }\nmirror = { position_m = [0, 0, 2], radius_m = 0.3 }\n");
-  EXPECT_THAT(error_of([&] { mpcdi_from_setup(mirrored, ""); }), HasSubstr("projector \"P\" does not fit"));
+//! The pictures of a setup and of the calibration that is made of it.
+std::pair<ProjectorPicture, WarpMesh> before_and_after(const DomeSetup& setup) {
+  const Mpcdi mpcdi = parsed_archive(to_mpcdi_archive(mpcdi_from_setup(setup, "2026-01-01 00:00:00"), "test"));
+  EXPECT_EQ(mpcdi.profile, MpcdiProfile::media_2d);
+  return {projector_pictures(setup)[0], warp_of(mpcdi, mpcdi.buffers[0].regions[0], "test")};
+}
+
+//! The farthest that two warps are apart in the master, over the nodes that both draw; most of them are to be such.
+double farthest_apart(const WarpMesh& a, const WarpMesh& b) {
+  const WarpMesh fine = resampled_warp(a, b.columns, b.rows);
+  double farthest = 0.0;
+  std::size_t both = 0;
+  for (std::size_t i = 0; i < b.nodes.size(); ++i) {
+    if (fine.nodes[i].valid && b.nodes[i].valid) {
+      ++both;
+      farthest = std::max({farthest, std::abs(static_cast<double>(fine.nodes[i].u) - b.nodes[i].u),
+                           std::abs(static_cast<double>(fine.nodes[i].v) - b.nodes[i].v)});
+    }
+  }
+  EXPECT_GT(2 * both, b.nodes.size());
+  return farthest;
+}
+
+TEST_F(SetupConversion, AFisheyesWarpIsComputedForMpcdi) {
+  const DomeSetup fisheye = setup("pitch_deg = 90\nfisheye = { fov_deg = 180, circle = 2 }\n");
+  const auto [before, after] = before_and_after(fisheye);
+  EXPECT_LT(farthest_apart(before.warp, after), 1e-6);
+  // It looks straight up: pixels across the raster's middle from each other show places across the master's.
+  EXPECT_NEAR(after.at(3, 1).u + after.at(4, 2).u, 1.0, 1e-4);
+  EXPECT_NEAR(after.at(3, 1).v + after.at(4, 2).v, 1.0, 1e-4);
+}
+
+TEST_F(SetupConversion, AMirrorsWarpIsComputedForMpcdi) {
+  const DomeSetup mirrored = setup(
+      "yaw_deg = 180\nfrustum = { left_deg = -10, right_deg = 10, up_deg = 12, down_deg = -3 }\n"
+      "mirror = { position_m = [0, 0, 1.5], radius_m = 0.3 }\n");
+  const auto [before, after] = before_and_after(mirrored);
+  EXPECT_LT(farthest_apart(before.warp, after), 1e-6);
+}
+
+TEST_F(SetupConversion, ASetupsRotationIsInTheWarpsOfMpcdi) {
+  write("a.data", plain_mesh);
+  DomeSetup turned = setup("warp = \"a.data\"\n");
+  turned.rotation_deg = 90.0;
+  const WarpMesh warp = before_and_after(turned).second;
+  for (const WarpNode& node : warp.nodes) {
+    EXPECT_NEAR(node.u, 1.0F - node.y, 1e-6);
+    EXPECT_NEAR(node.v, node.x, 1e-6);
+  }
 }
 
 TEST_F(SetupConversion, CalibrationBecomesASetupThatReadsBack) {
