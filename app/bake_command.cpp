@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/inspect_trajectory.h"
@@ -41,17 +44,16 @@ struct BakeOptions {
   bool replace = false;
 };
 
-//! K and N of "K/N".
-void set_part(const std::string& text, BakeSettings& settings) {
+//! K and N of "K/N"; none of anything else.
+std::optional<std::pair<int, int>> part_of(const std::string& text) {
+  int part = 0;
+  int parts = 0;
   int used = 0;
-  if (text.empty()) {
-    return;
+  const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &used) == 2;
+  if (!read || used != static_cast<int>(text.size()) || part < 1 || part > parts || parts > 1000) {
+    return std::nullopt;
   }
-  if (std::sscanf(text.c_str(), "%d/%d%n", &settings.part, &settings.parts, &used) != 2 ||
-      used != static_cast<int>(text.size()) || settings.part < 1 || settings.part > settings.parts ||
-      settings.parts > 1000) {
-    throw Error("--part " + text, "is no part of a bake", "write K/N, as in 2/4");
-  }
+  return std::pair(part, parts);
 }
 
 BakeSettings settings_of(const BakeOptions& options, const Show& show) {
@@ -61,7 +63,9 @@ BakeSettings settings_of(const BakeOptions& options, const Show& show) {
   settings.pixel = pixel_angle(make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0));
   settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
   settings.derivatives = !options.no_derivatives;
-  set_part(options.part, settings);
+  if (!options.part.empty()) {
+    std::tie(settings.part, settings.parts) = part_of(options.part).value();
+  }
   return settings;
 }
 
@@ -200,7 +204,10 @@ void add_bake_command(CLI::App& app) {
       "bake", "Compute the lenses along a show's camera path beforehand; goes on where an earlier run was stopped");
   command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
   command->add_option("--out", options->out, "trajectory file to write")->required();
-  command->add_option("--part", options->part, "K/N: bake this stretch alone, beside other processes with the others");
+  command->add_option("--part", options->part, "K/N: bake this stretch alone, beside other processes with the others")
+      ->check([](const std::string& text) {
+        return part_of(text) ? std::string() : text + " is no part of a bake; write K/N, as in 2/4";
+      });
   command->add_option("--size", options->size_px, "width of the pictures in pixels, instead of the show's")
       ->check(CLI::Range(1, 16384));
   command->add_option("--budget", options->budget_px, "error on the screen in pixels, instead of the show's")

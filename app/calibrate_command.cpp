@@ -16,6 +16,7 @@
 #include "app/progress.h"
 #include "app/projector_folder.h"
 #include "app/setup_show.h"
+#include "app/usage_error.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
@@ -196,7 +197,7 @@ void run(const CalibrateOptions& options) {
     return;
   }
   if (options.out.empty()) {
-    throw Error("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
+    throw UsageError("calibrate", "needs --out DIR, or --live", "name a folder for warps and masks");
   }
   end_on_interrupts();
   const DomeSetup setup = read_dome_setup(options.setup);

@@ -13,6 +13,7 @@
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/projector_folder.h"
+#include "app/usage_error.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_reader.h"
 #include "calibration/mpcdi_writer.h"
@@ -118,9 +119,9 @@ void run(const ConvertOptions& options) {
   if (is_mesh(from) && is_mesh(to)) {
     return convert_mesh(options);
   }
-  throw Error("convert", fmt::format("cannot make \"{}\" of \"{}\"", options.to, options.from),
-              "a setup (.toml) becomes .mpcdi or a folder, MPCDI (.mpcdi, .xml) a setup or a folder, "
-              "a mesh (.data, .pfm) the other kind of mesh");
+  throw UsageError("convert", fmt::format("cannot make \"{}\" of \"{}\"", options.to, options.from),
+                   "a setup (.toml) becomes .mpcdi or a folder, MPCDI (.mpcdi, .xml) a setup or a folder, "
+                   "a mesh (.data, .pfm) the other kind of mesh");
 }
 
 }  // namespace
@@ -143,6 +144,7 @@ void add_convert_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--size", options->size, "columns and rows of a .pfm (default: the mesh's own)")
       ->delimiter('x')
+      ->check(CLI::Range(2, 16384))
       ->type_name("WxH");
   IdleOptions idle(*command);
   idle.add("of what is not MPCDI", [options] { return kind_of(options->from) != FileKind::mpcdi; }, {"--radius"});

@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
+#include "app/usage_error.h"
 #include "content/camera_path.h"
 #include "content/files/atomic_file.h"
 #include "content/files/counted.h"
@@ -68,7 +69,7 @@ std::pair<int, int> size_of(const std::string& text) {
   };
   const double height = sides.size() == 2 ? sides[1] : sides.size() == 1 ? std::round(sides[0] * 9.0 / 16.0) : 0.0;
   if (sides.empty() || !fits(sides[0]) || !fits(height)) {
-    throw Error(
+    throw UsageError(
         "--size " + text, "is no size of a picture",
         fmt::format("write WIDTHxHEIGHT, or a width, from {} to {} pixels a side", least_diagram_px, most_diagram_px));
   }
@@ -88,8 +89,8 @@ std::vector<int> images_of(const std::string& text) {
     }
   }
   if (numbers.empty() || images.size() != numbers.size()) {
-    throw Error("--images " + text, "are no orders of images",
-                fmt::format("write some of 1 to {} with commas between them", most_polygon_images));
+    throw UsageError("--images " + text, "are no orders of images",
+                     fmt::format("write some of 1 to {} with commas between them", most_polygon_images));
   }
   std::ranges::sort(images);
   images.erase(std::unique(images.begin(), images.end()), images.end());
@@ -107,7 +108,7 @@ OutsideDirection outside_direction_of(const DiagramOptions& options, const Show&
   const std::vector<double> numbers = numbers_of(options.from, ',');
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90.0 ||
       (numbers.size() == 3 && !(numbers[2] >= nearest && numbers[2] <= 1e7))) {
-    throw Error(
+    throw UsageError(
         "--from " + options.from, "is no place of a camera",
         fmt::format("write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,DISTANCE in degrees (elevation -90 to 90) and "
                     "M, {} or more from the hole",
@@ -121,7 +122,7 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
   require_time("diagram --at", show, options.time_s);
   const std::filesystem::path out = options.out;
   if (out.extension() != ".png") {
-    throw Error("--out " + options.out, "is no name of a PNG", "let it end in .png; with --frames name a folder");
+    throw UsageError("--out " + options.out, "is no name of a PNG", "let it end in .png; with --frames name a folder");
   }
   const DiagramScene scene = diagram.at(options.time_s);
   const OutsideCamera camera =

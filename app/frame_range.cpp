@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/usage_error.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -22,8 +23,8 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
       used = 0;
     }
     if (used != part.size() || value < 1 || value > count) {
-      throw Error("--frames " + text, fmt::format("\"{}\" is not a frame of this show", part),
-                  fmt::format("choose from 1:{}", count));
+      throw UsageError("--frames " + text, fmt::format("\"{}\" is not a frame of this show", part),
+                       fmt::format("choose from 1:{}", count));
     }
     return value;
   };
@@ -31,7 +32,7 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
   const int first = number(text.substr(0, colon), 1);
   const int last = colon == std::string::npos ? first : number(text.substr(colon + 1), count);
   if (last < first) {
-    throw Error("--frames " + text, "ends before it begins", "write FIRST:LAST");
+    throw UsageError("--frames " + text, "ends before it begins", "write FIRST:LAST");
   }
   return {first - 1, last - 1};
 }

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 
+#include "app/usage_error.h"
 #include "content/files/counted.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
@@ -28,9 +29,15 @@ std::shared_ptr<StationStream> open(const Show& show, const std::filesystem::pat
                                     Backend backend, const Tell& tell) {
   TrajectoryReader trajectory(file);
   require_path_of(show, trajectory);
-  const std::size_t memory = static_cast<std::size_t>(options.stream_memory_mib) << 20U;
+  const std::size_t memory = static_cast<std::size_t>(options.stream_memory_mib.value_or(usual_stream_memory_mib))
+                             << 20U;
   return std::make_shared<StationStream>(backend, std::move(trajectory), memory,
                                          [tell](const std::string& problem) { tell(problem + " (skipped)"); });
+}
+
+//! Where a show's own trajectory would be.
+std::filesystem::path trajectory_beside(const Show& show) {
+  return std::filesystem::path(show.folder) / (show.name + ".trajectory");
 }
 
 //! What is drawn where stations are too coarse.
@@ -52,9 +59,10 @@ void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle
       ->capture_default_str();
   command.add_option("--trajectory", options.trajectory,
                      "file made by ergodome bake (default: the show's name with .trajectory, beside it)");
-  command.add_option("--stream-memory", options.stream_memory_mib, "most memory for streamed stations, in MiB")
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str();
+  command
+      .add_option("--stream-memory", options.stream_memory_mib,
+                  fmt::format("most memory for streamed stations, in MiB (default: {})", usual_stream_memory_mib))
+      ->check(CLI::Range(1, 1 << 20));
   idle.add("with --lens live or direct",
            [&options] {
              const LensChoice choice = lens_choice(options);
@@ -87,7 +95,7 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
   if (!options.trajectory.empty()) {
     return open(show, options.trajectory, options, backend, tell);
   }
-  const std::filesystem::path beside = std::filesystem::path(show.folder) / (show.name + ".trajectory");
+  const std::filesystem::path beside = trajectory_beside(show);
   std::error_code problem;
   if (!std::filesystem::exists(beside, problem)) {
     if (choice == LensChoice::streamed) {
@@ -104,6 +112,15 @@ std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& 
     }
     tell(std::string(error.what()) + " (left alone)");
     return nullptr;
+  }
+}
+
+void require_used_memory(const Show& show, const LensOptions& options) {
+  std::error_code problem;
+  if (options.stream_memory_mib && options.trajectory.empty() && lens_choice(options) == LensChoice::automatic &&
+      !std::filesystem::exists(trajectory_beside(show), problem)) {
+    throw UsageError("--stream-memory", fmt::format("there is no trajectory of {} to stream from", show.name),
+                     "leave it out, or name one with --trajectory");
   }
 }
 

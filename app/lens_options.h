@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ namespace ergodome {
 struct LensOptions {
   std::string lens = "auto";
   std::string trajectory;  //!< file; empty: the show's own name with .trajectory beside it, if it is there
-  int stream_memory_mib = 256;
+  std::optional<int> stream_memory_mib;
 };
+
+constexpr int usual_stream_memory_mib = 256;
 
 //! Adds --lens, --trajectory and --stream-memory to a command, and to its idle options where they change nothing. `options` outlive both.
 void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle);
@@ -39,6 +42,9 @@ void tell_on_terminal(const std::string& note);
 //! stream's thread, too, for stations that cannot be read.
 std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend,
                                            Tell tell = tell_on_terminal);
+
+//! Throws UsageError where most memory for streamed stations is given, and nothing of the show's is streamed: there is no trajectory.
+void require_used_memory(const Show& show, const LensOptions& options);
 
 //! Whether stations of a trajectory hold the show's budget in pictures of a width (0: the show's own).
 bool is_fine_enough(const StationStream& stream, const Show& show, int size_px);

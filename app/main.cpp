@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/usage_error.h"
 #include "content/files/toml_table.h"
 #include "kernels/core/error.h"
 #include "render/backend/kept_memory.h"
@@ -59,6 +60,9 @@ int main(int argc, char** argv) {
       return refuse_word(app, *word);
     }
     return app.exit(problem) == 0 ? 0 : 2;
+  } catch (const ergodome::UsageError& problem) {
+    std::fprintf(stderr, "ergodome: %s\n", problem.what());
+    return 2;
   } catch (const std::bad_alloc&) {
     std::fputs("ergodome: not enough memory; choose a smaller size\n", stderr);
     return 1;

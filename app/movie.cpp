@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "app/interrupt.h"
+#include "app/usage_error.h"
 #include "app/write_all.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
@@ -209,7 +210,7 @@ std::string movie_ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (std::ranges::find(endings, ending) == endings.end()) {
-    throw Error("--movie " + file.string(), "does not end as a film's name does", "choose .mp4, .mov or .mkv");
+    throw UsageError("--movie " + file.string(), "does not end as a film's name does", "choose .mp4, .mov or .mkv");
   }
   return ending;
 }

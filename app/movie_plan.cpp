@@ -4,6 +4,7 @@
 
 #include "app/lens_options.h"
 #include "app/movie.h"
+#include "app/usage_error.h"
 #include "kernels/core/error.h"
 #include "render/output/frame_names.h"
 
@@ -15,17 +16,17 @@ void require_movie(const RenderOptions& options, const Show& show) {
   }
   const std::string named = "--movie " + options.movie;
   if (options.format == "exr") {
-    throw Error(named, "is not made of linear light", "choose --format png, png16 or tiff");
+    throw UsageError(named, "is not made of linear light", "choose --format png, png16 or tiff");
   }
   if (!options.setup.empty()) {
-    throw Error(named, "is of the master, not of projectors' frames", "leave out --setup");
+    throw UsageError(named, "is of the master, not of projectors' frames", "leave out --setup");
   }
   if (has_face_files(show.view)) {
     throw Error(named, "is not made of a cube's single faces", "choose cube_layout = \"cross\"");
   }
   if (show.stereo.layout == StereoLayout::rows && movie_ending(options.movie) == ".mp4") {
-    throw Error(named, "has one colour for two rows, in which the eyes of layout rows would mix",
-                "choose .mov or .mkv");
+    throw UsageError(named, "has one colour for two rows, in which the eyes of layout rows would mix",
+                     "choose .mov or .mkv");
   }
   for (const FramePart part : movie_parts(show)) {
     require_movie_encoder(movie_path(options.movie, part));

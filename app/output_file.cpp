@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/usage_error.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -13,8 +14,8 @@ void require_other_file(const std::string& option, const std::filesystem::path& 
     // Where one of them is not there they are not the same.
     std::error_code not_there;
     if (std::filesystem::equivalent(written, each, not_there)) {
-      throw Error(option + " " + written.string(), "is the file that is read, and would be lost",
-                  "choose another name");
+      throw UsageError(option + " " + written.string(), "is the file that is read, and would be lost",
+                       "choose another name");
     }
   }
 }
@@ -35,7 +36,7 @@ void require_other_png(const std::string& option, const std::filesystem::path& w
   std::string ending = written.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (!written.empty() && ending != ".png") {
-    throw Error(option + " " + written.string(), "is no name of a PNG", "let it end in .png");
+    throw UsageError(option + " " + written.string(), "is no name of a PNG", "let it end in .png");
   }
   require_output_file(option, written, read);
 }

@@ -1,5 +1,6 @@
 #include "app/pixel_text.h"
 
+#include "app/usage_error.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -14,8 +15,8 @@ double pixels_of(const std::string& option, const std::string& text) {
   }
   const std::string unit = text.substr(used);
   if (used == 0 || !(unit.empty() || unit == "px") || !(value >= 1e-4 && value <= 100.0)) {
-    throw Error(option + " " + text, "is not a number of pixels",
-                "write for example " + option + " 0.1px, from 1e-4 to 100");
+    throw UsageError(option + " " + text, "is not a number of pixels",
+                     "write for example " + option + " 0.1px, from 1e-4 to 100");
   }
   return value;
 }

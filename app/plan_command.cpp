@@ -142,6 +142,8 @@ void run(const PlanOptions& options) {
   Show show = load_show(options.show);
   override_view(show, options.projection, options.stereo);
   override_baseline(show, options.baseline);
+  require_two_eyes(show, options.baseline);
+  require_used_memory(show, options.lens);
   override_objects(show, options.objects);
   require_features(show);
   const Backend backend = choose_backend(options.backend);

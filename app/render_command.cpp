@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -17,6 +18,7 @@
 #include "app/pattern_frames.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
+#include "app/usage_error.h"
 #include "content/files/atomic_file.h"
 #include "content/files/counted.h"
 #include "kernels/core/error.h"
@@ -31,18 +33,19 @@ namespace {
 //! Whether files can hold what the layout makes.
 void require_file_layout(const RenderOptions& options, const Show& show) {
   if (show.stereo.layout == StereoLayout::multiview && options.format != "exr") {
-    throw Error("stereo layout multiview", "is two views in one EXR, which no other format holds", "add --format exr");
+    throw UsageError("stereo layout multiview", "is two views in one EXR, which no other format holds",
+                     "add --format exr");
   }
   if (show.stereo.layout == StereoLayout::quad_buffer) {
-    throw Error("stereo layout quad_buffer", "is for a window with two buffers; files have none",
-                "choose another with --stereo, for instance side_by_side");
+    throw UsageError("stereo layout quad_buffer", "is for a window with two buffers; files have none",
+                     "choose another with --stereo, for instance side_by_side");
   }
 }
 
 //! The show, or for patterns without one a dome of 180°, with what the command line says instead.
 Show chosen_show(const RenderOptions& options) {
   if (options.show.empty() && options.pattern.empty()) {
-    throw Error("render", "needs a show, or --pattern", "name a show file or a built-in show");
+    throw UsageError("render", "needs a show, or --pattern", "name a show file or a built-in show");
   }
   Show show = options.show.empty() ? Show{} : load_show(options.show);
   override_view(show, options.projection, options.stereo);
@@ -62,10 +65,24 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
     return std::nullopt;
   }
   if (options.format != "png" || options.alpha || !options.movie.empty()) {
-    throw Error("--setup " + options.setup, "writes the 8 bits that projectors are sent, as PNG alone",
-                "leave out --format, --alpha and --movie");
+    throw UsageError("--setup " + options.setup, "writes the 8 bits that projectors are sent, as PNG alone",
+                     "leave out --format, --alpha and --movie");
   }
   return read_dome_setup(options.setup);
+}
+
+//! Throws UsageError where options have no use for this show.
+void require_used_options(const RenderOptions& options, const Show& show) {
+  static_cast<void>(follow_method(options.method, options.view, show));
+  require_two_eyes(show, options.baseline);
+  require_used_memory(show, options.lens);
+  const bool narrated =
+      std::ranges::any_of(show.timeline.audio, [](const AudioTrack& track) { return !track.language.empty(); });
+  if (!options.language.empty() && show.timeline.captions.empty() && (options.movie.empty() || !narrated)) {
+    throw UsageError("--language " + options.language,
+                     fmt::format("{} has no captions{}", show.name, options.movie.empty() ? "" : " and no narration"),
+                     "leave it out");
+  }
 }
 
 int write_patterns(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
@@ -106,6 +123,7 @@ void run(RenderOptions options) {
     return;
   }
   require_features(show);
+  require_used_options(options, show);
   tell_equal_eyes(show);
   require_file_layout(options, show);
   require_movie(options, show);
@@ -144,6 +162,7 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
   idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
            {"--frames", "--movie", "--fps", "--view", "--method", "--budget", "--check", "--resume", "--baseline",
             "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
+  idle.add("without --format exr", [options] { return options->format != "exr"; }, {"--compression"});
   idle.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
            {"--frames", "--movie", "--format", "--compression", "--alpha", "--resume", "--language"});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/usage_error.h"
 #include "content/animated_show.h"
 #include "content/objects/object_reader.h"
 #include "content/show_reader.h"
@@ -57,17 +58,17 @@ void override_objects(Show& show, const std::string& method) {
   }
   const bool trace = method == "trace";
   if (show.objects.empty()) {
-    throw Error("--objects " + method, show.name + " has no objects", "leave it out");
+    throw UsageError("--objects " + method, show.name + " has no objects", "leave it out");
   }
   for (ObjectSettings& object : show.objects) {
     object.method = trace ? ObjectMethod::trace : ObjectMethod::polygon;
     if (!trace && object.retarded) {
-      throw Error("--objects polygon", "polygons do not know that objects are retarded", "leave it out");
+      throw UsageError("--objects polygon", "polygons do not know that objects are retarded", "leave it out");
     }
   }
   const std::optional<PolygonLimit> limit = trace ? std::nullopt : polygon_limit(show);
   if (limit) {
-    throw Error("--objects polygon", show.name + ": objects " + limit->problem, "leave it out");
+    throw UsageError("--objects polygon", show.name + ": objects " + limit->problem, "leave it out");
   }
 }
 
@@ -94,6 +95,13 @@ void override_baseline(Show& show, const std::optional<double>& baseline) {
   }
 }
 
+void require_two_eyes(const Show& show, const std::optional<double>& baseline) {
+  if (baseline && eye_count(show.stereo) == 1) {
+    throw UsageError("--baseline", show.name + " is for one eye",
+                     "leave it out, or add for example --stereo side_by_side");
+  }
+}
+
 void tell_equal_eyes(const Show& show) {
   if (eye_count(show.stereo) > 1 && !(show_at_most(show).stereo.baseline > 0.0)) {
     fmt::print(stderr,
@@ -103,8 +111,8 @@ void tell_equal_eyes(const Show& show) {
 
 void require_time(const std::string& option, const Show& show, double time_s) {
   if (!(time_s >= 0.0 && time_s <= show.duration_s)) {
-    throw Error(option, fmt::format("{:.9g} s is outside {}", time_s, show.name),
-                fmt::format("choose from 0 to {:.9g} s", show.duration_s));
+    throw UsageError(option, fmt::format("{:.9g} s is outside {}", time_s, show.name),
+                     fmt::format("choose from 0 to {:.9g} s", show.duration_s));
   }
 }
 
@@ -129,11 +137,13 @@ std::optional<TraceMethod> follow_method(const std::string& name, const std::str
     return std::nullopt;
   }
   if (!follows_rays(view_mode(view))) {
-    throw Error("--method " + name, "is for heat maps of steps and errors alone", "add --view steps or --view error");
+    throw UsageError("--method " + name, "is for heat maps of steps and errors alone",
+                     "add --view steps or --view error");
   }
   if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
-    throw Error("--method " + name, "follows the rays of one camera, and in the model omni every pixel has its own",
-                "add --stereo mono");
+    throw UsageError("--method " + name,
+                     "follows the rays of one camera, and in the model omni every pixel has its own",
+                     "add --stereo mono");
   }
   constexpr TraceMethod methods[] = {TraceMethod::taylor, TraceMethod::rk34, TraceMethod::cash_karp,
                                      TraceMethod::baseline_rk34};

@@ -14,6 +14,7 @@
 #include "app/interrupt.h"
 #include "app/pixel_text.h"
 #include "app/show_loading.h"
+#include "app/usage_error.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 #include "render/accuracy/accuracy.h"
@@ -64,7 +65,7 @@ void run(const AccuracyOptions& options) {
   require_features(show);
   const auto measured = accuracy_axes(show, settings_of(options));
   if (measured.empty()) {
-    throw Error(options.show, "has no such choice to measure", "leave --axes out to see which it has");
+    throw UsageError(options.show, "has no such choice to measure", "leave --axes out to see which it has");
   }
   for (const std::string& asked : options.axes) {
     if (std::ranges::find(measured, asked) == measured.end()) {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "app/usage_error.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -13,7 +14,7 @@ namespace {
 constexpr const char* budget_remedy = "write for example --budget 0.25px, --budget 60fps or --budget 0.25px,60fps";
 
 [[noreturn]] void refuse_budget(const std::string& word, const std::string& problem, const std::string& remedy) {
-  throw Error(fmt::format("--budget {}", word), problem, remedy);
+  throw UsageError(fmt::format("--budget {}", word), problem, remedy);
 }
 
 //! What stands between commas and blanks.

@@ -6,6 +6,7 @@
 
 #include "app/backend_choice.h"
 #include "app/budget/budget_texts.h"
+#include "app/usage_error.h"
 #include "calibration/projector_picture.h"
 #include "kernels/core/error.h"
 
@@ -47,7 +48,7 @@ bool use_render_budget(RenderOptions& options, Show& show, const std::optional<D
   const Budget budget = parse_budget(options.budget);
   const bool checks = options.checked_moments > 0;
   if (checks && !budget.error_px) {
-    throw Error("--check", "looks whether an error is within a budget", "add for example --budget 0.25px");
+    throw UsageError("--check", "looks whether an error is within a budget", "add for example --budget 0.25px");
   }
   if (budget.empty()) {
     return true;

@@ -17,9 +17,11 @@
 #include "app/lens_options.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
+#include "app/playback/midi_time_code.h"
 #include "app/player/player.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
+#include "app/usage_error.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {
@@ -100,9 +102,9 @@ std::shared_ptr<ShowRenderer> use_budget(PlayArguments& arguments, const Show& s
   }
   PlayOptions& options = arguments.options;
   std::shared_ptr<ShowRenderer> renderer = make(show);
-  const ToldPlan told =
-      plan_play(*renderer, show,
-                {budget, options.size_px, arguments.size_given, lens_choice(arguments.lens), options.free_flight});
+  const ToldPlan told = plan_play(*renderer, show,
+                                  {budget, options.size_px, arguments.size_given, lens_choice(arguments.lens),
+                                   options.free_flight || arguments.exhibit});
   fmt::print("{}\n", told.line);
   std::fflush(stdout);
   options.budget = told.plan;
@@ -135,6 +137,9 @@ void run(PlayArguments arguments) {
   }
   options.load = [arguments](const std::string& name) { return loaded_show(arguments, name); };
   const Show show = options.load(arguments.show.empty() ? "free-flight" : arguments.show);
+  if (!arguments.exhibit) {
+    require_used_memory(show, arguments.lens);
+  }
   tell_equal_eyes(show);
   if (keeps_eyes_apart(show.stereo.layout) && !options.setup) {
     fmt::print(stderr, "ergodome: the window shows the eyes of layout {} side by side; render writes them apart\n",
@@ -182,6 +187,13 @@ void run_logged(const PlayArguments& arguments) {
       open_log(state_folder() / "ergodome.log", {})->error("{}", problem.what());
     }
     throw;
+  }
+}
+
+//! Throws UsageError where the show's time comes by OSC, and nothing listens to it.
+void require_osc_port(const ServiceOptions& services) {
+  if (services.clock == "osc" && !services.remote.osc_port) {
+    throw UsageError("--clock osc", "has no port to listen at", "add --osc PORT");
   }
 }
 
@@ -245,6 +257,11 @@ void add_play_command(CLI::App& app) {
   command
       ->add_option("--clock-start", arguments->options.services.clock_start,
                    "with --clock mtc: the time code at which the show begins")
+      ->check([](const std::string& text) {
+        const bool known = parse_time_code(text, CodeRate::fps30).has_value();
+        return known ? std::string()
+                     : text + " is no time code; write hours, minutes, seconds and frames, as in 01:00:00:00";
+      })
       ->capture_default_str();
   CLI::Option* const no_sound = command->add_flag("!--no-sound", arguments->options.services.sound, "play no sound");
   command
@@ -269,10 +286,14 @@ void add_play_command(CLI::App& app) {
       ->needs(locked)
       ->capture_default_str();
   command->add_option("--screenshot", arguments->options.screenshot, "write what the window showed last to this PNG");
+  idle.add("without --clock mtc", [arguments] { return !arguments->options.services.clock.starts_with("mtc"); },
+           {"--clock-start"});
+  idle.add("with --exhibit, which flies when a visitor comes", [arguments] { return arguments->exhibit; }, {"--fly"});
   idle.add("of projectors' pictures, whose domemasters the setup tells",
            [arguments] { return !arguments->setup.empty() && arguments->projection != "dome"; }, {"--projection"});
   command->callback([arguments, size, idle] {
     idle.refuse();
+    require_osc_port(arguments->options.services);
     arguments->size_given = size->count() > 0;
     run_logged(*arguments);
   });

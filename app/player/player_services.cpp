@@ -29,35 +29,17 @@ std::vector<spdlog::sink_ptr> sinks_of(const ServiceOptions& options, const std:
   return sinks;
 }
 
-//! The time code's own rate counts its frames later; here they are read as of the rate that has most.
-std::optional<TimeCode> clock_start(const ServiceOptions& options) {
-  if (options.clock_start.empty()) {
-    return std::nullopt;
-  }
-  if (!options.clock.starts_with("mtc")) {
-    throw Error("--clock-start", "is for time code", "add --clock mtc, or leave it out");
-  }
-  const auto start = parse_time_code(options.clock_start, CodeRate::fps30);
-  if (!start) {
-    throw Error("--clock-start", fmt::format("'{}' is no time code", options.clock_start),
-                "write hours, minutes, seconds and frames, as in 01:00:00:00");
-  }
-  return start;
-}
-
 }  // namespace
 
 PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     : ring_(std::make_shared<LogRing>()), log_(open_log(options.log_file, sinks_of(options, ring_))) {
-  const std::optional<TimeCode> start = clock_start(options);
   if (options.clock == "osc") {
-    if (!options.remote.osc_port) {
-      throw Error("--clock osc", "has no port to listen at", "add --osc PORT");
-    }
     clock_ = std::make_shared<ExternalClock>("OSC", osc_patience);
   } else if (options.clock.starts_with("mtc")) {
     clock_ = make_midi_clock();
     const std::string port = options.clock.size() > 4 ? options.clock.substr(4) : "";
+    // The time code's own rate counts its frames later; here they are read as of the rate that has most.
+    const std::optional<TimeCode> start = parse_time_code(options.clock_start, CodeRate::fps30);
     midi_ = std::make_unique<MidiClockInput>(clock_, port, start);
     tell(spdlog::level::info, fmt::format("the show follows MIDI time code on {}", midi_->port()));
   }

@@ -7,6 +7,7 @@
 #include "app/remote/osc_server.h"
 #include "app/remote/web_server.h"
 #include "app/remote/web_token.h"
+#include "app/usage_error.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -17,8 +18,9 @@ NetAddress address_of(const std::string& host, int port, const std::string& opti
   const std::string digits = host == "localhost" ? "127.0.0.1" : host;
   const std::optional<NetAddress> address = NetAddress::parse(digits, port);
   if (!address) {
-    throw Error(option, fmt::format("'{}' is not an address", host),
-                "give one in digits, such as 127.0.0.1, 192.168.1.20 or ::1; 0.0.0.0 is every address of this machine");
+    throw UsageError(
+        option, fmt::format("'{}' is not an address", host),
+        "give one in digits, such as 127.0.0.1, 192.168.1.20 or ::1; 0.0.0.0 is every address of this machine");
   }
   return *address;
 }

@@ -96,7 +96,7 @@ TEST_F(CommandLine, RenderHasExrStereoAndProjections) {
   for (const char* method : {"taylor", "baseline_rk34"}) {
     EXPECT_EQ(run(std::string("render small.toml --out m --frames 1 --view steps --method ") + method), 0) << output_;
   }
-  EXPECT_EQ(run("render small.toml --method rk34"), 1);
+  EXPECT_EQ(run("render small.toml --method rk34"), 2);
   EXPECT_THAT(output_, HasSubstr("add --view steps"));
 }
 
@@ -155,9 +155,9 @@ TEST_F(CommandLine, RenderWritesAFileForEachFaceOfACube) {
 
 TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   write("small.toml", small_show);
-  EXPECT_EQ(run("render small.toml --frames 9:12"), 1);
+  EXPECT_EQ(run("render small.toml --frames 9:12"), 2);
   EXPECT_THAT(output_, HasSubstr("1:3"));
-  EXPECT_EQ(run("render small.toml --frames 3:1"), 1);
+  EXPECT_EQ(run("render small.toml --frames 3:1"), 2);
   EXPECT_EQ(run("render absent"), 1);
   EXPECT_THAT(output_, HasSubstr("first-light"));
   EXPECT_EQ(run("render small.toml --out /proc/nowhere"), 1);
@@ -167,13 +167,23 @@ TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   write("near.toml", std::string(small_show) + "[stereo]\nlayout = \"rows\"\nconvergence = 5\n");
   EXPECT_EQ(run("render near.toml --projection equirect"), 1);
   EXPECT_THAT(output_, HasSubstr("stereo.convergence"));
-  EXPECT_EQ(run("render small.toml --stereo multiview"), 1);
+  EXPECT_EQ(run("render small.toml --stereo multiview"), 2);
   EXPECT_THAT(output_, HasSubstr("--format exr"));
-  EXPECT_EQ(run("render small.toml --stereo quad_buffer"), 1);
+  EXPECT_EQ(run("render small.toml --stereo quad_buffer"), 2);
   EXPECT_THAT(output_, HasSubstr("--stereo"));
   write("map.toml", "[camera]\n[[camera.key]]\nr=9\n[sky]\nmap = \"absent.exr\"\n");
   EXPECT_EQ(run("render map.toml"), 1);
   EXPECT_THAT(output_, HasSubstr("absent.exr"));
+}
+
+TEST_F(CommandLine, OptionsWithoutAUseForTheShowAreAStatusOfTheirOwn) {
+  write("small.toml", small_show);
+  for (const char* const options : {"--baseline 0.1", "--stream-memory 64", "--language de", "--objects trace",
+                                    "--check 2", "--budget 1px,2px", "--setup dome.toml --alpha", "--movie film.avi"}) {
+    EXPECT_EQ(run(std::string("render small.toml --out f ") + options), 2) << options;
+    EXPECT_THAT(output_, HasSubstr(std::string(options, std::string_view(options).find(' ')))) << options;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "f"));
 }
 
 TEST_F(CommandLine, WithoutAGpuAutoSaysSoOnceAndCudaRefuses) {

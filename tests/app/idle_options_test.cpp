@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/usage_error.h"
 
 namespace ergodome {
 namespace {
@@ -25,6 +26,8 @@ std::string problem_of(const std::string& words) {
   try {
     app.parse(words);
   } catch (const CLI::ParseError& problem) {
+    return problem.what();
+  } catch (const UsageError& problem) {
     return problem.what();
   } catch (const std::exception&) {
     return "";
@@ -61,15 +64,25 @@ TEST(IdleOptions, OfEveryCommandAreToldWithWhatLeavesThemNoUse) {
       {"play none.toml --setup d.toml --projection cube", "--projection: changes nothing of projectors' pictures"},
       {"render none.toml --lens direct --stream-memory 9", "--stream-memory: changes nothing with --lens"},
       {"render none.toml --pattern checker --lens live", "--lens: changes nothing of a test pattern"},
+      {"render none.toml --compression zip", "--compression: changes nothing without --format exr"},
+      {"render", "render: needs a show, or --pattern"},
+      {"play none.toml --clock-start 01:00:00:00", "--clock-start: changes nothing without --clock mtc"},
+      {"play none.toml --clock mtc --clock-start 1", "--clock-start: 1 is no time code"},
+      {"play none.toml --clock osc", "--clock osc: has no port"},
+      {"play none.toml --exhibit --fly", "--fly: changes nothing with --exhibit"},
+      {"bake none.toml --out t --part 3/2", "--part: 3/2 is no part of a bake"},
       {"render none.toml --budget 1px --check 2 --resume", "--resume: changes nothing with --check"},
       {"plan none.toml --time 2", "--time requires --measure"},
       {"inspect none.toml --time 2", "--time requires --picture"},
       {"inspect none.png --picture p.png", "--picture: changes nothing of a sky map"},
       {"accuracy none.toml --json --at 1px", "--at: changes nothing with --json"},
       {"calibrate d.toml --live --out o", "--out excludes --live"},
+      {"calibrate d.toml", "calibrate: needs --out DIR, or --live"},
       {"calibrate d.toml --out o --for 2", "--for requires --live"},
       {"convert a.toml made --radius 5", "--radius: changes nothing of what is not MPCDI"},
       {"convert a.toml made --aspect 2", "--aspect: changes nothing where"},
+      {"convert a.data b.png", "convert: cannot make"},
+      {"convert a.data b.pfm --size 1x4", "--size: Value 1 not in range"},
       {"convert a.pfm b.data --size 4x4", "--size: changes nothing where"},
       {"pad --for 2", "--for: changes nothing without --live"},
       {"pad --pad 2", "--pad requires --calibrate"},

@@ -191,13 +191,13 @@ TEST_F(RenderAMovie, LeavesNothingElseBehind) {
 
 TEST_F(RenderAMovie, IsRefusedBeforeAnyFrameIsMade) {
   install("exit 0\n");
-  EXPECT_EQ(run("render small.toml --out f --movie film.avi"), 1);
+  EXPECT_EQ(run("render small.toml --out f --movie film.avi"), 2);
   EXPECT_THAT(output_, HasSubstr(".mkv"));
-  EXPECT_EQ(run("render small.toml --out f --format exr --movie film.mp4"), 1);
+  EXPECT_EQ(run("render small.toml --out f --format exr --movie film.mp4"), 2);
   EXPECT_THAT(output_, HasSubstr("linear light"));
   EXPECT_EQ(run("render small.toml --out f --movie small.toml/film.mp4"), 1);
   EXPECT_THAT(output_, HasSubstr("small.toml is no folder"));
-  EXPECT_EQ(run("render small.toml --out f --stereo rows --movie film.mp4"), 1);
+  EXPECT_EQ(run("render small.toml --out f --stereo rows --movie film.mp4"), 2);
   EXPECT_THAT(output_, HasSubstr("choose .mov or .mkv"));
   EXPECT_EQ(run("render small.toml --out f --movie ''"), 2);
   ::setenv("PATH", "/nowhere", 1);
@@ -252,7 +252,7 @@ TEST_F(CommandLine, PatternsNeedNoShow) {
   EXPECT_TRUE(fs::exists(folder_ / "p/L/left_right.png"));
   EXPECT_TRUE(fs::exists(folder_ / "p/R/left_right.png"));
   EXPECT_EQ(run("render --pattern chequers"), 2);
-  EXPECT_EQ(run("render"), 1);
+  EXPECT_EQ(run("render"), 2);
 }
 
 }  // namespace

@@ -103,11 +103,11 @@ TEST_F(CommandLine, OutputsAreNoFilesThatAreRead) {
                 "trace --rays rays.csv --out rays.csv", "edge --rays rays.csv --out rays.csv",
                 "connect --pairs rays.csv --out rays.csv", "catalogue rays.csv --out rays.csv",
                 "convert rays.csv rays.csv", "calibrate small.toml --out c --mpcdi small.toml"})) {
-    EXPECT_EQ(run(command), 1) << command;
+    EXPECT_EQ(run(command), 2) << command;
     EXPECT_THAT(output_, HasSubstr("is the file that is read")) << command;
   }
-  EXPECT_EQ(run("inspect small.toml --picture small.toml"), 1);
-  EXPECT_EQ(run("play small.toml --screenshot small.toml"), 1);
+  EXPECT_EQ(run("inspect small.toml --picture small.toml"), 2);
+  EXPECT_EQ(run("play small.toml --screenshot small.toml"), 2);
   EXPECT_EQ(read_whole_file(folder_ / "small.toml", 10'000, ""), tiny_show);
   EXPECT_EQ(read_whole_file(folder_ / "rays.csv", 10'000, ""), rays);
 }
