@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "content/images/image_library.h"
 #include "kernels/image/color_map.h"
@@ -13,10 +12,6 @@
 namespace ergodome {
 
 namespace {
-
-struct Bar {
-  int left, top, width, height;
-};
 
 void set_pixel(Picture& picture, int x, int y, const Vector3<float>& linear) {
   if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) {
@@ -28,7 +23,7 @@ void set_pixel(Picture& picture, int x, int y, const Vector3<float>& linear) {
   }
 }
 
-void fill(Picture& picture, ViewMode mode, const Bar& bar) {
+void fill(Picture& picture, ViewMode mode, const ColorBarLayout& bar) {
   for (int x = -1; x <= bar.width; ++x) {
     const float value = (static_cast<float>(x) + 0.5F) / static_cast<float>(bar.width);
     const Vector3<float> shown = mode == ViewMode::frequency_ratio ? shift_color(value) : heat_color(value);
@@ -40,71 +35,115 @@ void fill(Picture& picture, ViewMode mode, const Bar& bar) {
   }
 }
 
-void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int font_px) {
-  const float white[4] = {0.8F, 0.8F, 0.8F, 1.0F};
-  image_library().draw_text(canvas, x, y, text, {font_px, white, TextPlace::top_centre, 1});
+//! Smaller letters cannot be read.
+constexpr int least_letter_px = 9;
+constexpr int largest_letter_px = 64;
+
+//! What a view shows, with its unit; and the same for where there is less room.
+struct BarTitle {
+  const char* full;
+  const char* brief;
+};
+
+BarTitle title_of(ViewMode mode) {
+  switch (mode) {
+    case ViewMode::sky:
+      return {"sky", "sky"};
+    case ViewMode::steps:
+      return {"integration steps", "steps"};
+    case ViewMode::error_estimate:
+      return {"error estimate [rad]", "error [rad]"};
+    case ViewMode::image_order:
+      return {"angle swept about the hole [half turns]", "half turns"};
+    case ViewMode::frequency_ratio:
+      return {"frequency ratio g", "ratio g"};
+    case ViewMode::magnification:
+      return {"magnification", "magnified"};
+  }
+  return {"", ""};
 }
 
-//! The letters' height, made smaller where a text is wider than its room [px].
-int fitting_px(const std::string& text, int font_px, int room_px) {
-  constexpr int least_px = 6;
-  while (font_px > least_px && image_library().text_box(text, font_px).width > room_px) {
-    --font_px;
-  }
-  return font_px;
-}
+//! Texts under a bar from `from` to `to`, moved to where they are all between these and a gap apart.
+class BarRow {
+ public:
+  BarRow(int from, int to, int letter_px) : from_(from), to_(to), letter_px_(letter_px) {}
 
-void label(Picture& picture, ViewMode mode, const Bar& bar, int font_px) {
-  const ImageCanvas image = {picture.rgba.data(), picture.width, picture.height, 4};
-  constexpr int ticks = 4;
-  const HeatRange& range = *picture.heat_range;
-  std::vector<std::string> numbers;
-  int number_px = font_px;
-  for (int i = 0; i <= ticks; ++i) {
-    const double part = static_cast<double>(i) / ticks;
-    const double value = range.logarithmic ? range.low * std::pow(range.high / range.low, part)
-                                           : range.low + part * (range.high - range.low);
-    numbers.push_back(fmt::format("{:.3g}", value));
-    number_px = std::min(number_px, fitting_px(numbers.back(), font_px, bar.width / ticks * 9 / 10));
+  //! Whether there is room for a text about `middle`, behind those that are there.
+  bool add(const std::string& text, int middle, int top_y) {
+    const int width = image_library().text_box(text, letter_px_).width;
+    const int left = std::clamp(middle - width / 2, from_, std::max(from_, to_ - width));
+    const bool fits = left >= end_ && left + width <= to_;
+    end_ = left + width + letter_px_ / 2;
+    texts_.push_back({text, left + width / 2, top_y});
+    return fits;
   }
-  for (int i = 0; i <= ticks; ++i) {
-    write(image, bar.left + i * bar.width / ticks, bar.top + bar.height + font_px / 3,
-          numbers[static_cast<std::size_t>(i)], number_px);
+  [[nodiscard]] const std::vector<BarText>& texts() const { return texts_; }
+
+ private:
+  int from_;
+  int to_;
+  int letter_px_;
+  int end_ = 0;
+  std::vector<BarText> texts_;
+};
+
+//! Numbers at the ends of a bar and at as many places between them as there is room for; none where the ends have none.
+std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& range, int from, int to) {
+  for (const int intervals : {4, 2, 1}) {
+    BarRow row(from, to, bar.letter_px);
+    bool fits = true;
+    for (int i = 0; i <= intervals; ++i) {
+      const double part = static_cast<double>(i) / intervals;
+      const double value = range.logarithmic ? range.low * std::pow(range.high / range.low, part)
+                                             : range.low + part * (range.high - range.low);
+      fits = row.add(fmt::format("{:.3g}", value), bar.left + i * bar.width / intervals,
+                     bar.top + bar.height + bar.letter_px / 3) &&
+             fits;
+    }
+    if (fits) {
+      return row.texts();
+    }
   }
-  const std::string title = title_of(mode);
-  const int middle = bar.left + bar.width / 2;
-  const int title_px = fitting_px(title, font_px, 2 * std::min(middle, picture.width - middle) * 19 / 20);
-  write(image, middle, bar.top - font_px - font_px / 2, title, title_px);
+  return {};
 }
 
 }  // namespace
 
-std::string title_of(ViewMode mode) {
-  switch (mode) {
-    case ViewMode::sky:
-      return "sky";
-    case ViewMode::steps:
-      return "integration steps";
-    case ViewMode::error_estimate:
-      return "error estimate [rad]";
-    case ViewMode::image_order:
-      return "angle swept about the hole [half turns]";
-    case ViewMode::frequency_ratio:
-      return "frequency ratio g";
-    case ViewMode::magnification:
-      return "magnification";
+ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& range, ViewMode mode) {
+  const int letter_px = std::clamp(height_px / 64, least_letter_px, largest_letter_px);
+  ColorBarLayout bar{width_px / 24, height_px - 4 * letter_px, width_px / 3, letter_px, letter_px, {}};
+  if (width_px < 160 || height_px < 100) {
+    return {};
   }
-  return "";
+  const int from = letter_px / 3;
+  const int to = width_px / 2 - letter_px / 3;
+  bar.texts = bar_numbers(bar, range, from, to);
+  const BarTitle title = title_of(mode);
+  for (const char* const words : {title.full, title.brief}) {
+    BarRow row(from, to, letter_px);
+    if (row.add(words, bar.left + bar.width / 2, bar.top - letter_px - letter_px / 2)) {
+      bar.texts.push_back(row.texts().front());
+      break;
+    }
+  }
+  return bar;
 }
 
 void draw_color_bar(Picture& picture, ViewMode mode) {
-  const int font_px = std::clamp(picture.height / 64, 9, 64);
-  if (!picture.heat_range || picture.width < 160 || picture.height < 100) {
+  if (!picture.heat_range) {
     return;
   }
-  const Bar bar{picture.width / 24, picture.height - 4 * font_px, picture.width / 3, font_px};
+  const ColorBarLayout bar = color_bar_layout(picture.width, picture.height, *picture.heat_range, mode);
+  if (bar.width == 0) {
+    return;
+  }
   fill(picture, mode, bar);
-  label(picture, mode, bar, font_px);
+  const ImageCanvas image = {picture.rgba.data(), picture.width, picture.height, 4};
+  const float white[4] = {0.8F, 0.8F, 0.8F, 1.0F};
+  for (const BarText& text : bar.texts) {
+    image_library().draw_text(image, text.middle_x, text.top_y, text.text,
+                              {bar.letter_px, white, TextPlace::top_centre, 1});
+  }
 }
 
 }  // namespace ergodome

@@ -1,16 +1,33 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/frame/eye_renderer.h"
 
 namespace ergodome {
 
-//! Draws the colour bar of a heat map into its picture: the scale with labelled ticks and a title, at the bottom left. Does nothing for
-//! a picture of the sky, and leaves the labels out where the picture is too small to read them or no font is installed.
-void draw_color_bar(Picture& picture, ViewMode mode);
+//! Words of a colour bar, with the middle of their upper edge [px].
+struct BarText {
+  std::string text;
+  int middle_x;
+  int top_y;
+};
 
-//! What a view shows, with its unit.
-std::string title_of(ViewMode mode);
+//! Where the colour bar of a heat map and its words are, in pixels from the top left.
+struct ColorBarLayout {
+  int left, top, width, height;
+  int letter_px;
+  std::vector<BarText>
+      texts;  //!< numbers from the left, then the title; fewer, or a shorter title, where there is no room
+};
+
+//! The layout for a picture: in its left half, below the middle, with letters that can be read (9 px and more) and do not touch. Without width where the picture is
+//! too small for that.
+ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& range, ViewMode mode);
+
+//! Draws the colour bar of a heat map into its picture: the scale with labelled ticks and a title, at the bottom left. Does nothing for
+//! a picture of the sky and for one that is too small, and leaves the labels out where no font is installed.
+void draw_color_bar(Picture& picture, ViewMode mode);
 
 }  // namespace ergodome
