@@ -86,17 +86,28 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (exhibit_.welcome() <= 0.0) {
     return {};
   }
-  LocalText how =
-      pad ? LocalText{{"en", "Left stick: around the hole and towards it\nRight stick: look about"},
-                      {"de", "Linker Stick: um das Loch herum und darauf zu\nRechter Stick: umsehen"}}
-          : LocalText{{"en", "W A S D: around the hole and towards it\nMouse: look about   F1: more keys"},
-                      {"de", "W A S D: um das Loch herum und darauf zu\nMaus: umsehen   F1: weitere Tasten"}};
+  // A caption for each line: with letters of 2.4 degrees, which a dome of 512 pixels can show, the lines of one would touch there.
+  std::vector<LocalText> lines =
+      pad ? std::vector{LocalText{{"en", "Left stick: around the hole and towards it"},
+                                  {"de", "Linker Stick: um das Loch herum und darauf zu"}},
+                        LocalText{{"en", "Right stick: look about"}, {"de", "Rechter Stick: umsehen"}}}
+          : std::vector{
+                LocalText{{"en", "W A S D: around the hole and towards it"},
+                          {"de", "W A S D: um das Loch herum und darauf zu"}},
+                LocalText{{"en", "Mouse: look about   F1: more keys"}, {"de", "Maus: umsehen   F1: weitere Tasten"}}};
   if (may_fall_through_horizon(visitor_)) {
-    how["en"] += pad ? "\nLeft trigger: fall into it, and on" : "\nK: fall into it, and on";
-    how["de"] += pad ? "\nLinker Abzug: hineinfallen, und weiter" : "\nK: hineinfallen, und weiter";
+    lines.push_back(
+        pad ? LocalText{{"en", "Left trigger: fall into it, and on"}, {"de", "Linker Abzug: hineinfallen, und weiter"}}
+            : LocalText{{"en", "K: fall into it, and on"}, {"de", "K: hineinfallen, und weiter"}});
   }
-  return {caption_at(22.0, 3.0, {{"en", "Welcome! You are flying."}, {"de", "Willkommen! Sie fliegen."}}),
-          caption_at(12.0, 1.8, how)};
+  std::vector<Caption> all = {
+      caption_at(22.0, 3.0, {{"en", "Welcome! You are flying."}, {"de", "Willkommen! Sie fliegen."}})};
+  double elevation_deg = 9.0 + 2.5 * static_cast<double>(lines.size());
+  for (const LocalText& line : lines) {
+    all.push_back(caption_at(elevation_deg, 2.4, line));
+    elevation_deg -= 4.5;
+  }
+  return all;
 }
 
 double ExhibitScenes::opacity() const { return exhibit_.ending_in_s() ? 1.0 : exhibit_.welcome(); }

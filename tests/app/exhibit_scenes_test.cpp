@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "app/exhibit/supervisor.h"
+#include "render/overlay/caption_image.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {
@@ -50,9 +51,28 @@ TEST(ExhibitWelcome, NamesTheFallIntoTheHoleWhereTheShowLetsVisitorsIn) {
     exhibit.advance(0.0, true, false);
     exhibit.advance(2.0, false, false);
     const std::vector<Caption> captions = exhibit.captions(true);
-    ASSERT_EQ(captions.size(), 2U);
-    const bool named = captions[1].text.at("de").find("hineinfallen") != std::string::npos;
+    const bool named = captions.back().text.at("de").find("hineinfallen") != std::string::npos;
     EXPECT_EQ(named, model == StereoModel::physical);
+  }
+}
+
+TEST_F(KeptByAnExhibit, ItsWelcomeHasLinesApartWithLettersThatSmallDomesCanShow) {
+  constexpr double pixels_a_degree = 512.0 / 180.0;
+  exhibit_->advance(2.0, false, false);
+  for (const bool pad : {false, true}) {
+    double above_deg = 90.0;
+    for (const Caption& line : exhibit_->captions(pad)) {
+      EXPECT_GT(line.letter_deg * pixels_a_degree, 6.5);
+      EXPECT_LT(line.place.elevation_deg + line.letter_deg, above_deg) << "a letter's height between two lines";
+      above_deg = line.place.elevation_deg - 0.5 * line.letter_deg;
+      for (const auto& [language, words] : line.text) {
+        constexpr int line_px = 32;
+        const CaptionImage image = set_caption(words, {line_px, line_px * line.width_deg / line.letter_deg});
+        EXPECT_LT(image.image.height, 2 * line_px) << words << ": is broken into two";
+      }
+    }
+    EXPECT_GT(above_deg, 5.0) << "the rim";
+    EXPECT_LT(above_deg, 90.0);
   }
 }
 
