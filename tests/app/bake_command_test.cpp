@@ -231,6 +231,8 @@ TEST_F(BakeCommand, StreamsTellWhatATrajectoryMisses) {
                                    HasSubstr("bad misses the budget of 4 px in "),
                                    HasSubstr("10 s of the show: by 2 px at 0.00 s; bake it again with a finer"))));
   EXPECT_THAT(notes("bad", 16), testing::IsEmpty()) << "half as many pixels";
+  EXPECT_THAT(notes("good", 2048), testing::ElementsAre(HasSubstr((folder_ / "good").string() +
+                                                                  " was baked for 4 px in pictures 32 px wide")));
 }
 
 TEST_F(BakeCommand, WhatDoesNotFitIsRefusedInWords) {
