@@ -14,7 +14,7 @@
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
 #include "app/pads/pad_lines.h"
-#include "content/files/counted.h"
+#include "app/pads/pad_listing.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -82,60 +82,6 @@ std::unique_ptr<HidApi> open_api(const PadOptions& options, const Pace& pace) {
     throw Error("pad", problem, "is libhidapi-hidraw installed?");
   }
   return api;
-}
-
-std::string profile_name(const PadSettings& settings, const PadIdentity& pad) {
-  const PadProfile& profile = profile_for(settings, pad);
-  return &profile == &settings.otherwise ? "[default]" : fmt::format("[[pad]] {}", &profile - settings.pads.data() + 1);
-}
-
-//! What reads a device, or why nothing does.
-std::string reader_of(HidApi& api, const HidDeviceInfo& info) {
-  HidOpening opening = api.open_path(info.path);
-  if (opening.device == nullptr) {
-    return opening.denied ? permission_remedy(info) : opening.problem;
-  }
-  const auto decoder = make_pad_decoder(info, opening.device->descriptor());
-  return decoder == nullptr ? "its report descriptor says nothing that can be read"
-                            : fmt::format("read as {}", decoder->model());
-}
-
-void list_pads(HidApi& api, const PadSettings& settings, const fs::path& file) {
-  int count = 0;
-  for (const HidDeviceInfo& info : api.enumerate()) {
-    if (!is_pad(info)) {
-      continue;
-    }
-    const PadIdentity pad = identity_of(info, "");
-    fmt::print("{}  {}  {}  {}{}\n   {}\n   settings: {}{}\n", pad.name, device_id(info.vendor, info.product),
-               pad.connection, info.path, info.serial.empty() ? "" : fmt::format("  serial {}", info.serial),
-               reader_of(api, info), profile_name(settings, pad), profile_for(settings, pad).ignore ? ", ignored" : "");
-    ++count;
-  }
-  if (count == 0) {
-    fmt::print(
-        "no controllers found. Microsoft's pads are found over Bluetooth alone, Logitech's with their switch at D.\n");
-  }
-  if (file.empty()) {
-    fmt::print("there is no settings file, so the usual settings hold; --calibrate makes one\n");
-  } else {
-    fmt::print("settings are read from {}\n", file.string());
-  }
-}
-
-//! Adds a [[pad]] for each controller that has none, and writes all.
-void write_settings(HidApi& api, PadSettings settings, const fs::path& out) {
-  for (const HidDeviceInfo& info : api.enumerate()) {
-    const PadIdentity pad = identity_of(info, "");
-    if (is_pad(info) && &profile_for(settings, pad) == &settings.otherwise) {
-      PadProfile profile = settings.otherwise;
-      profile.device = device_id(info.vendor, info.product);
-      profile.serial = info.serial;
-      settings.pads.push_back(std::move(profile));
-    }
-  }
-  write_pad_settings(out, settings);
-  fmt::print("written to {}: {}\n", out.string(), counted(settings.pads.size(), "controller"));
 }
 
 //! Draws lines over those drawn before, or beneath them where there is no terminal and something changed.
@@ -283,7 +229,7 @@ void run(const PadOptions& options) {
     PadHub hub(std::move(api), settings, [&] { return pace.now_s(); });
     show_live(hub, pace, duration_s(options, hurry, for_ever_s));
   } else if (!options.out.empty()) {
-    write_settings(*api, settings, options.out);
+    write_pads_found(*api, settings, options.out);
   } else {
     list_pads(*api, settings, settings_file(options));
   }
