@@ -18,6 +18,7 @@
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/playback/midi_time_code.h"
+#include "app/player/play_renderers.h"
 #include "app/player/player.h"
 #include "app/setup_show.h"
 #include "app/show_loading.h"
@@ -111,15 +112,6 @@ std::shared_ptr<ShowRenderer> use_budget(PlayArguments& arguments, const Show& s
   return renderer;
 }
 
-//! `make`, but for the first time that the show is asked for: then what was measured with serves.
-RendererLoader::Make with_first(RendererLoader::Make make, const std::string& name,
-                                std::shared_ptr<ShowRenderer> first) {
-  const auto kept = std::make_shared<std::shared_ptr<ShowRenderer>>(std::move(first));
-  return [make = std::move(make), name, kept](const Show& show) {
-    return *kept && show.name == name ? std::exchange(*kept, nullptr) : make(show);
-  };
-}
-
 void run(PlayArguments arguments) {
   if (!arguments.new_controls.empty()) {
     write_default_controls(arguments.new_controls);
@@ -146,34 +138,9 @@ void run(PlayArguments arguments) {
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
   const Backend backend = choose_backend(arguments.backend);
-  const bool may_fall_back = arguments.backend == "auto";
   // Of a budget's pictures its own line tells.
-  const bool tells_errors = arguments.budget.empty();
-  const RendererLoader::Make make = [backend, may_fall_back, tells_errors, notes = options.notes, lens = arguments.lens,
-                                     size_px = options.size_px](const Show& any) {
-    const auto on = [&](Backend chosen) {
-      std::shared_ptr<StationStream> stream =
-          open_stream(any, lens, chosen, [notes](const std::string& note) { notes->post(note); });
-      if (tells_errors) {
-        for (const std::string& note : stream_notes(stream.get(), any, lens, chosen, size_px)) {
-          notes->post(note);
-        }
-      }
-      auto renderer = std::make_shared<ShowRenderer>(any, chosen, lens_choice(lens), std::move(stream));
-      for (const std::string& note : renderer->notes()) {
-        notes->post(note);
-      }
-      return renderer;
-    };
-    try {
-      return on(backend);
-    } catch (const Error&) {
-      if (backend == Backend::cpu || !may_fall_back) {
-        throw;
-      }
-      return on(Backend::cpu);  // the GPU is lost
-    }
-  };
+  const RendererLoader::Make make = renderer_maker(
+      {backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(), options.notes});
   std::shared_ptr<ShowRenderer> first = use_budget(arguments, show, make);
   Player(show, with_first(make, show.name, std::move(first)), options).run();
 }
