@@ -110,8 +110,9 @@ StereoSettings PlayerSession::stereo_now() const {
   StereoSettings stereo = stereo_;
   stereo.baseline = playback_.baseline().value_or(show_now_.stereo.baseline);
   stereo.convergence = convergence_.value_or(show_now_.stereo.convergence);
-  if (leads_within(show_) || navigator_->pose().velocity_in_rain) {
-    stereo.model = StereoModel::physical;  // the others know nothing of the inside
+  const bool may_be_within = leads_within(show_) || navigator_->pose().velocity_in_rain;
+  if (may_be_within && stereo.model == StereoModel::flat) {
+    stereo.model = StereoModel::physical;  // flat eyes know nothing of the inside
   }
   return stereo;
 }
