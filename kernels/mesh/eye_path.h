@@ -116,8 +116,12 @@ class EyeStep {
     const Vector3<D> last_point = step_.point(D(step_.length));
     width_ = ::fmax(width_of(first_point), width_of(last_point));
     bends_ = parts_ || bends(first_point, first_) || bends(last_point, last_);
-    const auto point = [&](double h) { return plain_vector(step_.point(D(begin_ + h))); };
-    const PathPiece piece = {0.0, length_, point(0.0), point(0.5 * length_), point(length_)};
+    const double end = begin_ + length_;
+    const auto point = [&](double h) { return plain_vector(step_.point(D(h))); };
+    // Most steps are kept as a whole, and their ends are known.
+    const PathPiece piece = {0.0, length_, begin_ == 0.0 ? plain_vector(first_point) : point(begin_),
+                             point(begin_ + 0.5 * length_),
+                             end == step_.length ? plain_vector(last_point) : point(end)};
     // Steps are long beside the parabolas that pieces are close to.
     // Where the ray stands for its neighbours, these are where it is.
     const double beside = bends_ ? 0.0 : width_ * reach_;

@@ -110,7 +110,12 @@ struct MarkFlatTiles {
     const T sweep = 0.5 * step_w * (absolute(point.along_x) + absolute(point.along_y));
     const T half_px = 0.5 * batch.tiles.side_px + sweep;
     const auto start = [&camera](const Vector3<T>& at) { return start_near_ray(camera, at); };
-    const MaskOf<T> by_edge = active & is_by_edge(camera.spin, start, point.n, half_px);
+    // Beside the tile itself the line sweeps along the eye's way alone.
+    const auto half_along = [&](const T& along) {
+      return maximum(0.5 * batch.tiles.side_px + 0.5 * step_w * absolute(along), T(least_edge_px));
+    };
+    const MaskOf<T> by_edge =
+        active & is_by_edge(camera.spin, start, point.n, half_along(point.along_x), half_along(point.along_y));
     const double greatest_r = greatest_r_of_tiles(objects, point.n, half_px);
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),

@@ -32,9 +32,8 @@ struct MarkTiles {
     }
     const CameraStation& camera = objects.camera;
     const auto start = [&objects](const auto& at) { return start_near_ray(objects.camera, objects.turning, at); };
-    // Next to the edge, too, footprints are not what a ray in the middle tells.
-    constexpr double least_edge_px = 0.7;
-    const auto by_edge = (inside > T(0.0)) & is_by_edge(camera.spin, start, n, T(::fmax(half, least_edge_px)));
+    const T edge_px(::fmax(half, least_edge_px));
+    const auto by_edge = (inside > T(0.0)) & is_by_edge(camera.spin, start, n, edge_px, edge_px);
     for (int i = 0; i < lanes; ++i) {
       marks[i] = mask_lane(by_edge, i) ? TileMark::edge : marks[i];
     }

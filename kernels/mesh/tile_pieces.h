@@ -25,13 +25,17 @@ ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<doub
   set(v.z, one.z);
 }
 
-//! Lanes with the edge of a shadow, larger than that, within `half_px` of a direction: what is seen beside it is not told by the ray in the middle. start(n) is
-//! the ray that is seen in a direction.
+//! Next to the edge, too, footprints are not what a ray in the middle tells: the edge is looked for so far from it at the least [px].
+inline constexpr double least_edge_px = 0.7;
+
+//! Lanes with the edge of a shadow, larger than that, within `half_x_px` and `half_y_px` of a direction: what is seen beside it is not told by the ray in the
+//! middle. start(n) is the ray that is seen in a direction.
 template <class T, class Start>
-ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_px) {
+ERGO_HD MaskOf<T> is_by_edge(double spin, const Start& start, const Vector3<Dual<T>>& n, const T& half_x_px,
+                             const T& half_y_px) {
   const auto falls = [&](double along, double down) {
     const auto part = [&](const Dual<T>& of) {
-      return of.value + (footprint_slack * half_px) * (along * of.along_x + down * of.along_y);
+      return of.value + footprint_slack * (along * half_x_px * of.along_x + down * half_y_px * of.along_y);
     };
     const Vector3<T> at = {part(n.x), part(n.y), part(n.z)};
     return comes_from_hole(spin, start((1.0 / sqrt(dot(at, at))) * at));
