@@ -30,6 +30,11 @@ LocalScale local_scale(double spin, const CameraPlace& place) {
   return {std::sqrt(std::max(f.delta, 0.0) / f.sigma), 1.0 / std::sqrt(f.sigma), 1.0 / f.circumference_factor};
 }
 
+//! The same for who may be on both sides of the horizon, where lengths are those of r and of angles times r.
+LocalScale scale_at(double spin, const CameraPlace& place, bool through_horizon) {
+  return through_horizon ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin, place);
+}
+
 }  // namespace
 
 double guard_radius(double spin, const FlightSettings& settings) {
@@ -88,7 +93,7 @@ double FlightSpace::moved_radius(double r, double speed, double seconds) const {
 }
 
 void FlightSpace::move(CameraPlace& place, const glm::dvec3& velocity, double seconds) const {
-  const LocalScale scale = through_horizon_ ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin_, place);
+  const LocalScale scale = scale_at(spin_, place, through_horizon_);
   const double length = distance(place.r);
   const glm::dvec3& n = place.towards;
   const double outward = glm::dot(velocity, n);
@@ -101,7 +106,7 @@ void FlightSpace::move(CameraPlace& place, const glm::dvec3& velocity, double se
 }
 
 glm::dvec3 FlightSpace::velocity(const CameraPlace& place, double r_rate, const glm::dvec3& towards_rate) const {
-  const LocalScale scale = through_horizon_ ? LocalScale{1.0, 1.0 / place.r, 1.0 / place.r} : local_scale(spin_, place);
+  const LocalScale scale = scale_at(spin_, place, through_horizon_);
   const glm::dvec3& n = place.towards;
   const glm::dvec3 east = east_at(n);
   const glm::dvec3 across = towards_rate - glm::dot(towards_rate, n) * n;

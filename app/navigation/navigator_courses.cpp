@@ -39,6 +39,7 @@ void Navigator::leave_path() {
 
 void Navigator::reset() {
   ride_.reset();
+  clock_lead_ = path_.clock_lead;
   place_ = before_ = start_;
   course_ = Course::free;
   mode_ = settings_.mode;
@@ -76,6 +77,9 @@ void Navigator::return_to_path() {
 
 void Navigator::advance_return(double seconds) {
   place_ = return_->advance(seconds, in_zamo_frame(path_, spin_));
+  // As long as the way still takes, so long the clock takes to come to the path's.
+  const double left_s = std::max(return_->left_s(), 0.0);
+  clock_lead_ += (path_.clock_lead - clock_lead_) * (seconds / std::max(left_s + seconds, 1e-9));
   if (return_->arrived()) {
     return_.reset();
     course_ = Course::path;

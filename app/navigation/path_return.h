@@ -21,6 +21,7 @@ class PathReturn {
 
   [[nodiscard]] bool arrived() const { return elapsed_s_ >= duration_s_; }
   [[nodiscard]] double duration_s() const { return duration_s_; }
+  [[nodiscard]] double left_s() const { return duration_s_ - elapsed_s_; }
 
  private:
   //! What is between a camera and the path: rotations of the direction and of the view, as axis times angle in the path's local frame.

@@ -106,10 +106,15 @@ double PlayerSession::field_of_view_deg() const {
                     std::max(widest, show_now_.view.field_of_view_deg));
 }
 
-StereoSettings PlayerSession::stereo_now() const {
+StereoSettings PlayerSession::chosen_stereo() const {
   StereoSettings stereo = stereo_;
   stereo.baseline = playback_.baseline().value_or(show_now_.stereo.baseline);
   stereo.convergence = convergence_.value_or(show_now_.stereo.convergence);
+  return stereo;
+}
+
+StereoSettings PlayerSession::stereo_now() const {
+  StereoSettings stereo = chosen_stereo();
   const bool may_be_within = leads_within(show_) || navigator_->pose().velocity_in_rain;
   if (may_be_within && stereo.model == StereoModel::flat) {
     stereo.model = StereoModel::physical;  // flat eyes know nothing of the inside

@@ -209,7 +209,7 @@ void PlayerSession::adjust_stereo(KeyAction action) {
   if (options_.one_eye) {
     return;
   }
-  const StereoSettings before = stereo_now();
+  const StereoSettings before = chosen_stereo();
   const StereoSettings after = adjusted(before, action, show_now_.stereo, frame_.pose.r);
   if (action == KeyAction::baseline_reset) {
     apply({TransportCommand::Kind::baseline, show_now_.stereo.baseline, {}});
@@ -271,7 +271,7 @@ std::optional<Show> PlayerSession::recorded(const std::string& title) const {
     return std::nullopt;
   }
   Show scene = show_now_;
-  scene.stereo = frame_.stereo;
+  scene.stereo = chosen_stereo();
   return recorded_show(scene, recorder_->keys(scene), title);
 }
 

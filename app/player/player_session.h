@@ -95,6 +95,9 @@ class PlayerSession {
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
   //! Notes the frame's pose, and how who looks moves.
   void note_flight();
+  //! What the show says and who operates has chosen.
+  [[nodiscard]] StereoSettings chosen_stereo() const;
+  //! The same, with eyes that may be where the camera is.
   [[nodiscard]] StereoSettings stereo_now() const;
   [[nodiscard]] double field_of_view_deg() const;
 

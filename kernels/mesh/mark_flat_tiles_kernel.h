@@ -119,7 +119,7 @@ struct MarkFlatTiles {
     const double greatest_r = greatest_r_of_tiles(objects, point.n, half_px);
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),
-        {objects.scene.least_r, greatest_r}, {mark_tolerance, objects.limits.step_limit}, active,
+        {objects.scene.least_r, greatest_r}, {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, active,
         [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           look_through(step, lane(half_px, i), lane(w, i), 0.75 * seen[i].step_w, seen[i]);
           return false;

@@ -39,8 +39,9 @@ struct MarkTiles {
     }
     const auto decided = follow_path<mark_order, Parts>(
         camera.spin, camera.cosine_phi, camera.sine_phi, start(n),
-        {objects.scene.least_r, greatest_r_of_tiles(objects, n, T(half))}, {mark_tolerance, objects.limits.step_limit, objects.limits.delay},
-        (inside > T(0.0)) & !by_edge, [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
+        {objects.scene.least_r, greatest_r_of_tiles(objects, n, T(half))},
+        {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, (inside > T(0.0)) & !by_edge,
+        [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
           marks[i] = look_through(step, marks[i]);
           return marks[i] == TileMark::thin;
         });

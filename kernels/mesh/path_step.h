@@ -173,11 +173,10 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
   detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
-  coefficients.ingoing = coefficients.ingoing & (value_of(s.u[0]) > innermost);
-  s.drag[0] = select(coefficients.ingoing, s.drag[0], T(zero));
-  if constexpr (has_delay(Parts)) {
-    s.delay[0] = select(coefficients.ingoing, s.delay[0], T(zero));
-  }
+  // Where things may stand, azimuth and time are Boyer-Lindquist's.
+  const MaskOf<Real> within_all = coefficients.ingoing & (value_of(s.u[0]) > innermost);
+  detail::count_on_outside(spin, coefficients.ingoing & !within_all, s);
+  coefficients.ingoing = within_all;
   PathStep<Order, Parts, One> step;
   step.axes[0] = {cosine_phi, sine_phi, 0.0};
   step.axes[1] = {-sine_phi, cosine_phi, 0.0};

@@ -70,7 +70,7 @@ FlatEyeBatch FlatNearField::batch_for(const PictureView& view) const {
       horizon_};
   NearFieldBatch& scene = batch.near_field;
   if (near_field_.disk != nullptr && near_field_.disk->is_visible()) {
-    scene.disk = near_field_.disk->look_at(view.time_s);
+    scene.disk = near_field_.disk->look_at(view.time_s, view.eye.clock_lead);
     scene.drawing = has_pattern(scene.disk) ? DiskDrawing::pattern : DiskDrawing::plain;
     const LayerLimits<double> limits =
         layer_limits(view.eye.spin, static_cast<double>(scene.disk.inner_r), static_cast<double>(scene.disk.outer_r));

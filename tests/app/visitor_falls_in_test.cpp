@@ -241,14 +241,19 @@ TEST(VisitorFallsIn, FliesBackFromAboveTheHorizonWithoutALeap) {
   visitor.fall_until([](const CameraPose& here) { return here.r < 1.6; });
   const auto view = [&] { return place_of(in_zamo_frame(visitor.pose(), 0.9)); };
   CameraPlace before = view();
+  double clock_lead = visitor.pose().clock_lead;
+  ASSERT_GT(clock_lead, 1.0);
   visitor.flier.navigator.return_to_path();
   for (int i = 0; i < 1800 && visitor.flier.navigator.course() != Navigator::Course::path; ++i) {
     visitor.flier.hold({}, frame_s);
     ASSERT_LT(angle_between(before.view, view().view), 0.05) << i;
     ASSERT_LT(std::abs(before.r - view().r), 0.1) << i;
+    ASSERT_LT(std::abs(clock_lead - visitor.pose().clock_lead), 0.1) << i;
     before = view();
+    clock_lead = visitor.pose().clock_lead;
   }
   EXPECT_NEAR(visitor.pose().r, 4.0, 1e-9);
+  EXPECT_EQ(visitor.pose().clock_lead, 0.0);
 }
 
 TEST(VisitorFallsIn, SeesWhatStandsOutsideGoOnInTime) {

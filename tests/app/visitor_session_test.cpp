@@ -97,11 +97,21 @@ TEST_F(VisitorSession, AnotherObserverGoesOverIntoWhoFallsWithoutALeap) {
   EXPECT_TRUE(within());
 }
 
-TEST_F(VisitorSession, SeesWithEyesOfTheModelThatIsKnownWithin) {
+TEST_F(VisitorSession, SeesWithEyesOfAModelThatIsKnownWithin) {
   press(KeyAction::next_model);
-  ASSERT_NE(session_.frame().stereo.model, StereoModel::physical);
+  ASSERT_EQ(session_.frame().stereo.model, StereoModel::flat);
   fall_within();
   EXPECT_EQ(session_.frame().stereo.model, StereoModel::physical);
+  press(KeyAction::next_model);
+  EXPECT_EQ(session_.frame().stereo.model, StereoModel::omni);
+}
+
+TEST_F(VisitorSession, KeepsTheModelOfEyesThatWasChosenBeforeAFall) {
+  press(KeyAction::next_model);
+  fall_within();
+  press(KeyAction::baseline_larger);
+  press(KeyAction::return_to_path);
+  EXPECT_EQ(session_.frame().stereo.model, StereoModel::flat);
 }
 
 TEST_F(VisitorSession, RecordsAFallAsFarAsTheHorizonAndSaysSo) {

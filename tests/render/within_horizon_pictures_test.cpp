@@ -10,6 +10,7 @@
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/geodesic/radial_potential.h"
 #include "kernels/geodesic/taylor.h"
+#include "kernels/mesh/path_step.h"
 #include "kernels/shadow/shadow_chart.h"
 #include "render/frame/show_renderer.h"
 #include "tests/render/omni_eyes.h"
@@ -148,6 +149,23 @@ PlaneSight plane_sight(double spin, const NearRay<double>& ray, double phi, doub
   return {std::cos(azimuth) / c.u, std::sin(azimuth) / c.u, c.delay - lag};
 }
 
+//! The same by the path along which objects are looked for, which may stand between the camera and the horizon.
+PlaneSight path_sight(double spin, const NearRay<double>& ray, double phi, double lag) {
+  PlaneSight found{};
+  follow_path<16, NearParts::azimuth_and_delay>(
+      spin, std::cos(phi), std::sin(phi), ray, {horizon_radius(spin) * (1.0 + 1e-6), 40.0}, {1e-13, 1000}, true,
+      [&](int, const PathStep<16, NearParts::azimuth_and_delay, double>& step) {
+        const auto height = [&](double h) { return step.point(h).z; };
+        const bool meets = height(0.0) * height(step.length) < 0.0;
+        if (meets) {
+          const double h = detail::time_to_zero(step.series.z, height(0.0), 0.0, step.length);
+          found = {step.point(h).x, step.point(h).y, step.delay(h) - lag};
+        }
+        return meets;
+      });
+  return found;
+}
+
 //! Eyes that turn with the direction, with cameras on both sides of the horizon.
 class TurningEyesWithin {
  public:
@@ -177,8 +195,11 @@ class TurningEyesWithin {
     }
     const PlaneSight a = plane_sight(show_.spin, start_near_ray(camera, n), own_phi, camera.lag);
     const PlaneSight b = plane_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
+    const PlaneSight c = path_sight(show_.spin, start_near_ray(turning, view), head_.phi, turning.lag);
     const double r = std::hypot(a.x, a.y);
     if (r > 1.7 && r < 30.0) {
+      EXPECT_LT(std::hypot(a.x - c.x, a.y - c.y), 1e-3 * r);
+      EXPECT_NEAR(a.delay, c.delay, 1e-3 * r);
       EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 1e-3 * r);
       EXPECT_NEAR(a.delay, b.delay, 1e-3 * r);
     }
