@@ -3,7 +3,7 @@
 #include "kernels/core/mixed_dual.h"
 #include "kernels/disk/equatorial_crossings.h"
 #include "kernels/disk/layer_limits.h"
-#include "kernels/near_field/horizon_winding.h"
+#include "kernels/disk/lost_winding.h"
 
 // Where light crosses the equatorial plane, as functions of its direction that are smooth wherever the disk may be seen.
 //
@@ -100,21 +100,6 @@ ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
   const T none(zero);
   return {u, none, none, none, none, zero};
 }
-
-//! What azimuth and time lose of the winding: once, and what is counted in ingoing Kerr coordinates once more where the winding is that of light that
-//! goes on to the horizon, and not at all where it is its own.
-template <class T>
-struct LostWinding {
-  using Real = RealOf<T>;
-  HorizonWinding<ScalarOf<T>> horizon;
-  Real turn;
-  Real delay;
-
-  ERGO_HD LostWinding(const HorizonWinding<ScalarOf<T>>& w, const MaskOf<Real>& ingoing)
-      : horizon(w),
-        turn(select(ingoing, Real((w.sense + ScalarOf<T>(1)) * winding_turn(w)), Real(winding_turn(w)))),
-        delay(select(ingoing, Real((w.sense + ScalarOf<T>(1)) * winding_delay(w)), Real(winding_delay(w)))) {}
-};
 
 //! Reads a layer from the series where the light is in the plane. What goes on straight has lost its winding where it began to.
 template <int Order, class T, NearParts Parts>

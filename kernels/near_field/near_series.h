@@ -153,7 +153,12 @@ template <int Order, NearParts Parts, class T>
 ERGO_HD void count_on_outside(ScalarOf<T> spin, const MaskOf<RealOf<T>>& lanes, NearSeries<Order, T, Parts>& s) {
   const RealOf<T> unscaled(ScalarOf<T>(1));
   const SeriesReading<T> reading = {spin, lanes, unscaled};
-  reading.count_outside(s.u[0], s.drag[0], s.delay[0]);
+  if constexpr (has_delay(Parts)) {
+    reading.count_outside(s.u[0], s.drag[0], s.delay[0]);
+  } else {
+    T none(RealOf<T>(ScalarOf<T>(0)));
+    reading.count_outside(s.u[0], s.drag[0], none);
+  }
 }
 
 }  // namespace detail
