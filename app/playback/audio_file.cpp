@@ -40,7 +40,7 @@ std::string sound_problem(const std::filesystem::path& path) {
 }
 
 AudioFile::AudioFile(const std::filesystem::path& path) {
-  constexpr const char* remedy = "give a WAV, FLAC, Ogg or MP3 file";
+  constexpr const char* remedy = "give a WAV, FLAC, Ogg, Opus or MP3 file";
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", remedy);

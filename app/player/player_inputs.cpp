@@ -113,6 +113,7 @@ PlayerInput PlayerInputs::gather(std::span<const WindowEvent> events, const PadS
     take(event, mouse, input);
   }
   take_pads(pads, input);
+  touched_ = touched_ || !held_keys_.empty() || !held_buttons_.empty();
   find_chord(pad_before_);
   // What was pressed as Ctrl + R is no R when Ctrl goes first.
   std::set<int> steering_keys;

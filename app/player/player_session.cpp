@@ -221,6 +221,10 @@ void PlayerSession::adjust_stereo(KeyAction action) {
     convergence_ = after.convergence;
   }
   stereo_ = after;
+  if (action == KeyAction::next_model && stereo_now().model != after.model) {
+    say(playback_.language() == "de" ? "Augen des Modells flat sehen in keinem Fall durch den Horizont: physical"
+                                     : "Eyes of the model flat see nothing in a fall through the horizon: physical");
+  }
 }
 
 std::vector<KeyAction> PlayerSession::take_requests() { return std::exchange(requests_, {}); }

@@ -128,7 +128,7 @@ TEST_F(AudioFiles, ThatAreNoSoundAreErrorsWithARemedy) {
   std::ofstream(folder_ / "empty.wav") << "";
   EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "text.wav"); }), testing::HasSubstr("is no sound file"));
   EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "text.wav"); }),
-              testing::HasSubstr("give a WAV, FLAC, Ogg or MP3"));
+              testing::HasSubstr("give a WAV, FLAC, Ogg, Opus or MP3"));
   EXPECT_NE(error_of([&] { const AudioFile file(folder_ / "empty.wav"); }), "");
   EXPECT_THAT(error_of([&] { const AudioFile file(folder_ / "none.wav"); }), testing::HasSubstr("is not a file"));
   EXPECT_THAT(error_of([&] { const AudioFile file(folder_); }), testing::HasSubstr("is not a file"));
