@@ -100,6 +100,8 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
       }
       count = select(outside, count + S(1), count);
+      // Light that has met the plane behind the horizon tells by that how near it was to doing so before it; what it meets later tells nothing.
+      active = active & !(outside & (u * bounds.horizon_r > Real(S(1))));
     }
     time = time + length * inverse_scale;
     detail::move_series(s, length);

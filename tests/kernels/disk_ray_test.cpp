@@ -173,6 +173,28 @@ TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
   }
 }
 
+TEST(DiskCrossings, EndWithTheFirstBehindTheHorizon) {
+  // What light meets later there is no neighbour of what it meets outside: a straight footprint would lead from one to the other.
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  int behind = 0;
+  const double horizon = horizon_radius(0.999);
+  const CameraStation camera = make_camera_station(0.999, 1.094, 1.45, 0.0, ObserverMotion::rain);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3<double> any = {-1.0, 0.02 * part(random), 0.02 * part(random)};
+    Crossings crossings;
+    trace_crossings<10, false>(0.999, start_near_ray(camera, (1.0 / length(any)) * any), {1e-3, 1e-6, 400}, true,
+                               crossings);
+    for (int order = 0; order < crossing_orders; ++order) {
+      if (crossings[order].u * horizon > 1.0) {
+        ++behind;
+        EXPECT_TRUE(order + 1 == crossing_orders || crossings[order + 1].u == 0.0) << i;
+      }
+    }
+  }
+  EXPECT_GT(behind, 50);
+}
+
 TEST(DiskFlow, MovesAlongPhiWhateverTheSpin) {
   // Published radii: 9 M against a hole of spin 1, 1 M with it, 6 M without spin.
   EXPECT_NEAR(make_disk_flow(-1.0).stable_r, 9.0, 1e-12);
