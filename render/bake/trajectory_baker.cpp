@@ -195,7 +195,8 @@ class Baker {
     const double early_s = begin_s + 0.25 * length_s;
     const double middle_s = begin_s + 0.5 * length_s;
     double error_px = 0.0;
-    if (first.r == last.r && first.theta == last.theta) {
+    constexpr double rounding = 1e-12;
+    if (std::abs(last.r - first.r) <= rounding * first.r && std::abs(last.theta - first.theta) <= rounding) {
       if (moves_alike(begin_s, early_s) && moves_alike(begin_s, middle_s) && moves_alike(begin_s, end_s)) {
         return 0.0;
       }

@@ -27,7 +27,9 @@ double place_weight(const LensPlace& first, const LensPlace& second, const LensP
   const LensPlace whole = {scale * (second.r - first.r), second.theta - first.theta};
   const double square = whole.r * whole.r + whole.theta * whole.theta;
   const double done = whole.r * scale * (place.r - first.r) + whole.theta * (place.theta - first.theta);
-  return square > 0.0 ? std::clamp(done / square, 0.0, 1.0) : 0.0;
+  // A camera that stands still does so within rounding.
+  constexpr double rounding = 1e-12;
+  return square > rounding * rounding ? std::clamp(done / square, 0.0, 1.0) : 0.0;
 }
 
 CubicMix cubic_mix(const LensPlace& first, const LensPlace& second, const LensPlace& place) {

@@ -53,7 +53,7 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
       // Such eyes keep a fall from leading through the horizon.
       const Show show =
           show_at(spin, 6.0, 50.0,
-                  std::string("guard = \"") + guard + "\"\nmax_speed = 3\nmost_r = 50\n[stereo]\nmodel = \"omni\"\n");
+                  std::string("guard = \"") + guard + "\"\nmax_speed = 3\nmost_r = 50\n[stereo]\nmodel = \"flat\"\n");
       Navigator navigator(show);
       navigator.leave_path();
       std::mt19937 random(7);
