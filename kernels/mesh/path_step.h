@@ -174,9 +174,9 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(double spin, double cosine_phi, double sin
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
   // Where things may stand, azimuth and time are Boyer-Lindquist's.
-  const MaskOf<Real> within_all = coefficients.ingoing & (value_of(s.u[0]) > innermost);
-  detail::count_on_outside(spin, coefficients.ingoing & !within_all, s);
-  coefficients.ingoing = within_all;
+  const MaskOf<Real> coming_out = coefficients.ingoing & (value_of(s.u[0]) > innermost);
+  detail::count_on_outside(spin, coefficients.ingoing & !coming_out, s);
+  coefficients.ingoing = coming_out;
   PathStep<Order, Parts, One> step;
   step.axes[0] = {cosine_phi, sine_phi, 0.0};
   step.axes[1] = {-sine_phi, cosine_phi, 0.0};

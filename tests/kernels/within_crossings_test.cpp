@@ -224,6 +224,24 @@ TEST(CrossingsFromWithin, AreInFloatWhereDoubleHasThemAtAllHeights) {
   }
 }
 
+TEST(CrossingsFromWithin, AreCountedAlikeInBothCoordinatesFromOutside) {
+  for (const double spin : {0.0, -0.6, 0.9, 0.9999999}) {
+    const CameraStation camera = make_camera_station(spin, 1.15 * horizon_radius(spin), 1.2, 0.0, ObserverMotion::rain);
+    const NearRay<double> ingoing = start_near_ray(camera, normalized({0.4, 0.85, -0.3}));
+    ASSERT_TRUE(ingoing.ingoing);
+    NearRay<double> usual = ingoing;
+    usual.ingoing = false;
+    EquatorialCrossing<double> a[crossing_orders];
+    EquatorialCrossing<double> b[crossing_orders];
+    trace_crossings<20, true>(spin, ingoing, {1e-7, 1e-14, 4000}, true, a);
+    trace_crossings<20, true>(spin, usual, {1e-7, 1e-14, 4000}, true, b);
+    ASSERT_GT(b[0].u, 0.0) << spin;
+    EXPECT_LT(turn_between(std::atan2(a[0].y, a[0].x) + a[0].drag, std::atan2(b[0].y, b[0].x) + b[0].drag), 1e-7)
+        << spin;
+    EXPECT_NEAR(a[0].delay, b[0].delay, 1e-7) << spin;
+  }
+}
+
 TEST(CrossingsFromWithin, AreNotThoseOfAnotherUniversesLight) {
   // E (r_+² + a²) - a L < 0: this light never was outside, though its 1/r runs as if it had been.
   const double spin = 0.9;
