@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "content/sky_map.h"
 #include "kernels/launch/parallel_for.h"
+#include "render/sky/image_rows.h"
 
 namespace ergodome {
 
@@ -59,23 +59,22 @@ class TexelWeights {
   std::vector<double> width_;
 };
 
-glm::vec3 texel_at(const EnvironmentImage& image, int x, int y) {
-  const int wrapped = ((x % image.width) + image.width) % image.width;
-  const int clamped = std::clamp(y, 0, image.height - 1);
-  const float* texel = image.rgb.data() + 3 * (static_cast<std::size_t>(clamped) * image.width + wrapped);
-  return {texel[0], texel[1], texel[2]};
-}
+//! Four samples a texel, so that a source of the same resolution does not alias: the two rows of them that are a row of texels.
+class SampleRows {
+ public:
+  explicit SampleRows(int face_size) : places_(side_points(face_size, 2)), s_(places_.begin(), places_.end()) {}
 
-glm::vec3 bilinear(const EnvironmentImage& image, const glm::dvec2& place) {
-  const double x = place.x * image.width - 0.5;
-  const double y = place.y * image.height - 0.5;
-  const int x0 = static_cast<int>(std::floor(x));
-  const int y0 = static_cast<int>(std::floor(y));
-  const auto fx = static_cast<float>(x - x0);
-  const auto fy = static_cast<float>(y - y0);
-  return glm::mix(glm::mix(texel_at(image, x0, y0), texel_at(image, x0 + 1, y0), fx),
-                  glm::mix(texel_at(image, x0, y0 + 1), texel_at(image, x0 + 1, y0 + 1), fx), fy);
-}
+  [[nodiscard]] DirectionRow row(int face, int y) const {
+    const double t = places_[static_cast<std::size_t>(y)];
+    const auto [x0, y0, z0] = cube_point(face, 0.0, t);
+    const auto [x1, y1, z1] = cube_point(face, 1.0, t);
+    return {{x0, y0, z0}, {x1 - x0, y1 - y0, z1 - z0}, s_};
+  }
+
+ private:
+  std::vector<double> places_;
+  std::vector<float> s_;
+};
 
 //! The faces while they are built, on the host.
 class Pyramid {
@@ -172,36 +171,37 @@ class Pyramid {
 
 SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
                  const TemperatureFit* fit, const char* name) {
-  const glm::dmat3 map_from_sky = glm::transpose(sky_from_map);
+  const ImageRows rows(image, glm::transpose(sky_from_map));
   build(
       backend, face_size_for(image.width),
-      [&](const glm::dvec3& d) { return bilinear(image, map_from_direction(map_from_sky * d)); }, fit, name);
+      [&](const DirectionRow& row, std::span<glm::vec3> light) { rows.read(row, light); }, fit, name);
 }
 
 SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
                  const TemperatureFit* fit) {
-  build(backend, face_size, light, fit, "sky map");
+  const auto light_of_row = [&](const DirectionRow& row, std::span<glm::vec3> lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      lights[i] = light(glm::normalize(row.base + static_cast<double>(row.s[i]) * row.along));
+    }
+  };
+  build(backend, face_size, light_of_row, fit, "sky map");
 }
 
-void SkyCube::build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
-                    const TemperatureFit* fit, const char* name) {
+void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, const TemperatureFit* fit,
+                    const char* name) {
   Pyramid pyramid(face_size);
-  // Four samples a texel, so that a source of the same resolution does not alias.
-  const std::vector<double> points = side_points(face_size, 2);
+  const SampleRows samples(face_size);
   parallel_for(6 * face_size, 8, [&](int begin, int end) {
+    std::vector<glm::vec3> upper(2 * static_cast<std::size_t>(face_size));
+    std::vector<glm::vec3> lower(upper.size());
     for (int row = begin; row < end; ++row) {
       const int face = row / face_size;
       const int y = row % face_size;
+      light(samples.row(face, 2 * y), upper);
+      light(samples.row(face, 2 * y + 1), lower);
       for (int x = 0; x < face_size; ++x) {
-        glm::vec3 sum(0.0F);
-        for (const int j : {2 * y, 2 * y + 1}) {
-          for (const int i : {2 * x, 2 * x + 1}) {
-            const Vector3<double> d =
-                cube_point(face, points[static_cast<std::size_t>(i)], points[static_cast<std::size_t>(j)]);
-            sum += light(glm::normalize(glm::dvec3(d.x, d.y, d.z)));
-          }
-        }
-        const glm::vec3 mean = 0.25F * sum;
+        const std::size_t i = 2 * static_cast<std::size_t>(x);
+        const glm::vec3 mean = 0.25F * (upper[i] + upper[i + 1] + lower[i] + lower[i + 1]);
         pyramid.set(0, face, x, y, glm::vec4(mean, fit != nullptr ? fit->weighted_log_temperature(mean) : 0.0F));
       }
     }

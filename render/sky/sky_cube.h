@@ -3,10 +3,12 @@
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "content/environment_image.h"
 #include "kernels/sky/cube_map.h"
 #include "render/backend/buffer.h"
+#include "render/sky/image_rows.h"
 #include "render/sky/temperature_fit.h"
 
 namespace ergodome {
@@ -31,8 +33,9 @@ class SkyCube {
   static std::size_t bytes_for(int map_width);
 
  private:
-  void build(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
-             const TemperatureFit* fit, const char* name);
+  using LightOfRow = std::function<void(const DirectionRow&, std::span<glm::vec3>)>;
+
+  void build(Backend backend, int face_size, const LightOfRow& light, const TemperatureFit* fit, const char* name);
 
   CubeMap map_{};
   Buffer<float> texels_;
