@@ -18,7 +18,7 @@ using namespace test;  // NOLINT(google-build-using-namespace): scenes of tests
 const std::string above_the_plane = "[[camera.key]]\nr = 24\ntheta_deg = 75\nphi_deg = 20\n[hole]\nspin = 0.9\n";
 
 TEST(FlatNearField, OfADiskIsWhatLinesOfSightMeetInFlatSpace) {
-  const int pixels = sanitized ? 8 : 80;
+  const int pixels = sanitized ? 8 : 40;
   for (const double baseline : sanitized ? std::vector{2.0} : std::vector{0.5, 2.0}) {
     SCOPED_TRACE(baseline);
     compare_with_walk(flat_show(plain_disk, above_the_plane, baseline), LensChoice::direct, pixels);
@@ -26,7 +26,7 @@ TEST(FlatNearField, OfADiskIsWhatLinesOfSightMeetInFlatSpace) {
 }
 
 TEST(FlatNearField, OfADiskInAGridIsWhatLinesOfSightMeetInFlatSpace) {
-  compare_with_walk(flat_show(plain_disk, above_the_plane, 1.0), LensChoice::live, sanitized ? 8 : 100);
+  compare_with_walk(flat_show(plain_disk, above_the_plane, 1.0), LensChoice::live, sanitized ? 8 : 50);
 }
 
 TEST(FlatNearField, OfAMovingHeadIsWhatItsOwnFlatSpaceHas) {
@@ -34,7 +34,7 @@ TEST(FlatNearField, OfAMovingHeadIsWhatItsOwnFlatSpaceHas) {
       "observer = \"geodesic\"\n[[camera.key]]\nr = 12\ntheta_deg = 60\nphi_deg = 20\nroll_deg = 30\n[hole]\nspin = "
       "-0.7\n";
   for (const LensChoice lens : {LensChoice::direct, LensChoice::live}) {
-    compare_with_walk(flat_show(plain_disk, moving, 0.6), lens, sanitized ? 6 : 60);
+    compare_with_walk(flat_show(plain_disk, moving, 0.6), lens, sanitized ? 6 : 30);
   }
 }
 
@@ -53,13 +53,13 @@ TEST(FlatNearField, OfAShellAboutTheCameraIsWhatLinesOfSightMeetInFlatSpace) {
 TEST(FlatNearField, OfEyesFartherApartThanWhatTheySeeIsThatToo) {
   const std::string far = "[[camera.key]]\nr = 1000\ntheta_deg = 60\n[hole]\nspin = 0.9\n";
   const std::string near_the_hole = "projection = \"pinhole\"\nfov_deg = 5.5\n";
-  compare_with_walk(flat_show(plain_disk, far, 60.0, near_the_hole), LensChoice::direct, sanitized ? 20 : 200);
+  compare_with_walk(flat_show(plain_disk, far, 60.0, near_the_hole), LensChoice::direct, sanitized ? 20 : 100);
 }
 
 TEST(FlatNearField, PutsDiskAndShellsInTheOrderOfTheirDistance) {
   const std::string both =
       "[[shells]]\nradius = 5\nfill_opacity = 1\nfill_color = [1, 1, 1]\nline_opacity = 0\n" + plain_disk;
-  compare_with_walk(flat_show(both, above_the_plane, 1.0), LensChoice::direct, sanitized ? 8 : 40);
+  compare_with_walk(flat_show(both, above_the_plane, 1.0), LensChoice::direct, sanitized ? 8 : 20);
 }
 
 //! How many of the pixels of two pictures differ by more than a part of their light.
@@ -124,7 +124,7 @@ TEST(FlatNearField, IsDrawnWhereverTheCameraIs) {
                                "[[camera.key]]\nr = 1e6\ntheta_deg = 60\n[hole]\nspin = 0.5\n"};
   for (const std::string& camera : cameras) {
     Show show = flat_show(plain_disk + "[[shells]]\nradius = 3\n[[shells]]\nradius = 20\n", camera, 0.4);
-    show.view.size_px = sanitized ? 40 : 64;
+    show.view.size_px = 40;
     for (const Picture& eye : eyes_of(show, LensChoice::direct)) {
       EXPECT_TRUE(is_light(eye)) << camera;
     }
