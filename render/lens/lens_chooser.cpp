@@ -16,8 +16,8 @@ namespace {
 
 //! Both eyes, and both of the moment before.
 constexpr std::size_t kept_grids = 4;
-//! A bake uses up most of its budget; an eye beside the path may take a little more.
-constexpr double beside_slack = 1.25;
+//! A bake uses up most of its budget; an eye beside the path, and a picture between stations of which some are damaged, may take a little more.
+constexpr double unmeasured_slack = 1.25;
 
 double error_of(const GridOrder& order) { return order.settings.budget_px * order.settings.pixel; }
 
@@ -50,8 +50,8 @@ bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeC
          (baked.derivatives || !is_beside(eye));
 }
 
-double allowed_beside_px(const TrajectoryProvenance& baked, double budget_px, double pixel) {
-  return beside_slack * std::max(budget_px, baked.budget_px * baked.pixel / pixel);
+double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px, double pixel) {
+  return unmeasured_slack * std::max(budget_px, baked.budget_px * baked.pixel / pixel);
 }
 
 const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
@@ -148,24 +148,24 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
   const TrajectoryProvenance& baked = stream_->trajectory().provenance();
   const double pixel = pixel_angle(request.projection);
   const bool beside = is_beside(eye);
-  // The check of an eye beside the path runs on the host.
-  if (!may_stream(baked, request.choice, eye, request.accuracy.budget_px * pixel) ||
-      (beside && backend_ != Backend::cpu)) {
+  if (!may_stream(baked, request.choice, eye, request.accuracy.budget_px * pixel)) {
     return nullptr;
   }
   const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
-  if (!pair) {
+  // The check of what blends that nobody has measured miss by runs on the host.
+  const bool unmeasured = beside || (pair && pair->skips);
+  if (!pair || (unmeasured && backend_ != Backend::cpu)) {
     return nullptr;
   }
   const LensPlace place = {eye.r, eye.theta};
   StationBlend blend = pair->second                     ? StationBlend(backend_, pair->first, pair->second, place)
                        : pair->first->has_derivatives() ? StationBlend(backend_, pair->first, place)
                                                         : StationBlend(pair->first);
-  if (beside) {
+  if (unmeasured) {
     const LensView view = {eye.spin, place, aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
                            pixel};
     const double error_px = measure_screen_error(blend.view(), view, lattice_samples(32, 16)).p99_px;
-    if (error_px > allowed_beside_px(baked, request.accuracy.budget_px, pixel)) {
+    if (error_px > allowed_unmeasured_px(baked, request.accuracy.budget_px, pixel)) {
       return nullptr;
     }
   }

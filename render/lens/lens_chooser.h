@@ -52,8 +52,8 @@ bool holds_budget(const TrajectoryProvenance& baked, double error);
 //! Whether baked stations may serve an eye's pictures that have to be exact to `error` [rad].
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
 
-//! What an eye beside the path may be shown wrong by, in a picture with a budget and a pixel [rad].
-double allowed_beside_px(const TrajectoryProvenance& baked, double budget_px, double pixel);
+//! What an eye beside the path, or between stations that are not neighbours, may be shown wrong by, in a picture with a budget and a pixel [rad].
+double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px, double pixel);
 
 //! Makes the lens of each picture, from a stream of baked stations where there is one, and keeps the last grids of its own: a camera
 //! that turns, changes its motion or goes round the hole's axis needs no new one.
@@ -77,7 +77,8 @@ class LensChooser {
   //!
   //! GridScheme::quadtree takes the published quadtree grid of the eye's own place and motion for all but direct rays.
   //!
-  //! An eye beside the path is served by the stations' derivatives as long as traced rays confirm it; beyond, it gets a live grid.
+  //! An eye beside the path is served by the stations' derivatives as long as traced rays confirm it, and so is a picture between stations of which some
+  //! could not be read; beyond, it gets a live grid.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
 
   //! Number of grids built so far.

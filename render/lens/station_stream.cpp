@@ -53,13 +53,14 @@ std::size_t StationStream::bytes_of(std::size_t station) const {
          (reads_disk(station) ? entry.disk_memory_bytes : 0);
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> StationStream::around(double time_s) const {
+std::optional<StationStream::Bracket> StationStream::around(double time_s) const {
   const std::vector<StationEntry>& all = trajectory_.stations();
   const auto later = std::upper_bound(all.begin(), all.end(), time_s,
                                       [](double t, const StationEntry& station) { return t < station.time_s; });
   const auto after = static_cast<std::size_t>(later - all.begin());
   std::size_t first = after > 0 ? after - 1 : 0;
   std::size_t second = std::min(after, all.size() - 1);
+  const bool skips = bad_.contains(first) || bad_.contains(second);
   while (first > 0 && bad_.contains(first)) {
     --first;
   }
@@ -72,7 +73,7 @@ std::optional<std::pair<std::size_t, std::size_t>> StationStream::around(double 
     return std::nullopt;
   }
   const bool still = all[first].r == all[second].r && all[first].theta == all[second].theta;
-  return std::pair{first, still ? first : second};
+  return Bracket{first, still ? first : second, skips};
 }
 
 void StationStream::move_head(double time_s) {
@@ -214,23 +215,24 @@ void StationStream::work(const std::stop_token& stop) {
   }
 }
 
-std::optional<StationPair> StationStream::held_pair(std::size_t first, std::size_t second) const {
+std::optional<StationPair> StationStream::held_pair(const Bracket& bracket) const {
+  const auto& [first, second, skips] = bracket;
   const auto a = held_.find(first);
   const auto b = held_.find(second);
   if (a == held_.end() || b == held_.end()) {
     return std::nullopt;
   }
   if (first == second) {
-    return StationPair{a->second.lens, nullptr, a->second.disk, nullptr, 0.0F};
+    return StationPair{a->second.lens, nullptr, a->second.disk, nullptr, skips ? INFINITY : 0.0F, skips};
   }
-  const float error_px = second == first + 1 ? trajectory_.stations()[first].disk_gap_error_px : INFINITY;
-  return StationPair{a->second.lens, b->second.lens, a->second.disk, b->second.disk, error_px};
+  const float error_px = skips ? INFINITY : trajectory_.stations()[first].disk_gap_error_px;
+  return StationPair{a->second.lens, b->second.lens, a->second.disk, b->second.disk, error_px, skips};
 }
 
 std::optional<StationPair> StationStream::at_hand(double time_s) const {
   const std::lock_guard lock(mutex_);
   const auto bracket = around(time_s);
-  return bracket ? held_pair(bracket->first, bracket->second) : std::nullopt;
+  return bracket ? held_pair(*bracket) : std::nullopt;
 }
 
 std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
@@ -242,7 +244,7 @@ std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   // False when there is nothing to wait for any more.
   const auto look = [&] {
     const auto bracket = around(time_s);
-    pair = bracket ? held_pair(bracket->first, bracket->second) : std::nullopt;
+    pair = bracket ? held_pair(*bracket) : std::nullopt;
     return pair.has_value() || !bracket;
   };
   if (!look()) {

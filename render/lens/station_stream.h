@@ -25,6 +25,8 @@ struct StationPair {
   std::shared_ptr<const DiskStation> second_disk;
   //! What blending these misses by [px] (StationEntry::disk_gap_error_px); infinite where a station between them could not be read.
   float disk_gap_error_px = 0.0F;
+  //! A station nearer to the moment could not be read: nothing is known of what these miss by there.
+  bool skips = false;
 };
 
 //! What a stream has done so far.
@@ -74,16 +76,23 @@ class StationStream {
     bool lost_disk = false;  //!< it has one that cannot be read
   };
 
+  //! Stations around a moment that can be read, the same twice where one is all that is needed or there.
+  struct Bracket {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    bool skips = false;  //!< there are others nearer to it
+  };
+
   void work(const std::stop_token& stop);
   void move_head(double time_s);
   [[nodiscard]] std::vector<std::size_t> wanted() const;
   std::optional<std::size_t> next_to_read();
   void make_room(std::size_t bytes, const std::vector<std::size_t>& order);
-  [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> around(double time_s) const;
+  [[nodiscard]] std::optional<Bracket> around(double time_s) const;
   [[nodiscard]] bool reads_disk(std::size_t station) const;
   [[nodiscard]] std::size_t bytes_of(std::size_t station) const;
   [[nodiscard]] Held read_from_file(std::size_t station) const;
-  [[nodiscard]] std::optional<StationPair> held_pair(std::size_t first, std::size_t second) const;
+  [[nodiscard]] std::optional<StationPair> held_pair(const Bracket& bracket) const;
   void read(std::size_t station, std::unique_lock<std::mutex>& lock);
 
   Backend backend_;

@@ -234,6 +234,27 @@ TEST_F(StreamedLens, ABakeThatIsTooCoarseIsUsedOnlyWhenAskedFor) {
   EXPECT_EQ(lens_at(lenses, 4.0, 0.0, LensChoice::live), "live");
 }
 
+TEST_F(StreamedLens, DamagedStationsAreBlendedAcrossAsFarAsThatHoldsTheBudget) {
+  const std::filesystem::path file = folder_ / "t.trajectory";
+  test::bake_to(show_, file, pixel_angle(projection_), false, 0.02);
+  const std::vector<StationEntry> stations = TrajectoryReader(file).stations();
+  ASSERT_GT(stations.size(), 5U);
+  const auto lens_in_the_middle = [&] {
+    LensChooser lenses(Backend::cpu,
+                       std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(file),
+                                                       StationStream::default_memory_bytes, [](const std::string&) {}));
+    return lens_at(lenses, stations[stations.size() / 2].time_s, 0.0, LensChoice::streamed);
+  };
+  test::damage_station(file, stations[stations.size() / 2]);
+  EXPECT_EQ(lens_in_the_middle(), "streamed");
+  for (std::size_t i = 1; i + 1 < stations.size(); ++i) {
+    if (i != stations.size() / 2) {
+      test::damage_station(file, stations[i]);
+    }
+  }
+  EXPECT_EQ(lens_in_the_middle(), "live");
+}
+
 TEST_F(StreamedLens, TrajectoryOfAnotherPathIsRefused) {
   const auto baked = stream();
   EXPECT_NO_THROW(require_path_of(show_, baked->trajectory()));

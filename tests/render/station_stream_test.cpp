@@ -12,6 +12,7 @@
 
 #include "content/trajectory/trajectory_journal.h"
 #include "render/lens/grid_builder.h"
+#include "tests/support/baked_show.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
 
@@ -44,15 +45,8 @@ class StationStreaming : public test::FolderTest {
     return TrajectoryReader(file());
   }
 
-  //! Changes a byte in the middle of a station.
   void damage(const TrajectoryReader& reader, std::size_t station) const {
-    std::fstream raw(file(), std::ios::binary | std::ios::in | std::ios::out);
-    const auto at =
-        static_cast<std::streamoff>(reader.stations()[station].offset + reader.stations()[station].bytes / 2);
-    raw.seekg(at);
-    const char old = static_cast<char>(raw.get());
-    raw.seekp(at);
-    raw.put(static_cast<char>(old ^ 1));
+    test::damage_station(file(), reader.stations()[station]);
   }
 
   //! What the stream says goes into messages_.
@@ -141,8 +135,10 @@ TEST_F(StationStreaming, ABadStationIsBlendedAcrossAndToldOnce) {
       ASSERT_TRUE(pair && pair->second);
       EXPECT_DOUBLE_EQ(pair->first->station().r, 9.0 - 2e-4);
       EXPECT_DOUBLE_EQ(pair->second->station().r, 9.0 - 4e-4);
+      EXPECT_TRUE(pair->skips);
     }
   }
+  EXPECT_FALSE(stream.at(0.15, patience_s)->skips);
   EXPECT_EQ(said_, 1);
   EXPECT_THAT(message_, testing::HasSubstr("station 4"));
   EXPECT_EQ(stream.statistics().bad, 1);
@@ -159,6 +155,7 @@ TEST_F(StationStreaming, BadStationsAtTheEndsLeaveTheNearestGoodOne) {
   ASSERT_TRUE(begin && end);
   EXPECT_DOUBLE_EQ(begin->first->station().r, 9.0 - 1e-4);
   EXPECT_DOUBLE_EQ(end->first->station().r, 9.0 - 2e-4);
+  EXPECT_TRUE(begin->skips && end->skips);
 }
 
 TEST_F(StationStreaming, WithoutAnyGoodStationItSaysSoAtOnce) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "content/show_reader.h"
@@ -40,6 +41,16 @@ inline void bake_to(const Show& show, const std::filesystem::path& file, double 
   TrajectoryJournal journal(part, provenance_of(show, settings));
   journal.seal(file, bake_trajectory(show, settings, journal, [](double) { return true; }).times_s);
   std::filesystem::remove(part);
+}
+
+//! Changes a byte in the middle of a station of a trajectory's file.
+inline void damage_station(const std::filesystem::path& file, const StationEntry& station) {
+  std::fstream raw(file, std::ios::binary | std::ios::in | std::ios::out);
+  const auto at = static_cast<std::streamoff>(station.offset + station.bytes / 2);
+  raw.seekg(at);
+  const char old = static_cast<char>(raw.get());
+  raw.seekp(at);
+  raw.put(static_cast<char>(old ^ 1));
 }
 
 }  // namespace ergodome::test
