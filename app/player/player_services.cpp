@@ -47,6 +47,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     sound_ = std::make_unique<AudioPlayer>(options.sound_later_s);
     sound_->set_soundtrack(soundtrack_of(show));
   }
+  tell_of_the_show(show);
   OscListeners listeners;
   listeners.warning = [log = log_](const std::string& line) { log->warn("{}", line); };
   if (options.clock == "osc") {
@@ -58,6 +59,14 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     fmt::print("{}\n", line);
   }
   std::fflush(stdout);
+}
+
+void PlayerServices::tell_of_the_show(const Show& show) {
+  Playback playback(show);
+  drive(playback);
+  PlayerStatus status;
+  playback.fill(status);
+  post(std::move(status));
 }
 
 void PlayerServices::set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {

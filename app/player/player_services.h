@@ -53,6 +53,9 @@ class PlayerServices {
   //! What is wrong with the show's file or with sound is put in where pictures have no problem.
   void post(PlayerStatus status);
 
+  //! What was posted last.
+  [[nodiscard]] PlayerStatus status() const { return board_.read(); }
+
   //! A version of the show's file that was saved since the last call, or why there is none; `now` reads it, changed or not.
   [[nodiscard]] std::optional<ShowReload::Result> reloaded(bool now);
 
@@ -60,6 +63,9 @@ class PlayerServices {
   void tell(spdlog::level::level_enum level, const std::string& message);
 
  private:
+  //! Commands of chapters and languages may come before the first picture does.
+  void tell_of_the_show(const Show& show);
+
   std::shared_ptr<LogRing> ring_;
   std::shared_ptr<spdlog::logger> log_;
   std::string told_;
