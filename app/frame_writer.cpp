@@ -131,6 +131,7 @@ void FrameWriter::write_movies(int first, int last) const {
     movie.file = movie_path(options_.movie, part);
     movie.frame_rate_hz = show.frame_rate_hz;
     movie.sound = sound.get();
+    movie.alpha = options_.alpha;
     for (int frame = first; frame <= last; ++frame) {
       movie.pictures.push_back(path_of(frame, part, std::nullopt));
     }

@@ -145,15 +145,15 @@ std::string disk_problem(const std::string& messages) {
 }
 
 //! Writes a picture's pixels; false where the program reads no more.
-bool send(const std::filesystem::path& file, const DisplayPixels& size, const Program& program) {
-  const DisplayPixels pixels = read_display_pixels(file);
+bool send(const std::filesystem::path& file, bool alpha, const DisplayPixels& size, const Program& program) {
+  const DisplayPixels pixels = alpha ? read_covering_pixels(file) : read_display_pixels(file);
   if (pixels.width != size.width || pixels.height != size.height) {
     throw Error(file.string(),
                 fmt::format("has {} x {} pixels, the first picture {} x {}", pixels.width, pixels.height, size.width,
                             size.height),
                 "render the frames again, without --resume");
   }
-  return program.write(reinterpret_cast<const char*>(pixels.rgb.data()), 2 * pixels.rgb.size());
+  return program.write(reinterpret_cast<const char*>(pixels.values.data()), 2 * pixels.values.size());
 }
 
 void encode(const Movie& movie, const std::filesystem::path& partial) {
@@ -161,7 +161,7 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
   Program program(movie_arguments(movie, size.width, size.height, partial), movie.sound);
   bool taken = true;
   for (const std::filesystem::path& picture : movie.pictures) {
-    taken = taken && !interrupted() && send(picture, size, program);
+    taken = taken && !interrupted() && send(picture, movie.alpha, size, program);
   }
   const int status = program.finish();
   const std::string said = program.messages();
@@ -215,6 +215,8 @@ std::string movie_ending(const std::filesystem::path& file) {
   return ending;
 }
 
+bool holds_alpha(const std::string& ending) { return ending != ".mp4"; }
+
 void require_movie_encoder(const std::filesystem::path& file) {
   static_cast<void>(movie_ending(file));
   require_writable(file);
@@ -235,8 +237,9 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
   };
   const std::string size = fmt::format("{}x{}", width_px, height_px);
   const std::string rate = fmt::format("{:.10g}", movie.frame_rate_hz);
-  add({"-f", "rawvideo", "-pix_fmt", std::endian::native == std::endian::little ? "rgb48le" : "rgb48be", "-s",
-       size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0"});
+  const std::string pixels =
+      std::string(movie.alpha ? "rgba64" : "rgb48") + (std::endian::native == std::endian::little ? "le" : "be");
+  add({"-f", "rawvideo", "-pix_fmt", pixels.c_str(), "-s", size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0"});
   add_sound(movie, ending, words);
   // sRGB's primaries are BT.709's; the matrix must be said, or players guess by the size.
   add({"-color_primaries", "bt709", "-color_trc", "iec61966-2-1"});
@@ -245,11 +248,12 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
   } else {
     // ProRes takes its tags from the pictures, not from the words beside them.
     const std::string filters =
-        std::string("pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=limited,") +
+        std::string("pad=ceil(iw/2)*2:ceil(ih/2)*2:color=black@0,scale=out_color_matrix=bt709:out_range=limited,") +
         "setparams=color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709:range=tv";
     add({"-vf", filters.c_str(), "-colorspace", "bt709", "-color_range", "tv"});
     if (ending == ".mov") {
-      add({"-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuv444p10le", "-f", "mov"});
+      add({"-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", movie.alpha ? "yuva444p10le" : "yuv444p10le", "-f",
+           "mov"});
     } else if (width_px > widest_h264_px) {
       add({"-c:v", "libx265", "-crf", "14", "-preset", "medium", "-pix_fmt", "yuv420p", "-tag:v", "hvc1", "-movflags",
            "+faststart", "-f", "mp4"});

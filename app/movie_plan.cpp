@@ -28,6 +28,9 @@ void require_movie(const RenderOptions& options, const Show& show) {
     throw UsageError(named, "has one colour for two rows, in which the eyes of layout rows would mix",
                      "choose .mov or .mkv");
   }
+  if (options.alpha && !holds_alpha(movie_ending(options.movie))) {
+    throw UsageError(named, "has no channel for what frames cover", "choose .mov or .mkv, or leave out --alpha");
+  }
   for (const FramePart part : movie_parts(show)) {
     require_movie_encoder(movie_path(options.movie, part));
   }

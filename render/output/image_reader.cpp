@@ -13,10 +13,10 @@ Error unreadable(const std::filesystem::path& path, const std::string& reason) {
   return {path.string(), "cannot be read: " + reason, "render it again"};
 }
 
-std::unique_ptr<ImageInput> opened(const std::filesystem::path& path) {
+std::unique_ptr<ImageInput> opened(const std::filesystem::path& path, const ImageLibrary::Wishes& wishes = {}) {
   constexpr int most_px = 65'535;
   std::string problem;
-  auto input = image_library().open(path.string(), {}, problem);
+  auto input = image_library().open(path.string(), wishes, problem);
   if (!input) {
     throw unreadable(path, problem);
   }
@@ -27,6 +27,16 @@ std::unique_ptr<ImageInput> opened(const std::filesystem::path& path) {
   return input;
 }
 
+DisplayPixels read_channels(const std::filesystem::path& path, ImageInput& input, int channels) {
+  DisplayPixels pixels = {input.shape().width, input.shape().height, {}};
+  pixels.values.resize(static_cast<std::size_t>(channels) * static_cast<std::size_t>(pixels.width) *
+                       static_cast<std::size_t>(pixels.height));
+  if (!input.read_all(channels, pixels.values.data())) {
+    throw unreadable(path, input.error());
+  }
+  return pixels;
+}
+
 }  // namespace
 
 DisplayPixels image_size(const std::filesystem::path& path) {
@@ -34,14 +44,16 @@ DisplayPixels image_size(const std::filesystem::path& path) {
   return {input->shape().width, input->shape().height, {}};
 }
 
-DisplayPixels read_display_pixels(const std::filesystem::path& path) {
-  const auto input = opened(path);
-  DisplayPixels pixels = {input->shape().width, input->shape().height, {}};
-  pixels.rgb.resize(3 * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height));
-  if (!input->read_all(3, pixels.rgb.data())) {
-    throw unreadable(path, input->error());
+DisplayPixels read_display_pixels(const std::filesystem::path& path) { return read_channels(path, *opened(path), 3); }
+
+DisplayPixels read_covering_pixels(const std::filesystem::path& path) {
+  ImageLibrary::Wishes wishes;
+  wishes.separate_alpha = true;
+  const auto input = opened(path, wishes);
+  if (input->shape().channels != 4) {
+    throw unreadable(path, "it has no channel of what it covers");
   }
-  return pixels;
+  return read_channels(path, *input, 4);
 }
 
 }  // namespace ergodome

@@ -129,7 +129,7 @@ TEST_F(CommandLine, SwappingEyesSwapsTheirFiles) {
   ASSERT_EQ(run("render eyes.toml --out plain --frames 1 --backend cpu"), 0) << output_;
   write("eyes.toml", show + "swap_eyes = true\n");
   ASSERT_EQ(run("render eyes.toml --out swapped --frames 1 --backend cpu"), 0) << output_;
-  const auto pixels = [&](const char* path) { return read_display_pixels(folder_ / path).rgb; };
+  const auto pixels = [&](const char* path) { return read_display_pixels(folder_ / path).values; };
   EXPECT_EQ(pixels("plain/L/eyes_000001.png"), pixels("swapped/R/eyes_000001.png"));
   EXPECT_EQ(pixels("plain/R/eyes_000001.png"), pixels("swapped/L/eyes_000001.png"));
   EXPECT_NE(pixels("plain/L/eyes_000001.png"), pixels("plain/R/eyes_000001.png"));

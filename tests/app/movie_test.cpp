@@ -75,6 +75,15 @@ TEST_F(RenderAMovie, HasTheRateOfTheCommandLine) {
   EXPECT_THAT(words(), HasSubstr("-framerate 60 "));
 }
 
+TEST_F(RenderAMovie, HasTheCoverageOfItsFrames) {
+  install_recorder();
+  ASSERT_EQ(run("render small.toml --out f --alpha --movie film.mkv --backend cpu"), 0) << output_;
+  EXPECT_EQ(fs::file_size(folder_ / "film.mkv"), 3U * 32 * 32 * 4 * 2);
+  EXPECT_THAT(words(), HasSubstr("-pix_fmt rgba64"));
+  EXPECT_EQ(run("render small.toml --out f --alpha --movie film.mp4 --backend cpu"), 2);
+  EXPECT_THAT(output_, HasSubstr("choose .mov or .mkv"));
+}
+
 TEST_F(RenderAMovie, SeparateEyesAreTwoFilms) {
   install_recorder();
   ASSERT_EQ(run("render small.toml --out f --stereo separate --movie film.mov --backend cpu"), 0) << output_;
@@ -166,6 +175,15 @@ TEST(MovieArguments, TagColoursInEveryKindOfFilm) {
     movie.file = file;
     EXPECT_THAT(movie_arguments(movie, 64, 64, "b"), testing::Contains("iec61966-2-1")) << file;
   }
+}
+
+TEST(MovieArguments, GiveProResAChannelOfCoverage) {
+  Movie movie;
+  movie.file = "a.mov";
+  movie.alpha = true;
+  EXPECT_THAT(movie_arguments(movie, 64, 64, "b"), testing::Contains("yuva444p10le"));
+  movie.alpha = false;
+  EXPECT_THAT(movie_arguments(movie, 64, 64, "b"), testing::Contains("yuv444p10le"));
 }
 
 TEST(MovieArguments, TagThePicturesOfProRes) {

@@ -151,7 +151,7 @@ TEST_F(CommandLine, RenderWritesCaptionsInALanguage) {
         "1\ntext = { en = \"Light\", de = \"Schatten und Licht\" }\n");
   const auto rendered = [&](const std::string& language) {
     EXPECT_EQ(run("render small.toml --frames 15:15 --backend cpu --out o" + language), 0) << output_;
-    return read_display_pixels(folder_ / "o/small_000015.png").rgb;
+    return read_display_pixels(folder_ / "o/small_000015.png").values;
   };
   const auto english = rendered("");
   EXPECT_EQ(rendered(" --language en"), english);

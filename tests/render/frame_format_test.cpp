@@ -45,7 +45,7 @@ TEST_F(FrameFiles, SixteenBitsTellApartWhatEightCannot) {
   for (const ImageFormat format : {ImageFormat::png16, ImageFormat::tiff}) {
     const DisplayPixels pixels = read_display_pixels(written({format}));
     for (std::size_t i = 1; i < 256; ++i) {
-      ASSERT_GT(pixels.rgb[3 * i], pixels.rgb[3 * (i - 1)]) << i;
+      ASSERT_GT(pixels.values[3 * i], pixels.values[3 * (i - 1)]) << i;
     }
   }
 }
@@ -55,7 +55,7 @@ TEST_F(FrameFiles, SixteenBitsAreTheSrgbCurveOfTheLight) {
   for (const int i : {0, 100, 255}) {
     const double light = 0.2 + 0.001 * i;
     const double expected = 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-    EXPECT_NEAR(pixels.rgb[3 * static_cast<std::size_t>(i)] / 65535.0, expected, 3e-5) << i;
+    EXPECT_NEAR(pixels.values[3 * static_cast<std::size_t>(i)] / 65535.0, expected, 3e-5) << i;
   }
 }
 
@@ -111,7 +111,7 @@ TEST_F(FrameFiles, AnOpaquePixelIsTheSameWithAlphaAndWithout) {
     const DisplayPixels without = read_display_pixels(written({format}));
     const DisplayPixels with = read_display_pixels(written({format, ExrCompression::zip, true}));
     for (std::size_t i = 0; i < 3 * 256; ++i) {
-      ASSERT_EQ(with.rgb[i], without.rgb[i]) << file_ending(format) << " " << i;
+      ASSERT_EQ(with.values[i], without.values[i]) << file_ending(format) << " " << i;
     }
   }
 }
