@@ -90,10 +90,11 @@ Picture colour_bar_pattern(const Projection& projection) {
     const double turn = place.across * times_round + 0.5 * (times_round - 1.0);
     const auto bar = static_cast<int>(8.0 * (turn - std::floor(turn)));
     // On a screen all of it, on a dome up to where bars become too narrow to tell.
-    if (place.up > 0.85 && times_round > 1.0) {
+    const double up = std::abs(place.up);
+    if (up > 0.85 && times_round > 1.0) {
       return Vector3<float>{0.0F, 0.0F, 0.0F};
     }
-    return (place.up < 0.5 ? light_of_value(0.75 * 255.0) : 1.0F) * bars[std::min(bar, 7)];
+    return (up < 0.5 ? light_of_value(0.75 * 255.0) : 1.0F) * bars[std::min(bar, 7)];
   });
 }
 

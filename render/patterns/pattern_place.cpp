@@ -32,7 +32,7 @@ PatternPlace pattern_place(const Projection& projection, double x_px, double y_p
     place.up = 1.0 - y_px / projection.height_px;
   } else {
     place.across = (place.azimuth_deg + 180.0) / 360.0;
-    place.up = std::abs(place.elevation_deg) / 90.0;
+    place.up = place.elevation_deg / 90.0;
   }
   return place;
 }

@@ -16,7 +16,7 @@ struct PatternPlace {
   double azimuth_deg;         //!< to the right of the front
   double elevation_deg;
   //! The picture as a sheet that ramps and bars are drawn on, both 0 to 1. A screen is its own sheet; elsewhere `across` is azimuth, from the
-  //! back by the left, the front (0.5) and the right, and `up` goes from the horizon to the zenith, or the nadir.
+  //! back by the left, the front (0.5) and the right, and `up` goes from the horizon (0) to the zenith, and below 0 to the nadir.
   double across;
   double up;
 };

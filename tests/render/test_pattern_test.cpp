@@ -9,6 +9,7 @@
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 #include "render/output/tone_map.h"
+#include "render/patterns/pattern_place.h"
 
 namespace ergodome {
 namespace {
@@ -64,6 +65,22 @@ TEST(TestPatterns, GreyStepsHaveTheDisplaysValues) {
     EXPECT_EQ(value_at(picture, across, 0.58), step);
     EXPECT_EQ(value_at(picture, across, 0.8), 239 + step);
   }
+}
+
+TEST(TestPatterns, GreyStepsEndAtTheHorizonOfATiltedDome) {
+  // Tilted up by 25°, the dome reaches as far below the horizon at its front.
+  const Projection tilted = make_dome_projection(256, pi, 25.0 * pi / 180.0);
+  const Picture picture = draw_test_pattern(TestPattern::grey_ramp, tilted);
+  int lit = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const double elevation_deg = pattern_place(tilted, x + 0.5, y + 0.5).elevation_deg;
+      const bool light = pattern_light_at(picture, x, y)[0] > 0.0F;
+      lit += light ? 1 : 0;
+      EXPECT_FALSE(light && elevation_deg < -1.0) << x << ' ' << y;
+    }
+  }
+  EXPECT_GT(lit, 1000);
 }
 
 TEST(TestPatterns, ColourBarsFallInLuminanceFromWhiteToBlack) {
