@@ -164,11 +164,11 @@ CameraPose place_at(CameraKeys keys, double time_s) {
   return pose;
 }
 
-//! The observer's velocity, and the given part of the way from it to that of a fall.
+//! The velocity of the keys or of the observer, and the given part of the way from it to that of a fall.
 Vector3<double> between_observer_and_fall(const Show& show, double time_s, const CameraPose& pose,
                                           const Vector3<double>& falls, double part) {
-  const Vector3<double> own =
-      observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity);
+  const Vector3<double> own = pose.velocity.value_or(
+      observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity));
   return own + part * (falls - own);
 }
 

@@ -62,9 +62,9 @@ void take_velocity(TomlTable& table, const std::string& file, const Show& show, 
   if (!table.has("velocity")) {
     return;
   }
-  if (show.camera.fall) {
-    throw table.error_at("velocity", "is for a camera that its keys lead all the way",
-                         "write it in [camera.fall], or leave the fall out");
+  if (show.camera.fall && show.camera.fall->until_s) {
+    throw table.error_at("velocity", "is not for a camera whose fall ends",
+                         "leave out until_s of [camera.fall], or the velocities of all keys");
   }
   const Vector3<double> v =
       observer_velocity(written.motion, spin_at(show, key.time_s), key.r, key.theta, written.velocity);

@@ -55,6 +55,10 @@ class Navigator {
 
   //! Has a velocity where the camera falls through the horizon.
   [[nodiscard]] CameraPose pose() const;
+  //! The camera's own time since it began to fall through the horizon, or was taken from a path that does [M]; nothing where it does not fall so.
+  [[nodiscard]] std::optional<double> own_time() const {
+    return course_ != Course::path && falls_through() ? std::optional(ride_->own_time()) : std::nullopt;
+  }
   [[nodiscard]] Course course() const { return course_; }
   [[nodiscard]] FlightMode mode() const { return mode_; }
   //! Whether the last `advance` changed the pose.

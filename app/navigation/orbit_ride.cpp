@@ -201,6 +201,7 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlace& place) {
       tell_left(1.0 / orbit_.u);
     }
   }
+  own_time_ += clock_ * seconds;
   place.r = 1.0 / orbit_.u;
   place.towards = direction_of(orbit_);
 }

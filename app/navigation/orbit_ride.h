@@ -46,6 +46,9 @@ class OrbitRide {
   //! Whether this orbit would lead into the hole from a place outside the horizon.
   [[nodiscard]] bool falls_into_hole() const;
 
+  //! The camera's own time since the ride began [M].
+  [[nodiscard]] double own_time() const { return own_time_; }
+
   //! The camera's own time to the deepest place of a ride through the horizon [M]; nothing where that is too far ahead to be told.
   [[nodiscard]] std::optional<double> left() const { return left_; }
 
@@ -75,6 +78,7 @@ class OrbitRide {
   OrbitConstants constants_;
   double begin_r_;      //!< [M]
   double clock_ = 0.0;  //!< [M/s]
+  double own_time_ = 0.0;
   double fastest_turn_;
   double fastest_;
   double accel_;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <span>
+#include <utility>
 
-#include "content/proper_velocity.h"
+#include "content/fall/rain_pose.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -19,55 +22,134 @@ bool is_finite(const CameraPose& pose) {
          std::isfinite(pose.orientation.w + pose.orientation.x + pose.orientation.y + pose.orientation.z);
 }
 
-glm::dvec3 direction_of(const CameraPose& pose) {
-  return {std::sin(pose.theta) * std::cos(pose.phi), std::sin(pose.theta) * std::sin(pose.phi), std::cos(pose.theta)};
+Show bare_path(const Show& scene) {
+  Show show = scene;
+  show.timeline = {};
+  show.camera.keys.clear();
+  show.camera.fall.reset();
+  show.camera.orbit.reset();
+  show.camera.after_fall.clear();
+  return show;
 }
 
-//! Worst deviation of a path from a note, in tolerances.
-double deviation(const CameraPose& path, const CameraPose& note, const RecordTolerance& tolerance) {
-  const double turned =
-      2.0 * std::acos(std::min(1.0, std::abs(glm::dot(glm::normalize(path.orientation), note.orientation))));
-  const double moved = glm::length(direction_of(path) - direction_of(note));
-  const double radius = std::abs(path.r / note.r - 1.0);
-  double speed = 0.0;
-  if (note.velocity) {
-    const Vector3<double> apart = proper_velocity(*path.velocity) - proper_velocity(*note.velocity);
-    speed = std::sqrt(dot(apart, apart));
+//! Lets a path's camera fall past the given moments, and adds their marks, the first of them where the keys let go. Nothing where they are not passed.
+std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Show& show, std::vector<PathMark>& marks) {
+  const double before_s = marks.empty() ? moments.front().time_s - shortest_s : marks.back().key.time_s;
+  std::optional<RecordedFall> fall = recorded_fall(show.spin, moments, before_s);
+  if (!fall) {
+    return std::nullopt;
   }
-  return std::max(
-      {speed / tolerance.velocity, turned / tolerance.turn_rad, moved / tolerance.turn_rad, radius / tolerance.radius});
+  if (!marks.empty()) {
+    fall->start.phi += 2.0 * pi * std::round((marks.back().key.phi - fall->start.phi) / (2.0 * pi));
+  }
+  show.duration_s = moments.back().time_s;
+  show.camera.keys = {fall->start};
+  put_fall(*fall, show);
+  if (!show.camera.orbit->leads_within()) {
+    return std::nullopt;
+  }
+  const auto key_of = [&](double time_s, const CameraPose& pose) {
+    // The fall's keys look in a frame that it takes along.
+    CameraPose look = {fall->start.r, fall->start.theta, fall->start.phi, {}};
+    look.orientation = glm::normalize(glm::conjugate(show.camera.orbit->at(time_s).frame) * pose.orientation);
+    return key_at(time_s, look);
+  };
+  const CameraKey first = key_of(moments.front().time_s, moments.front().pose);
+  fall->start.yaw = first.yaw;
+  fall->start.pitch = first.pitch;
+  fall->start.roll = first.roll;
+  if (marks.empty() || !marks.front().key.velocity) {
+    fall->start.velocity.reset();
+  }
+  marks.push_back({fall->start, camera_pose(show, fall->start.time_s)});
+  for (const FallMoment& moment : moments) {
+    if (moment.time_s > fall->start.time_s) {
+      marks.push_back({key_of(moment.time_s, moment.pose), moment.pose});
+    }
+  }
+  return fall;
+}
+
+//! Where among its samples a flight falls through the horizon: from `begin` on, where who looks falls along that orbit, to before `end`.
+struct FallingPart {
+  std::size_t begin;
+  std::size_t beyond;  //!< the first that is beyond return
+  std::size_t end;
+};
+
+FallMoment moment_of(const FlightSample& sample) { return {sample.time_s, sample.pose, sample.falling->own_time}; }
+
+//! All three are the number of samples where nobody falls so far.
+FallingPart falling_part(double spin, const std::vector<FlightSample>& samples) {
+  const auto beyond = [](const FlightSample& sample) { return sample.falling && sample.falling->beyond_return; };
+  const auto at = static_cast<std::size_t>(std::ranges::find_if(samples, beyond) - samples.begin());
+  FallingPart part = {at, at, at};
+  const auto goes_on = [&](std::size_t i) {
+    return samples[i].falling && samples[i + 1].falling &&
+           falls_on(spin, moment_of(samples[i]), moment_of(samples[i + 1]));
+  };
+  while (at < samples.size() && part.begin > 0 && goes_on(part.begin - 1)) {
+    --part.begin;
+  }
+  while (part.end < samples.size() && (part.end == at || goes_on(part.end - 1))) {
+    ++part.end;
+  }
+  return part;
+}
+
+std::vector<FallMoment> moments_of(std::span<const FlightSample> samples, double first_s) {
+  std::vector<FallMoment> moments;
+  for (const FlightSample& sample : samples) {
+    moments.push_back(moment_of(sample));
+    moments.back().time_s -= first_s;
+  }
+  return moments;
+}
+
+//! Marks of samples outside the horizon: without velocities where the scene's observer has them all.
+std::vector<PathMark> marks_of(double spin, std::span<const FlightSample> samples, double first_s) {
+  const bool as_observer = std::ranges::all_of(samples, &FlightSample::as_observer);
+  std::vector<PathMark> marks;
+  for (const FlightSample& sample : samples) {
+    CameraPose pose = in_zamo_frame(sample.pose, spin);
+    if (as_observer) {
+      pose.velocity.reset();
+    }
+    marks.push_back({key_at(sample.time_s - first_s, pose), pose});
+  }
+  return marks;
+}
+
+//! A fall may begin before the first note.
+void begin_at_0(RecordedPath& path) {
+  const double first_s = path.keys.empty() ? 0.0 : path.keys.front().time_s;
+  for (CameraKey& key : path.keys) {
+    key.time_s -= first_s;
+  }
+  if (path.fall) {
+    path.fall->start.time_s -= first_s;
+    path.fall->settings.time_s -= first_s;
+    for (NumberKey& key : path.fall->clock) {
+      key.time_s -= first_s;
+    }
+  }
 }
 
 }  // namespace
 
-CameraKey key_at(double time_s, const CameraPose& pose) {
-  CameraKey key;
-  key.time_s = time_s;
-  key.r = pose.r;
-  key.theta = pose.theta;
-  key.phi = pose.phi;
-  key.velocity = pose.velocity;
-  // The columns of yaw * pitch * roll, as key_orientation() multiplies them.
-  const glm::dmat3 m = glm::mat3_cast(glm::normalize(glm::inverse(key_orientation(CameraKey())) * pose.orientation));
-  const glm::dvec3& back = m[2];
-  const double sine = std::clamp(-back.y, -1.0, 1.0);
-  key.pitch = std::asin(sine);
-  if (std::hypot(back.x, back.z) > 1e-9) {
-    key.yaw = -std::atan2(back.x, back.z);
-    key.roll = -std::atan2(m[0].y, m[1].y);
-  } else {
-    // Straight up or down, yaw and roll turn about the same axis.
-    key.yaw = -std::atan2(-m[0].z, m[0].x);
-  }
-  return key;
-}
-
-void FlightRecorder::note(double time_s, const CameraPose& pose, bool as_observer) {
-  if (full() || !std::isfinite(time_s) || !is_finite(pose) ||
-      (!samples_.empty() && !(time_s - samples_.back().time_s >= shortest_s))) {
+void FlightRecorder::note(double time_s, const CameraPose& pose, bool as_observer, std::optional<FallingNote> falling) {
+  if (ended_ || full() || !std::isfinite(time_s) || !is_finite(pose)) {
     return;
   }
-  Sample sample = {time_s, pose, as_observer};
+  const bool was_beyond = !samples_.empty() && samples_.back().falling && samples_.back().falling->beyond_return;
+  if (was_beyond && !(falling && falling->own_time >= samples_.back().falling->own_time)) {
+    ended_ = true;
+    return;
+  }
+  if (!samples_.empty() && !(time_s - samples_.back().time_s >= shortest_s)) {
+    return;
+  }
+  FlightSample sample = {time_s, pose, as_observer, falling};
   sample.pose.orientation = glm::normalize(pose.orientation);
   if (!samples_.empty()) {
     // Azimuths go on from each other: a camera that crosses 2 pi, or flies over the axis, has not been round the hole.
@@ -79,67 +161,37 @@ void FlightRecorder::note(double time_s, const CameraPose& pose, bool as_observe
 
 bool FlightRecorder::full() const { return samples_.size() >= most_samples; }
 
-std::vector<FlightRecorder::Sample> FlightRecorder::needed() const {
-  std::vector<Sample> samples = samples_;
-  if (std::ranges::all_of(samples, &Sample::as_observer)) {
-    for (Sample& sample : samples) {
-      sample.pose.velocity.reset();
-    }
+RecordedPath FlightRecorder::path(const Show& scene, const RecordTolerance& tolerance) const {
+  const FallingPart part = falling_part(scene.spin, samples_);
+  const std::span<const FlightSample> samples = samples_;
+  const double first_s = samples.empty() ? 0.0 : samples.front().time_s;
+  std::vector<PathMark> marks = marks_of(scene.spin, samples.first(part.begin), first_s);
+  const std::size_t let_go = marks.size();
+  RecordedPath path;
+  Show show = bare_path(scene);
+  if (part.begin < part.end) {
+    path.fall = add_fall(moments_of(samples.subspan(part.begin, part.end - part.begin), first_s), show, marks);
   }
-  return samples;
+  if (path.fall) {
+    path.keys = fewest_keys(marks, let_go, std::move(show), tolerance);
+  } else {
+    path.keys = fewest_keys(marks_of(scene.spin, samples.first(part.beyond), first_s), 0, bare_path(scene), tolerance);
+  }
+  begin_at_0(path);
+  return path;
 }
 
-CameraKey FlightRecorder::key_of(const Sample& sample) const {
-  return key_at(sample.time_s - samples_.front().time_s, sample.pose);
-}
-
-std::vector<CameraKey> FlightRecorder::keys(const Show& scene, const RecordTolerance& tolerance) const {
-  Show path = scene;
-  path.camera.orbit.reset();
-  const std::vector<Sample> samples = needed();
-  std::vector<std::size_t> chosen = {0};
-  if (samples.size() > 1) {
-    chosen.push_back(samples.size() - 1);
-  }
-  while (true) {
-    path.camera.keys.clear();
-    for (const std::size_t i : chosen) {
-      path.camera.keys.push_back(key_of(samples[i]));
-    }
-    // The worst note of every span becomes a key, until there is none that is bad.
-    std::vector<std::size_t> more;
-    for (std::size_t span = 0; span + 1 < chosen.size(); ++span) {
-      double worst = 1.0;
-      std::size_t where = 0;
-      for (std::size_t i = chosen[span] + 1; i < chosen[span + 1]; ++i) {
-        const double time_s = samples[i].time_s - samples_.front().time_s;
-        const double off = deviation(camera_pose(path, time_s), samples[i].pose, tolerance);
-        if (off > worst) {
-          worst = off;
-          where = i;
-        }
-      }
-      if (where != 0) {
-        more.push_back(where);
-      }
-    }
-    if (more.empty()) {
-      return path.camera.keys;
-    }
-    chosen.insert(chosen.end(), more.begin(), more.end());
-    std::sort(chosen.begin(), chosen.end());
-  }
-}
-
-Show recorded_show(const Show& scene, std::vector<CameraKey> keys, const std::string& title) {
-  Show show = scene;
+Show recorded_show(const Show& scene, RecordedPath path, const std::string& title) {
+  Show show = bare_path(scene);
   show.title = title;
-  show.timeline = {};
-  show.duration_s = keys.empty() ? 0.0 : keys.back().time_s;
-  show.camera.keys = std::move(keys);
-  show.camera.fall.reset();
-  show.camera.orbit.reset();
-  show.camera.after_fall.clear();
+  show.duration_s = path.keys.empty() ? 0.0 : path.keys.back().time_s;
+  show.camera.keys = std::move(path.keys);
+  if (path.fall) {
+    put_fall(*path.fall, show);
+    if (show.stereo.model == StereoModel::flat) {
+      show.stereo.model = StereoModel::physical;  // as the player has it there
+    }
+  }
   const auto place = [&](std::string& file) {
     const std::filesystem::path beside = std::filesystem::path(scene.folder) / file;
     std::error_code problem;

@@ -247,17 +247,25 @@ std::string PlayerSession::caption() const {
   return text;
 }
 
-void PlayerSession::note_flight() {
-  if (is_beyond_return(show_now_.spin, frame_.pose.r)) {
-    // No keys lead there.
-    if (!std::exchange(told_record_ends_, true)) {
-      say(playback_.language() == "de" ? "Innerhalb des Horizonts wird nicht aufgezeichnet."
-                                       : "What is within the horizon is not recorded.");
-    }
-    return;
+std::optional<double> PlayerSession::own_time_of_fall() {
+  const bool falls = frame_.pose.velocity_in_rain;
+  if (const std::optional<double> on_ride = navigator_->own_time()) {
+    return falls ? std::optional(own_time_before_ride_ + *on_ride) : std::nullopt;
   }
-  told_record_ends_ = false;
-  CameraPose pose = in_zamo_frame(frame_.pose, show_now_.spin);
+  const bool on_path = !flying() && leads_within(show_) && frame_.path_time_s;
+  own_time_before_ride_ = on_path ? show_.camera.orbit->proper_time(*frame_.path_time_s) : 0.0;
+  return on_path && falls ? std::optional(own_time_before_ride_) : std::nullopt;
+}
+
+void PlayerSession::note_flight() {
+  CameraPose pose = frame_.pose;
+  const bool beyond_return = is_beyond_return(show_now_.spin, pose.r);
+  std::optional<FallingNote> falling;
+  if (const std::optional<double> own_time = own_time_of_fall()) {
+    falling = {*own_time, beyond_return};
+  } else if (beyond_return) {
+    return;  // keys do not lead there
+  }
   const ObserverView& seen = frame_.observer;
   const bool as_observer =
       !pose.velocity && seen.motion == show_.camera.motion &&
@@ -265,10 +273,17 @@ void PlayerSession::note_flight() {
   if (!pose.velocity) {
     pose.velocity = observer_velocity(seen.motion, show_now_.spin, pose.r, pose.theta, seen.velocity);
   }
-  recorder_->note(now_s(), pose, as_observer);
+  recorder_->note(now_s(), pose, as_observer, falling);
+  if (recorder_->ended() && !std::exchange(told_record_ends_, true)) {
+    say(playback_.language() == "de" ? "Die Aufzeichnung endet mit dem Fall durch den Horizont."
+                                     : "The record ends with the fall through the horizon.");
+  }
 }
 
-void PlayerSession::record() { recorder_.emplace(); }
+void PlayerSession::record() {
+  recorder_.emplace();
+  told_record_ends_ = false;
+}
 
 std::optional<Show> PlayerSession::recorded(const std::string& title) const {
   if (!recorder_ || recorder_->empty()) {
@@ -276,7 +291,7 @@ std::optional<Show> PlayerSession::recorded(const std::string& title) const {
   }
   Show scene = show_now_;
   scene.stereo = chosen_stereo();
-  return recorded_show(scene, recorder_->keys(scene), title);
+  return recorded_show(scene, recorder_->path(scene), title);
 }
 
 void PlayerSession::fill(PlayerStatus& status) const {

@@ -93,6 +93,8 @@ class PlayerSession {
   void look_as_other(const CameraPose& in_zamo);
   //! Who looks from a path that has a velocity.
   [[nodiscard]] ObserverView observer_at(const Vector3<double>& velocity) const;
+  //! The own time of a camera that falls through the horizon [M]; nothing where it does not, or somebody else looks.
+  [[nodiscard]] std::optional<double> own_time_of_fall();
   //! Notes the frame's pose, and how who looks moves.
   void note_flight();
   //! What the show says and who operates has chosen.
@@ -110,7 +112,8 @@ class PlayerSession {
   ObserverFade observer_fade_;
   double other_eyes_from_r_ = 1e300;  //!< where the camera began to fall through the horizon [M]
   std::optional<FlightRecorder> recorder_;
-  bool told_record_ends_ = false;  //!< at the horizon
+  bool told_record_ends_ = false;
+  double own_time_before_ride_ = 0.0;  //!< of a camera that was taken from a falling path [M]
 
   ViewMode mode_ = ViewMode::sky;
   double zoom_steps_ = 0.0;

@@ -56,7 +56,7 @@ TEST(KeyAt, LooksStraightUpWithoutYawAndRollFightingEachOther) {
 TEST(FlightRecorder, MakesAPathThatStaysNearEveryNote) {
   const Show scene = load_show("free-flight");
   Show path = scene;
-  path.camera.keys = recorded(30.0).keys(scene);
+  path.camera.keys = recorded(30.0).path(scene).keys;
   for (int i = 0; i <= 900; ++i) {
     const CameraPose was = flight_at(i / 30.0);
     const CameraPose is = camera_pose(path, i / 30.0);
@@ -80,7 +80,7 @@ TEST(FlightRecorder, KeepsHowWhoLooksMoves) {
     recorder.note(i / 30.0, pose);
   }
   Show path = load_show("free-flight");
-  path.camera.keys = recorder.keys(path);
+  path.camera.keys = recorder.path(path).keys;
   EXPECT_LT(path.camera.keys.size(), 100U);
   for (int i = 0; i <= 300; ++i) {
     const Vector3<double> off = *camera_pose(path, i / 30.0).velocity - flight_velocity_at(i / 30.0);
@@ -96,14 +96,14 @@ TEST(FlightRecorder, HasNoVelocitiesWhereTheScenesObserverHasThemAll) {
       pose.velocity = flight_velocity_at(time_s);
       recorder.note(time_s, pose, all || time_s == 0.0);
     }
-    for (const CameraKey& key : recorder.keys(load_show("free-flight"))) {
+    for (const CameraKey& key : recorder.path(load_show("free-flight")).keys) {
       EXPECT_EQ(key.velocity.has_value(), !all);
     }
   }
 }
 
 TEST(FlightRecorder, NeedsFarFewerKeysThanNotes) {
-  EXPECT_LT(recorded(30.0).keys(load_show("free-flight")).size(), 900U / 5U);
+  EXPECT_LT(recorded(30.0).path(load_show("free-flight")).keys.size(), 900U / 5U);
 }
 
 TEST(FlightRecorder, GoesOnAcrossAWholeTurn) {
@@ -113,7 +113,7 @@ TEST(FlightRecorder, GoesOnAcrossAWholeTurn) {
     pose.phi = std::remainder(6.2 + 0.01 * i, 2.0 * 3.14159265358979323846);
     recorder.note(i / 30.0, pose);
   }
-  const auto keys = recorder.keys(load_show("free-flight"));
+  const auto keys = recorder.path(load_show("free-flight")).keys;
   EXPECT_NEAR(keys.back().phi - keys.front().phi, 0.6, 1e-12);
 }
 
@@ -134,14 +134,14 @@ TEST(FlightRecorder, IsBounded) {
     recorder.note(i / 30.0, flight_at(0.0));
   }
   EXPECT_TRUE(recorder.full());
-  EXPECT_NEAR(recorder.keys(load_show("free-flight")).back().time_s, 3600.0, 1.0);
+  EXPECT_NEAR(recorder.path(load_show("free-flight")).keys.back().time_s, 3600.0, 1.0);
 }
 
 using RecordedShow = test::FolderTest;
 
 TEST_F(RecordedShow, IsReadAgainWithTheSamePath) {
   const Show scene = load_show("free-flight");
-  const Show show = recorded_show(scene, recorded(5.0).keys(scene), "A flight");
+  const Show show = recorded_show(scene, recorded(5.0).path(scene), "A flight");
   const Show read = parse_show(to_toml(show), (folder_ / "flight.toml").string());
   EXPECT_EQ(read.title, "A flight");
   EXPECT_NEAR(read.duration_s, 5.0, 1e-9);
@@ -153,11 +153,11 @@ TEST_F(RecordedShow, IsReadAgainWithTheSamePath) {
 
 TEST_F(RecordedShow, IsReadAgainWithTheSameVelocities) {
   const Show scene = load_show("free-flight");
-  std::vector<CameraKey> keys = recorded(5.0).keys(scene);
+  std::vector<CameraKey> keys = recorded(5.0).path(scene).keys;
   for (CameraKey& key : keys) {
     key.velocity = flight_velocity_at(key.time_s);
   }
-  const Show show = recorded_show(scene, keys, "A flight");
+  const Show show = recorded_show(scene, {keys, {}}, "A flight");
   const Show read = parse_show(to_toml(show), (folder_ / "flight.toml").string());
   for (double t = 0.0; t < 5.0; t += 0.5) {
     const Vector3<double> off = *camera_pose(read, t).velocity - *camera_pose(show, t).velocity;
@@ -174,7 +174,7 @@ TEST_F(RecordedShow, IsOldOrNewWhateverMomentTheProgramIsKilledIn) {
         for (std::size_t k = 0; k < keys.size(); ++k) {
           keys[k].time_s = static_cast<double>(k);
         }
-        write_text_atomically(file, to_toml(recorded_show(scene, keys, "A flight")));
+        write_text_atomically(file, to_toml(recorded_show(scene, {keys, {}}, "A flight")));
       },
       [&] {
         if (std::filesystem::exists(file)) {

@@ -114,16 +114,6 @@ TEST_F(VisitorSession, KeepsTheModelOfEyesThatWasChosenBeforeAFall) {
   EXPECT_EQ(session_.frame().stereo.model, StereoModel::flat);
 }
 
-TEST_F(VisitorSession, RecordsAFallAsFarAsTheHorizonAndSaysSo) {
-  session_.record();
-  fall_within();
-  EXPECT_THAT(session_.caption(), HasSubstr("not recorded"));
-  const Show show = parse_show(to_toml(session_.recorded("A flight").value()), "flight.toml");
-  const double last_r = camera_pose(show, show.duration_s).r;
-  EXPECT_GT(last_r, horizon_radius(session_spin));
-  EXPECT_LT(last_r, 1.01 * horizon_radius(session_spin));
-}
-
 TEST_F(VisitorSession, ComesBackToTheShowFromWithin) {
   fall_within();
   press(KeyAction::return_to_path);

@@ -83,8 +83,9 @@ TEST(KeyVelocity, IsRefusedWhereItIsNone) {
                 parse_show("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 1.5\nvelocity = \"static\"\n", "k.toml");
               }),
               HasSubstr("k.toml:6: camera.key[0].velocity would outrun light at r = 1.5 M"));
-  EXPECT_THAT(test::error_of([] { keyed_show(fast_ahead, fast_ahead, fast_ahead, "[camera.fall]\nclock = 1\n"); }),
-              HasSubstr("camera.key[0].velocity is for a camera that its keys lead all the way"));
+  EXPECT_THAT(
+      test::error_of([] { keyed_show(fast_ahead, fast_ahead, fast_ahead, "[camera.fall]\nclock = 1\nuntil_s = 5\n"); }),
+      HasSubstr("camera.key[0].velocity is not for a camera whose fall ends"));
 }
 
 }  // namespace
