@@ -83,6 +83,7 @@ void FrameWriter::write(int frame) {
   std::vector<FrameImage> images = renderer_.render(time_s, choice_);
   for (FrameImage& image : images) {
     draw_color_bar(image.picture, choice_.mode);
+    tell_missing_legend(image.picture);
     unresolved_ += image.picture.unresolved_pixels;
   }
   const bool views = show.stereo.layout == StereoLayout::multiview;
@@ -102,6 +103,14 @@ void FrameWriter::write(int frame) {
     }
   }
   ++written_;
+}
+
+void FrameWriter::tell_missing_legend(const Picture& picture) {
+  if (picture.heat_range && !has_color_bar(picture.width, picture.height) && !std::exchange(told_no_legend_, true)) {
+    tell_on_terminal(
+        fmt::format("pictures of {} x {} have no room for the legend of a heat map: from 160 x 100 on they have one",
+                    picture.width, picture.height));
+  }
 }
 
 void FrameWriter::enter(const std::filesystem::path& folder) {

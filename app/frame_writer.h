@@ -73,6 +73,8 @@ class FrameWriter {
   [[nodiscard]] int eye_width_px() const;
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
   //! Makes a frame's folder, and clears it.
+  //! Says once that heat maps are too small for their legend.
+  void tell_missing_legend(const Picture& picture);
   void enter(const std::filesystem::path& folder);
   [[nodiscard]] std::unique_ptr<MovieSound> sound_of(int first, int last) const;
   [[nodiscard]] bool is_there(int frame) const;
@@ -90,6 +92,7 @@ class FrameWriter {
   int resumed_ = 0;
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there
   long unresolved_ = 0;
+  bool told_no_legend_ = false;
 };
 
 }  // namespace ergodome

@@ -10,9 +10,9 @@
 #include "app/ray_groups.h"
 #include "app/shell_crossing_table.h"
 #include "app/show_loading.h"
+#include "app/usage_error.h"
 #include "content/files/atomic_file.h"
 #include "content/ray_table.h"
-#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -45,7 +45,7 @@ void run_shell(const NearRayOptions& options, const RayFiles& files) {
 void run_objects(const NearRayOptions& options, const RayFiles& files) {
   const Show show = load_show(options.objects);
   if (show.objects.empty()) {
-    throw Error("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
+    throw UsageError("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
   }
   if (show.duration_s > 0.0) {
     require_time("trace --at", show, options.time_s);

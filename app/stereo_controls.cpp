@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace ergodome {
 
@@ -29,6 +30,9 @@ StereoLayout after(StereoLayout layout) {
   const bool last = here == window_layouts.end() || here + 1 == window_layouts.end();
   return last ? window_layouts.front() : *(here + 1);
 }
+
+//! Rounded so that nothing is printed as -0.0.
+double tenths(double value) { return 0.1 * std::round(10.0 * value) + 0.0; }
 
 }  // namespace
 
@@ -70,29 +74,39 @@ StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const St
   return made;
 }
 
-std::string describe(const StereoSettings& stereo) {
+std::string describe(const StereoSettings& stereo, std::string_view language) {
   if (eye_count(stereo) < 2) {
     return "mono";
   }
-  const std::string convergence =
-      stereo.convergence > 0.0 ? fmt::format("{:.4g} M", stereo.convergence) : std::string("infinity");
-  return fmt::format("{}, {}, baseline {:.4g} M, convergence {}{}",
-                     stereo_layout_names[static_cast<std::size_t>(stereo.layout)],
-                     stereo_model_names[static_cast<std::size_t>(stereo.model)], stereo.baseline, convergence,
-                     stereo.swap_eyes ? ", swapped" : "");
+  const bool german = language == "de";
+  const std::string convergence = stereo.convergence > 0.0 ? fmt::format("{:.4g} M", stereo.convergence)
+                                  : german                 ? "unendlich"
+                                                           : "infinity";
+  return fmt::format("{}, {}, {} {:.4g} M, {} {}{}", stereo_layout_names[static_cast<std::size_t>(stereo.layout)],
+                     stereo_model_names[static_cast<std::size_t>(stereo.model)], german ? "Basis" : "baseline",
+                     stereo.baseline, german ? "Konvergenz" : "convergence", convergence,
+                     !stereo.swap_eyes ? ""
+                     : german          ? ", vertauscht"
+                                       : ", swapped");
 }
 
-std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity) {
-  std::string caption = describe(stereo);
+std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity,
+                              std::string_view language) {
+  std::string caption = describe(stereo, language);
   if (!disparity) {
     return caption;
   }
-  caption += fmt::format("\ndisparity {:+.1f} to {:+.1f} px, {:+.1f} to {:+.1f} arcmin", disparity->least_px,
-                         disparity->greatest_px, disparity->least_arcmin, disparity->greatest_arcmin);
+  const bool german = language == "de";
+  const char* const to = german ? "bis" : "to";
+  caption +=
+      fmt::format("\n{} {:+.1f} {} {:+.1f} px, {:+.1f} {} {:+.1f} {}", german ? "Disparität" : "disparity",
+                  tenths(disparity->least_px), to, tenths(disparity->greatest_px), tenths(disparity->least_arcmin), to,
+                  tenths(disparity->greatest_arcmin), german ? "Bogenminuten" : "arcmin");
   // One degree is the stereographers' rule of thumb (Lambooij, IJsselsteijn, Fortuin & Heynderickx, Journal of Imaging Science and Technology
   // 53 (2009) 030201), after Percival's zone of comfort.
   if (disparity->range_deg() > stereo.comfort_deg) {
-    caption += fmt::format("\nuncomfortable: more than {:.4g} deg apart", stereo.comfort_deg);
+    caption += fmt::format("\n{} {:.4g}{}", german ? "unbequem: um mehr als" : "uncomfortable: more than",
+                           stereo.comfort_deg, german ? "° auseinander" : " deg apart");
   }
   return caption;
 }

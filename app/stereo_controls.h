@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/navigation/actions.h"
 #include "content/show.h"
@@ -16,11 +17,12 @@ namespace ergodome {
 //! r / 100 to 1,000 r and then to infinity. Layouts are those that a window of one buffer shows.
 StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const StereoSettings& shown, double r);
 
-//! The settings in a line: layout, model, baseline, convergence, swapped.
-std::string describe(const StereoSettings& stereo);
+//! The settings in a line: layout, model, baseline, convergence, swapped. In German for "de", else in English.
+std::string describe(const StereoSettings& stereo, std::string_view language = "en");
 
 //! The settings and what they do to a viewer's eyes, in lines: least and greatest horizontal disparity, and a warning where their difference
 //! is more than the limit of comfort.
-std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity);
+std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity,
+                              std::string_view language = "en");
 
 }  // namespace ergodome

@@ -65,18 +65,24 @@ const ShowInstant& Playback::advance() {
   return instant_;
 }
 
-CommandOutcome Playback::refuse(std::string why) {
-  refusal_ = std::move(why);
+CommandOutcome Playback::refuse(std::string english, std::string german) {
+  refusal_ = std::move(language_ == "de" ? german : english);
   return CommandOutcome::refused;
+}
+
+CommandOutcome Playback::refuse_chapter(std::string english, std::string german) {
+  return chapters_.empty() ? refuse("the show has no chapters", "die Vorführung hat keine Kapitel")
+                           : refuse(std::move(english), std::move(german));
 }
 
 CommandOutcome Playback::apply(const TransportCommand& command) {
   if (!std::isfinite(command.value)) {
-    return refuse("what was given is not a number");
+    return refuse("what was given is not a number", "das ist keine Zahl");
   }
   if (moves_time(command.kind)) {
     if (external_) {
-      return refuse(fmt::format("the show follows {}", external_->name()));
+      return refuse(fmt::format("the show follows {}", external_->name()),
+                    fmt::format("die Vorführung folgt {}", external_->name()));
     }
     return move(command);
   }
@@ -121,8 +127,8 @@ CommandOutcome Playback::move(const TransportCommand& command) {
 
 CommandOutcome Playback::go_to_chapter(int index) {
   if (index < 0 || index >= static_cast<int>(chapters_.size())) {
-    return refuse(chapters_.empty() ? "the show has no chapters"
-                                    : fmt::format("the show has chapters 0 to {}", chapters_.size() - 1));
+    return refuse_chapter(fmt::format("the show has chapters 0 to {}", chapters_.size() - 1),
+                          fmt::format("die Vorführung hat die Kapitel 0 bis {}", chapters_.size() - 1));
   }
   clock_.seek(show_time(chapters_[static_cast<std::size_t>(index)].time_s));
   return CommandOutcome::done;
@@ -131,7 +137,7 @@ CommandOutcome Playback::go_to_chapter(int index) {
 CommandOutcome Playback::go_to_next_chapter() {
   instant_ = clock_.read();
   if (chapter() + 1 >= static_cast<int>(chapters_.size())) {
-    return refuse(chapters_.empty() ? "the show has no chapters" : "this is the last chapter");
+    return refuse_chapter("this is the last chapter", "dies ist das letzte Kapitel");
   }
   return go_to_chapter(chapter() + 1);
 }
@@ -151,8 +157,9 @@ CommandOutcome Playback::go_to_previous_chapter() {
 
 CommandOutcome Playback::choose_language(const std::string& tag) {
   if (std::ranges::find(languages_, tag) == languages_.end()) {
-    return refuse(languages_.empty() ? std::string("the show has one language")
-                                     : fmt::format("the show speaks {}", fmt::join(languages_, ", ")));
+    return languages_.empty() ? refuse("the show has one language", "die Vorführung hat eine Sprache")
+                              : refuse(fmt::format("the show speaks {}", fmt::join(languages_, ", ")),
+                                       fmt::format("die Vorführung spricht {}", fmt::join(languages_, ", ")));
   }
   language_ = tag;
   return CommandOutcome::done;

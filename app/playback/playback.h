@@ -74,7 +74,9 @@ class Playback {
   CommandOutcome choose_language(const std::string& tag);
   void choose_next_language();
   bool adjust(const TransportCommand& command);
-  CommandOutcome refuse(std::string why);
+  CommandOutcome refuse(std::string english, std::string german);
+  //! That, or that there are no chapters at all.
+  CommandOutcome refuse_chapter(std::string english, std::string german);
   [[nodiscard]] std::string clock_text() const;
 
   TimeSource source_;

@@ -60,6 +60,42 @@ std::uint64_t end_of_chunk(std::istream& file, std::string_view samples, ByteOrd
   return 0;
 }
 
+//! Eight bytes as a number.
+std::uint64_t long_at(std::string_view bytes, std::size_t place, ByteOrder order) {
+  const std::uint64_t first = word_at(bytes, place, order);
+  const std::uint64_t second = word_at(bytes, place + 4, order);
+  return order == ByteOrder::big ? first << 32U | second : second << 32U | first;
+}
+
+//! Where the samples of an AU file end: its head has their place and their size; 0 where that was not known.
+std::uint64_t end_of_au(std::istream& file, ByteOrder order) {
+  constexpr std::uint32_t unknown = 0xFFFFFFFF;
+  const std::string head = bytes_at(file, 0, 12);
+  const std::uint32_t size = word_at(head, 8, order);
+  return size == unknown ? 0 : std::uint64_t{word_at(head, 4, order)} + size;
+}
+
+//! Where the chunk of samples of a Wave64 file ends; 0 where there is none, or its size was not known. Chunks have names of sixteen bytes, the first four of
+//! which are those of WAV, and sizes that count their heads; they begin at places that eight divides.
+std::uint64_t end_of_wave64(std::istream& file) {
+  constexpr std::uint64_t head_bytes = 24;
+  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 50U;
+  constexpr int most_chunks = 1000;
+  std::uint64_t place = head_bytes + 16;
+  for (int i = 0; i < most_chunks; ++i) {
+    const std::string head = bytes_at(file, place, head_bytes);
+    const std::uint64_t size = head.size() < head_bytes ? 0 : long_at(head, 16, ByteOrder::little);
+    if (size < head_bytes || size > most_bytes) {
+      return 0;
+    }
+    if (head.starts_with("data")) {
+      return place + size;
+    }
+    place += (size + 7) / 8 * 8;
+  }
+  return 0;
+}
+
 //! The bytes of an ID3 tag at the start of a file; its size is in sevens of bits.
 std::uint64_t tag_bytes(std::string_view head) {
   if (head.size() < 10 || !head.starts_with("ID3")) {
@@ -103,6 +139,12 @@ std::uint64_t promised_bytes(std::istream& file) {
   }
   if (head.starts_with("FORM") && (kind == "AIFF" || kind == "AIFC")) {
     return end_of_chunk(file, "SSND", ByteOrder::big);
+  }
+  if (head.starts_with(".snd") || head.starts_with("dns.")) {
+    return end_of_au(file, head[0] == '.' ? ByteOrder::big : ByteOrder::little);
+  }
+  if (head.starts_with("riff")) {
+    return end_of_wave64(file);
   }
   return end_of_mp3(file);
 }

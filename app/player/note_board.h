@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
@@ -8,14 +9,20 @@
 
 namespace ergodome {
 
-//! Sentences for the log from where shows are loaded, in whatever thread: each is told once, however often a show is read again.
+//! Sentences for the log from where shows are loaded, in whatever thread: each is told once, however often a show is read again, and anew where it had
+//! gone and comes again.
 class NoteBoard {
  public:
-  void post(const std::string& note) {
+  //! All that there is to tell of a show as it was loaded now, in place of what there was before.
+  void post(const std::string& show, const std::vector<std::string>& notes) {
     const std::lock_guard lock(mutex_);
-    if (posted_.insert(note).second) {
-      waiting_.push_back(note);
+    for (const std::string& note : notes) {
+      if (!stands(note)) {
+        waiting_.push_back(note);
+        standing_[show].insert(note);
+      }
     }
+    standing_[show] = {notes.begin(), notes.end()};
   }
 
   //! Those since the last call.
@@ -25,8 +32,18 @@ class NoteBoard {
   }
 
  private:
+  //! Shows of an exhibit may have the same to tell.
+  [[nodiscard]] bool stands(const std::string& note) const {
+    for (const auto& [show, notes] : standing_) {
+      if (notes.contains(note)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   std::mutex mutex_;
-  std::set<std::string> posted_;
+  std::map<std::string, std::set<std::string>> standing_;  //!< by the shows' names
   std::vector<std::string> waiting_;
 };
 

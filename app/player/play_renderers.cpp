@@ -1,6 +1,7 @@
 #include "app/player/play_renderers.h"
 
 #include <utility>
+#include <vector>
 
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
@@ -10,17 +11,19 @@ namespace ergodome {
 namespace {
 
 std::shared_ptr<ShowRenderer> made_renderer(const Show& show, Backend backend, const RendererWish& wish) {
+  std::vector<std::string> notes;
   std::shared_ptr<StationStream> stream =
-      open_stream(show, wish.lens, backend, [notes = wish.notes](const std::string& note) { notes->post(note); });
+      open_stream(show, wish.lens, backend, [&](const std::string& note) { notes.push_back(note); });
   if (wish.tells_misses) {
     for (const std::string& note : stream_notes(stream.get(), show, wish.lens, backend, wish.size_px)) {
-      wish.notes->post(note);
+      notes.push_back(note);
     }
   }
   auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(wish.lens), std::move(stream));
   for (const std::string& note : renderer->notes()) {
-    wish.notes->post(note);
+    notes.push_back(note);
   }
+  wish.notes->post(show.name, notes);
   return renderer;
 }
 

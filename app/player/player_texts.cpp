@@ -6,11 +6,13 @@
 
 namespace ergodome {
 
-std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend) {
-  std::string text =
-      fmt::format("{:.1f} ms at {} px, {} lens, {}", report.frame_time_ms, report.size_px, report.lens, backend);
+std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend,
+                       const std::string& language) {
+  std::string text = fmt::format(
+      fmt::runtime(language == "de" ? "{:.1f} ms bei {} px, Linse {}, {}" : "{:.1f} ms at {} px, {} lens, {}"),
+      report.frame_time_ms, report.size_px, report.lens, backend);
   if (eye_count(stereo) > 1) {
-    text += fmt::format("\n{}", disparity_caption(stereo, report.disparity));
+    text += fmt::format("\n{}", disparity_caption(stereo, report.disparity, language));
   }
   return text;
 }

@@ -9,7 +9,8 @@
 namespace ergodome {
 
 //! Frame time, size, lens and backend of the last picture; in stereo what its eyes see, too.
-std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend);
+std::string times_text(const PictureReport& report, const StereoSettings& stereo, const std::string& backend,
+                       const std::string& language);
 
 //! A window's title: the show, the hole, where the camera is, and what the last picture took.
 std::string title_text(const PictureReport& report, const PlayerSession& session, const std::string& backend);

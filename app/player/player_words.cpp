@@ -44,12 +44,18 @@ std::string Player::help_text(HelpForm form) const {
 void Player::update_texts() {
   std::string times;
   if (session_->times_shown()) {
-    times = times_text(pictures_.report(), session_->frame().stereo, renderers_.backend());
+    times =
+        times_text(pictures_.report(), session_->frame().stereo, renderers_.backend(), session_->playback().language());
     times += budget_ ? fmt::format("\n{}", budget_->display_text()) : "";
   }
   screen_.set_text(PanelPlace::top_left, times);
-  // What visitors are to read stands there too, and comes first.
-  screen_.set_text(PanelPlace::bottom_middle, words_.empty() ? session_->caption() : "");
+  // What visitors are to read stands there too, and comes first. Of the attract show there is nothing to be told to whoever passes by, nor of a flight
+  // whose pictures are yet to come: those that are to be seen are still the attract show's.
+  const bool quiet =
+      !words_.empty() || (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !renderers_.current()));
+  const bool legend = session_->frame().mode != ViewMode::sky;
+  screen_.set_text(PanelPlace::above_legend, legend && !quiet ? session_->caption() : "");
+  screen_.set_text(PanelPlace::bottom_middle, legend || quiet ? "" : session_->caption());
   screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
 }
 

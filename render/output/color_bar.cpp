@@ -109,10 +109,12 @@ std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& ran
 
 }  // namespace
 
+bool has_color_bar(int width_px, int height_px) { return width_px >= 160 && height_px >= 100; }
+
 ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& range, ViewMode mode) {
   const int letter_px = std::clamp(height_px / 64, least_letter_px, largest_letter_px);
   ColorBarLayout bar{width_px / 24, height_px - 4 * letter_px, width_px / 3, letter_px, letter_px, {}};
-  if (width_px < 160 || height_px < 100) {
+  if (!has_color_bar(width_px, height_px)) {
     return {};
   }
   const int from = letter_px / 3;

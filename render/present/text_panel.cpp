@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -45,6 +46,9 @@ PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pa
       return {middle, (height - panel.second) / 2};
     case PanelPlace::bottom_middle:
       return {middle, height / 20};
+    case PanelPlace::above_legend:
+      // A legend is six of its letters high, and these are a sixty-fourth of the picture's height or more.
+      return {middle, std::max(height / 10, 60)};
     default:
       return {middle, height - height / 20 - panel.second};
   }

@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! Where a panel is in its framebuffer. A dome leaves the corner free.
-enum class PanelPlace { top_middle, top_left, middle, bottom_middle };
+//! Where a panel is in its framebuffer. A dome leaves the corner free. `above_legend` is at the bottom, above the legend of a heat map's picture.
+enum class PanelPlace { top_middle, top_left, middle, bottom_middle, above_legend };
 
 //! Lines of text on a dark panel, drawn over what is in a framebuffer.
 class TextPanel {

@@ -41,7 +41,7 @@ TEST_F(CommandLine, TraceObjectsLooksAtTheShowsTime) {
 
 TEST_F(CommandLine, TraceObjectsRefusesWhatCannotBe) {
   write("rays.csv", two_rays);
-  EXPECT_NE(run("trace --objects first-light --rays rays.csv --out out.csv"), 0);
+  EXPECT_EQ(run("trace --objects first-light --rays rays.csv --out out.csv"), 2);
   EXPECT_THAT(output_, HasSubstr("has no objects"));
   for (const char* words :
        {"--objects sphere --disk", "--objects sphere --shell 5", "--objects sphere --method grid"}) {

@@ -1,5 +1,6 @@
 #include "app/stereo_controls.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,6 +44,20 @@ TEST(StereoControls, LayoutsComeRoundAndEachIsForAWindow) {
   EXPECT_EQ(seen.size(), 8U);
   EXPECT_EQ(stereo.layout, StereoLayout::mono);
   EXPECT_FALSE(seen.contains(StereoLayout::separate));
+}
+
+TEST(DisparityCaption, HasNoZeroWithAMinus) {
+  const StereoSettings stereo = {StereoLayout::rows, StereoModel::physical, 0.1};
+  Disparity disparity{};
+  disparity.least_px = -0.04;
+  disparity.greatest_px = 0.06;
+  EXPECT_THAT(disparity_caption(stereo, disparity), testing::HasSubstr("disparity +0.0 to +0.1 px"));
+}
+
+TEST(DisparityCaption, IsInGermanToo) {
+  const StereoSettings stereo = {StereoLayout::rows, StereoModel::physical, 0.1};
+  EXPECT_THAT(disparity_caption(stereo, Disparity{}, "de"),
+              testing::HasSubstr("Basis 0.1 M, Konvergenz unendlich\nDisparität +0.0 bis +0.0 px"));
 }
 
 TEST(StereoControls, SwappingTwiceIsNothing) {

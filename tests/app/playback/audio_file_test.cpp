@@ -100,7 +100,9 @@ TEST_F(AudioFiles, ThatAreCutOffSayEitherSoAtOnceOrWhenTheyEnd) {
 TEST_F(AudioFiles, OfEveryKindThatAreTornHaveAProblemAndWholeOnesNone) {
   for (const auto& [name, format] :
        {std::pair{"a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_24}, std::pair{"a.aiff", SF_FORMAT_AIFF | SF_FORMAT_PCM_16},
-        std::pair{"large.wav", SF_FORMAT_RF64 | SF_FORMAT_PCM_16},
+        std::pair{"large.wav", SF_FORMAT_RF64 | SF_FORMAT_PCM_16}, std::pair{"a.w64", SF_FORMAT_W64 | SF_FORMAT_PCM_16},
+        std::pair{"a.au", SF_FORMAT_AU | SF_FORMAT_PCM_16},
+        std::pair{"little.au", SF_FORMAT_AU | SF_FORMAT_PCM_16 | SF_ENDIAN_LITTLE},
         std::pair{"a.flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16}, std::pair{"a.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS},
         std::pair{"a.opus", SF_FORMAT_OGG | SF_FORMAT_OPUS},
         std::pair{"a.mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III}}) {

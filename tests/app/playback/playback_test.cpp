@@ -107,6 +107,12 @@ TEST_F(TransportCommands, AChapterThatIsNotThereIsRefused) {
   EXPECT_EQ(tell(Kind::chapter, -1.0), CommandOutcome::refused);
 }
 
+TEST_F(TransportCommands, ARefusalIsInTheLanguageThatWasChosen) {
+  tell(Kind::language, 0.0, "de");
+  tell(Kind::chapter, 3.0);
+  EXPECT_EQ(playback_.refusal(), "die Vorführung hat die Kapitel 0 bis 2");
+}
+
 TEST_F(TransportCommands, BlackoutFadesAndComesBack) {
   tell(Kind::blackout, 1.0);
   EXPECT_EQ(playback_.light(), 1.0);
@@ -142,7 +148,7 @@ TEST_F(TransportCommands, LanguagesGoRound) {
   tell(Kind::next_language);
   EXPECT_EQ(status().chapters[0].title, "Draußen");
   EXPECT_EQ(tell(Kind::language, 0.0, "tlh"), CommandOutcome::refused);
-  EXPECT_EQ(playback_.refusal(), "the show speaks de, en, fr");
+  EXPECT_EQ(playback_.refusal(), "die Vorführung spricht de, en, fr");
   EXPECT_EQ(playback_.language(), "de");
 }
 
