@@ -77,7 +77,8 @@ struct MpcdiRegion {
   std::optional<MpcdiFrame> frame;
   std::optional<MpcdiFisheye> fisheye;
   double decode_gamma = 1.0;  //!< from the source's values to linear light; 1 where the file says none
-  double encode_gamma = 1.0;  //!< from linear light to what the projector is sent
+  std::optional<double>
+      encode_gamma;  //!< from linear light to what the projector is sent; absent where the file says none
   std::optional<MpcdiGeometry> geometry;
   std::optional<MpcdiMask> alpha;      //!< what is left of the projector's light where it meets others
   std::optional<MpcdiMask> beta;       //!< black-level lift

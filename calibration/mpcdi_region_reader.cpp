@@ -46,16 +46,16 @@ MpcdiFrame read_frame(const XmlElement& element) {
   return frame;
 }
 
-//! The gamma of <decode> or <encode>; 1 where there is none.
-double read_gamma(const XmlElement& color, std::string_view name, std::vector<std::string>& left_out) {
+//! The gamma of <decode> or <encode>, if there is one.
+std::optional<double> read_gamma(const XmlElement& color, std::string_view name, std::vector<std::string>& left_out) {
   const auto element = color.child(name);
   const std::string type = element ? element->attribute("type").value_or("none") : "none";
   if (type == "none") {
-    return 1.0;
+    return std::nullopt;
   }
   if (type != "gamma") {
     left_out.emplace_back(element->error(fmt::format("asks for {}", shown_type(type)), "").what());
-    return 1.0;
+    return std::nullopt;
   }
   const double gamma = element->attribute("gamma") ? element->number_attribute("gamma") : element->number_of("gamma");
   if (!(gamma >= 0.1 && gamma <= 10.0)) {
@@ -65,7 +65,7 @@ double read_gamma(const XmlElement& color, std::string_view name, std::vector<st
 }
 
 void read_color(const XmlElement& color, MpcdiRegion& region, std::vector<std::string>& left_out) {
-  region.decode_gamma = read_gamma(color, "decode", left_out);
+  region.decode_gamma = read_gamma(color, "decode", left_out).value_or(1.0);
   region.encode_gamma = read_gamma(color, "encode", left_out);
   const auto correct = color.child("correct");
   const std::string type = correct ? correct->attribute("type").value_or("none") : "none";

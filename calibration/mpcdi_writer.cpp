@@ -118,10 +118,10 @@ class ArchiveWriter {
         add(frame, std::string(each.tag).c_str(), number(*region.frame.*each.vector.*each.component));
       }
     }
-    if (region.decode_gamma != 1.0 || region.encode_gamma != 1.0) {
+    if (region.decode_gamma != 1.0 || region.encode_gamma) {
       pugi::xml_node color = element.append_child("color");
       for (const auto& [name, gamma] :
-           {std::pair{"decode", region.decode_gamma}, std::pair{"encode", region.encode_gamma}}) {
+           {std::pair{"decode", region.decode_gamma}, std::pair{"encode", region.encode_gamma.value_or(1.0)}}) {
         pugi::xml_node each = color.append_child(name);
         set(each, "type", "gamma");
         set(each, "gamma", number(gamma));

@@ -1,12 +1,15 @@
 #include "calibration/setup_conversion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
 #include "calibration/mpcdi_conversion.h"
+#include "calibration/mpcdi_light.h"
 #include "calibration/projector_files.h"
 #include "calibration/projector_picture.h"
+#include "kernels/core/angles.h"
 
 namespace ergodome {
 
@@ -15,62 +18,73 @@ namespace {
 //! The axes of the dome as MPCDI tells axes: yaw down, pitch right, roll to the front.
 constexpr MpcdiFrame dome_frame = {{0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}};
 
-//! A grey or coloured black level times its lift, as a mask in colour.
-BlendMap beta_of(const BlendMap& black_level, const Vector3<double>& lift) {
-  const BlendMap mask = black_level.width > 0 ? black_level : BlendMap{2, 2, 1, 16, std::vector<float>(4, 1.0F)};
-  const double lifts[] = {lift.x, lift.y, lift.z};
-  BlendMap beta{mask.width, mask.height, 3, 16, {}};
-  beta.values.reserve(3 * mask.values.size() / static_cast<std::size_t>(mask.channels));
-  for (std::size_t i = 0; i < mask.values.size(); i += static_cast<std::size_t>(mask.channels)) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float value = mask.values[mask.channels == 3 ? i + c : i];
-      beta.values.push_back(static_cast<float>(std::clamp(value * lifts[c], 0.0, 1.0)));
-    }
+//! A direction or a place in the axes of the dome itself, turned about its own axis with the picture: there the dome stands upright, and the master's front
+//! is in front.
+Vector3<double> in_own_axes(const DomeSetup& setup, const Vector3<double>& v) {
+  const double tilt = one_degree * setup.tilt_deg;
+  const double turn = one_degree * setup.rotation_deg;
+  const double back = std::sin(tilt) * v.y + std::cos(tilt) * v.z;
+  return {std::cos(turn) * v.x + std::sin(turn) * back, std::cos(tilt) * v.y - std::sin(tilt) * v.z,
+          std::cos(turn) * back - std::sin(turn) * v.x};
+}
+
+Orientation in_own_axes(const DomeSetup& setup, const Orientation& orientation) {
+  if (setup.tilt_deg == 0.0 && setup.rotation_deg == 0.0) {
+    return orientation;
   }
-  return beta;
+  const ProjectorAxes axes = axes_of(orientation);
+  return orientation_of(
+      {in_own_axes(setup, axes.right), in_own_axes(setup, axes.up), in_own_axes(setup, axes.forward)});
 }
 
 //! What a projector shows of the domemaster, whatever it was made from.
 MpcdiRegion flat_region(const ProjectorPicture& picture) {
   // For each pixel, because a mask is finer than the nodes of most meshes.
-  WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
-  if (picture.blend.width > 0) {
-    multiply_intensity(fine, picture.blend, 1.0);
-  }
+  const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
   MpcdiRegion region =
       region_from_warp(picture.name, fine, picture.width_px, picture.height_px, picture.width_px, picture.height_px);
-  region.encode_gamma = picture.gamma;
-  const Vector3<double>& lift = picture.black_level_lift;
-  if (lift.x > 0.0 || lift.y > 0.0 || lift.z > 0.0) {
-    region.beta = MpcdiMask{beta_of(picture.black_level, lift), 1.0};
-  }
+  const BlendMap intensity = region.alpha->map;
+  put_light(picture, intensity, region);
   return region;
 }
 
-MpcdiRegion posed_region(const ProjectorSetup& projector, const LoadedProjector& loaded, const Frustum& frustum) {
+MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const LoadedProjector& loaded,
+                         const Frustum& frustum) {
+  const ProjectorSetup& projector = setup.projectors[index];
   MpcdiRegion region;
   region.id = projector.name;
   region.resolution_x = projector.width_px;
   region.resolution_y = projector.height_px;
-  region.orientation = loaded.orientation;
+  region.orientation = in_own_axes(setup, loaded.orientation);
   region.frustum = frustum;
   region.frame = dome_frame;
-  region.frame->position = loaded.position_m;
+  region.frame->position = in_own_axes(setup, loaded.position_m);
+  const std::optional<MpcdiMask> beta =
+      beta_of(loaded.black_level.value_or(BlendMap{}), loaded.black_level_lift, projector.gain);
+  if (has_gain(projector.gain) || (beta && !loaded.blend)) {
+    // Who names the file for its masks has no blend by lens and place any more: the alphaMap has that, too.
+    const auto pixels = static_cast<std::size_t>(projector.width_px) * static_cast<std::size_t>(projector.height_px);
+    put_light(projector_pictures(setup)[index],
+              {projector.width_px, projector.height_px, 1, 16, std::vector<float>(pixels, 1.0F)}, region);
+    return region;
+  }
   region.encode_gamma = projector.gamma;
   region.alpha = loaded.blend;
+  region.beta = beta;
   return region;
 }
 
 //! The flat lenses and places of all projectors; none where one of them has something else, too.
 std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
   std::vector<MpcdiRegion> regions;
-  for (const ProjectorSetup& projector : setup.projectors) {
+  for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
+    const ProjectorSetup& projector = setup.projectors[i];
     const LoadedProjector loaded = load_projector(setup, projector);
     const auto* const frustum = std::get_if<Frustum>(&loaded.lens);
     if (frustum == nullptr || !std::holds_alternative<std::monostate>(loaded.warp) || projector.mirror) {
       return std::nullopt;
     }
-    regions.push_back(posed_region(projector, loaded, *frustum));
+    regions.push_back(posed_region(setup, i, loaded, *frustum));
   }
   return regions;
 }
@@ -95,10 +109,11 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
         projector.position_m = pose.position_m;
         projector.orientation = pose.orientation;
       }
-      if (region.geometry || !region.orientation) {
+      // Without a warp it is the masks that the file is named for.
+      if (region.geometry || !region.orientation || region.alpha || region.beta) {
         projector.warp = WarpFile{file, WarpFormat::mpcdi, RowOrder::bottom_up, TextureDirection::downwards, region.id};
       }
-      projector.gamma = region.encode_gamma != 1.0 ? region.encode_gamma : projector.gamma;
+      projector.gamma = region.encode_gamma.value_or(projector.gamma);
       setup.projectors.push_back(std::move(projector));
     }
   }

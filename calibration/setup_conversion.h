@@ -13,9 +13,9 @@ namespace ergodome {
 DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double radius_m);
 
 //! A calibration of a setup's projectors, with their files read. Where all have a flat lens and a place, and neither a warp nor a mirror,
-//! it is of profile sl, with those alone. Every other setup becomes one of profile 2d, which has what each projector shows of the
+//! it is of profile sl, with those in the dome's own axes, which tilt and rotation are then in, and the masks. Every other setup becomes one of profile 2d, which has what each projector shows of the
 //! domemaster, as projector_pictures() tells it: a warp for each pixel, with the setup's rotation in it, which MPCDI does not tell; the
-//! alpha mask from intensities and blend mask; the beta mask from black level and lift. Throws Error for what projector_pictures() refuses.
+//! alpha mask from intensities and blend mask; the beta mask from black level and lift. Gains are in both masks (put_light()). Throws Error for what projector_pictures() refuses.
 Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date);
 
 }  // namespace ergodome
