@@ -49,10 +49,10 @@ double disk_temperature(const DiskSettings& disk, double spin, double r) {
   return temperature(disk, spin, r, greatest_flux(spin));
 }
 
-PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s, double clock_lead) {
+PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time) {
   const double r = 2.0 * inner_edge(disk, spin);
   const double period = life_in_turns * 2.0 * pi * (r * std::sqrt(r) + spin);
-  const double cycles = (time_s * disk.speed + clock_lead) / period;
+  const double cycles = hole_time / period;
   const double whole = std::floor(cycles);
   // Whole periods modulo 2^32: a show may run for years.
   const auto cycle = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(whole, 4294967296.0)));
@@ -66,6 +66,11 @@ DiskPass::DiskPass(const Show& show, Backend backend)
 
 void DiskPass::set_numbers(const Show& show) {
   look_.shifted = show.effects.redshift;
+  const std::shared_ptr<const FreeFall> orbit = show.disk->pattern == DiskPattern::none ? nullptr : show.camera.orbit;
+  if (!disk_ || disk_->speed != show.disk->speed || spin_ != show.spin || orbit_ != orbit) {
+    orbit_ = orbit;
+    clock_ = HoleClock(show.spin, orbit, show.disk->speed);
+  }
   if (disk_ == show.disk && spin_ == show.spin) {
     return;
   }
@@ -102,7 +107,7 @@ bool DiskPass::is_visible() const { return look_.outer_r > look_.inner_r && look
 
 DiskLook DiskPass::look_at(double time_s, double clock_lead) const {
   DiskLook look = look_;
-  look.pattern = pattern_time(*disk_, spin_, time_s, clock_lead);
+  look.pattern = pattern_time(*disk_, spin_, clock_.time(time_s) + clock_lead);
   return look;
 }
 

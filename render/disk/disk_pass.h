@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "content/hole_clock.h"
 #include "content/show.h"
 #include "kernels/disk/disk_look.h"
 #include "render/backend/buffer.h"
@@ -33,6 +35,8 @@ class DiskPass {
 
   double spin_ = 0.0;
   std::optional<DiskSettings> disk_;
+  HoleClock clock_{0.0, nullptr, 0.0};
+  std::shared_ptr<const FreeFall> orbit_;  //!< the clock's
   BlackbodyColours colours_;
   Buffer<float> profile_;
   DiskLook look_{};
@@ -44,7 +48,7 @@ double inner_edge(const DiskSettings& disk, double spin);
 //! The temperature of a disk at radius r [K], as its own matter measures it; 0 where it does not shine.
 double disk_temperature(const DiskSettings& disk, double spin, double r);
 
-//! Clouds at a show time, as late as light is behind it and `clock_lead` [M]: see PatternTime.
-PatternTime pattern_time(const DiskSettings& disk, double spin, double time_s, double clock_lead = 0.0);
+//! Clouds at the hole's time [M] (HoleClock), as late as light is behind it: see PatternTime.
+PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time);
 
 }  // namespace ergodome
