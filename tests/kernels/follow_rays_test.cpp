@@ -78,6 +78,23 @@ TEST(FollowedRays, EndAtTheLastShellThatATracedRaySees) {
   EXPECT_GT(met, 2000);
 }
 
+// With 2 r_+ E < a L it comes from another universe to a camera within the horizon. Outside the horizon it turns back soon.
+TEST(FollowedRays, MeetNoShellByLightThatHasNotBeenOutside) {
+  constexpr double spin = 0.9;
+  const CameraStation camera = make_camera_station(spin, 1.2, 1.3, 0.0, ObserverMotion::rain_boost, {0.9, 0.0, 0.0});
+  const WatchedShell shell = {static_cast<float>(1.0 / (camera.horizon_r + 0.01)), true};
+  std::mt19937 random(9);
+  int dark = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const RayStart<double> start = start_ray(camera, any_direction(random));
+    if (start.energy > 0.0 && 2.0 * camera.horizon_r < spin * start.axial_angular_momentum) {
+      ++dark;
+      EXPECT_FALSE(way_through_shells(spin, start, &shell, 1).meets) << i;
+    }
+  }
+  EXPECT_GT(dark, 50);
+}
+
 TEST(FollowedRays, ComeOutOfTheHorizonInFewSteps) {
   const CameraStation camera = make_camera_station(0.6, 1.2, 1.3, 0.0, ObserverMotion::rain);
   const WatchedShell shell = {1.0F / 12.0F, true};
