@@ -1,5 +1,7 @@
 #include "render/frame/show_renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include "content/animated_show.h"
 #include "content/fall/rain_pose.h"
 #include "kernels/core/error.h"
+#include "kernels/metric/kerr.h"
 #include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
 #include "render/overlay/overlay_place.h"
@@ -137,6 +140,16 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   return poses;
 }
 
+void ShowRenderer::require_rays_from(const CameraPose& pose) const {
+  if (method_ == TraceMethod::baseline_rk34 && pose.r <= horizon_radius(show_.spin)) {
+    throw Error(
+        show_.name,
+        fmt::format("rays of the method baseline_rk34 end at the horizon, and the camera is within it (r = {:.6g} M)",
+                    pose.r),
+        "follow them by taylor, rk34 or cash_karp, or choose an earlier time");
+  }
+}
+
 PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode mode, const ShowMoment& moment,
                                                double eye_offset) const {
   PictureSettings settings;
@@ -159,6 +172,7 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
     shells_->set_numbers(mode == ViewMode::sky ? show_ : lines_alone(show_));
   }
   if (follows_rays(mode) && (method_ || needs.shells)) {
+    require_rays_from(pose);
     settings.follow = {method_.value_or(TraceMethod::taylor), watched_shells(show_.shells), method_.has_value()};
   }
   settings.objects = needs.objects ? objects_.get() : nullptr;

@@ -173,6 +173,9 @@ class ShowRenderer {
 
   //! Where the head is while the shutter is open about a time of the show: an odd number of poses.
   [[nodiscard]] std::vector<CameraPose> shutter_poses(const CameraPose& middle, double time_s) const;
+  //! Throws Error where rays of a heat map cannot be followed by the method that was chosen from where the camera is.
+  void require_rays_from(const CameraPose& pose) const;
+
   [[nodiscard]] PictureSettings picture_settings(const CameraPose& pose, ViewMode mode, const ShowMoment& moment,
                                                  double eye_offset) const;
 
