@@ -67,21 +67,52 @@ ERGO_HD S circular_frequency(S spin, const DiskLight<S>& light) {
                      : std::numeric_limits<S>::infinity();
 }
 
-//! The same for matter that falls from the innermost stable orbit. With X, W the photon's r² + a² times E less a L, and dr/dλ, and P, V
-//! the matter's:
-//!   r² ν = (X P - W V) / Δ - (L_m - a E_m)(L - a E),     W² = X² - Δ K,   V² = P² - Δ (r² + (L_m - a E_m)²).
+namespace detail {
+
+//! Δ, from its factors: next to the horizon of a fast hole the sum has few digits.
+template <class S>
+ERGO_HD S lapse_at(S spin, S r) {
+  const S half_gap = safe_sqrt((S(1) - spin) * (S(1) + spin));
+  return (r - S(1) - half_gap) * (r - S(1) + half_gap);
+}
+
+//! X = (r² + a²) E - a L, above 0 for all light outside the horizon.
+template <class S>
+ERGO_HD S moment_of(S spin, const DiskLight<S>& light) {
+  return light.r * light.r * light.energy - spin * (light.axial_angular_momentum - spin * light.energy);
+}
+
+}  // namespace detail
+
+//! Whether light with these constants can be at its radius at all: X > 0, and X² >= Δ K.
+template <class S>
+ERGO_HD bool can_be_there(S spin, const DiskLight<S>& light) {
+  const S x = detail::moment_of(spin, light);
+  return x > S(0) && x * x >= detail::lapse_at(spin, light.r) * light.shear_constant;
+}
+
+//! The same for matter that falls from the innermost stable orbit r_s. With X, W the photon's r² + a² times E less a L, and dr/dλ, and P, V the
+//! matter's:
+//!   r² ν = (X P ± W V) / Δ - (L_m - a E_m)(L - a E),     W² = X² - Δ K,   V² = P² - Δ M = 2 r (r_s - r)³ / (3 r_s),   M = r² + (L_m - a E_m)²,
+//! with - for light that goes inwards, where W V all but cancels X P beside the horizon, and
+//!   (X P - W V) / Δ = (K V² + M X²) / (X P + W V).
+//! Light that cannot be there, to where a pixel's straight footprint has led it, is taken for light that turns there: its ν is above 0, too.
 template <class S>
 ERGO_HD S plunging_frequency(const DiskFlow<S>& flow, const DiskLight<S>& light) {
   const S a = flow.spin;
   const S r2 = light.r * light.r;
-  const S delta = r2 - S(2) * light.r + a * a;
+  const S k = maximum(light.shear_constant, S(0));
+  const S delta = detail::lapse_at(a, light.r);
   const S skew = flow.axial_angular_momentum - a * flow.energy;
   const S light_skew = light.axial_angular_momentum - a * light.energy;
-  const S x = r2 * light.energy - a * light_skew;
-  const S p = r2 * flow.energy - a * skew;
-  const S w = safe_sqrt(x * x - delta * light.shear_constant);
-  const S v = safe_sqrt(p * p - delta * (r2 + skew * skew));
-  return ((x * p + (light.outwards ? w : -w) * v) / delta - skew * light_skew) / r2;
+  const S x = maximum(detail::moment_of(a, light), safe_sqrt(delta * k));
+  const S m = r2 + skew * skew;
+  const S way = maximum(flow.stable_r - light.r, S(0));
+  const S v2 = S(2) / S(3) * (light.r / flow.stable_r) * (way * way * way);
+  // P itself is a difference that is small about a fast hole.
+  const S both = x * sqrt(v2 + delta * m) + safe_sqrt(x * x - delta * k) * sqrt(v2);
+  const S apart = light.outwards ? both / delta : (k * v2 + m * (x * x)) / both;
+  return (apart - skew * light_skew) / r2;
 }
 
 //! ν_emitted / ν_observed anywhere outside the horizon: circular down to the innermost stable orbit, falling inside it.

@@ -45,14 +45,17 @@ class DiskSight {
     if (!(opacity > 0.0F)) {
       return;
     }
+    const PhotonConstants photon = {lane(ray_.energy.value, i), lane(ray_.axial_angular_momentum.value, i),
+                                    lane(ray_.shear_constant.value, i), lane(ray_.carter.value, i)};
+    if (comes_from_behind(order, i, photon, at)) {
+      return;
+    }
     if constexpr (WithPattern) {
       const EquatorialCrossing<T>& there = carried_[order];
       at.phi = ::atan2f(lane(there.y, i), lane(there.x, i)) + lane(there.drag, i) +
                ::atan2f(camera_.sine_phi, camera_.cosine_phi);
       at.delay = lane(there.delay, i);
     }
-    const PhotonConstants photon = {lane(ray_.energy.value, i), lane(ray_.axial_angular_momentum.value, i),
-                                    lane(ray_.shear_constant.value, i), lane(ray_.carter.value, i)};
     put_behind(opacity * disk_light(look_, photon, at), opacity, i, seen);
   }
 
@@ -83,6 +86,13 @@ class DiskSight {
     const float width = pixel_ * change(crossing, i);
     const detail::DiskSpan span = detail::disk_span(look_.inner_r, look_.outer_r, lane(crossing.u.value, i), width);
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
+  }
+
+  //! Whether lane `i` meets the plane behind the horizon, and its light cannot be where a straight footprint leads it, among matter that falls in.
+  ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
+    return at.r < look_.flow.stable_r && lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
+           !can_be_there<float>(look_.flow.spin, {at.r, photon.energy, photon.axial_angular_momentum,
+                                                  photon.shear_constant, at.outwards});
   }
 
   //! Azimuth and time at the crossings, of the lanes that see the disk at all.

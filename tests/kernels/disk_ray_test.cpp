@@ -234,5 +234,52 @@ TEST(DiskFlow, SeesItsOwnFrequencyByTheMetric) {
   EXPECT_NEAR(plunging_frequency(flow, {r, 1.0, 0.0, 0.0, false}), (flow.energy - fall) / f, 1e-12);
 }
 
+//! plunging_frequency() as it is written down, of light that goes inwards: it cancels beside the horizon.
+double frequency_by_difference(const DiskFlow<double>& flow, const DiskLight<double>& light) {
+  const double a = flow.spin;
+  const double delta = light.r * light.r - 2.0 * light.r + a * a;
+  const double x = (light.r * light.r + a * a) * light.energy - a * light.axial_angular_momentum;
+  const double p = (light.r * light.r + a * a) * flow.energy - a * flow.axial_angular_momentum;
+  const double skew = flow.axial_angular_momentum - a * flow.energy;
+  const double light_skew = light.axial_angular_momentum - a * light.energy;
+  const double w = std::sqrt(x * x - delta * light.shear_constant);
+  const double v = std::sqrt(p * p - delta * (light.r * light.r + skew * skew));
+  return ((x * p - w * v) / delta - skew * light_skew) / (light.r * light.r);
+}
+
+TEST(DiskFlow, IsSeenInFloatAsItIsBesideTheHorizon) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  int seen = 0;
+  for (const float spin_in_float : {0.3F, 0.9F, 0.998F, 0.9999F}) {
+    const auto spin = static_cast<double>(spin_in_float);
+    const DiskFlow<double> flow = make_disk_flow(spin);
+    const double horizon = horizon_radius(spin);
+    for (int i = 0; i < 4000; ++i) {
+      // Light of any energy at infinity, the ergosphere's, too, that comes from outside: X > 0 at the horizon.
+      const double energy = 2.0 * part(random) - 1.0;
+      const double brink = std::pow(10.0, -2.0 * part(random));
+      const double most_above = 0.9 * (flow.stable_r - horizon);
+      const auto r = static_cast<float>(horizon + std::pow(5e-4 / most_above, part(random)) * most_above);
+      const DiskLight<float> light = {r, static_cast<float>(energy),
+                                      static_cast<float>((2.0 * horizon * energy - brink) / spin),
+                                      static_cast<float>(40.0 * part(random)), false};
+      const DiskLight<double> wide = {static_cast<double>(light.r), static_cast<double>(light.energy),
+                                      static_cast<double>(light.axial_angular_momentum),
+                                      static_cast<double>(light.shear_constant), false};
+      const double skew = wide.axial_angular_momentum - spin * wide.energy;
+      const double x = wide.r * wide.r * wide.energy - spin * skew;
+      const double delta = (wide.r - horizon) * (wide.r - inner_horizon_radius(spin));
+      if (x < 0.1 * brink || wide.shear_constant < skew * skew || wide.shear_constant * delta > x * x) {
+        continue;
+      }
+      ++seen;
+      const auto found = static_cast<double>(plunging_frequency(converted_flow<float>(flow), light));
+      EXPECT_NEAR(found / frequency_by_difference(flow, wide), 1.0, 1e-3) << spin << ' ' << r << ' ' << energy;
+    }
+  }
+  EXPECT_GT(seen, 2000);
+}
+
 }  // namespace
 }  // namespace ergodome::test

@@ -192,6 +192,49 @@ TEST(DiskPass, LetsLightThroughAsFarAsItIsNotOpaque) {
   EXPECT_GE(most, 0.25F);
 }
 
+//! Pixels that are much brighter than all about them.
+int single_pixels(const DrawnDisk& drawn) {
+  int found = 0;
+  for (int y = 1; y + 1 < disk_size_px; ++y) {
+    for (int x = 1; x + 1 < disk_size_px; ++x) {
+      double brightest = 0.0;
+      for (int beside = 0; beside < 9; ++beside) {
+        brightest = std::max(brightest, beside == 4 ? 0.0 : drawn.luminance(x + beside % 3 - 1, y + beside / 3 - 1));
+      }
+      found += drawn.luminance(x, y) > 3.0 * brightest + 0.02 ? 1 : 0;
+    }
+  }
+  return found;
+}
+
+//! A camera that falls through the horizon as rain, and looks at the hole but for some parts of a pixel.
+EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_rad) {
+  EyeCamera eye = eye_at(spin, horizon_radius(spin), theta, ObserverMotion::rain);
+  const double back[3] = {std::cos(right_rad) * std::cos(up_rad), std::sin(up_rad),
+                          -std::sin(right_rad) * std::cos(up_rad)};
+  const double right[3] = {std::sin(right_rad), 0.0, std::cos(right_rad)};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    eye.frame_from_view[i][0] = right[i];
+    eye.frame_from_view[i][1] = back[j] * right[k] - back[k] * right[j];
+    eye.frame_from_view[i][2] = back[i];
+  }
+  return eye;
+}
+
+// Straight footprints of light that meets the plane behind the horizon lead outside, to where such light cannot be.
+TEST(DiskPass, HasNoSinglePixelsWhereItFallsIntoAFastHole) {
+  constexpr double spin = 0.998;
+  DiskSettings disk = uniform_disk(1.0005 * horizon_radius(spin), 16.0);
+  disk.plunging = true;
+  for (int i = 1; i <= 8; ++i) {
+    const EyeCamera eye = eye_at_horizon(spin, 1.2217, 0.0096 * std::fmod(0.7548776662 * i, 1.0),
+                                         0.0096 * std::fmod(0.5698402909 * i, 1.0));
+    EXPECT_EQ(single_pixels(draw_disk(show_with(spin, disk), eye, 0.88)), 0) << i;
+  }
+}
+
 TEST(DiskPass, CarriesItsCloudsRound) {
   DiskSettings settings = uniform_disk(6.0, 18.0);
   settings.pattern = DiskPattern::procedural;
