@@ -84,8 +84,8 @@ void convert_mpcdi(const ConvertOptions& options) {
     return convert_setup(options, setup);
   }
   write_dome_setup(to, setup);
-  fmt::print("written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor its tilt, 0\n", to.string(),
-             options.radius_m);
+  fmt::print("written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor the viewer's place\n",
+             to.string(), options.radius_m);
 }
 
 void convert_mesh(const ConvertOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/setup_show.h"
+#include "render/output/color_bar.h"
 #include "render/output/image_writer.h"
 #include "render/output/text_image.h"
 
@@ -29,6 +30,8 @@ PlayerScreen::PlayerScreen(const ScreenOptions& options)
 
 void PlayerScreen::show(const PictureAnswer& answer) {
   eyes_ = answer.eyes;
+  // A heat map has its legend at the bottom.
+  legend_part_ = answer.picture.heat_range ? color_bar_part(answer.picture.height) : 0.0;
   if (answer.on_device) {
     presenter_.upload_from_device(*answer.on_device);
   } else if (answer.right_eye) {
@@ -91,7 +94,7 @@ void PlayerScreen::draw_window(int width, int height) {
     presenter_.draw(width, height, part);
     for (auto& [place, text] : texts_) {
       if (!text.words.empty()) {
-        text.panel.draw(width, place == PanelPlace::middle ? free_height(height) : height, place);
+        text.panel.draw(width, place == PanelPlace::middle ? free_height(height) : height, place, legend_part_);
       }
     }
   };

@@ -64,6 +64,7 @@ class PlayerScreen {
   Window window_;
   Presenter presenter_;
   EyesInWindow eyes_ = EyesInWindow::as_one;  //!< of the last picture
+  double legend_part_ = 0.0;                  //!< of the last picture's height, taken by its legend
   struct Text {
     TextPanel panel;
     std::string words;

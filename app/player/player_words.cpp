@@ -53,9 +53,7 @@ void Player::update_texts() {
   // whose pictures are yet to come: those that are to be seen are still the attract show's.
   const bool quiet =
       !words_.empty() || (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !renderers_.current()));
-  const bool legend = session_->frame().mode != ViewMode::sky;
-  screen_.set_text(PanelPlace::above_legend, legend && !quiet ? session_->caption() : "");
-  screen_.set_text(PanelPlace::bottom_middle, legend || quiet ? "" : session_->caption());
+  screen_.set_text(PanelPlace::bottom_middle, quiet ? "" : session_->caption());
   screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
 }
 

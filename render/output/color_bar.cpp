@@ -39,6 +39,8 @@ void fill(Picture& picture, ViewMode mode, const ColorBarLayout& bar) {
 constexpr int least_letter_px = 9;
 constexpr int largest_letter_px = 64;
 
+int color_bar_letter_px(int height_px) { return std::clamp(height_px / 64, least_letter_px, largest_letter_px); }
+
 //! What a view shows, with its unit; and the same for where there is less room.
 struct BarTitle {
   const char* full;
@@ -111,8 +113,13 @@ std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& ran
 
 bool has_color_bar(int width_px, int height_px) { return width_px >= 160 && height_px >= 100; }
 
+double color_bar_part(int height_px) {
+  // Numbers, bar and title are five letters and a half high.
+  return height_px > 0 ? 6.0 * color_bar_letter_px(height_px) / height_px : 0.0;
+}
+
 ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& range, ViewMode mode) {
-  const int letter_px = std::clamp(height_px / 64, least_letter_px, largest_letter_px);
+  const int letter_px = color_bar_letter_px(height_px);
   ColorBarLayout bar{width_px / 24, height_px - 4 * letter_px, width_px / 3, letter_px, letter_px, {}};
   if (!has_color_bar(width_px, height_px)) {
     return {};

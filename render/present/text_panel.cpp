@@ -36,7 +36,7 @@ struct PanelCorner {
   int bottom;
 };
 
-PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pair<int, int> panel) {
+PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pair<int, int> panel, double raised) {
   const auto [width, height] = framebuffer;
   const int middle = (width - panel.first) / 2;
   switch (place) {
@@ -45,10 +45,7 @@ PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pa
     case PanelPlace::middle:
       return {middle, (height - panel.second) / 2};
     case PanelPlace::bottom_middle:
-      return {middle, height / 20};
-    case PanelPlace::above_legend:
-      // A legend is six of its letters high, and these are a sixty-fourth of the picture's height or more.
-      return {middle, std::max(height / 10, 60)};
+      return {middle, std::max(height / 20, static_cast<int>(raised * height))};
     default:
       return {middle, height - height / 20 - panel.second};
   }
@@ -90,11 +87,12 @@ void TextPanel::set(const std::string& text, int font_px, TextFace face, int wid
 
 int TextPanel::height_px() const { return state_->texture == 0 ? 0 : state_->height; }
 
-void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place) {
+void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place, double raised) {
   if (state_->texture == 0) {
     return;
   }
-  const PanelCorner at = corner_of(place, {framebuffer_width, framebuffer_height}, {state_->width, state_->height});
+  const PanelCorner at =
+      corner_of(place, {framebuffer_width, framebuffer_height}, {state_->width, state_->height}, raised);
   glViewport(at.left, at.bottom, state_->width, state_->height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! Where a panel is in its framebuffer. A dome leaves the corner free. `above_legend` is at the bottom, above the legend of a heat map's picture.
-enum class PanelPlace { top_middle, top_left, middle, bottom_middle, above_legend };
+//! Where a panel is in its framebuffer. A dome leaves the corner free. `bottom_middle` may be raised, above the legend of a heat map for one.
+enum class PanelPlace { top_middle, top_left, middle, bottom_middle };
 
 //! Lines of text on a dark panel, drawn over what is in a framebuffer.
 class TextPanel {
@@ -25,8 +25,9 @@ class TextPanel {
   //! Of what it shows now [px]; 0 where that is nothing.
   [[nodiscard]] int height_px() const;
 
-  //! Draws it at its place in the bound framebuffer of the given size.
-  void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle);
+  //! Draws it at its place in the bound framebuffer of the given size; at the bottom above `raised`, a part of the height.
+  void draw(int framebuffer_width, int framebuffer_height, PanelPlace place = PanelPlace::top_middle,
+            double raised = 0.0);
 
  private:
   struct State;
