@@ -34,7 +34,7 @@ std::uint64_t checksum_of(std::span<const std::byte> first, std::span<const std:
 Bytes to_bytes(const TrajectoryHeader& header) {
   ByteWriter to;
   to.append(std::as_bytes(std::span(frame_magic)));
-  to.number(trajectory_version);
+  to.number(header.version);
   to.number(std::uint32_t{header.sealed ? 1U : 0U});
   to.number(header.file_bytes);
   to.number(header.index_offset);
@@ -59,6 +59,7 @@ TrajectoryHeader parse_trajectory_header(std::span<const std::byte> bytes, const
         "bake it again, or use a newer Ergodome");
   }
   TrajectoryHeader header;
+  header.version = version;
   const auto state = from.number<std::uint32_t>();
   header.sealed = state == 1;
   header.file_bytes = from.number<std::uint64_t>();

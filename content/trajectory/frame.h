@@ -10,7 +10,9 @@ namespace ergodome {
 
 // The outer layers of a trajectory file: its header, and frames. content/trajectory/FORMAT.md has it byte by byte.
 
-inline constexpr std::uint32_t trajectory_version = 1;
+inline constexpr std::uint32_t trajectory_version = 2;
+//! Of files all of whose stations are outside the horizon: programs that know of none within read these.
+inline constexpr std::uint32_t outside_version = 1;
 inline constexpr std::size_t trajectory_header_bytes = 64;
 inline constexpr std::size_t frame_header_bytes = 32;
 //! No frame is larger, packed or unpacked: what a damaged size may make a reader allocate.
@@ -40,6 +42,7 @@ struct TrajectoryHeader {
   std::uint64_t index_offset = 0;  //!< of a sealed file
   std::uint64_t index_bytes = 0;   //!< with its frame header
   std::uint32_t station_count = 0;
+  std::uint32_t version = outside_version;
 };
 
 struct FrameHeader {

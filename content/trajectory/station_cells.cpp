@@ -28,7 +28,11 @@ Vector3<float> read_vector(ByteReader& from) {
 }
 
 bool is_place(const LensStation& s) {
-  return std::abs(s.spin) <= 1.0 && s.r > horizon_radius(s.spin) && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
+  if (!(std::abs(s.spin) <= 1.0)) {
+    return false;
+  }
+  const double deepest = std::min(least_interior_radius(s.spin), horizon_radius(s.spin));
+  return s.r > deepest && s.r < 1e9 && s.theta >= 0.0 && s.theta <= 3.1416;
 }
 
 //! The axes are a right or left-handed orthonormal frame, the edge an angle at every γ.

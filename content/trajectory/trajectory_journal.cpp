@@ -10,6 +10,7 @@
 #include "content/files/atomic_file.h"
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_frame.h"
+#include "kernels/metric/kerr.h"
 
 namespace ergodome {
 
@@ -185,8 +186,11 @@ void TrajectoryJournal::seal(const std::filesystem::path& path, const std::vecto
     to.write(make_frame(FrameKind::index, to_bytes(index)));
     const std::uint64_t whole = to.bytes;
     to.file.seekp(0);
-    to.write(to_bytes(
-        TrajectoryHeader{true, whole, index_offset, whole - index_offset, static_cast<std::uint32_t>(index.size())}));
+    const bool within = std::ranges::any_of(
+        index, [&](const StationEntry& entry) { return !(entry.r > horizon_radius(provenance_.spin)); });
+    to.write(to_bytes(TrajectoryHeader{true, whole, index_offset, whole - index_offset,
+                                       static_cast<std::uint32_t>(index.size()),
+                                       within ? trajectory_version : outside_version}));
     to.file.close();
     if (!to.file) {
       throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),

@@ -122,8 +122,7 @@ void count_a_second(Measurement& choice, double spacing_s) {
 }  // namespace
 
 bool has_stations(const Show& show) {
-  if (find_animation(show, "hole.spin") != nullptr || leads_within(show) ||
-      show.grid_scheme != GridScheme::conforming) {
+  if (find_animation(show, "hole.spin") != nullptr || show.grid_scheme != GridScheme::conforming) {
     return false;
   }
   return !legs_of(show).empty();

@@ -9,6 +9,12 @@ namespace ergodome {
 
 namespace {
 
+//! Below this the distance to r = 1 is no measure of what a step in r changes: near an extremal hole's horizon, and within [M].
+constexpr double least_measure = 0.1;
+
+//! From the azimuth in which a camera has its sky to that of ingoing Kerr coordinates: within the horizon cameras have that one already [rad].
+double outer_turn(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
+
 glm::dmat3 about_axis(double angle) {
   return {std::cos(angle), std::sin(angle), 0.0, -std::sin(angle), std::cos(angle), 0.0, 0.0, 0.0, 1.0};
 }
@@ -18,12 +24,12 @@ glm::dmat3 about_axis(double angle) {
 glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
   const double tilt = to.theta - from.theta;
   const glm::dmat3 tilted(std::cos(tilt), 0.0, -std::sin(tilt), 0.0, 1.0, 0.0, std::sin(tilt), 0.0, std::cos(tilt));
-  return about_axis(ingoing_turn(spin, to.r)) * tilted * about_axis(-ingoing_turn(spin, from.r));
+  return about_axis(outer_turn(spin, to.r)) * tilted * about_axis(-outer_turn(spin, from.r));
 }
 
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
   // A radian counts as much as the distance to r = 1.
-  const double scale = 1.0 / (0.5 * (first.r + second.r) - 1.0);
+  const double scale = 1.0 / std::max(0.5 * (first.r + second.r) - 1.0, least_measure);
   const LensPlace whole = {scale * (second.r - first.r), second.theta - first.theta};
   const double square = whole.r * whole.r + whole.theta * whole.theta;
   const double done = whole.r * scale * (place.r - first.r) + whole.theta * (place.theta - first.theta);

@@ -11,7 +11,8 @@ struct LensPlace {
 };
 
 //! The rotation that takes the sky of a camera at one place to that of a camera at another: what moving there turns of itself. The sky
-//! turns with θ, and about the axis with r, as a principal null ray does.
+//! turns with θ, and about the axis with r, as a principal null ray does. Places may be on both sides of the horizon: within, skies are in the azimuth of ingoing
+//! Kerr coordinates.
 glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to);
 
 //! How far a place lies along the line from one to another in r and θ, in [0, 1].

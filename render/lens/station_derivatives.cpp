@@ -11,6 +11,13 @@ namespace ergodome {
 namespace {
 
 constexpr double step = 0.01;
+//! On what scale a lens changes with r [M]: the height above the horizon, but there and within it, where nothing happens to who falls, a part of
+//! that above the inner one.
+double radial_measure(double spin, double r) {
+  constexpr double part = 0.25;
+  return std::max(r - horizon_radius(spin), part * (r - inner_horizon_radius(spin)));
+}
+
 //! Where the vectors of a node start: sky, its derivative along γ, along s, and the mixed one.
 constexpr std::size_t vectors[] = {0, 4, 8, 12};
 //! The pad that tells whether a node has a sky.
@@ -55,7 +62,7 @@ std::vector<float> difference(const LensStation& station, const NodeTracer& trac
 }  // namespace
 
 void add_derivatives(LensStation& station, const NodeTracer& trace) {
-  const double dr = step * (station.r - horizon_radius(station.spin));
+  const double dr = step * radial_measure(station.spin, station.r);
   station.nodes_along_r =
       difference(station, trace, {station.r - dr, station.theta}, {station.r + dr, station.theta}, 2.0 * dr);
   const double north = std::max(station.theta - step, 0.0);

@@ -14,7 +14,7 @@ using NodeTracer = std::function<std::vector<float>(const LensPlace& place, cons
 
 //! Fills nodes_along_r and nodes_along_theta.
 //!
-//! Central differences of nodes 1 % of the way to the horizon off, and 0.01 rad, with the turn taken out: what they miss is far below
+//! Central differences of nodes 1 % of the way to the horizon off (next to it and within it, of a quarter of that to the inner one), and 0.01 rad, with the turn taken out: what they miss is far below
 //! what a linear step of that length misses.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 

@@ -101,9 +101,9 @@ TEST_F(Trajectory, ForeignNewerAndUnfinishedFilesAreToldApart) {
   EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("is not a trajectory"));
   make_file();
   std::string text = text_of(file());
-  text[8] = 2;
+  text[8] = 3;
   write_text(file(), text);
-  EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("version 2"));
+  EXPECT_THAT(error_of([&] { TrajectoryReader reader(file()); }), HasSubstr("version 3"));
   EXPECT_THAT(error_of([&] { TrajectoryReader reader(journal_file()); }), HasSubstr("not finished"));
   EXPECT_THAT(error_of([&] { TrajectoryReader reader(folder_ / "none"); }), HasSubstr("none"));
   EXPECT_THAT(error_of([&] { TrajectoryReader reader(folder_); }), HasSubstr("is no file"));

@@ -33,7 +33,7 @@ const char* const no_float =
     "nearer than float tells directions: rays in float may say that they do not converge, or take the other side; "
     "grids keep the edge from double";
 
-//! Within the horizon, and next to where it ends for cameras. Nothing is baked there, and angles end at the horizon.
+//! Within the horizon, and next to where it ends for cameras. Streamed stations are for places that are asked about outside, and angles end at the horizon.
 constexpr Allowed within = {1e-10, 5e-5, 0.12, not_asked, not_asked};
 constexpr Allowed deep_within = {2e-8, 2e-4, 0.12, not_asked, not_asked};
 const char* const more_caustics =
