@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
+#include "kernels/lens/lens_chart.h"
 
 namespace ergodome {
 
@@ -40,7 +42,77 @@ SquarePoint spread_point(std::size_t n) {
   return {part(0.7548776662466927), part(0.5698402909980532)};
 }
 
+//! The area on an observer's screen of a turn times a unit of s, at a place of a chart [px²]: as CheckBlend has it.
+double screen_density(const LensChart& chart, const LensView& view, double gamma_turns, double s) {
+  const ChartStretch<double> stretch = chart_stretch(chart, gamma_turns, s);
+  const Vector3<MixedDual<double>> n = chart_direction_at(chart, gamma_turns, stretch.alpha);
+  const double scale = observed_scale(view.observer, Vector3<double>{n.x.value, n.y.value, n.z.value}) / view.pixel;
+  return 2.0 * pi * std::abs(std::sin(stretch.alpha.value) * stretch.alpha.along_y) * scale * scale;
+}
+
+//! Finds places in boxes of a chart's leaves by what they are on a screen.
+class ScreenSampler {
+ public:
+  ScreenSampler(const LensChart& chart, const LensView& view) : chart_(chart), view_(view) {}
+
+  //! The area of a box, from some places in it [px²].
+  [[nodiscard]] double area_of(const LeafBox& box, int side) const {
+    double sum = 0.0;
+    for (int i = 0; i < side * side; ++i) {
+      const double gamma_turns = box.gamma_turns + (i % side + 0.5) / side * box.width_turns;
+      const double s = box.s + (i / side + 0.5) / side * box.height;
+      sum += screen_density(chart_, view_, gamma_turns, s);
+    }
+    return sum / (side * side) * box.width_turns * box.height;
+  }
+
+  //! A place in each quarter of a box, whose parts are divided as long as one is larger than `most` [px²].
+  void add(const LeafBox& box, double most, int depth, ChartSamples& samples) const {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double width = 0.5 * box.width_turns;
+      const double height = 0.5 * box.height;
+      const LeafBox part = {box.gamma_turns + quarter % 2 * width, box.s + quarter / 2 * height, width, height};
+      if (depth < deepest_part && area_of(part, 2) > most) {
+        add(part, most, depth + 1, samples);
+        continue;
+      }
+      const SquarePoint within = spread_point(samples.s.size());
+      samples.gamma_turns.push_back(part.gamma_turns + within.x * width);
+      samples.s.push_back(part.s + within.y * height);
+      samples.extent.push_back(width * height);
+    }
+  }
+
+ private:
+  static constexpr int deepest_part = 10;
+
+  const LensChart& chart_;
+  const LensView& view_;
+};
+
 }  // namespace
+
+ChartSamples screen_samples(const LensStation& station, const LensChart& chart, const LensView& view) {
+  const ScreenSampler sampler(chart, view);
+  std::vector<LeafBox> boxes = leaf_boxes(station);
+  if (station.mirrored) {
+    const std::size_t half = boxes.size();
+    for (std::size_t i = 0; i < half; ++i) {
+      LeafBox other = boxes[i];
+      other.gamma_turns = 1.0 - other.gamma_turns - other.width_turns;
+      boxes.push_back(other);
+    }
+  }
+  double whole = 0.0;
+  for (const LeafBox& box : boxes) {
+    whole += sampler.area_of(box, 4);
+  }
+  ChartSamples samples;
+  for (const LeafBox& box : boxes) {
+    sampler.add(box, whole / wished_samples, 0, samples);
+  }
+  return samples;
+}
 
 ChartSamples leaf_samples(const LensStation& station) {
   ChartSamples samples;

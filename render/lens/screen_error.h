@@ -23,9 +23,13 @@ struct ChartSamples {
   std::vector<double> extent;  //!< turns times s
 };
 
-//! Places in each of a station's leaves, so dense where its map needs them; some ten thousand or more in all. A mirrored station's stand for
-//! both halves of the sky.
+//! Places in each of a station's leaves, so dense where its map needs them, whoever looks; some ten thousand or more in all. A mirrored station's
+//! stand for both halves of the sky.
 ChartSamples leaf_samples(const LensStation& station);
+
+//! Places so dense in each leaf of a lens's station that none stands for much of what an observer sees, whose place has a chart of its own; some ten thousand
+//! or more in all. Who moves fast sees a few leaves all over the screen: one place in each would tell little of what a hundredth of the sky is missed by.
+ChartSamples screen_samples(const LensStation& station, const LensChart& chart, const LensView& view);
 
 //! A lattice over the whole chart, for a quick look at any lens.
 ChartSamples lattice_samples(int columns, int rows);
