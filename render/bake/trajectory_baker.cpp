@@ -30,6 +30,10 @@ constexpr int most_halvings = 12;
 //! A station that misses by more than this part of the budget at its own place is built again, finer by half, so often at most.
 constexpr double own_share = 0.8;
 constexpr int most_finer_grids = 2;
+//! A part of a stretch misses as much as the whole does where it misses by more than this part of that; parts of parts that do, so often in a row, are not
+//! divided any more: there it is no blending that misses.
+constexpr double stalled_share = 0.5;
+constexpr int most_stalls = 3;
 //! Where a camera goes through the disk, its layers leap; so near to that it is worth baking.
 constexpr int most_halvings_for_the_disk = 4;
 
@@ -48,7 +52,7 @@ class Baker {
     const std::vector<double> ends = path_ends_s(show_);
     Station first = touches(ends.front(), ends.front()) ? station(ends.front()) : nullptr;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      bake_stretch(ends[i], ends[i + 1], {0, 0});
+      bake_stretch(ends[i], ends[i + 1], {});
     }
     result_.times_s.push_back(ends.back());
     return std::move(result_);
@@ -57,10 +61,12 @@ class Baker {
  private:
   using Station = std::shared_ptr<const LensStation>;
 
-  //! How often a stretch has been divided, for the lens and for the disk.
+  //! How often a stretch has been divided, for the lens and for the disk, and how often in a row that did not help the lens.
   struct Depth {
-    int lens;
-    int disk;
+    int lens = 0;
+    int disk = 0;
+    int stalls = 0;
+    double whole_px = INFINITY;  //!< what the stretch missed by that this one is a part of
   };
 
   [[nodiscard]] bool touches(double from_s, double to_s) const { return to_s >= begin_s_ && from_s <= end_s_; }
@@ -151,12 +157,14 @@ class Baker {
     // Blends cannot be better than the grids that they are made of.
     const double floor_px =
         error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
-    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth.lens < most_halvings) {
-      return divide(begin_s, end_s, wished_parts(error_px), {depth.lens + 1, depth.disk});
+    const int stalls = error_px > stalled_share * depth.whole_px ? depth.stalls + 1 : 0;
+    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth.lens < most_halvings &&
+        stalls < most_stalls) {
+      return divide(begin_s, end_s, wished_parts(error_px), {depth.lens + 1, depth.disk, stalls, error_px});
     }
     const double disk_px = disk_.wanted() ? disk_.gap_error(begin_s, end_s) : 0.0;
     if (disk_px > settings_.budget_px && depth.disk < most_halvings_for_the_disk) {
-      return divide(begin_s, end_s, 2, {depth.lens, depth.disk + 1});
+      return divide(begin_s, end_s, 2, {depth.lens, depth.disk + 1, stalls, depth.whole_px});
     }
     const Gap gap = {begin_s, end_s, static_cast<float>(error_px), static_cast<float>(disk_px)};
     journal_.add(gap);
@@ -224,7 +232,7 @@ class Baker {
   }
 
   static double error_of(const StationBlend& lens, const LensView& view, const LensStation& sampled) {
-    return gap_measure(measure_screen_error(lens.view(), view, leaf_samples(sampled)));
+    return gap_measure(measure_screen_error(lens.view(), view, screen_samples(sampled, lens.view().chart, view)));
   }
 
   const Show& show_;
@@ -242,10 +250,6 @@ class Baker {
 }  // namespace
 
 TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& settings) {
-  if (leads_within(show)) {
-    throw Error(show.name, "the camera falls through the horizon, and lenses are baked outside",
-                "play and render make a lens for each of its pictures");
-  }
   if (find_animation(show, "hole.spin") != nullptr) {
     throw Error(show.name, "the hole's spin changes with time (hole.spin), and lenses are baked for one spin",
                 "play and render it with --lens live, or leave the spin as it is");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <memory>
 
 #include "content/camera_path.h"
@@ -148,6 +149,50 @@ TEST_F(LetGoBake, HoldsTheBudgetWhereTheCameraStandsWhileItsVelocityGoesOver) {
   for (const double time_s : {1.7, 4.6, 4.9, 5.5}) {
     EXPECT_LT(missed_px(show, baked, time_s, pixel), budget_px) << time_s;
   }
+}
+
+//! Falls with the rain through the horizon of a hole of spin 0.6, at 1.8 M.
+Show falling_through() {
+  return parse_show(
+      "duration_s = 2\n[hole]\nspin = 0.6\n[camera.fall]\nvelocity = \"rain\"\nclock = 1\nease_s = 0.2\nleast_r = 0.9\n"
+      "[[camera.key]]\nr = 2.2\ntheta_deg = 78\n",
+      "through.toml");
+}
+
+//! Such a fall, baked.
+class BakeThroughTheHorizon : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    test::bake_to(show_, file(), pixel, true, budget_px);
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "through.trajectory"; }
+
+  static constexpr double budget_px = 0.25;
+  static constexpr double pixel = pi / 512.0;
+  Show show_ = falling_through();
+};
+
+TEST_F(BakeThroughTheHorizon, HoldsTheBudgetOnBothSidesAndWhereItGoesThrough) {
+  const TrajectoryReader baked(file());
+  const double horizon_s = *show_.camera.orbit->horizon_s();
+  for (const double time_s : {0.5 * horizon_s, horizon_s - 1e-3, horizon_s + 1e-3, horizon_s + 0.4, 1.9}) {
+    EXPECT_LT(missed_px(show_, baked, time_s, pixel), budget_px) << time_s;
+  }
+}
+
+TEST_F(BakeThroughTheHorizon, NeedsNoStationWhereItGoesThrough) {
+  const double horizon_s = *show_.camera.orbit->horizon_s();
+  for (const StationEntry& station : TrajectoryReader(file()).stations()) {
+    EXPECT_GT(std::abs(station.time_s - horizon_s), 1e-3);
+  }
+}
+
+TEST_F(BakeThroughTheHorizon, IsAFileThatProgramsWhichKnowOfNoneWithinRefuse) {
+  std::ifstream bytes(file(), std::ios::binary);
+  bytes.seekg(8);
+  EXPECT_EQ(bytes.get(), 2);
 }
 
 }  // namespace
