@@ -67,7 +67,8 @@ ERGO_HD Vector3<float> disk_light(const DiskLook& look, const PhotonConstants& p
   const float r = at.r;
   const float frequency =
       disk_frequency(look.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
-  const float g = 1.0F / maximum(frequency, 1e-30F);
+  // What is not well above 0 is no light's: a straight footprint has led it there.
+  const float g = frequency > 1e-30F ? 1.0F / frequency : 0.0F;
   const float shift = look.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
   const Vector3<float> seen = read_blackbody(look.colours, detail::log_temperature_at(look.profile, r) + shift);
   float luminance = look.exposure * ::expf(minimum(seen.x - look.log_unit, 80.0F));

@@ -88,9 +88,9 @@ class DiskSight {
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
   }
 
-  //! Whether lane `i` meets the plane behind the horizon, and its light cannot be where a straight footprint leads it, among matter that falls in.
+  //! Whether lane `i` meets the plane of a disk that falls in behind the horizon, and its light cannot be where a straight footprint leads it.
   ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
-    return at.r < look_.flow.stable_r && lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
+    return look_.inner_r < look_.flow.stable_r && lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&
            !can_be_there<float>(look_.flow.spin, {at.r, photon.energy, photon.axial_angular_momentum,
                                                   photon.shear_constant, at.outwards});
   }
