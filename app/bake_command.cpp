@@ -60,7 +60,9 @@ BakeSettings settings_of(const BakeOptions& options, const Show& show) {
   BakeSettings settings;
   // A field of view that changes is baked for where it looks most closely.
   const ViewSettings view = show_at_least(show).view;
-  settings.pixel = pixel_angle(make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0));
+  const Projection projection = make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0);
+  settings.pixel = pixel_angle(projection);
+  settings.share = sky_share(projection);
   settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
   settings.derivatives = !options.no_derivatives;
   if (!options.part.empty()) {

@@ -78,7 +78,7 @@ class EyeStep {
   ERGO_HD EyeStep(const PathStep<Order, Parts, D>& step, const EyeReference& reference, double reach)
       : step_(step), reference_(reference), reach_(reach) {
     first_ = step.series.distance[0];
-    last_ = step.distance(D(step.length));
+    last_ = with_neighbours(step.series.distance, step.length);
     beside_ = reach * ::fmax(change_of(first_), change_of(last_));
     // Where it would be a large part, the ray stands for its neighbours.
     parts_ = !(beside_ < 0.1 * last_.value);
@@ -112,12 +112,12 @@ class EyeStep {
 
   //! Whether what is kept may come near any of the meshes. What else is to be known of a step is found out here, once.
   [[nodiscard]] ERGO_HD bool may_meet(const MeshScene& scene) {
-    const Vector3<D> first_point = step_.point(D(0.0));
-    const Vector3<D> last_point = step_.point(D(step_.length));
+    const Vector3<D> first_point = point_with_neighbours(0.0);
+    const Vector3<D> last_point = point_with_neighbours(step_.length);
     width_ = ::fmax(width_of(first_point), width_of(last_point));
     bends_ = parts_ || bends(first_point, first_) || bends(last_point, last_);
     const double end = begin_ + length_;
-    const auto point = [&](double h) { return plain_vector(step_.point(D(h))); };
+    const auto point = [&](double h) { return point_of_ray(h); };
     // Most steps are kept as a whole, and their ends are known.
     const PathPiece piece = {0.0, length_, begin_ == 0.0 ? plain_vector(first_point) : point(begin_),
                              point(begin_ + 0.5 * length_),
@@ -198,7 +198,7 @@ class EyeStep {
   ERGO_HD Place place(double h) const {
     // How far the directions go on while the distance is made theirs is a small part of how far they are from the ray's.
     constexpr int rounds = 4;
-    const D ray = step_.distance(D(h));
+    const D ray = with_neighbours(step_.series.distance, h);
     Place at = {0.0, 0.0, ray.value};
     for (int round = 0; round < rounds && !bends_; ++round) {
       double stretch = 0.0;
@@ -210,12 +210,45 @@ class EyeStep {
     return at;
   }
 
-  [[nodiscard]] ERGO_HD double distance_of_ray(double h) const {
-    double value = step_.series.distance[Order].value;
-    for (int k = Order - 1; k >= 0; --k) {
-      value = value * h + step_.series.distance[k].value;
+  //! A series at a time that is the same for the ray and its neighbours: with derivatives, and for the ray alone. Most steps are looked at just so, and no
+  //! more, and times with derivatives would take three times as long.
+  template <int Count>
+  [[nodiscard]] ERGO_HD static D with_neighbours(const D (&c)[Count], double h) {
+    D sum = c[Count - 1];
+    for (int k = Count - 2; k >= 0; --k) {
+      sum = {sum.value * h + c[k].value, sum.along_x * h + c[k].along_x, sum.along_y * h + c[k].along_y};
     }
-    return value;
+    return sum;
+  }
+  template <int Count>
+  [[nodiscard]] ERGO_HD static double of_ray(const D (&c)[Count], double h) {
+    double sum = c[Count - 1].value;
+    for (int k = Count - 2; k >= 0; --k) {
+      sum = sum * h + c[k].value;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] ERGO_HD double distance_of_ray(double h) const { return of_ray(step_.series.distance, h); }
+
+  //! PathStep::point() at such a time.
+  [[nodiscard]] ERGO_HD Vector3<D> point_with_neighbours(double h) const {
+    const auto& s = step_.series;
+    const D u = with_neighbours(s.u, h);
+    const D r = 1.0 / (u.value > step_.least_u ? u : D(step_.least_u));
+    return r * step_.turned(with_neighbours(s.drag, h), with_neighbours(s.x, h), with_neighbours(s.y, h),
+                            with_neighbours(s.z, h));
+  }
+  [[nodiscard]] ERGO_HD Vector3<double> point_of_ray(double h) const {
+    const auto& s = step_.series;
+    double sine = 0.0;
+    double cosine = 1.0;
+    sine_cosine(of_ray(s.drag, h), sine, cosine);
+    const double x = of_ray(s.x, h);
+    const double y = of_ray(s.y, h);
+    const double r = 1.0 / ::fmax(of_ray(s.u, h), step_.least_u);
+    return r * ((cosine * x - sine * y) * step_.axes[0] + (sine * x + cosine * y) * step_.axes[1] +
+                Vector3<double>{0.0, 0.0, of_ray(s.z, h)});
   }
 
   ERGO_HD static double change_of(const D& distance) { return ::fabs(distance.along_x) + ::fabs(distance.along_y); }

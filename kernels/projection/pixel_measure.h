@@ -115,4 +115,22 @@ ERGO_HD double largest_pixel_angle(const Projection& projection) {
   return largest;
 }
 
+//! The part of all directions that an image shows, 0 to 1: of some thousand that are spread evenly, by the golden angle.
+ERGO_HD double sky_share(const Projection& projection) {
+  constexpr int directions = 4096;
+  constexpr double golden_angle = 2.39996322972865332;
+  int shown = 0;
+  for (int i = 0; i < directions; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / directions;
+    const double across = ::sqrt(1.0 - z * z);
+    const Vector3<double> view = {across * ::cos(golden_angle * i), across * ::sin(golden_angle * i), z};
+    double x_px = 0.0;
+    double y_px = 0.0;
+    const bool there = pixel_from_direction(projection, view, x_px, y_px) && x_px >= 0.0 &&
+                       x_px <= projection.width_px && y_px >= 0.0 && y_px <= projection.height_px;
+    shown += there && image_coverage(projection, x_px, y_px) > 0.5 ? 1 : 0;
+  }
+  return static_cast<double>(shown) / directions;
+}
+
 }  // namespace ergodome::inline ERGO_TARGET

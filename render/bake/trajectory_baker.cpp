@@ -76,7 +76,8 @@ class Baker {
     return {eye.spin,
             {eye.r, eye.theta},
             aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
-            settings_.pixel};
+            settings_.pixel,
+            settings_.share};
   }
 
   GridSettings grid_settings(const LensView& view) const {

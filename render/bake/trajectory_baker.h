@@ -12,7 +12,8 @@ class TrajectoryJournal;
 //! What a trajectory is baked for.
 struct BakeSettings {
   double pixel = 0.0;       //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.25;  //!< greatest displacement on the screen, for all but a hundredth of the sky
+  double share = 1.0;       //!< of the sky that the screen shows (sky_share)
+  double budget_px = 0.25;  //!< greatest displacement on the screen, for all but a hundredth of it wherever it looks
   bool derivatives =
       true;      //!< stations with their change along r and θ: fewer do, and they serve both eyes of a stereo pair
   int part = 1;  //!< this one of `parts` stretches of the show, of equal length, counted from 1

@@ -152,11 +152,14 @@ ChartSamples lattice_samples(int columns, int rows) {
   return samples;
 }
 
-ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px) {
+ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share) {
+  // Samples tell no more.
+  constexpr double least_share = 0.1;
   std::vector<std::size_t> order(error_px.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return error_px[a] < error_px[b]; });
-  return {quantile(error_px, area_px, order, 0.99), quantile(error_px, area_px, order, 0.999)};
+  return {quantile(error_px, area_px, order, 1.0 - 0.01 * std::max(share, least_share)),
+          quantile(error_px, area_px, order, 0.999)};
 }
 
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples) {
@@ -176,7 +179,7 @@ ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, co
   for (std::size_t i = 0; i < count; ++i) {
     area_px[i] *= samples.extent[i];
   }
-  return bounds_of(error_px, area_px);
+  return bounds_of(error_px, area_px, view.share);
 }
 
 }  // namespace ergodome

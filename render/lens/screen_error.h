@@ -14,6 +14,7 @@ struct LensView {
   LensPlace place;
   Aberration observer;  //!< from aberration_to_rain()
   double pixel;         //!< angle of a pixel on the observer's screen [rad]
+  double share = 1.0;   //!< of the sky that the screen shows, which may be where the error is
 };
 
 //! Places of the conforming chart, each standing for a part of it.
@@ -34,14 +35,16 @@ ChartSamples screen_samples(const LensStation& station, const LensChart& chart, 
 //! A lattice over the whole chart, for a quick look at any lens.
 ChartSamples lattice_samples(int columns, int rows);
 
-//! What a lens misses by on the screen: bounds for all but a part of the sky that the observer sees, by solid angle [px].
+//! What a lens misses by: bounds for all but a hundredth of what a screen shows, wherever it looks, and for all but a thousandth of the sky that the
+//! observer sees, by solid angle [px].
 struct ScreenError {
   double p99_px;
   double p999_px;
 };
 
-//! Those bounds from errors [px] at places, and the areas on the screen that these stand for [px²].
-ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px);
+//! Those bounds from errors [px] at places, and the areas on the screen that these stand for [px²]; of screens that show less than a tenth of the sky, the
+//! first is that of one that shows as much.
+ScreenError bounds_of(const std::vector<double>& error_px, const std::vector<double>& area_px, double share = 1.0);
 
 //! Compares a lens (its arrays on the host) with rays traced in double at the samples. What the lens leaves to rays counts as exact.
 ScreenError measure_screen_error(const LensBlend& lens, const LensView& view, const ChartSamples& samples);

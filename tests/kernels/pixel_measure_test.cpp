@@ -100,6 +100,13 @@ TEST(PixelSolidAngle, OfATruncatedDomeIsThatOfTheRest) {
   expect_solid_angle(make_dome_projection(1000, view), pi);
 }
 
+TEST(SkyShare, IsTheSolidAngleThatAnImageShows) {
+  for (const Projection& p : {make_dome_projection(128, pi, 0.4), make_pinhole_projection(128, 72, 1.0),
+                              make_pinhole_projection(64, 64, 0.2), make_equirectangular_projection(128, 64)}) {
+    EXPECT_NEAR(sky_share(p), solid_angle_of(p) / (4.0 * pi), 2e-3) << static_cast<int>(p.kind);
+  }
+}
+
 TEST(PixelAngle, IsThatOfTheMiddle) {
   EXPECT_NEAR(pixel_angle(lens_of(LensLaw::equidistant, 180.0)), pi / 1000, 1e-15);
   EXPECT_NEAR(pixel_angle(lens_of(LensLaw::equisolid, 180.0)), 4.0 * std::sqrt(0.5) / 1000, 1e-12);
