@@ -18,10 +18,13 @@ double ahead_of_lag(double spin, double r) { return r + 2.0 * std::log(r - inner
 
 //! Seconds that a rate which is eased away within `ease_s` from 0 on stands for, up to a time.
 double eased_away_s(double time_s, double ease_s) {
+  if (!(time_s > 0.0)) {
+    return 0.0;
+  }
   if (!(time_s < ease_s)) {
     return 0.5 * ease_s;
   }
-  const double s = std::max(time_s, 0.0) / ease_s;
+  const double s = time_s / ease_s;
   // The integral of 1 - eased(s).
   return ease_s * s * (1.0 - s * s * s * (2.5 + s * (s - 3.0)));
 }

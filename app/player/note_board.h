@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <string>
@@ -13,16 +14,30 @@ namespace ergodome {
 //! gone and comes again.
 class NoteBoard {
  public:
+  //! What there is to tell of a show as it was read once. Threads that go on reading may keep it and add to it.
+  using Reading = std::shared_ptr<std::set<std::string>>;
+
+  void add(const Reading& reading, const std::string& note) {
+    const std::lock_guard lock(mutex_);
+    if (!reading->contains(note) && !stands(note)) {
+      waiting_.push_back(note);
+    }
+    reading->insert(note);
+  }
+
+  //! A show has been read: what there was to tell of it before stands no more.
+  void take_place(const std::string& show, Reading reading) {
+    const std::lock_guard lock(mutex_);
+    standing_[show] = std::move(reading);
+  }
+
   //! All that there is to tell of a show as it was loaded now, in place of what there was before.
   void post(const std::string& show, const std::vector<std::string>& notes) {
-    const std::lock_guard lock(mutex_);
+    auto reading = std::make_shared<std::set<std::string>>();
     for (const std::string& note : notes) {
-      if (!stands(note)) {
-        waiting_.push_back(note);
-        standing_[show].insert(note);
-      }
+      add(reading, note);
     }
-    standing_[show] = {notes.begin(), notes.end()};
+    take_place(show, std::move(reading));
   }
 
   //! Those since the last call.
@@ -35,7 +50,7 @@ class NoteBoard {
   //! Shows of an exhibit may have the same to tell.
   [[nodiscard]] bool stands(const std::string& note) const {
     for (const auto& [show, notes] : standing_) {
-      if (notes.contains(note)) {
+      if (notes->contains(note)) {
         return true;
       }
     }
@@ -43,7 +58,7 @@ class NoteBoard {
   }
 
   std::mutex mutex_;
-  std::map<std::string, std::set<std::string>> standing_;  //!< by the shows' names
+  std::map<std::string, Reading> standing_;  //!< by the shows' names
   std::vector<std::string> waiting_;
 };
 

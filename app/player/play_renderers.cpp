@@ -1,7 +1,8 @@
 #include "app/player/play_renderers.h"
 
+#include <algorithm>
+#include <set>
 #include <utility>
-#include <vector>
 
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
@@ -11,19 +12,16 @@ namespace ergodome {
 namespace {
 
 std::shared_ptr<ShowRenderer> made_renderer(const Show& show, Backend backend, const RendererWish& wish) {
-  std::vector<std::string> notes;
-  std::shared_ptr<StationStream> stream =
-      open_stream(show, wish.lens, backend, [&](const std::string& note) { notes.push_back(note); });
+  const auto reading = std::make_shared<std::set<std::string>>();
+  // The stream's thread tells of stations that it cannot read as long as there is the stream.
+  const Tell tell = [board = wish.notes, reading](const std::string& note) { board->add(reading, note); };
+  std::shared_ptr<StationStream> stream = open_stream(show, wish.lens, backend, tell);
   if (wish.tells_misses) {
-    for (const std::string& note : stream_notes(stream.get(), show, wish.lens, backend, wish.size_px)) {
-      notes.push_back(note);
-    }
+    std::ranges::for_each(stream_notes(stream.get(), show, wish.lens, backend, wish.size_px), tell);
   }
   auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(wish.lens), std::move(stream));
-  for (const std::string& note : renderer->notes()) {
-    notes.push_back(note);
-  }
-  wish.notes->post(show.name, notes);
+  std::ranges::for_each(renderer->notes(), tell);
+  wish.notes->take_place(show.name, reading);
   return renderer;
 }
 

@@ -62,7 +62,7 @@ double DiskBake::gap_error(double begin_s, double end_s) const {
   }
   const auto joined = std::make_shared<const JoinedDisk>(std::move(*both));
   double worst_px = 0.0;
-  for (const double part : {0.5, 0.25}) {
+  for (const double part : {0.5, 0.25, 0.75}) {
     const EyeCamera eye = eye_at(begin_s + part * (end_s - begin_s));
     const LensPlace place = {eye.r, eye.theta};
     const DiskLayers layers(joined, place);

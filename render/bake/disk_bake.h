@@ -25,7 +25,7 @@ class DiskBake {
   //! Builds the layers at a show time that the journal lacks.
   void add_if_missing(double time_s);
 
-  //! What blending the layers at two times misses by at a quarter of the way and half of it, the worse [px], measured as gaps of lenses are.
+  //! What blending the layers at two times misses by at a quarter, half and three quarters of the way, the worst [px], measured as gaps of lenses are.
   [[nodiscard]] double gap_error(double begin_s, double end_s) const;
 
  private:

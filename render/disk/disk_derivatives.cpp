@@ -6,6 +6,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
 #include "render/disk/disk_grid_tracer.h"
+#include "render/lens/place_turn.h"
 
 namespace ergodome {
 
@@ -71,7 +72,7 @@ class DiskDifference {
 void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings) {
   const LensStation& cells = station.cells;
   DiskDifference difference(station, settings);
-  const double dr = longest_disk_step * (cells.r - horizon_radius(cells.spin));
+  const double dr = longest_disk_step * radial_measure(cells.spin, cells.r);
   difference.take({cells.r - dr, cells.theta}, {cells.r + dr, cells.theta}, 2.0 * dr, station.nodes_along_r);
   const double step = std::min(0.5 * std::abs(cells.theta - 0.5 * pi), longest_disk_step);
   if (step < shortest_disk_step) {

@@ -154,7 +154,8 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
   const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
   // The check of what blends that nobody has measured miss by runs on the host.
   const bool unmeasured = beside || (pair && pair->skips);
-  if (!pair || (unmeasured && backend_ != Backend::cpu)) {
+  // One moment of a gap that missed speaks for all: the picture shall not go to and fro between lenses.
+  if (!pair || (unmeasured && backend_ != Backend::cpu) || (pair->skips && refused_.lock() == pair->first)) {
     return nullptr;
   }
   const LensPlace place = {eye.r, eye.theta};
@@ -164,8 +165,12 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
   if (unmeasured) {
     const LensView view = {eye.spin, place, aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity),
                            pixel};
-    const double error_px = measure_screen_error(blend.view(), view, lattice_samples(32, 16)).p99_px;
+    const ChartSamples samples = pair->skips ? lattice_samples(64, 32) : lattice_samples(32, 16);
+    const double error_px = measure_screen_error(blend.view(), view, samples).p99_px;
     if (error_px > allowed_unmeasured_px(baked, request.accuracy.budget_px, pixel)) {
+      if (pair->skips) {
+        refused_ = pair->first;
+      }
       return nullptr;
     }
   }

@@ -112,6 +112,8 @@ class LensChooser {
   std::unique_ptr<GridWorker> worker_;    //!< made when first needed
   std::optional<EyeCamera> ordered_eye_;  //!< whose grid the worker has or had in hand
   std::list<Grid> grids_;                 //!< the latest first
+  std::weak_ptr<const StationBuffers>
+      refused_;  //!< the first of two stations beside a damaged one whose blend missed the budget
   std::optional<EyeCamera> quadtree_eye_;
   std::shared_ptr<const QuadtreeLens> quadtree_;
 };

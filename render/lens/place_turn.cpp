@@ -27,6 +27,11 @@ glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
   return about_axis(outer_turn(spin, to.r)) * tilted * about_axis(-outer_turn(spin, from.r));
 }
 
+double radial_measure(double spin, double r) {
+  constexpr double part = 0.25;
+  return std::max(r - horizon_radius(spin), part * (r - inner_horizon_radius(spin)));
+}
+
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
   // A radian counts as much as the distance to r = 1.
   const double scale = 1.0 / std::max(0.5 * (first.r + second.r) - 1.0, least_measure);

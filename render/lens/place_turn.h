@@ -15,6 +15,10 @@ struct LensPlace {
 //! Kerr coordinates.
 glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to);
 
+//! On what scale a camera's sky changes with r [M]: the height above the horizon, but there and within it, where nothing happens to who falls, a part of
+//! that above the inner one.
+double radial_measure(double spin, double r);
+
 //! How far a place lies along the line from one to another in r and θ, in [0, 1].
 double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place);
 

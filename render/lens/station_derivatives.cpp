@@ -11,12 +11,6 @@ namespace ergodome {
 namespace {
 
 constexpr double step = 0.01;
-//! On what scale a lens changes with r [M]: the height above the horizon, but there and within it, where nothing happens to who falls, a part of
-//! that above the inner one.
-double radial_measure(double spin, double r) {
-  constexpr double part = 0.25;
-  return std::max(r - horizon_radius(spin), part * (r - inner_horizon_radius(spin)));
-}
 
 //! Where the vectors of a node start: sky, its derivative along γ, along s, and the mixed one.
 constexpr std::size_t vectors[] = {0, 4, 8, 12};

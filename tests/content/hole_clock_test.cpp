@@ -70,6 +70,15 @@ TEST_F(HoleClockOnACircle, RunsByTheOrbitInTheFallAndByItsPaceBesideIt) {
   EXPECT_NEAR(clock.time(30.0), 3.0 * (4.0 + 1.0 + 1.0 + 10.0) + dilation_ * 9.0 * 14.0, 1e-8);
 }
 
+TEST_F(HoleClockOnACircle, BeginsAndEndsAtOnceWhereNothingIsEased) {
+  settings_.ease_s = 0.0;
+  const FallStart start = orbit_->start();
+  const HoleClock clock(spin, std::make_shared<const FreeFall>(spin, start, settings_, nullptr, 40.0), 3.0);
+  EXPECT_NEAR(clock.time(4.0), 3.0 * 4.0, 1e-9);
+  EXPECT_NEAR(clock.time(20.0), 3.0 * 4.0 + dilation_ * 9.0 * 16.0, 1e-8);
+  EXPECT_NEAR(clock.time(30.0), 3.0 * (4.0 + 10.0) + dilation_ * 9.0 * 16.0, 1e-8);
+}
+
 TEST_F(HoleClockOnACircle, GoesOverFromOneRateToTheOtherWithoutALeap) {
   // At the orbit's own rate nothing is to be seen of it.
   const HoleClock even(spin, orbit_, 9.0 * dilation_);

@@ -144,6 +144,19 @@ TEST_F(StationStreaming, ABadStationIsBlendedAcrossAndToldOnce) {
   EXPECT_EQ(stream.statistics().bad, 1);
 }
 
+TEST_F(StationStreaming, AtAStationsOwnTimeABadNeighbourIsNotMissed) {
+  TrajectoryReader reader = make_file(5);
+  damage(reader, 3);
+  const double time_s = reader.stations()[2].time_s;
+  StationStream stream(Backend::cpu, std::move(reader), StationStream::default_memory_bytes, report());
+  stream.at(0.31, patience_s);
+  EXPECT_TRUE(stream.at(0.25, patience_s)->skips);
+  const auto there = stream.at(time_s, patience_s);
+  ASSERT_TRUE(there);
+  EXPECT_FALSE(there->skips);
+  EXPECT_DOUBLE_EQ(there->first->station().r, 9.0 - 2e-4);
+}
+
 TEST_F(StationStreaming, BadStationsAtTheEndsLeaveTheNearestGoodOne) {
   TrajectoryReader reader = make_file(4);
   damage(reader, 0);
