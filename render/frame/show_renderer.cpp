@@ -230,7 +230,7 @@ void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, const Projection& pro
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     const double side = eyes.size() < 2 ? 0.0 : i == 0 ? -0.5 : 0.5;
     draw_overlays({Backend::cpu, eyes[i].rgba.data(), eyes[i].tone, eyes[i].heat_range.has_value()}, projection,
-                  side * show_.stereo.baseline, mode, moment);
+                  side * baseline_, mode, moment);
   }
   if (eyes.size() == 2) {
     if (show_.stereo.tint_eyes) {

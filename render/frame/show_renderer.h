@@ -10,6 +10,7 @@
 #include "content/show.h"
 #include "render/frame/cube_pictures.h"
 #include "render/frame/eye_renderer.h"
+#include "render/frame/narrowed_eyes.h"
 #include "render/frame/view_projection.h"
 #include "render/lens/omni_chooser.h"
 #include "render/output/auto_exposure.h"
@@ -132,6 +133,9 @@ class ShowRenderer {
   //! Who looks from now on; `velocity` in the ZAMO frame, for ObserverMotion::velocity. Lenses stay as they are: they serve every motion.
   void set_observer(ObserverMotion motion, const Vector3<double>& velocity);
 
+  //! Whether the eyes of the last picture stood closer than the show asks, as more does not fit where the camera is.
+  [[nodiscard]] const std::optional<NarrowedEyes>& narrowed_eyes() const { return narrowed_; }
+
   //! The show, with its numbers as they were last applied.
   [[nodiscard]] const Show& show() const { return show_; }
   [[nodiscard]] Backend backend() const { return renderer_.backend(); }
@@ -168,8 +172,16 @@ class ShowRenderer {
   void finish_eyes(std::vector<Picture>& eyes, const Projection& projection, ViewMode mode, const ShowMoment& moment,
                    double clock_s);
 
-  //! The cameras of the eyes that turn with the direction, at a pose; cameras may be off by `tolerance` [rad].
-  [[nodiscard]] std::shared_ptr<const OmniCamera> omni_cameras(const CameraPose& pose, double tolerance) const;
+  //! The cameras of the eyes that turn with the direction, at a pose, `baseline` M apart; cameras may be off by `tolerance` [rad].
+  [[nodiscard]] std::shared_ptr<const OmniCamera> omni_cameras(const CameraPose& pose, double baseline,
+                                                               double tolerance) const;
+  //! Such eyes as far apart as the show asks, or as fits: notes which. Throws Error where not even one fits.
+  OmniPair fitting_omni_pair(const CameraPose& pose, double tolerance);
+  //! The cameras at a pose while the shutter is open, as far apart as fits there.
+  [[nodiscard]] std::shared_ptr<const OmniCamera> fitting_omni_cameras(const CameraPose& pose, double tolerance) const;
+
+  //! Notes how far the eyes of the picture at hand are apart [M].
+  void note_baseline(const CameraPose& pose, double baseline);
 
   //! Where the head is while the shutter is open about a time of the show: an odd number of poses.
   [[nodiscard]] std::vector<CameraPose> shutter_poses(const CameraPose& middle, double time_s) const;
@@ -195,6 +207,8 @@ class ShowRenderer {
   std::optional<AutoExposure> exposure_;
   OverlayPass overlays_;
   double overlay_distance_ = 0.0;
+  double baseline_ = 0.0;  //!< of the eyes of the last picture [M]
+  std::optional<NarrowedEyes> narrowed_;
   double exposure_stops_ = 0.0;
   double last_clock_s_ = 0.0;
   double time_s_ = 0.0;                //!< that the numbers are of

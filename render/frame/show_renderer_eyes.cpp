@@ -1,12 +1,15 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
+#include "render/lens/eye_distance.h"
 #include "render/lens/flat_shadow.h"
 #include "render/near_field/flat_near_field.h"
 #include "render/output/stereo_layout.h"
@@ -31,6 +34,7 @@ void draw_flat_rows(Backend backend, FlatNearField& near_field, const PictureVie
 std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                const ShowMoment& moment) {
   const StereoSettings& stereo = show_.stereo;
+  note_baseline(pose, stereo.baseline);
   std::vector<Picture> eyes;
   if (eye_count(stereo) < 2) {
     eyes.push_back(render_eye(pose, 0.0, projection, mode, moment));
@@ -70,6 +74,11 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
   const EyeCamera head = eye_camera(show_, pose, 0.0);
   PictureSettings settings = picture_settings(pose, mode, moment, 0.0);
   const bool apart = stereo.baseline > 0.0;
+  std::optional<FlatShadow> shadow;
+  if (apart) {
+    shadow.emplace(head);
+    note_baseline(pose, std::min(stereo.baseline, shadow->greatest_baseline()));
+  }
   // Light is spread when the shadow, and what has a parallax of its own, is before it.
   PictureSettings sharp = settings;
   if (apart) {
@@ -81,23 +90,19 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
   std::vector<Picture> eyes;
   for (const double side : {-0.5, 0.5}) {
     if (eyes.empty() || flat_pictures(stereo) > 1) {
-      const Projection own = converged_projection(projection, side * stereo.baseline, stereo.convergence);
+      const Projection own = converged_projection(projection, side * baseline_, stereo.convergence);
       eyes.push_back(renderer_.render(head, own, sky_.cube(), sharp));
     } else {
       eyes.push_back(copied_picture(eyes.front()));
     }
   }
-  std::optional<FlatShadow> shadow;
   std::optional<FlatNearField> near_field;
-  if (apart) {
-    shadow.emplace(head);
-    if (!settings.near_field.empty()) {
-      settings.near_field.disk_grid = flat_disk(head, projection, settings);
-      near_field.emplace(backend(), settings.near_field, head, *shadow, flat_rows_);
-    }
+  if (apart && !settings.near_field.empty()) {
+    settings.near_field.disk_grid = flat_disk(head, projection, settings);
+    near_field.emplace(backend(), settings.near_field, head, *shadow, flat_rows_);
   }
   for (std::size_t i = 0; i < 2; ++i) {
-    const double offset = (i == 0 ? -0.5 : 0.5) * stereo.baseline;
+    const double offset = (i == 0 ? -0.5 : 0.5) * baseline_;
     const Projection own = converged_projection(projection, offset, stereo.convergence);
     if (shadow) {
       const std::vector<float> edge = shadow->eye_edge(offset);
@@ -116,12 +121,47 @@ std::vector<Picture> ShowRenderer::render_flat_eyes(const CameraPose& pose, cons
   return eyes;
 }
 
-std::shared_ptr<const OmniCamera> ShowRenderer::omni_cameras(const CameraPose& pose, double tolerance) const {
+void ShowRenderer::note_baseline(const CameraPose& pose, double baseline) {
   const StereoSettings& stereo = show_.stereo;
+  baseline_ = baseline;
+  narrowed_.reset();
+  if (baseline < stereo.baseline) {
+    narrowed_ = {stereo.model, pose.r, stereo.baseline, baseline};
+  }
+}
+
+std::shared_ptr<const OmniCamera> ShowRenderer::omni_cameras(const CameraPose& pose, double baseline,
+                                                             double tolerance) const {
   return std::make_shared<const OmniCamera>(
       backend(), [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); },
-      OmniSettings{0.5 * stereo.baseline, stereo.convergence, one_degree * stereo.fade_from_deg,
-                   one_degree * stereo.fade_to_deg, tolerance});
+      omni_settings(show_.stereo, baseline, tolerance));
+}
+
+OmniPair ShowRenderer::fitting_omni_pair(const CameraPose& pose, double tolerance) {
+  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); };
+  const auto pair_at = [&](double apart) {
+    return make_omni_pair(backend(), eye_at, omni_settings(show_.stereo, apart, tolerance));
+  };
+  double baseline = std::min(show_.stereo.baseline, omni_room(show_.spin, pose));
+  std::optional<OmniPair> pair = pair_at(baseline);
+  if (!pair) {
+    baseline = fitting_baseline(show_, pose);
+    pair = pair_at(baseline);
+  }
+  if (!pair) {
+    throw Error("stereo.model", fmt::format("eyes of the model omni cannot be drawn at r = {:.6g} M", pose.r),
+                "choose model = \"physical\"");
+  }
+  note_baseline(pose, baseline);
+  return *pair;
+}
+
+std::shared_ptr<const OmniCamera> ShowRenderer::fitting_omni_cameras(const CameraPose& pose, double tolerance) const {
+  try {
+    return omni_cameras(pose, std::min(show_.stereo.baseline, omni_room(show_.spin, pose)), tolerance);
+  } catch (const Error&) {
+    return omni_cameras(pose, fitting_baseline(show_, pose), tolerance);
+  }
 }
 
 std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
@@ -129,20 +169,19 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
   const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show_, pose, offset); };
   PictureSettings settings = picture_settings(pose, mode, moment, 0.0);
   const double tolerance = settings.accuracy.tolerance_px * pixel_angle(projection);
-  const std::shared_ptr<const OmniCamera> cameras = omni_cameras(pose, tolerance);
+  const OmniPair pair = fitting_omni_pair(pose, tolerance);
   // Without a baseline stars, and what stands near the hole, are the head's, to the last bit.
-  const bool turns = show_.stereo.baseline > 0.0;
+  const bool turns = baseline_ > 0.0;
   std::vector<CameraPose> shutter;
   std::vector<std::shared_ptr<const OmniCamera>> shutter_cameras;
   if (turns && settings.shutter) {
     shutter = shutter_poses(pose, *moment.time_s);
     for (const CameraPose& each : shutter) {
-      shutter_cameras.push_back(omni_cameras(each, tolerance));
+      shutter_cameras.push_back(fitting_omni_cameras(each, tolerance));
     }
   }
   std::vector<Picture> eyes;
-  for (const double side : {-1.0, 1.0}) {
-    const std::shared_ptr<const OmniEye> eye = make_omni_eye(cameras, side, eye_at);
+  for (const std::shared_ptr<const OmniEye>& eye : pair) {
     const auto lens = omni_lenses_.choose(eye, projection, mode, settings.lens, settings.accuracy);
     settings.given = lens.get();
     if (turns) {
@@ -153,7 +192,7 @@ std::vector<Picture> ShowRenderer::render_omni_eyes(const CameraPose& pose, cons
     }
     for (std::size_t i = 0; i < shutter.size(); ++i) {
       const auto there = [&](const Vector3<double>& offset) { return eye_camera(show_, shutter[i], offset); };
-      settings.shutter->eyes[i] = StarEye(make_omni_eye_for_trails(shutter_cameras[i], side, there));
+      settings.shutter->eyes[i] = StarEye(make_omni_eye_for_trails(shutter_cameras[i], eye->side, there));
     }
     eyes.push_back(renderer_.render(eye_at({0.0, 0.0, 0.0}), projection, sky_.cube(), settings));
   }
@@ -173,6 +212,7 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
 EyesInPlace ShowRenderer::render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                                const ShowMoment& moment) {
   const StereoSettings& stereo = show_.stereo;
+  note_baseline(pose, stereo.baseline);
   if (eye_count(stereo) < 2) {
     return {render_eye_in_place(pose, 0.0, projection, mode, moment), {}};
   }

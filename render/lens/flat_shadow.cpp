@@ -183,8 +183,10 @@ std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<flo
   return nearness;
 }
 
+double FlatShadow::greatest_baseline() const { return 2.0 * farthest_eye * nearest_; }
+
 std::vector<float> FlatShadow::eye_edge(double offset) const {
-  if (!(std::abs(offset) <= farthest_eye * nearest_)) {
+  if (!(2.0 * std::abs(offset) <= greatest_baseline())) {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for the model flat: the horizon is {:.6g} M away",
                             2.0 * std::abs(offset), nearest_),

@@ -32,6 +32,9 @@ class FlatShadow {
   //! The same chart in the observer's frame.
   [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
 
+  //! How far two eyes may be apart [M]: no farther than the horizon is away.
+  [[nodiscard]] double greatest_baseline() const;
+
   //! The edge that an eye sees, about the same chart at the same position angles; `offset` is to the right of the head [M]. Throws Error for
   //! an eye so far off that the horizon is not well before it.
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;

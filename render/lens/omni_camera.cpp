@@ -111,6 +111,11 @@ double fit_error(const EyePlace& eye_at, double reach, const EyeCamera& head, in
 
 }  // namespace
 
+OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double tolerance) {
+  return {0.5 * baseline, stereo.convergence, one_degree * stereo.fade_from_deg, one_degree * stereo.fade_to_deg,
+          tolerance};
+}
+
 OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings) {
   const EyeCamera head = eye_at({0.0, 0.0, 0.0});
   const double reach = settings.half_baseline;
@@ -127,7 +132,7 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
     camera_.turn = station.turn;
     camera_.lag = station.lag;
   }
-  const double tolerance = std::max(0.1 * settings.tolerance, finest_fit);
+  const double tolerance = std::clamp(0.1 * settings.tolerance, finest_fit, omni_least_exact);
   double error = 0.0;
   for (int degree = reach > 0.0 ? 1 : 0; degree <= omni_most_degree; ++degree) {
     camera_.degree = degree;
@@ -137,7 +142,7 @@ OmniCamera::OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettin
       break;
     }
   }
-  if (!(error <= std::max(settings.tolerance, finest_fit))) {
+  if (!(error <= omni_least_exact)) {
     throw Error("stereo.baseline",
                 fmt::format("{:.6g} M is too large for the model omni at r = {:.6g} M", 2.0 * reach, head.r),
                 "choose a smaller one, or model = \"physical\"");

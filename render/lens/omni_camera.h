@@ -19,14 +19,20 @@ struct OmniSettings {
   double convergence = 0.0;    //!< [M]; 0: infinity
   double fade_from = 1.0;      //!< elevation from which the baseline gets smaller [rad]
   double fade_to = 1.57;       //!< and at which it is gone
-  double tolerance = 1e-5;     //!< error of cameras that is accepted, as that of a direction [rad]
+  double tolerance = 1e-5;     //!< error of cameras that is aimed at a tenth of, as that of a direction [rad]
 };
+
+//! What cameras of such eyes may be off by, in pictures of whatever size [rad]: where eyes fit does not hang on that.
+inline constexpr double omni_least_exact = 1e-5;
+
+//! What a show's settings ask of such eyes so far apart [M].
+OmniSettings omni_settings(const StereoSettings& stereo, double baseline, double tolerance);
 
 //! The cameras of such eyes about a head, as polynomials of their place: fitted by least squares to exact cameras on the disk of all places,
 //! of the lowest degree that is exact enough. Both eyes, and all pixels, are served by one fit.
 class OmniCamera {
  public:
-  //! Throws Error where no polynomial is exact enough: the baseline is too large for this place.
+  //! Throws Error where no polynomial is as exact as omni_least_exact: the baseline is too large for this place.
   OmniCamera(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
 
   //! As kernels read it; `side` -1 for the left eye, 1 for the right one. It points into this object.

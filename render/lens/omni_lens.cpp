@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernels/core/error.h"
 #include "render/lens/direct_lens.h"
 
 namespace ergodome {
@@ -29,6 +30,15 @@ std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> c
   std::vector<float> edge = solve_omni_edge(exact, chart, edge_points);
   return std::make_shared<const OmniEye>(
       OmniEye{std::move(cameras), side, head_in_view(eye_at), chart, std::move(edge)});
+}
+
+std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, const OmniSettings& settings) {
+  try {
+    const auto cameras = std::make_shared<const OmniCamera>(backend, eye_at, settings);
+    return OmniPair{make_omni_eye(cameras, -1.0, eye_at), make_omni_eye(cameras, 1.0, eye_at)};
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,

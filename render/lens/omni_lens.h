@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "kernels/lens/omni_batches.h"
@@ -26,7 +28,13 @@ struct OmniEye {
 std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> cameras, double side,
                                              const EyePlace& eye_at);
 
-//! The same without the edge, for images of stars that are followed from another moment: it costs little.
+//! Eyes that turn: the left one and the right one.
+using OmniPair = std::array<std::shared_ptr<const OmniEye>, 2>;
+
+//! Both eyes about a head; nothing where they are too far apart for this place.
+std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, const OmniSettings& settings);
+
+//! The same as make_omni_eye without the edge, for images of stars that are followed from another moment: it costs little.
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,
                                                         const EyePlace& eye_at);
 
