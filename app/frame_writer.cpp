@@ -81,6 +81,7 @@ void FrameWriter::write(int frame) {
   }
   const double time_s = frame_time_s(show, frame);
   std::vector<FrameImage> images = renderer_.render(time_s, choice_);
+  tell_narrowed_eyes(time_s);
   for (FrameImage& image : images) {
     draw_color_bar(image.picture, choice_.mode);
     tell_missing_legend(image.picture);
@@ -110,6 +111,12 @@ void FrameWriter::tell_missing_legend(const Picture& picture) {
     tell_on_terminal(
         fmt::format("pictures of {} x {} have no room for the legend of a heat map: from 160 x 100 on they have one",
                     picture.width, picture.height));
+  }
+}
+
+void FrameWriter::tell_narrowed_eyes(double time_s) {
+  if (renderer_.narrowed_eyes() && !std::exchange(told_narrowed_, true)) {
+    tell_on_terminal(note_of(renderer_.show(), time_s, *renderer_.narrowed_eyes()));
   }
 }
 

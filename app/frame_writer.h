@@ -72,6 +72,8 @@ class FrameWriter {
  private:
   [[nodiscard]] int eye_width_px() const;
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
+  //! Tells of the first frame whose eyes stand closer than the show asks.
+  void tell_narrowed_eyes(double time_s);
   //! Makes a frame's folder, and clears it.
   //! Says once that heat maps are too small for their legend.
   void tell_missing_legend(const Picture& picture);
@@ -89,6 +91,7 @@ class FrameWriter {
   std::string request_;
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
+  bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there
   long unresolved_ = 0;

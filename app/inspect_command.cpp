@@ -15,6 +15,7 @@
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
+#include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/show_loading.h"
@@ -81,6 +82,10 @@ nlohmann::json facts_of(const Show& show) {
   facts["timeline"] = facts_of_timeline(show, notes.unusable);
   facts["idle"] = facts_of_idle_lines(show);
   facts["notes"] = notes.unseen;
+  if (const auto narrowed = narrowed_path(show)) {
+    facts["narrowed_eyes"] = facts_of(*narrowed);
+    facts["narrowed_eyes"]["note"] = note_of(show, *narrowed);
+  }
   if (show.camera.orbit) {
     facts["fall"] = facts_of_fall(show);
   }
@@ -99,7 +104,7 @@ nlohmann::json facts_of(const Show& show) {
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
     // These have lines of their own.
-    constexpr std::array apart = {"keys", "fall", "grid", "timeline", "idle", "notes"};
+    constexpr std::array apart = {"keys", "fall", "grid", "timeline", "idle", "notes", "narrowed_eyes"};
     if (std::ranges::find(apart, name) == apart.end()) {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
@@ -121,6 +126,9 @@ void print_facts(const nlohmann::json& facts) {
   }
   if (facts.contains("idle")) {
     print_idle_lines(facts["idle"]);
+  }
+  if (facts.contains("narrowed_eyes")) {
+    fmt::print("\neyes closer than asked\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
   }
   if (facts.contains("notes") && !facts["notes"].empty()) {
     fmt::print("\nnot to be seen\n");

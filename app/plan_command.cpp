@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/idle_line_facts.h"
 #include "app/lens_options.h"
+#include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
 #include "app/show_loading.h"
 #include "content/sky_map.h"
@@ -151,6 +152,10 @@ void run(const PlanOptions& options) {
   for (const std::string& note : stream_notes(stream.get(), show, options.lens, backend, options.size_px)) {
     tell_on_terminal(note);
   }
+  const std::optional<NarrowedPath> narrowed = narrowed_path(show);
+  if (narrowed) {
+    tell_on_terminal(note_of(show, *narrowed));
+  }
   const FrameRequest request = {
       backend,
       view_mode(options.view),
@@ -162,6 +167,7 @@ void run(const PlanOptions& options) {
       OverlayPass::image_bytes(show),
       has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
   nlohmann::json plan = json_of(show, plan_frame(show, request));
+  plan["narrowed_eyes"] = narrowed ? facts_of(*narrowed) : nlohmann::json(nullptr);
   std::optional<Measured> measured;
   if (options.measure) {
     measured = measure(options, show, backend, std::move(stream));

@@ -91,6 +91,8 @@ void override_view(Show& show, const std::string& projection, const std::string&
 void override_baseline(Show& show, const std::optional<double>& baseline) {
   if (baseline) {
     show.stereo.baseline = *baseline;
+    show.lines.erase("stereo.baseline");
+    show.lines.erase("animate.stereo.baseline");
     std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path == "stereo.baseline"; });
   }
 }

@@ -107,7 +107,8 @@ struct PlayerStatus {
   bool loop = true;
   bool blackout = false;
   double exposure_stops = 0.0;
-  double baseline = 0.0;  //!< [M]
+  double baseline = 0.0;       //!< that is asked for [M]
+  double baseline_used = 0.0;  //!< of the last picture: less, where more does not fit [M]
   bool stereo = false;
   double volume = 1.0;
   std::string language;

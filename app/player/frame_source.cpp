@@ -117,14 +117,17 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   } else {
     show_eyes(renderer, frame, projection, moment, answer);
   }
+  answer.narrowed = renderer.narrowed_eyes();
   if (request.errors_asked) {
     const auto begun = Clock::now();
     answer.errors_px = picture_errors(renderer, request, projection, moment);
     answer.measuring_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }
   if (request.disparity_asked) {
+    Show shown = renderer.show();
+    shown.stereo.baseline = answer.narrowed ? answer.narrowed->baseline : shown.stereo.baseline;
     answer.disparity =
-        frame_disparity(renderer.show(), frame.pose, projection, renderer.object_outlines(), renderer.hiding_objects());
+        frame_disparity(shown, frame.pose, projection, renderer.object_outlines(), renderer.hiding_objects());
   }
   return answer;
 }

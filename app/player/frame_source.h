@@ -46,6 +46,7 @@ struct PictureAnswer {
   int size_px = 0;
   std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes
   std::optional<std::vector<double>> errors_px;  //!< where they were asked for (app/player/picture_error.h)
+  std::optional<NarrowedEyes> narrowed;          //!< where eyes stand closer than the request has them
   double measuring_ms = 0.0;                     //!< what they took; not in time_ms
   std::string problem;                           //!< why there is none; the last good one stays on the screen
 };

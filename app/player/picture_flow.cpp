@@ -105,6 +105,7 @@ PictureNews PictureFlow::receive() {
   report_.size_px = answer->size_px;
   report_.lens = answer->picture.lens;
   report_.disparity = answer->disparity;
+  report_.narrowed = answer->narrowed;
   ++report_.pictures;
   show_(*answer);
   return PictureNews::picture;

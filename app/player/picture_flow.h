@@ -16,7 +16,8 @@ struct PictureReport {
   int size_px = 0;        //!< width of one eye's image in the last picture; 0: none yet
   const char* lens = "";  //!< where the last picture's lens came from
   std::optional<Disparity> disparity;
-  std::string problem;  //!< why the last request made none
+  std::optional<NarrowedEyes> narrowed;  //!< where the last picture's eyes stand closer than was asked
+  std::string problem;                   //!< why the last request made none
   long pictures = 0;
   //! Since the picture before, where something moved in both; none where nothing did.
   std::optional<double> interval_ms;

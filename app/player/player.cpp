@@ -97,6 +97,7 @@ void Player::begin(const Show& show, bool free_flight) {
   // An operator's, which no visitor may end.
   const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight));
+  eye_notice_.begin();
   session_->show_times(options_.times_shown);
   if (recording_.wanted()) {
     session_->record();
@@ -273,6 +274,7 @@ void Player::note(PictureNews news) {
   }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());
+    tell_narrowed_eyes();
     if (budget_) {
       note_budget();
     }
@@ -283,6 +285,19 @@ void Player::note(PictureNews news) {
   }
   services_.tell(spdlog::level::err, pictures_.report().problem);
   screen_.window().set_title(title_text(pictures_.report(), *session_, renderers_.backend()));
+}
+
+void Player::tell_narrowed_eyes() {
+  const std::optional<NarrowedEyes>& eyes = pictures_.report().narrowed;
+  const std::optional<double> chosen = session_->playback().baseline();
+  if (!eye_notice_.tells(eyes, chosen)) {
+    return;
+  }
+  // Visitors cannot do anything about it.
+  if (!exhibit_) {
+    session_->say(line_of(*eyes, session_->playback().language()));
+  }
+  options_.notes->post(note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
 }
 
 void Player::keep_recording() {

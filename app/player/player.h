@@ -9,6 +9,7 @@
 #include "app/exhibit/exhibit_scenes.h"
 #include "app/navigation/controls.h"
 #include "app/pads/hid_api.h"
+#include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"
 #include "app/player/note_board.h"
 #include "app/player/picture_flow.h"
@@ -71,6 +72,7 @@ class Player {
   void tell_notes();
   void update_picture();
   void note(PictureNews news);
+  void tell_narrowed_eyes();
   void advance_exhibit(PlayerInput& input);
   void change_scene();
   //! Whether the window is to be drawn: at once, but for a rate only with each new picture, and now and then for its texts.
@@ -90,6 +92,7 @@ class Player {
   PlayOptions options_;
   PlayerScreen screen_;
   SceneRenderers renderers_;
+  EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;
   PlayerInputs inputs_;
   PadHub pads_;

@@ -67,6 +67,7 @@ void Player::post_status() {
   status.frames = report.pictures;
   status.problem = report.problem;
   frame_times_.note(session_->now_s(), report.frame_time_ms);
+  status.baseline_used = report.narrowed ? report.narrowed->baseline : status.baseline;
   status.worst_frame_ms = frame_times_.worst_ms();
   for (const PadView& pad : pad_snapshot_.pads) {
     status.pads.push_back(

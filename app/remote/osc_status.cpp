@@ -40,6 +40,7 @@ std::vector<OscOutput> osc_status(const PlayerStatus& status) {
           {prefix + "chapter", {OscInteger{status.chapter}, within_a_packet(chapter_title(status))}},
           {prefix + "exposure", {as_float(status.exposure_stops)}},
           {prefix + "baseline", {as_float(status.baseline)}},
+          {prefix + "baseline_used", {as_float(status.baseline_used)}},
           {prefix + "volume", {as_float(status.volume)}},
           {prefix + "language", {within_a_packet(status.language)}},
           {prefix + "captions", {status.captions}},

@@ -39,6 +39,7 @@ std::string status_json(const PlayerStatus& status) {
                        {"blackout", status.blackout},
                        {"exposure_stops", status.exposure_stops},
                        {"baseline", status.baseline},
+                       {"baseline_used", status.baseline_used},
                        {"stereo", status.stereo},
                        {"volume", status.volume},
                        {"language", status.language},

@@ -104,7 +104,12 @@ document.addEventListener("keydown", (event) => {
 
 const units = {
   exposure: (value) => `${value > 0 ? "+" : ""}${number(value, 1)} EV`,
-  baseline: (value) => `${number(value, value < 1 ? 3 : 1)} M`,
+  baseline: (value) => {
+    const inMasses = (distance) => `${number(distance, distance < 1 ? 3 : 1)} M`;
+    // Less than is asked for, where more does not fit.
+    const isNarrowed = status.stereo && value === status.baseline && status.baseline_used < value;
+    return isNarrowed ? `${inMasses(value)} (${inMasses(status.baseline_used)})` : inMasses(value);
+  },
   volume: (value) => `${number(100 * value, 0)} %`,
 };
 const faders = {};

@@ -1,0 +1,40 @@
+#include "app/player/eye_notice.h"
+
+#include <gtest/gtest.h>
+
+namespace ergodome {
+namespace {
+
+constexpr NarrowedEyes narrow = {StereoModel::omni, 1.5, 0.5, 0.3};
+
+TEST(EyeNotice, TellsOnceOfAShow) {
+  EyeNotice notice;
+  EXPECT_FALSE(notice.tells(std::nullopt, std::nullopt));
+  EXPECT_TRUE(notice.tells(narrow, std::nullopt));
+  EXPECT_FALSE(notice.tells(NarrowedEyes{StereoModel::omni, 1.4, 0.6, 0.2}, std::nullopt));
+  notice.begin();
+  EXPECT_TRUE(notice.tells(narrow, std::nullopt));
+}
+
+TEST(EyeNotice, TellsAgainOfADistanceThatAPersonHasChosen) {
+  EyeNotice notice;
+  EXPECT_TRUE(notice.tells(narrow, std::nullopt));
+  EXPECT_TRUE(notice.tells(narrow, 2.0));
+  EXPECT_FALSE(notice.tells(narrow, 2.0));
+}
+
+TEST(EyeNotice, SpeaksTheLanguageOfTheShow) {
+  EXPECT_EQ(line_of(narrow, "de"), "Augen 0.5 M auseinander passen hier nicht: Sie stehen so weit, wie es geht.");
+  EXPECT_EQ(line_of(narrow, "en"), "Eyes 0.5 M apart do not fit here: they stand as far apart as they can.");
+}
+
+TEST(EyeNotice, NamesTheShowsLineOnlyWhereTheDistanceIsTheShows) {
+  Show show;
+  show.name = "near";
+  show.lines["stereo.baseline"] = 7;
+  EXPECT_NE(note_of(show, 2.0, narrow, std::nullopt).find("near.toml:7"), std::string::npos);
+  EXPECT_EQ(note_of(show, 2.0, narrow, 0.5).find("near.toml"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ergodome
