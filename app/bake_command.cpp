@@ -145,12 +145,13 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
         result.live_disk_s);
   }
   if (result.unmet > 0) {
+    const double budget_px = trajectory.provenance().budget_px;
     fmt::print(stderr,
                "ergodome: {} of {} between stations {} over the budget of {} px, the worst with {:.3f} px at {:.2f} s; "
-               "bake with a finer --budget\n",
+               "pictures there get live grids ({:.3g} s of the show)\n",
                result.unmet, counted(static_cast<long>(trajectory.stations().size()) - 1, "gap"),
-               result.unmet == 1 ? "stays" : "stay", trajectory.provenance().budget_px, result.worst_px,
-               result.worst_time_s);
+               result.unmet == 1 ? "stays" : "stay", budget_px, result.worst_px, result.worst_time_s,
+               missed_gaps(trajectory.stations(), budget_px).seconds);
   }
 }
 

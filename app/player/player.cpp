@@ -297,7 +297,7 @@ void Player::tell_narrowed_eyes() {
   if (!exhibit_) {
     session_->say(line_of(*eyes, session_->playback().language()));
   }
-  options_.notes->post(note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
+  services_.tell(spdlog::level::warn, note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
 }
 
 void Player::keep_recording() {

@@ -31,9 +31,11 @@ constexpr int most_halvings = 12;
 constexpr double own_share = 0.8;
 constexpr int most_finer_grids = 2;
 //! A part of a stretch misses as much as the whole does where it misses by more than this part of that; parts of parts that do, so often in a row, are not
-//! divided any more: there it is no blending that misses.
+//! divided any more.
 constexpr double stalled_share = 0.5;
-constexpr int most_stalls = 3;
+constexpr int most_stalls = 2;
+//! A stretch of fewer pictures is not divided: each of them may have a grid of its own for what reading stations would take.
+constexpr double fewest_frames = 4.0;
 //! Where a camera goes through the disk, its layers leap; so near to that it is worth baking.
 constexpr int most_halvings_for_the_disk = 4;
 
@@ -159,12 +161,14 @@ class Baker {
     const double floor_px =
         error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
     const int stalls = error_px > stalled_share * depth.whole_px ? depth.stalls + 1 : 0;
-    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && depth.lens < most_halvings &&
-        stalls < most_stalls) {
-      return divide(begin_s, end_s, wished_parts(error_px), {depth.lens + 1, depth.disk, stalls, error_px});
+    const bool long_enough = (end_s - begin_s) * show_.frame_rate_hz > fewest_frames;
+    const bool may_help = long_enough && depth.lens < most_halvings && stalls < most_stalls;
+    if (error_px > std::max(settings_.budget_px, floor_slack * floor_px) && may_help) {
+      const int parts = stalls > 0 ? 2 : wished_parts(error_px);
+      return divide(begin_s, end_s, parts, {depth.lens + 1, depth.disk, stalls, error_px});
     }
     const double disk_px = disk_.wanted() ? disk_.gap_error(begin_s, end_s) : 0.0;
-    if (disk_px > settings_.budget_px && depth.disk < most_halvings_for_the_disk) {
+    if (disk_px > settings_.budget_px && long_enough && depth.disk < most_halvings_for_the_disk) {
       return divide(begin_s, end_s, 2, {depth.lens, depth.disk + 1, stalls, depth.whole_px});
     }
     const Gap gap = {begin_s, end_s, static_cast<float>(error_px), static_cast<float>(disk_px)};

@@ -158,6 +158,11 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
   if (!pair || (unmeasured && backend_ != Backend::cpu) || (pair->skips && refused_.lock() == pair->first)) {
     return nullptr;
   }
+  // What a picture may miss by, counted in the bake's pixels.
+  const double allowed_px = std::max(request.accuracy.budget_px * pixel / baked.pixel, baked.budget_px);
+  if (static_cast<double>(pair->gap_error_px) > 1.001 * allowed_px) {
+    return nullptr;
+  }
   const LensPlace place = {eye.r, eye.theta};
   StationBlend blend = pair->second                     ? StationBlend(backend_, pair->first, pair->second, place)
                        : pair->first->has_derivatives() ? StationBlend(backend_, pair->first, place)

@@ -77,7 +77,7 @@ class LensChooser {
   //!
   //! GridScheme::quadtree takes the published quadtree grid of the eye's own place and motion for all but direct rays.
   //!
-  //! An eye beside the path is served by the stations' derivatives as long as traced rays confirm it, and so is a picture between stations of which some
+  //! Gaps between stations that miss the budget all the same have live grids. An eye beside the path is served by the stations' derivatives as long as traced rays confirm it, and so is a picture between stations of which some
   //! could not be read; beyond, it gets a live grid.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
 

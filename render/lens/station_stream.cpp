@@ -233,10 +233,12 @@ std::optional<StationPair> StationStream::held_pair(const Bracket& bracket) cons
     return std::nullopt;
   }
   if (first == second) {
-    return StationPair{a->second.lens, nullptr, a->second.disk, nullptr, skips ? INFINITY : 0.0F, skips};
+    return StationPair{a->second.lens, nullptr, a->second.disk, nullptr, skips ? INFINITY : 0.0F, 0.0F, skips};
   }
-  const float error_px = skips ? INFINITY : trajectory_.stations()[first].disk_gap_error_px;
-  return StationPair{a->second.lens, b->second.lens, a->second.disk, b->second.disk, error_px, skips};
+  const StationEntry& entry = trajectory_.stations()[first];
+  return StationPair{
+      a->second.lens,     b->second.lens, a->second.disk, b->second.disk, skips ? INFINITY : entry.disk_gap_error_px,
+      entry.gap_error_px, skips};
 }
 
 std::optional<StationPair> StationStream::at_hand(double time_s) const {

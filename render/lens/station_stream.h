@@ -25,6 +25,8 @@ struct StationPair {
   std::shared_ptr<const DiskStation> second_disk;
   //! What blending these misses by [px] (StationEntry::disk_gap_error_px); infinite where a station between them could not be read.
   float disk_gap_error_px = 0.0F;
+  //! What blending these misses by in the bake [px] (StationEntry::gap_error_px); 0 at a station.
+  float gap_error_px = 0.0F;
   //! A station nearer to the moment could not be read: nothing is known of what these miss by there.
   bool skips = false;
 };

@@ -229,7 +229,7 @@ TEST_F(BakeCommand, StreamsTellWhatATrajectoryMisses) {
   EXPECT_THAT(notes("good", 0), testing::IsEmpty());
   EXPECT_THAT(notes("bad", 0), testing::ElementsAre(testing::AllOf(
                                    HasSubstr("bad misses the budget of 4 px in "),
-                                   HasSubstr("10 s of the show: by 2 px at 0.00 s; bake it again with a finer"))));
+                                   HasSubstr("10 s of the show: by 2 px at 0.00 s; pictures there get live grids"))));
   EXPECT_THAT(notes("bad", 16), testing::IsEmpty()) << "half as many pixels";
   EXPECT_THAT(notes("good", 2048), testing::ElementsAre(HasSubstr((folder_ / "good").string() +
                                                                   " was baked for 4 px in pictures 32 px wide")));

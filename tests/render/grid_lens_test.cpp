@@ -255,6 +255,30 @@ TEST_F(StreamedLens, DamagedStationsAreBlendedAcrossAsFarAsThatHoldsTheBudget) {
   EXPECT_EQ(lens_in_the_middle(), "live");
 }
 
+TEST_F(StreamedLens, AGapThatMissesItsBudgetGetsLiveGrids) {
+  const std::filesystem::path file = folder_ / "t.trajectory";
+  test::bake_to(show_, folder_ / "good.trajectory", pixel_angle(projection_));
+  const TrajectoryReader good(folder_ / "good.trajectory");
+  TrajectoryJournal journal(folder_ / "part", good.provenance());
+  std::vector<double> times_s;
+  for (std::size_t i = 0; i < good.stations().size(); ++i) {
+    const StationEntry& station = good.stations()[i];
+    journal.add(station.time_s, good.read(i));
+    if (i > 0) {
+      // The first one misses.
+      journal.add(Gap{times_s.back(), station.time_s, i == 1 ? 0.3F : 0.2F, 0.0F});
+    }
+    times_s.push_back(station.time_s);
+  }
+  ASSERT_GT(times_s.size(), 2U);
+  journal.seal(file, times_s);
+  LensChooser lenses(Backend::cpu,
+                     std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(file),
+                                                     StationStream::default_memory_bytes, [](const std::string&) {}));
+  EXPECT_EQ(lens_at(lenses, 0.5 * times_s[1], 0.0, LensChoice::streamed), "live");
+  EXPECT_EQ(lens_at(lenses, 0.5 * (times_s[1] + times_s[2]), 0.0, LensChoice::streamed), "streamed");
+}
+
 TEST_F(StreamedLens, TrajectoryOfAnotherPathIsRefused) {
   const auto baked = stream();
   EXPECT_NO_THROW(require_path_of(show_, baked->trajectory()));
