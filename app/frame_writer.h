@@ -74,9 +74,9 @@ class FrameWriter {
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
   //! Tells of the first frame whose eyes stand closer than the show asks.
   void tell_narrowed_eyes(double time_s);
-  //! Makes a frame's folder, and clears it.
   //! Says once that heat maps are too small for their legend.
   void tell_missing_legend(const Picture& picture);
+  //! Makes a frame's folder, and clears it of what killed programs have left.
   void enter(const std::filesystem::path& folder);
   [[nodiscard]] std::unique_ptr<MovieSound> sound_of(int first, int last) const;
   [[nodiscard]] bool is_there(int frame) const;
