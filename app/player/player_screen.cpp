@@ -31,7 +31,7 @@ PlayerScreen::PlayerScreen(const ScreenOptions& options)
 void PlayerScreen::show(const PictureAnswer& answer) {
   eyes_ = answer.eyes;
   // A heat map has its legend at the bottom.
-  legend_part_ = answer.picture.heat_range ? color_bar_part(answer.picture.height) : 0.0;
+  legend_part_ = answer.picture.heat_range ? color_bar_part(answer.picture.width, answer.picture.height) : 0.0;
   if (answer.on_device) {
     presenter_.upload_from_device(*answer.on_device);
   } else if (answer.right_eye) {

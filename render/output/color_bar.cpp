@@ -113,9 +113,9 @@ std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& ran
 
 bool has_color_bar(int width_px, int height_px) { return width_px >= 160 && height_px >= 100; }
 
-double color_bar_part(int height_px) {
+double color_bar_part(int width_px, int height_px) {
   // Numbers, bar and title are five letters and a half high.
-  return height_px > 0 ? 6.0 * color_bar_letter_px(height_px) / height_px : 0.0;
+  return has_color_bar(width_px, height_px) ? 6.0 * color_bar_letter_px(height_px) / height_px : 0.0;
 }
 
 ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& range, ViewMode mode) {

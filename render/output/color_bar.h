@@ -29,8 +29,8 @@ ColorBarLayout color_bar_layout(int width_px, int height_px, const HeatRange& ra
 //! Whether a picture is large enough for a colour bar.
 bool has_color_bar(int width_px, int height_px);
 
-//! The part of a picture's height, from its lower edge, that a colour bar and its words take.
-double color_bar_part(int height_px);
+//! The part of a picture's height, from its lower edge, that a colour bar and its words take; 0 where it is too small for one.
+double color_bar_part(int width_px, int height_px);
 
 //! Draws the colour bar of a heat map into its picture: the scale with labelled ticks and a title, at the bottom left. Does nothing for
 //! a picture of the sky and for one that is too small, and leaves the labels out where no font is installed.

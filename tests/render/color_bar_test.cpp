@@ -49,5 +49,16 @@ TEST(ColorBars, AreLeftOutOfPicturesThatAreTooSmall) {
   EXPECT_EQ(color_bar_layout(159, 159, heat_range(ViewMode::steps), ViewMode::steps).width, 0);
 }
 
+TEST(ColorBars, TakeTheirPartOfThePictureWhereThereIsRoomForOne) {
+  const HeatRange range = heat_range(ViewMode::steps);
+  const ColorBarLayout bar = color_bar_layout(400, 300, range, ViewMode::steps);
+  EXPECT_GE(300.0 * color_bar_part(400, 300), 300 - bar.texts.back().top_y);
+}
+
+TEST(ColorBars, TakeNothingOfAPictureThatIsTooSmall) {
+  EXPECT_EQ(color_bar_part(64, 64), 0.0);
+  EXPECT_EQ(color_bar_part(159, 300), 0.0);
+}
+
 }  // namespace
 }  // namespace ergodome
