@@ -48,8 +48,25 @@ MpcdiRegion flat_region(const ProjectorPicture& picture) {
   return region;
 }
 
+//! The pictures of a setup's projectors, once somebody asks: all files, warps and masks go into them.
+class PicturesOnce {
+ public:
+  explicit PicturesOnce(const DomeSetup& setup) : setup_(setup) {}
+
+  const ProjectorPicture& at(std::size_t index) {
+    if (pictures_.empty()) {
+      pictures_ = projector_pictures(setup_);
+    }
+    return pictures_[index];
+  }
+
+ private:
+  const DomeSetup& setup_;
+  std::vector<ProjectorPicture> pictures_;
+};
+
 MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const LoadedProjector& loaded,
-                         const Frustum& frustum) {
+                         const Frustum& frustum, PicturesOnce& pictures) {
   const ProjectorSetup& projector = setup.projectors[index];
   MpcdiRegion region;
   region.id = projector.name;
@@ -64,8 +81,8 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
   if (has_gain(projector.gain) || (beta && !loaded.blend)) {
     // Who names the file for its masks has no blend by lens and place any more: the alphaMap has that, too.
     const auto pixels = static_cast<std::size_t>(projector.width_px) * static_cast<std::size_t>(projector.height_px);
-    put_light(projector_pictures(setup)[index],
-              {projector.width_px, projector.height_px, 1, 16, std::vector<float>(pixels, 1.0F)}, region);
+    put_light(pictures.at(index), {projector.width_px, projector.height_px, 1, 16, std::vector<float>(pixels, 1.0F)},
+              region);
     return region;
   }
   region.encode_gamma = projector.gamma;
@@ -77,6 +94,7 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
 //! The flat lenses and places of all projectors; none where one of them has something else, too.
 std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
   std::vector<MpcdiRegion> regions;
+  PicturesOnce pictures(setup);
   for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
     const ProjectorSetup& projector = setup.projectors[i];
     const LoadedProjector loaded = load_projector(setup, projector);
@@ -84,7 +102,7 @@ std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
     if (frustum == nullptr || !std::holds_alternative<std::monostate>(loaded.warp) || projector.mirror) {
       return std::nullopt;
     }
-    regions.push_back(posed_region(setup, i, loaded, *frustum));
+    regions.push_back(posed_region(setup, i, loaded, *frustum, pictures));
   }
   return regions;
 }
