@@ -76,7 +76,7 @@ struct MpcdiRegion {
   std::optional<Frustum> frustum;
   std::optional<MpcdiFrame> frame;
   std::optional<MpcdiFisheye> fisheye;
-  double decode_gamma = 1.0;  //!< from the source's values to linear light; 1 where the file says none
+  std::optional<double> decode_gamma;  //!< from the source's values to linear light; absent where the file says none
   std::optional<double>
       encode_gamma;  //!< from linear light to what the projector is sent; absent where the file says none
   std::optional<MpcdiGeometry> geometry;

@@ -51,6 +51,7 @@ std::optional<MpcdiMask> beta_of(const BlendMap& black_level, const Vector3<doub
 }
 
 void put_light(const ProjectorPicture& picture, const BlendMap& intensity, MpcdiRegion& region) {
+  region.decode_gamma = 1.0;
   region.encode_gamma = picture.gamma;
   region.beta = beta_of(picture.black_level, picture.black_level_lift, picture.gain);
   const std::size_t channels = has_gain(picture.gain) || picture.blend.channels == 3 ? 3 : 1;

@@ -65,7 +65,7 @@ std::optional<double> read_gamma(const XmlElement& color, std::string_view name,
 }
 
 void read_color(const XmlElement& color, MpcdiRegion& region, std::vector<std::string>& left_out) {
-  region.decode_gamma = read_gamma(color, "decode", left_out).value_or(1.0);
+  region.decode_gamma = read_gamma(color, "decode", left_out);
   region.encode_gamma = read_gamma(color, "encode", left_out);
   const auto correct = color.child("correct");
   const std::string type = correct ? correct->attribute("type").value_or("none") : "none";

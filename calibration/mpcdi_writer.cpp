@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -100,6 +101,15 @@ class ArchiveWriter {
     add(element, "downAngle", number(frustum.down_deg));
   }
 
+  //! None is no gamma of 1.
+  static void write_gamma(pugi::xml_node color, const char* name, const std::optional<double>& gamma) {
+    if (gamma) {
+      pugi::xml_node element = color.append_child(name);
+      set(element, "type", "gamma");
+      set(element, "gamma", number(*gamma));
+    }
+  }
+
   static void write_region(pugi::xml_node parent, const MpcdiRegion& region) {
     pugi::xml_node element = parent.append_child("region");
     set(element, "id", region.id);
@@ -118,14 +128,10 @@ class ArchiveWriter {
         add(frame, std::string(each.tag).c_str(), number(*region.frame.*each.vector.*each.component));
       }
     }
-    if (region.decode_gamma != 1.0 || region.encode_gamma) {
+    if (region.decode_gamma || region.encode_gamma) {
       pugi::xml_node color = element.append_child("color");
-      for (const auto& [name, gamma] :
-           {std::pair{"decode", region.decode_gamma}, std::pair{"encode", region.encode_gamma.value_or(1.0)}}) {
-        pugi::xml_node each = color.append_child(name);
-        set(each, "type", "gamma");
-        set(each, "gamma", number(gamma));
-      }
+      write_gamma(color, "decode", region.decode_gamma);
+      write_gamma(color, "encode", region.encode_gamma);
     }
   }
 

@@ -85,6 +85,7 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
               region);
     return region;
   }
+  region.decode_gamma = 1.0;
   region.encode_gamma = projector.gamma;
   region.alpha = loaded.blend;
   region.beta = beta;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_writer.h"
@@ -137,6 +138,19 @@ TEST(MpcdiWriter, MediaCalibrationOfEitherVersionReadsBackTheSame) {
     EXPECT_EQ(again.buffers[0].resolution_x, 3840);
     for (std::size_t i = 0; i < 2; ++i) {
       expect_same_region(again.buffers[0].regions[i], mpcdi.buffers[0].regions[i]);
+    }
+  }
+}
+
+TEST(MpcdiWriter, GammasReadBackWhereTheyAreThereAndOnlyThere) {
+  for (const std::optional<double> decode : {std::optional<double>(), std::optional(1.0), std::optional(1.8)}) {
+    for (const std::optional<double> encode : {std::optional<double>(), std::optional(1.0), std::optional(2.4)}) {
+      Mpcdi mpcdi = parsed_media(media_xml);
+      mpcdi.buffers[0].regions[0].decode_gamma = decode;
+      mpcdi.buffers[0].regions[0].encode_gamma = encode;
+      const Mpcdi again = parsed_archive(to_mpcdi_archive(mpcdi, "test"));
+      EXPECT_EQ(again.buffers[0].regions[0].decode_gamma, decode);
+      EXPECT_EQ(again.buffers[0].regions[0].encode_gamma, encode);
     }
   }
 }

@@ -121,7 +121,7 @@ TEST(Mpcdi, GammasAreReadAsAttributeAndAsElement) {
   const Mpcdi mpcdi = parsed_media(media_xml);
   EXPECT_EQ(mpcdi.buffers[0].regions[0].decode_gamma, 2.2);
   EXPECT_EQ(mpcdi.buffers[0].regions[0].encode_gamma, 2.4);
-  EXPECT_EQ(mpcdi.buffers[0].regions[1].decode_gamma, 1.0);
+  EXPECT_EQ(mpcdi.buffers[0].regions[1].decode_gamma, std::nullopt);
 }
 
 TEST(Mpcdi, TablesOfColoursAreNotedAsLeftOut) {
