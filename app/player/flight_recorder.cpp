@@ -79,15 +79,19 @@ struct FallingPart {
 
 FallMoment moment_of(const FlightSample& sample) { return {sample.time_s, sample.pose, sample.falling->own_time}; }
 
+bool is_beyond(const FlightSample& sample) { return sample.falling && sample.falling->beyond_return; }
+
+//! Whether who falls at one moment falls on to the other, in the same hole.
+bool is_one_fall(const FlightSample& before, const FlightSample& after) {
+  return before.falling && after.falling && before.spin == after.spin &&
+         falls_on(before.spin, moment_of(before), moment_of(after));
+}
+
 //! All three are the number of samples where nobody falls so far.
-FallingPart falling_part(double spin, const std::vector<FlightSample>& samples) {
-  const auto beyond = [](const FlightSample& sample) { return sample.falling && sample.falling->beyond_return; };
-  const auto at = static_cast<std::size_t>(std::ranges::find_if(samples, beyond) - samples.begin());
+FallingPart falling_part(const std::vector<FlightSample>& samples) {
+  const auto at = static_cast<std::size_t>(std::ranges::find_if(samples, is_beyond) - samples.begin());
   FallingPart part = {at, at, at};
-  const auto goes_on = [&](std::size_t i) {
-    return samples[i].falling && samples[i + 1].falling &&
-           falls_on(spin, moment_of(samples[i]), moment_of(samples[i + 1]));
-  };
+  const auto goes_on = [&](std::size_t i) { return is_one_fall(samples[i], samples[i + 1]); };
   while (at < samples.size() && part.begin > 0 && goes_on(part.begin - 1)) {
     --part.begin;
   }
@@ -107,11 +111,11 @@ std::vector<FallMoment> moments_of(std::span<const FlightSample> samples, double
 }
 
 //! Marks of samples outside the horizon: without velocities where the scene's observer has them all.
-std::vector<PathMark> marks_of(double spin, std::span<const FlightSample> samples, double first_s) {
+std::vector<PathMark> marks_of(std::span<const FlightSample> samples, double first_s) {
   const bool as_observer = std::ranges::all_of(samples, &FlightSample::as_observer);
   std::vector<PathMark> marks;
   for (const FlightSample& sample : samples) {
-    CameraPose pose = in_zamo_frame(sample.pose, spin);
+    CameraPose pose = in_zamo_frame(sample.pose, sample.spin);
     if (as_observer) {
       pose.velocity.reset();
     }
@@ -137,20 +141,18 @@ void begin_at_0(RecordedPath& path) {
 
 }  // namespace
 
-void FlightRecorder::note(double time_s, const CameraPose& pose, bool as_observer, std::optional<FallingNote> falling) {
-  if (ended_ || full() || !std::isfinite(time_s) || !is_finite(pose)) {
+void FlightRecorder::note(FlightSample sample) {
+  if (ended_ || full() || !std::isfinite(sample.time_s) || !is_finite(sample.pose)) {
     return;
   }
-  const bool was_beyond = !samples_.empty() && samples_.back().falling && samples_.back().falling->beyond_return;
-  if (was_beyond && !(falling && falling->own_time >= samples_.back().falling->own_time)) {
+  if (beyond_return() && !is_one_fall(samples_.back(), sample)) {
     ended_ = true;
     return;
   }
-  if (!samples_.empty() && !(time_s - samples_.back().time_s >= shortest_s)) {
+  if (!samples_.empty() && !(sample.time_s - samples_.back().time_s >= shortest_s)) {
     return;
   }
-  FlightSample sample = {time_s, pose, as_observer, falling};
-  sample.pose.orientation = glm::normalize(pose.orientation);
+  sample.pose.orientation = glm::normalize(sample.pose.orientation);
   if (!samples_.empty()) {
     // Azimuths go on from each other: a camera that crosses 2 pi, or flies over the axis, has not been round the hole.
     const double before = samples_.back().pose.phi;
@@ -159,23 +161,25 @@ void FlightRecorder::note(double time_s, const CameraPose& pose, bool as_observe
   samples_.push_back(sample);
 }
 
+bool FlightRecorder::beyond_return() const { return !samples_.empty() && is_beyond(samples_.back()); }
+
 bool FlightRecorder::full() const { return samples_.size() >= most_samples; }
 
 RecordedPath FlightRecorder::path(const Show& scene, const RecordTolerance& tolerance) const {
-  const FallingPart part = falling_part(scene.spin, samples_);
+  const FallingPart part = falling_part(samples_);
   const std::span<const FlightSample> samples = samples_;
   const double first_s = samples.empty() ? 0.0 : samples.front().time_s;
-  std::vector<PathMark> marks = marks_of(scene.spin, samples.first(part.begin), first_s);
+  std::vector<PathMark> marks = marks_of(samples.first(part.begin), first_s);
   const std::size_t let_go = marks.size();
   RecordedPath path;
   Show show = bare_path(scene);
-  if (part.begin < part.end) {
+  if (part.begin < part.end && samples[part.beyond].spin == scene.spin) {
     path.fall = add_fall(moments_of(samples.subspan(part.begin, part.end - part.begin), first_s), show, marks);
   }
   if (path.fall) {
     path.keys = fewest_keys(marks, let_go, std::move(show), tolerance);
   } else {
-    path.keys = fewest_keys(marks_of(scene.spin, samples.first(part.beyond), first_s), 0, bare_path(scene), tolerance);
+    path.keys = fewest_keys(marks_of(samples.first(part.beyond), first_s), 0, bare_path(scene), tolerance);
   }
   begin_at_0(path);
   return path;

@@ -19,9 +19,10 @@ struct FallingNote {
 //! One moment of a flight.
 struct FlightSample {
   double time_s;
-  CameraPose pose;
-  bool as_observer;
-  std::optional<FallingNote> falling;
+  CameraPose pose;                     //!< with the velocity of who looks
+  double spin;                         //!< of the hole at that moment
+  bool as_observer;                    //!< whether who looks moves as the scene's observer does
+  std::optional<FallingNote> falling;  //!< where who looks is who falls, whose pose has a velocity in the rain's frame
 };
 
 //! A flight as a show has it: camera keys, and the fall through the horizon that they end in.
@@ -33,23 +34,28 @@ struct RecordedPath {
 //! Writes down a flight, so that it becomes the camera path of a show.
 class FlightRecorder {
  public:
-  //! Notes where the camera is at a time that grows, and how who looks moves; `as_observer`: that is as the scene's observer does. A time that does
-  //! not grow, or a place or velocity that is none, is passed over. Thirty a second are kept at most, for an hour; then it is full.
+  //! Notes a moment of a time that grows. A time that does not grow, or a place or velocity that is none, is passed over. Thirty a second are kept
+  //! at most, for an hour; then it is full.
   //!
-  //! `falling` is given where who looks is who falls, whose pose has a velocity in the rain's frame. Where such a fall has been beyond return, the
-  //! record ends with it: to other places no path of a show leads from there.
-  void note(double time_s, const CameraPose& pose, bool as_observer = false, std::optional<FallingNote> falling = {});
+  //! Where a fall has been beyond return, the record ends with it, at the first moment that is not later on the same orbit of the same hole: to
+  //! other places no path of a show leads from there.
+  void note(FlightSample sample);
+
+  //! Ends the record: nothing is noted any more.
+  void end() { ended_ = true; }
 
   [[nodiscard]] bool empty() const { return samples_.size() < 2; }
   [[nodiscard]] bool full() const;
-  //! Whether a fall through the horizon was left: nothing is noted any more.
+  //! Whether the last note is of a fall that does not come out again.
+  [[nodiscard]] bool beyond_return() const;
+  //! Whether a fall through the horizon was left, or somebody ended the record.
   [[nodiscard]] bool ended() const { return ended_; }
 
   //! The flight as few camera keys: camera_pose() of them is within the tolerance of every note. The first is at 0 s. They have
   //! velocities unless all notes are as the scene's observer.
   //!
   //! Where the camera fell through the horizon, the keys have it as far as where that fall began, and then but where it looked; a fall whose
-  //! beginning cannot be found ends the path there.
+  //! beginning cannot be found, or that was into a hole of another spin than the scene's, ends the path there.
   [[nodiscard]] RecordedPath path(const Show& scene, const RecordTolerance& tolerance = {}) const;
 
  private:

@@ -1,8 +1,9 @@
 // How a session writes down where its camera goes.
 #include <utility>
 
+#include "app/navigation/flight_space.h"
 #include "app/player/player_session.h"
-#include "content/fall/within.h"
+#include "content/camera_path.h"
 
 namespace ergodome {
 
@@ -40,24 +41,41 @@ void PlayerSession::note_flight() {
   if (!pose.velocity) {
     pose.velocity = observer_velocity(seen.motion, show_now_.spin, pose.r, pose.theta, seen.velocity);
   }
-  recorder_->note(now_s(), pose, as_observer, falling);
-  if (recorder_->ended() && !std::exchange(told_record_ends_, true)) {
-    say(playback_.language() == "de" ? "Die Aufzeichnung endet mit dem Fall durch den Horizont."
-                                     : "The record ends with the fall through the horizon.");
+  recorder_->note({now_s(), pose, show_now_.spin, as_observer, falling});
+  if (recorder_->ended() && !ended_record_scene_) {
+    tell_record_ends(scene_now());
   }
+}
+
+void PlayerSession::end_record_in(const Show& scene) {
+  if (recorder_ && recorder_->beyond_return() && !recorder_->ended()) {
+    recorder_->end();
+    tell_record_ends(scene);
+  }
+}
+
+void PlayerSession::tell_record_ends(const Show& scene) {
+  ended_record_scene_ = scene;
+  say(playback_.language() == "de" ? "Die Aufzeichnung endet mit dem Fall durch den Horizont."
+                                   : "The record ends with the fall through the horizon.");
+}
+
+Show PlayerSession::scene_now() const {
+  Show scene = show_now_;
+  scene.stereo = chosen_stereo();
+  return scene;
 }
 
 void PlayerSession::record() {
   recorder_.emplace();
-  told_record_ends_ = false;
+  ended_record_scene_.reset();
 }
 
 std::optional<Show> PlayerSession::recorded(const std::string& title) const {
   if (!recorder_ || recorder_->empty()) {
     return std::nullopt;
   }
-  Show scene = show_now_;
-  scene.stereo = chosen_stereo();
+  const Show scene = ended_record_scene_ ? *ended_record_scene_ : scene_now();
   return recorded_show(scene, recorder_->path(scene), title);
 }
 

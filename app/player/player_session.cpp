@@ -60,6 +60,7 @@ PlayerSession::PlayerSession(const Show& show, SessionOptions options)
 
 void PlayerSession::set_show(const Show& show) {
   const bool was_flying = flying();
+  const Show scene_before = scene_now();
   show_ = show;
   show_now_ = show_at(show, show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0);
   stereo_ = show.stereo;
@@ -68,6 +69,9 @@ void PlayerSession::set_show(const Show& show) {
   navigator_.emplace(show_now_);
   if (was_flying) {
     navigator_->leave_path();
+  }
+  if (show_now_.spin != scene_before.spin || find_animation(show_, "hole.spin") != nullptr) {
+    end_record_in(scene_before);
   }
   changed_ = true;
   begun_ = false;

@@ -97,6 +97,12 @@ class PlayerSession {
   [[nodiscard]] std::optional<double> own_time_of_fall();
   //! Notes the frame's pose, and how who looks moves.
   void note_flight();
+  //! Ends a record that is beyond return, of a flight in this scene: in a hole of another spin its fall does not go on.
+  void end_record_in(const Show& scene);
+  //! Says that a fall has ended the record, which is a show of this scene.
+  void tell_record_ends(const Show& scene);
+  //! The show with its numbers as they are now, and the eyes that who operates has chosen.
+  [[nodiscard]] Show scene_now() const;
   //! What the show says and who operates has chosen.
   [[nodiscard]] StereoSettings chosen_stereo() const;
   //! The same, with eyes that may be where the camera is.
@@ -112,8 +118,8 @@ class PlayerSession {
   ObserverFade observer_fade_;
   double other_eyes_from_r_ = 1e300;  //!< where the camera began to fall through the horizon [M]
   std::optional<FlightRecorder> recorder_;
-  bool told_record_ends_ = false;
-  double own_time_before_ride_ = 0.0;  //!< of a camera that was taken from a falling path [M]
+  std::optional<Show> ended_record_scene_;  //!< what the show was when a fall through the horizon ended the record
+  double own_time_before_ride_ = 0.0;       //!< of a camera that was taken from a falling path [M]
 
   ViewMode mode_ = ViewMode::sky;
   double zoom_steps_ = 0.0;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/show_loading.h"
+#include "content/fall/rain_pose.h"
 #include "content/files/atomic_file.h"
 #include "content/show_reader.h"
 #include "tests/support/folder_test.h"
@@ -26,10 +27,14 @@ CameraPose flight_at(double t) {
   return {6.0 + 9.0 * std::exp(-0.1 * t), 1.4 + 0.3 * std::sin(0.3 * t), 0.2 * t, key_orientation(CameraKey()) * look};
 }
 
+FlightSample outside(double time_s, const CameraPose& pose, bool as_observer = false) {
+  return {time_s, pose, 0.9, as_observer, {}};
+}
+
 FlightRecorder recorded(double seconds) {
   FlightRecorder recorder;
   for (int i = 0; i <= 30 * seconds; ++i) {
-    recorder.note(100.0 + i / 30.0, flight_at(i / 30.0));
+    recorder.note(outside(100.0 + i / 30.0, flight_at(i / 30.0)));
   }
   return recorder;
 }
@@ -77,7 +82,7 @@ TEST(FlightRecorder, KeepsHowWhoLooksMoves) {
   for (int i = 0; i <= 300; ++i) {
     CameraPose pose = flight_at(i / 30.0);
     pose.velocity = flight_velocity_at(i / 30.0);
-    recorder.note(i / 30.0, pose);
+    recorder.note(outside(i / 30.0, pose));
   }
   Show path = load_show("free-flight");
   path.camera.keys = recorder.path(path).keys;
@@ -88,13 +93,32 @@ TEST(FlightRecorder, KeepsHowWhoLooksMoves) {
   }
 }
 
+TEST(FlightRecorder, TurnsEachNoteByTheSpinThatTheHoleHadThen) {
+  FlightRecorder recorder;
+  const double spins[] = {0.9, -0.4};
+  for (const int i : {0, 1}) {
+    CameraPose pose = flight_at(i);
+    pose.velocity = flight_velocity_at(i);
+    recorder.note({static_cast<double>(i), in_rain_frame(pose, spins[i]), spins[i], false, FallingNote{0.0, false}});
+  }
+  Show scene = load_show("free-flight");
+  scene.spin = 0.1;
+  const std::vector<CameraKey> keys = recorder.path(scene).keys;
+  ASSERT_EQ(keys.size(), 2U);
+  for (const CameraKey& key : keys) {
+    const Vector3<double> off = *key.velocity - flight_velocity_at(key.time_s);
+    EXPECT_LT(std::sqrt(dot(off, off)), 1e-12);
+    EXPECT_LT(angle_between(key_orientation(key), flight_at(key.time_s).orientation), 1e-7);
+  }
+}
+
 TEST(FlightRecorder, HasNoVelocitiesWhereTheScenesObserverHasThemAll) {
   for (const bool all : {true, false}) {
     FlightRecorder recorder;
     for (const double time_s : {0.0, 1.0}) {
       CameraPose pose = flight_at(time_s);
       pose.velocity = flight_velocity_at(time_s);
-      recorder.note(time_s, pose, all || time_s == 0.0);
+      recorder.note(outside(time_s, pose, all || time_s == 0.0));
     }
     for (const CameraKey& key : recorder.path(load_show("free-flight")).keys) {
       EXPECT_EQ(key.velocity.has_value(), !all);
@@ -111,7 +135,7 @@ TEST(FlightRecorder, GoesOnAcrossAWholeTurn) {
   for (int i = 0; i <= 60; ++i) {
     CameraPose pose = flight_at(0.0);
     pose.phi = std::remainder(6.2 + 0.01 * i, 2.0 * 3.14159265358979323846);
-    recorder.note(i / 30.0, pose);
+    recorder.note(outside(i / 30.0, pose));
   }
   const auto keys = recorder.path(load_show("free-flight")).keys;
   EXPECT_NEAR(keys.back().phi - keys.front().phi, 0.6, 1e-12);
@@ -119,19 +143,19 @@ TEST(FlightRecorder, GoesOnAcrossAWholeTurn) {
 
 TEST(FlightRecorder, PassesOverWhatIsNoPlace) {
   FlightRecorder recorder;
-  recorder.note(0.0, flight_at(0.0));
+  recorder.note(outside(0.0, flight_at(0.0)));
   CameraPose nowhere = flight_at(1.0);
   nowhere.r = std::numeric_limits<double>::quiet_NaN();
-  recorder.note(1.0, nowhere);
-  recorder.note(-1.0, flight_at(1.0));
-  recorder.note(std::numeric_limits<double>::infinity(), flight_at(1.0));
+  recorder.note(outside(1.0, nowhere));
+  recorder.note(outside(-1.0, flight_at(1.0)));
+  recorder.note(outside(std::numeric_limits<double>::infinity(), flight_at(1.0)));
   EXPECT_TRUE(recorder.empty());
 }
 
 TEST(FlightRecorder, IsBounded) {
   FlightRecorder recorder;
   for (int i = 0; i < 200'000; ++i) {
-    recorder.note(i / 30.0, flight_at(0.0));
+    recorder.note(outside(i / 30.0, flight_at(0.0)));
   }
   EXPECT_TRUE(recorder.full());
   EXPECT_NEAR(recorder.path(load_show("free-flight")).keys.back().time_s, 3600.0, 1.0);

@@ -173,6 +173,49 @@ TEST_F(RecordedFlight, EndsWithTheFallAndSaysSo) {
   EXPECT_LT(show.duration_s, end_s + 0.05);
 }
 
+TEST_F(RecordedFlight, EndsWhereTheShowFallsWithinOnAnotherOrbitAndSaysSo) {
+  open(falling, false);
+  record();
+  fly_to(2.4);
+  int frames = 0;
+  fly_while([&](const CameraPose& /*pose*/) { return ++frames < 30; }, 0.5);
+  press(KeyAction::let_go);
+  frame();
+  fly_to(1.0);
+  const double end_s = session_->now_s() - begin_s_;
+  press(KeyAction::return_to_path);
+  ASSERT_TRUE(within(session_->frame().pose));
+  EXPECT_THAT(session_->caption(), HasSubstr("record ends"));
+  const Show show = read_again();
+  EXPECT_TRUE(within(camera_pose(show, show.duration_s)));
+  EXPECT_LT(show.duration_s, end_s + 0.05);
+}
+
+TEST_F(RecordedFlight, IsOfTheHoleThatWasFallenIntoWhateverSpinTheShowGetsLater) {
+  open(standing, true);
+  press(KeyAction::let_go);
+  record();
+  fly_to(1.0);
+  session_->set_show(parse_show("duration_s = 9\n[hole]\nspin = 0.2\n[[camera.key]]\nr = 4\n", "flown.toml"));
+  EXPECT_THAT(session_->caption(), HasSubstr("record ends"));
+  frame();
+  const Show show = read_again();
+  EXPECT_EQ(show.spin, record_spin);
+  ASSERT_TRUE(within(camera_pose(show, show.duration_s)));
+  expect_shown(show);
+}
+
+TEST_F(RecordedFlight, GoesOnWhereTheShowIsReadAgainWithTheSameFall) {
+  open(falling, false);
+  record();
+  fly_to(1.0);
+  session_->set_show(parse_show(falling, "flown.toml"));
+  fly_to(0.8);
+  const Show show = read_again();
+  EXPECT_LT(camera_pose(show, show.duration_s).r, 0.85);
+  expect_shown(show);
+}
+
 TEST_F(RecordedFlight, HasKeysAloneWhereAFallWasLeftOutside) {
   open(standing, true);
   press(KeyAction::let_go);
