@@ -15,6 +15,8 @@ namespace {
 constexpr int reference_step_limit = 400;
 //! For a thousandth of the sky to be told from its neighbours.
 constexpr double wished_samples = 10'000.0;
+//! A place in each quarter of what is divided until it is no larger makes more than twice as many.
+constexpr double wished_parts = 6'000.0;
 
 //! The value below which a share of the weight lies.
 double quantile(const std::vector<double>& values, const std::vector<double>& weights,
@@ -109,7 +111,7 @@ ChartSamples screen_samples(const LensStation& station, const LensChart& chart, 
   }
   ChartSamples samples;
   for (const LeafBox& box : boxes) {
-    sampler.add(box, whole / wished_samples, 0, samples);
+    sampler.add(box, whole / wished_parts, 0, samples);
   }
   return samples;
 }

@@ -243,7 +243,7 @@ TEST_F(StreamedLens, DamagedStationsAreBlendedAcrossAsFarAsThatHoldsTheBudget) {
     LensChooser lenses(Backend::cpu,
                        std::make_shared<StationStream>(Backend::cpu, TrajectoryReader(file),
                                                        StationStream::default_memory_bytes, [](const std::string&) {}));
-    return lens_at(lenses, stations[stations.size() / 2].time_s, 0.0, LensChoice::streamed);
+    return lens_at(lenses, stations[stations.size() / 2].time_s, 0.0, LensChoice::streamed, 0.5);
   };
   test::damage_station(file, stations[stations.size() / 2]);
   EXPECT_EQ(lens_in_the_middle(), "streamed");
@@ -257,7 +257,7 @@ TEST_F(StreamedLens, DamagedStationsAreBlendedAcrossAsFarAsThatHoldsTheBudget) {
 
 TEST_F(StreamedLens, AGapThatMissesItsBudgetGetsLiveGrids) {
   const std::filesystem::path file = folder_ / "t.trajectory";
-  test::bake_to(show_, folder_ / "good.trajectory", pixel_angle(projection_));
+  test::bake_to(show_, folder_ / "good.trajectory", pixel_angle(projection_), false, 0.1);
   const TrajectoryReader good(folder_ / "good.trajectory");
   TrajectoryJournal journal(folder_ / "part", good.provenance());
   std::vector<double> times_s;
@@ -266,7 +266,7 @@ TEST_F(StreamedLens, AGapThatMissesItsBudgetGetsLiveGrids) {
     journal.add(station.time_s, good.read(i));
     if (i > 0) {
       // The first one misses.
-      journal.add(Gap{times_s.back(), station.time_s, i == 1 ? 0.3F : 0.2F, 0.0F});
+      journal.add(Gap{times_s.back(), station.time_s, i == 1 ? 0.3F : 0.1F, 0.0F});
     }
     times_s.push_back(station.time_s);
   }
