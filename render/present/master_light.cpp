@@ -67,7 +67,8 @@ MasterLight::MasterLight(const LightTiles& tiles) {
   for (int i = 0; i < tiles.level_count(); ++i) {
     const std::size_t texels = static_cast<std::size_t>(tiles.width(i)) * static_cast<std::size_t>(tiles.height(i));
     Buffer<float>& memory = memory_.emplace_back(Backend::cpu, 4 * (texels + 1), "master light");
-    std::fill_n(memory.data() + 4 * texels, 4, 0.0F);
+    // Pixels read texels with a weight of 0 that nobody has asked for, of a coarser level or beside what is lit: numbers they must be.
+    std::fill_n(memory.data(), 4 * (texels + 1), 0.0F);
     levels_.level[i] = {memory.data(), tiles.width(i), tiles.height(i)};
     tiles_.push_back(tiles.tiles(i));
   }
