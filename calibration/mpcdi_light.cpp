@@ -59,8 +59,9 @@ void put_light(const ProjectorPicture& picture, const BlendMap& intensity, Mpcdi
   alpha.values.reserve(channels * intensity.values.size());
   for (std::size_t i = 0; i < intensity.values.size(); ++i) {
     const auto width = static_cast<std::size_t>(intensity.width);
-    const double x = (static_cast<double>(i % width) + 0.5) / intensity.width;
-    const double y = (static_cast<double>(i / width) + 0.5) / intensity.height;
+    const std::size_t row = i / width;
+    const double x = (static_cast<double>(i - row * width) + 0.5) / intensity.width;
+    const double y = (static_cast<double>(row) + 0.5) / intensity.height;
     for (std::size_t c = 0; c < channels; ++c) {
       const double gain = part(picture.gain, c);
       const double lift = part(picture.black_level_lift, c) * channel_at(picture.black_level, x, y, c);

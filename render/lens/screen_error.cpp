@@ -60,10 +60,11 @@ class ScreenSampler {
   //! The area of a box, from some places in it [px²].
   [[nodiscard]] double area_of(const LeafBox& box, int side) const {
     double sum = 0.0;
-    for (int i = 0; i < side * side; ++i) {
-      const double gamma_turns = box.gamma_turns + (i % side + 0.5) / side * box.width_turns;
-      const double s = box.s + (i / side + 0.5) / side * box.height;
-      sum += screen_density(chart_, view_, gamma_turns, s);
+    for (int row = 0; row < side; ++row) {
+      const double s = box.s + (row + 0.5) / side * box.height;
+      for (int column = 0; column < side; ++column) {
+        sum += screen_density(chart_, view_, box.gamma_turns + (column + 0.5) / side * box.width_turns, s);
+      }
     }
     return sum / (side * side) * box.width_turns * box.height;
   }
@@ -73,7 +74,9 @@ class ScreenSampler {
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double width = 0.5 * box.width_turns;
       const double height = 0.5 * box.height;
-      const LeafBox part = {box.gamma_turns + quarter % 2 * width, box.s + quarter / 2 * height, width, height};
+      const int upper = quarter / 2;
+      const int right = quarter % 2;
+      const LeafBox part = {box.gamma_turns + right * width, box.s + upper * height, width, height};
       if (depth < deepest_part && area_of(part, 2) > most) {
         add(part, most, depth + 1, samples);
         continue;

@@ -34,6 +34,7 @@ std::vector<DirectionRow> rows_of_all_kinds(std::span<const float> s) {
 
 std::vector<float> evenly(int count) {
   std::vector<float> s;
+  s.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     s.push_back(-1.0F + 2.0F * static_cast<float>(i) / static_cast<float>(count - 1));
   }

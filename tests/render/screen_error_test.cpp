@@ -8,6 +8,7 @@ namespace {
 //! A thousand equal parts of the sky, missed by 0.5, 1.5, ... 999.5.
 ScreenError error_of_parts(double share) {
   std::vector<double> error_px;
+  error_px.reserve(1000);
   for (int i = 0; i < 1000; ++i) {
     error_px.push_back(i + 0.5);
   }
