@@ -5,8 +5,9 @@
 
 namespace ergodome {
 
-//! How far eyes of the model `omni` may be apart at a pose, by the place alone [M]: no farther than the horizon is from the head, and than 0.72 r;
-//! of heads that fall, within 1.2 horizon radii no farther than there, and than the depth that is left. Smooth enough that nothing leaps on a camera's way.
+//! How far eyes of the model `omni` may be apart at a pose, by the place alone [M]. No farther than the horizon is from the head, and no farther than
+//! 0.72 r. Of heads that fall, within 1.2 horizon radii, no farther than at that height, and than the depth that is left. Smooth enough that nothing
+//! leaps on a camera's way.
 //!
 //! The polynomials of such eyes (OmniCamera) converge as far as their cameras are regular: to the horizon, and to about r. Where the head is much
 //! faster than who falls, or at rest next to the ergosphere, less may fit than this: greatest_baseline() looks.
