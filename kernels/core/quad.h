@@ -13,6 +13,7 @@ struct Quad {
 ERGO_HD Quad load_quad(const float* from) { return {*reinterpret_cast<const float4*>(from)}; }
 ERGO_HD void store_quad(float* to, const Quad& q) { *reinterpret_cast<float4*>(to) = q.part; }
 ERGO_HD Quad quad_of(float a) { return {make_float4(a, a, a, a)}; }
+ERGO_HD Quad quad_from(float a, float b, float c, float d) { return {make_float4(a, b, c, d)}; }
 ERGO_HD float quad_part(const Quad& q, int i) {
   return i == 0 ? q.part.x : (i == 1 ? q.part.y : (i == 2 ? q.part.z : q.part.w));
 }
@@ -31,6 +32,7 @@ struct Quad {
 ERGO_HD Quad load_quad(const float* from) { return {*reinterpret_cast<const Quad::Register*>(from)}; }
 ERGO_HD void store_quad(float* to, const Quad& q) { *reinterpret_cast<Quad::Register*>(to) = q.part; }
 ERGO_HD Quad quad_of(float a) { return {Quad::Register{a, a, a, a}}; }
+ERGO_HD Quad quad_from(float a, float b, float c, float d) { return {Quad::Register{a, b, c, d}}; }
 ERGO_HD float quad_part(const Quad& q, int i) { return q.part[i]; }
 ERGO_HD Quad operator+(const Quad& a, const Quad& b) { return {a.part + b.part}; }
 ERGO_HD Quad operator*(float s, const Quad& a) { return {s * a.part}; }

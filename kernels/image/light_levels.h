@@ -11,6 +11,7 @@ inline constexpr int most_light_levels = 6;
 
 //! Side of the tiles [texels] in which light is made where it is wanted.
 inline constexpr int light_tile_px = 64;
+inline constexpr int light_tile_texels = light_tile_px * light_tile_px;
 
 //! A picture's light for projectors, or its averages: linear, 0 to 1, four floats a texel, the top row first. One texel more than the
 //! picture has can be read behind its end.

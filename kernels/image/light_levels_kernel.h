@@ -1,9 +1,8 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
-#include "kernels/core/quad.h"
 #include "kernels/core/transcendental.h"
-#include "kernels/image/light_levels.h"
+#include "kernels/image/light_texels_kernel.h"
 
 namespace ergodome::inline ERGO_TARGET {
 
@@ -83,35 +82,15 @@ struct AverageTiles {
   ERGO_HD void operator()(int index) const {
     const detail::TileBounds tile = detail::tile_bounds(batch.to, batch.tiles[index]);
     for (int row = tile.top; row < tile.bottom; ++row) {
-      const Place y = place(row, batch.to.height, batch.from.height);
+      const detail::FinerPlace y = detail::finer_place(row, batch.to.height, batch.from.height);
       const float* const upper = batch.from.rgba + 4 * (static_cast<long>(y.first) * batch.from.width);
       const float* const lower = batch.from.rgba + 4 * (static_cast<long>(y.second) * batch.from.width);
       float* const to = batch.to.rgba + 4 * (static_cast<long>(row) * batch.to.width);
       for (int column = tile.left; column < tile.right; ++column) {
-        const Place x = place(column, batch.to.width, batch.from.width);
-        store_quad(to + 4 * column, (1.0F - y.part) * between(upper, x) + y.part * between(lower, x));
+        const detail::FinerPlace x = detail::finer_place(column, batch.to.width, batch.from.width);
+        store_quad(to + 4 * column, (1.0F - y.part) * detail::between(upper, x) + y.part * detail::between(lower, x));
       }
     }
-  }
-
- private:
-  //! Two neighbours, and how far between them.
-  struct Place {
-    int first;
-    int second;
-    float part;
-  };
-
-  ERGO_HD static Place place(int at, int size, int finer_size) {
-    const float exact =
-        (static_cast<float>(at) + 0.5F) * (static_cast<float>(finer_size) / static_cast<float>(size)) - 0.5F;
-    const int first = static_cast<int>(exact);
-    const int second = first + 1 < finer_size ? first + 1 : first;
-    return {first, second, exact - static_cast<float>(first)};
-  }
-
-  ERGO_HD static Quad between(const float* row, const Place& x) {
-    return (1.0F - x.part) * load_quad(row + 4 * x.first) + x.part * load_quad(row + 4 * x.second);
   }
 };
 

@@ -4,9 +4,11 @@
 
 #include "kernels/core/lanes.h"
 #include "kernels/core/quad.h"
+#include "kernels/image/byte_power.h"
 #include "kernels/image/warp_pixels.h"
 
-// On the processor alone: a GPU warps with its own texture units (render/present/projector_drawing.h).
+// On the processor alone, a group of pixels at a time: devices take one at a time (kernels/image/warp_pixel_kernel.h), and OpenGL warps with
+// texture units (render/present/projector_drawing.h).
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
@@ -32,26 +34,21 @@ inline T load_whole(const Whole* from) {
   return real_of<T>(__builtin_convertvector(narrow, IntegerOf<T>));
 }
 
-//! round(255 a^p) in the lowest byte of each lane, the other bytes undefined, for a in [2^-100, 1] and p in (0, 1], or for
-//! greater p where a^p is at least 2^-100. To 0.01 before it is rounded: polynomials fitted by least squares, reweighted to even errors
-//! out, to log2(1 + t) / t and (2^t - 1) / t, so that 1 gives 255.
+//! round(255 a^p) in the lowest byte of each lane, the other bytes undefined, for the same a and p as a number's.
 template <int N>
 inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N>& a, float p) {
+  using T = Pack<float, N>;
   using Integer = typename PackMask<float, N>::Register;
-  using Register = typename Pack<float, N>::Register;
-  // a = m 2^e with m in [√½, √2).
-  const Integer bits = (Integer)a.lanes - 0x3f3504f3;
-  const Pack<float, N> e(__builtin_convertvector(bits >> 23, Register));
-  const Pack<float, N> t = Pack<float, N>((Register)((bits & 0x007fffff) + 0x3f3504f3)) - 1.0F;
-  const Pack<float, N> bend = ((0.25265691F * t - 0.39457493F) * t + 0.48668662F) * t - 0.72024182F;
-  const Pack<float, N> power = (bend * (t * t) + (1.44257800F * t + e)) * p;
+  using Register = typename T::Register;
+  const Integer bits = (Integer)a.lanes - root_of_half_bits;
+  const T e(__builtin_convertvector(bits >> 23, Register));
+  const T t = T((Register)((bits & mantissa_bits) + root_of_half_bits)) - 1.0F;
+  const T power = binary_logarithm(t, e) * p;
   // The nearest whole number is in the lowest bits of what is added to 1.5 * 2^23, and goes to the exponent.
   constexpr float magic = 12582912.0F;
-  const Pack<float, N> whole = round_to_nearest(power);
+  const T whole = round_to_nearest(power);
   const Integer exponent = (Integer)(whole + magic).lanes << 23;
-  const Pack<float, N> x = power - whole;
-  const Pack<float, N> mantissa = (((2.46877094F * x + 14.2595662F) * x + 61.2561791F) * x + 176.745980F) * x + 255.0F;
-  const Pack<float, N> value((Register)((Integer)mantissa.lanes + exponent));
+  const T value((Register)((Integer)scaled_power_of_two(T(power - whole)).lanes + exponent));
   return (Integer)(value + magic).lanes;
 }
 

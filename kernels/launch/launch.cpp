@@ -284,23 +284,41 @@ void draw_overlay(Backend backend, const OverlayBatch& batch) {
   finish(counter, backend, batch);
 }
 
-void tone_tiles(const ToneBatch& batch) {
+void tone_tiles(Backend backend, const ToneBatch& batch) {
   static WorkCounter counter("tone_tiles");
   const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().tone_tiles, batch, batch.count, 1, grid_grain);
+  if (backend == Backend::cuda) {
+    tone_tiles_cuda(batch);
+  } else {
+    run_on_cpu(active_table().tone_tiles, batch, batch.count, 1, grid_grain);
+  }
 }
 
-void average_tiles(const AverageBatch& batch) {
+void average_tiles(Backend backend, const AverageBatch& batch) {
   static WorkCounter counter("average_tiles");
   const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().average_tiles, batch, batch.count, 1, grid_grain);
+  if (backend == Backend::cuda) {
+    average_tiles_cuda(batch);
+  } else {
+    run_on_cpu(active_table().average_tiles, batch, batch.count, 1, grid_grain);
+  }
 }
 
-void warp_pixels(const WarpBatch& batch) {
-  const int groups = warp_groups(batch.width_px) * batch.height_px;
+void warp_pixels(Backend backend, const WarpBatch& batch) {
   static WorkCounter counter("warp_pixels");
   const WorkScope work(counter, static_cast<long>(batch.width_px) * batch.height_px);
-  run_on_cpu(active_table().warp_pixels, batch, groups, 1, 16 * grain);
+  if (backend == Backend::cuda) {
+    warp_pixels_cuda(batch);
+  } else {
+    const int groups = warp_groups(batch.width_px) * batch.height_px;
+    run_on_cpu(active_table().warp_pixels, batch, groups, 1, 16 * grain);
+  }
+}
+
+void wait_for_device(Backend backend) {
+  if (backend == Backend::cuda) {
+    wait_for_cuda();
+  }
 }
 
 }  // namespace ergodome

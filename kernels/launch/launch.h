@@ -136,9 +136,13 @@ void search_patches(Backend backend, const PatchSearchBatch& batch, PatchSearchS
 //! Draws an overlay over a picture; see OverlayBatch.
 void draw_overlay(Backend backend, const OverlayBatch& batch);
 
-//! Makes a master's light for projectors, its averages, and what a projector is sent of it, on the processor; see the batches.
-void tone_tiles(const ToneBatch& batch);
-void average_tiles(const AverageBatch& batch);
-void warp_pixels(const WarpBatch& batch);
+//! Makes a master's light for projectors, its averages, and what a projector is sent of it; see the batches. A device does one after the other, and
+//! calls do not wait for it: wait_for_device() does.
+void tone_tiles(Backend backend, const ToneBatch& batch);
+void average_tiles(Backend backend, const AverageBatch& batch);
+void warp_pixels(Backend backend, const WarpBatch& batch);
+
+//! Waits for all that the calling thread has launched. Throws Error where a launch failed.
+void wait_for_device(Backend backend);
 
 }  // namespace ergodome

@@ -38,15 +38,25 @@ inline void finish_launch(const char* name) {
   check_cuda(cudaStreamSynchronize(current_stream()), name);
 }
 
-//! Calls functor(i) for i in [0, count) on the device and waits. The name goes into error messages.
+//! Calls functor(i) for i in [0, count) on the device after what was launched before, and does not wait: finish_launch() does. The name goes into
+//! error messages.
 template <class Functor>
-void launch_cuda(const char* name, int count, const Functor& functor) {
+void enqueue_cuda(const char* name, int count, const Functor& functor) {
   constexpr int block = 128;
   if (count <= 0) {
     return;
   }
   run_functor<<<(count - 1) / block + 1, block, 0, current_stream()>>>(functor, count);
-  finish_launch(name);
+  check_cuda(cudaGetLastError(), name);
+}
+
+//! The same, and waits.
+template <class Functor>
+void launch_cuda(const char* name, int count, const Functor& functor) {
+  if (count > 0) {
+    enqueue_cuda(name, count, functor);
+    finish_launch(name);
+  }
 }
 
 //! Copies from the device what its current stream has made.

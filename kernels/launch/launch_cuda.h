@@ -4,6 +4,7 @@
 
 #include "kernels/flat_eyes/draw_flat_eyes.h"
 #include "kernels/image/shade_pixels.h"
+#include "kernels/image/warp_pixels.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
 #include "kernels/lens/quadtree_look_up.h"
@@ -44,6 +45,10 @@ void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 void draw_stars_cuda(const StarLightBatch& batch);
 void search_patches_cuda(const PatchSearchBatch& batch, PatchSearchStep step, int count, int depth);
 void draw_overlay_cuda(const OverlayBatch& batch);
+void tone_tiles_cuda(const ToneBatch& batch);
+void average_tiles_cuda(const AverageBatch& batch);
+void warp_pixels_cuda(const WarpBatch& batch);
+void wait_for_cuda();
 void solve_edge_cuda(const EdgeBatch& batch);
 long count_negative_cuda(const float* values, long count);
 void* begin_urgent_cuda();

@@ -53,6 +53,14 @@ void search_patches_cuda(const PatchSearchBatch&, PatchSearchStep, int, int) { r
 
 void draw_overlay_cuda(const OverlayBatch&) { refuse(); }
 
+void tone_tiles_cuda(const ToneBatch&) { refuse(); }
+
+void average_tiles_cuda(const AverageBatch&) { refuse(); }
+
+void warp_pixels_cuda(const WarpBatch&) { refuse(); }
+
+void wait_for_cuda() { refuse(); }
+
 void solve_edge_cuda(const EdgeBatch&) { refuse(); }
 
 long count_negative_cuda(const float*, long) { refuse(); }

@@ -62,27 +62,30 @@ std::vector<std::int32_t> LightTiles::tiles(int level) const {
   return numbers;
 }
 
-MasterLight::MasterLight(const LightTiles& tiles) {
+MasterPicture master_picture(const Picture& picture) {
+  return {picture.rgba.data(), picture.width, picture.height, picture.heat_range.has_value(), picture.tone};
+}
+
+MasterLight::MasterLight(const LightTiles& tiles, Backend backend) : backend_(backend) {
   levels_.count = tiles.level_count();
   for (int i = 0; i < tiles.level_count(); ++i) {
     const std::size_t texels = static_cast<std::size_t>(tiles.width(i)) * static_cast<std::size_t>(tiles.height(i));
-    Buffer<float>& memory = memory_.emplace_back(Backend::cpu, 4 * (texels + 1), "master light");
+    const Buffer<float>& memory = memory_.emplace_back(backend, 4 * (texels + 1), "master light");
     // Pixels read texels with a weight of 0 that nobody has asked for, of a coarser level or beside what is lit: numbers they must be.
-    std::fill_n(memory.data(), 4 * (texels + 1), 0.0F);
+    clear(backend, memory, memory.size());
     levels_.level[i] = {memory.data(), tiles.width(i), tiles.height(i)};
-    tiles_.push_back(tiles.tiles(i));
+    tiles_.emplace_back(backend, tiles.tiles(i), "master light's tiles");
   }
 }
 
-void MasterLight::update(const Picture& picture, float dimmed) {
+void MasterLight::update(const MasterPicture& picture) {
   for (int i = 0; i < levels_.count; ++i) {
-    const std::vector<std::int32_t>& tiles = tiles_[static_cast<std::size_t>(i)];
+    const Buffer<std::int32_t>& tiles = tiles_[static_cast<std::size_t>(i)];
     const int count = static_cast<int>(tiles.size());
     if (i == 0) {
-      tone_tiles({picture.rgba.data(), levels_.level[0], picture.tone, picture.heat_range.has_value(), dimmed,
-                  tiles.data(), count});
+      tone_tiles(backend_, {picture.rgba, levels_.level[0], picture.tone, picture.heat_map, 1.0F, tiles.data(), count});
     } else if (count > 0) {
-      average_tiles({levels_.level[i - 1], levels_.level[i], tiles.data(), count});
+      average_tiles(backend_, {levels_.level[i - 1], levels_.level[i], tiles.data(), count});
     }
   }
 }

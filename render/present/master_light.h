@@ -40,23 +40,36 @@ class LightTiles {
   std::vector<Level> levels_;
 };
 
-//! A domemaster as light for projectors, in host memory: what DisplayLight is on a GPU, and where it is wanted alone.
+//! A domemaster in a backend's memory: linear light, four floats a pixel, the top row first.
+struct MasterPicture {
+  const float* rgba = nullptr;
+  int width = 0;
+  int height = 0;
+  bool heat_map = false;  //!< colours already, to which no tone is given
+  Tone tone;
+};
+
+//! The same in host memory, as long as the picture is there.
+MasterPicture master_picture(const Picture& picture);
+
+//! A domemaster as light for projectors, by kernels: what DisplayLight is by OpenGL, and where it is wanted alone.
 class MasterLight {
  public:
   MasterLight() = default;
 
-  //! Makes room. `tiles` must be complete.
-  explicit MasterLight(const LightTiles& tiles);
+  //! Makes room in a backend's memory. `tiles` must be complete.
+  MasterLight(const LightTiles& tiles, Backend backend);
 
-  //! Makes the light of a picture of the size that the tiles are of; `dimmed` is a factor on it.
-  void update(const Picture& picture, float dimmed = 1.0F);
+  //! Makes the light of a picture of the size that the tiles are of, in the same backend's memory. A device is not waited for.
+  void update(const MasterPicture& picture);
 
   [[nodiscard]] const LightLevels& levels() const { return levels_; }
 
  private:
+  Backend backend_ = Backend::cpu;
   LightLevels levels_{};
   std::vector<Buffer<float>> memory_;
-  std::vector<std::vector<std::int32_t>> tiles_;
+  std::vector<Buffer<std::int32_t>> tiles_;
 };
 
 }  // namespace ergodome

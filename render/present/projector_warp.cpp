@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 #include <span>
+#include <utility>
 
 #include "kernels/launch/parallel_for.h"
 #include "render/present/mesh_raster.h"
@@ -48,6 +49,22 @@ float read(const BlendMap& mask, const float (&place)[2], int channel) {
 
 float largest(const std::vector<float>& values) {
   return values.empty() ? 1.0F : std::max(*std::ranges::max_element(values), 1e-6F);
+}
+
+//! Zeros in host memory.
+template <class T>
+Buffer<T> zeros(std::size_t count) {
+  Buffer<T> made(Backend::cpu, count, "projector's warp");
+  clear(Backend::cpu, made, count);
+  return made;
+}
+
+//! Takes what is in host memory to a device's.
+template <class T>
+void move_there(Backend backend, Buffer<T>& buffer) {
+  Buffer<T> there(backend, buffer.size(), "projector's warp");
+  there.write(buffer.data(), buffer.size());
+  buffer = std::move(there);
 }
 
 float channel_of(const Vector3<double>& v, int channel) {
@@ -106,14 +123,14 @@ class ProjectorWarp::Builder {
 
   void set_factors(std::size_t group, std::size_t i, const MeshSample& sample) {
     if (!warp_.coloured_) {
-      warp_.factor_[group * warp_group_px + i] =
+      warp_.factor_.data()[group * warp_group_px + i] =
           root_of(sample.factor * read(picture_.blend, sample.mask, 0) / most_factor_);
       return;
     }
     for (int c = 0; c < 3; ++c) {
       const float lift = read(picture_.black_level, sample.mask, c);
       const float left = 1.0F - channel_of(picture_.black_level_lift, c) * lift;
-      std::uint16_t* const to = &warp_.factor_[(6 * group + static_cast<std::size_t>(c)) * warp_group_px + i];
+      std::uint16_t* const to = &warp_.factor_.data()[(6 * group + static_cast<std::size_t>(c)) * warp_group_px + i];
       to[0] = root_of(left * sample.factor * read(picture_.blend, sample.mask, c) / most_factor_);
       to[std::size_t{3} * warp_group_px] = root_of(lift);
     }
@@ -146,16 +163,17 @@ class ProjectorWarp::Builder {
     }
     const Lattice across(std::span(x, count));
     const Lattice down(std::span(y, count));
-    WarpGroup& to = warp_.groups_[group];
+    WarpGroup& to = warp_.groups_.data()[group];
     to = {across.first, down.first, across.step, down.step, 0, 0};
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t at = group * warp_group_px + lit[k];
-      warp_.x_[at] = across.number(x[k]);
-      warp_.y_[at] = down.number(y[k]);
-      warp_.level_[at] = level_of(samples[lit[k]]);
-      const int bit = 1 << (warp_.level_[at] / warp_level_steps);
+      const std::uint8_t level = level_of(samples[lit[k]]);
+      warp_.x_.data()[at] = across.number(x[k]);
+      warp_.y_.data()[at] = down.number(y[k]);
+      warp_.level_.data()[at] = level;
+      const int bit = 1 << (level / warp_level_steps);
       to.levels = static_cast<std::uint16_t>(to.levels | bit);
-      if (warp_.level_[at] % warp_level_steps != 0) {
+      if (level % warp_level_steps != 0) {
         to.blended = static_cast<std::uint16_t>(to.blended | bit);
       }
     }
@@ -187,7 +205,7 @@ class ProjectorWarp::Builder {
   std::mutex mutex_;
 };
 
-ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, int master_height)
+ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, int master_height, Backend backend)
     : width_px_(picture.width_px),
       height_px_(picture.height_px),
       coloured_(picture.blend.channels == 3 || picture.black_level.width > 0),
@@ -205,11 +223,11 @@ ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, 
     lift_scale_[c] = gain * lift / (coloured_ ? most * most : 1.0F);
   }
   const std::size_t groups = static_cast<std::size_t>(warp_groups(width_px_)) * static_cast<std::size_t>(height_px_);
-  groups_.resize(groups);
-  x_.resize(groups * warp_group_px);
-  y_.resize(groups * warp_group_px);
-  level_.resize(groups * warp_group_px);
-  factor_.resize(groups * warp_group_px * (coloured_ ? 6 : 1));
+  groups_ = zeros<WarpGroup>(groups);
+  x_ = zeros<std::uint16_t>(groups * warp_group_px);
+  y_ = zeros<std::uint16_t>(groups * warp_group_px);
+  level_ = zeros<std::uint8_t>(groups * warp_group_px);
+  factor_ = zeros<std::uint16_t>(groups * warp_group_px * (coloured_ ? 6 : 1));
   const MeshRaster raster(projector_mesh(picture.warp, picture.corners), width_px_, height_px_);
   Builder builder(*this, picture, most_factor);
   parallel_for(raster.band_count(), 1, [&](int begin, int end) {
@@ -217,9 +235,22 @@ ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, 
       builder.fill(band * MeshRaster::band_rows, raster.band(band));
     }
   });
+  move_to(backend);
 }
 
-void ProjectorWarp::draw(const LightLevels& light, std::uint8_t* rgb) const {
+void ProjectorWarp::move_to(Backend backend) {
+  if (backend == backend_) {
+    return;
+  }
+  backend_ = backend;
+  move_there(backend, groups_);
+  move_there(backend, x_);
+  move_there(backend, y_);
+  move_there(backend, level_);
+  move_there(backend, factor_);
+}
+
+WarpBatch ProjectorWarp::batch(const LightLevels& light, float shown, std::uint8_t* rgb) const {
   WarpBatch batch{};
   batch.light = light;
   batch.width_px = width_px_;
@@ -230,12 +261,12 @@ void ProjectorWarp::draw(const LightLevels& light, std::uint8_t* rgb) const {
   batch.level = level_.data();
   batch.factor = factor_.data();
   batch.coloured = coloured_;
-  std::ranges::copy(factor_scale_, batch.factor_scale);
+  std::ranges::transform(factor_scale_, batch.factor_scale, [&](float scale) { return shown * scale; });
   std::ranges::copy(lift_scale_, batch.lift_scale);
   batch.exponent = exponent_;
   batch.least = std::exp2(-100.0F / std::max(exponent_, 1.0F));
   batch.rgb = rgb;
-  warp_pixels(batch);
+  return batch;
 }
 
 }  // namespace ergodome

@@ -144,7 +144,8 @@ void ProjectorWindows::update(const PresentedPicture& master) {
   if (by_processor.empty() || master.texture == 0) {
     return;
   }
-  state_->software->show(brought_back(master), master.light);
+  state_->software->show(brought_back(master));
+  state_->software->set_light(master.light);
   for (const std::size_t i : by_processor) {
     const ProjectorPicture& picture = state_->software->picture(i);
     Screen& screen = state_->screens[i];

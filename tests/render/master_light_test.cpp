@@ -22,7 +22,7 @@ void spoil_memory() {
 
 TEST(MasterLight, IsDarkWhereNobodyHasAskedForIt) {
   spoil_memory();
-  const MasterLight light(LightTiles(32, 32));
+  const MasterLight light(LightTiles(32, 32), Backend::cpu);
   for (int i = 0; i < light.levels().count; ++i) {
     const LightLevel& level = light.levels().level[i];
     for (int k = 0; k < 4 * level.width * level.height; ++k) {

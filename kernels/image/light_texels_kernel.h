@@ -1,0 +1,96 @@
+#pragma once
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/quad.h"
+#include "kernels/image/light_levels.h"
+
+// A texel at a time: for devices, whose threads are many. kernels/image/light_levels_kernel.h does the same for whole tiles at a time.
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+//! Two neighbouring texels of a finer level, and how far between them.
+struct FinerPlace {
+  int first;
+  int second;
+  float part;
+};
+
+//! Where the middle of texel `at` of `size` lies.
+ERGO_HD FinerPlace finer_place(int at, int size, int finer_size) {
+  const float exact =
+      (static_cast<float>(at) + 0.5F) * (static_cast<float>(finer_size) / static_cast<float>(size)) - 0.5F;
+  const int first = static_cast<int>(exact);
+  const int second = first + 1 < finer_size ? first + 1 : first;
+  return {first, second, exact - static_cast<float>(first)};
+}
+
+//! Light between two texels of a row.
+ERGO_HD Quad between(const float* row, const FinerPlace& x) {
+  return (1.0F - x.part) * load_quad(row + 4 * x.first) + x.part * load_quad(row + 4 * x.second);
+}
+
+//! A texel of a level.
+struct LevelPlace {
+  int column;
+  int row;
+};
+
+//! The texel that an index stands for, light_tile_texels of them to each listed tile: beside the level where a tile goes beyond it.
+ERGO_HD LevelPlace place_in_tiles(const LightLevel& level, const std::int32_t* tiles, int index) {
+  const int tile = tiles[index / light_tile_texels];
+  const int texel = index % light_tile_texels;
+  const int across = light_tiles(level.width);
+  const int row = tile / across;
+  return {(tile - row * across) * light_tile_px + texel % light_tile_px, row * light_tile_px + texel / light_tile_px};
+}
+
+ERGO_HD bool is_within(const LightLevel& level, const LevelPlace& at) {
+  return at.column < level.width && at.row < level.height;
+}
+
+ERGO_HD long first_float(const LightLevel& level, const LevelPlace& at) {
+  return 4 * (static_cast<long>(at.row) * level.width + at.column);
+}
+}  // namespace detail
+
+//! Index i stands for a texel: light_tile_texels for each tile. Coverage is not toned, as nobody reads it.
+struct ToneTexels {
+  ToneBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const detail::LevelPlace at = detail::place_in_tiles(batch.to, batch.tiles, index);
+    if (!detail::is_within(batch.to, at)) {
+      return;
+    }
+    const long first = detail::first_float(batch.to, at);
+    const Quad seen = load_quad(batch.from + first);
+    store_quad(batch.to.rgba + first, quad_from(shown(quad_part(seen, 0)), shown(quad_part(seen, 1)),
+                                                shown(quad_part(seen, 2)), quad_part(seen, 3)));
+  }
+
+ private:
+  ERGO_HD float shown(float light) const {
+    const float display = batch.as_it_is ? ::fmaxf(light, 0.0F) : toned(batch.tone, light);
+    return batch.dimmed * ::fminf(display, 1.0F);
+  }
+};
+
+//! Index i stands for a texel: light_tile_texels for each tile.
+struct AverageTexels {
+  AverageBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const detail::LevelPlace at = detail::place_in_tiles(batch.to, batch.tiles, index);
+    if (!detail::is_within(batch.to, at)) {
+      return;
+    }
+    const detail::FinerPlace x = detail::finer_place(at.column, batch.to.width, batch.from.width);
+    const detail::FinerPlace y = detail::finer_place(at.row, batch.to.height, batch.from.height);
+    const float* const upper = batch.from.rgba + detail::first_float(batch.from, {0, y.first});
+    const float* const lower = batch.from.rgba + detail::first_float(batch.from, {0, y.second});
+    store_quad(batch.to.rgba + detail::first_float(batch.to, at),
+               (1.0F - y.part) * detail::between(upper, x) + y.part * detail::between(lower, x));
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cmath>
+
+#include "calibration/projector_picture.h"
+
+// Projectors that use all that a projector's picture can hold.
+namespace ergodome::test {
+
+//! Light that can be read between a master's pixels, brighter than white in a corner.
+inline Vector3<float> soft_colours(double u, double v) {
+  return {static_cast<float>(0.4 + 0.3 * std::sin(5.0 * u)), static_cast<float>(0.5 + 0.4 * std::cos(6.0 * v)),
+          static_cast<float>(0.1 + 2.0 * u * v)};
+}
+
+//! A curved warp over most of a small raster, with intensities, a hole, coloured masks and all the rest.
+inline ProjectorPicture curved_picture() {
+  ProjectorPicture picture;
+  picture.name = "curved";
+  picture.width_px = 90;
+  picture.height_px = 60;
+  picture.warp.columns = 9;
+  picture.warp.rows = 7;
+  for (int row = 0; row < 7; ++row) {
+    for (int column = 0; column < 9; ++column) {
+      const auto x = static_cast<float>(column / 8.0);
+      const auto y = static_cast<float>(row / 6.0);
+      const bool hole = row == 2 && column == 6;
+      picture.warp.nodes.push_back({x * 1.1F - 0.03F, y * 0.95F + 0.04F * x, 0.2F + 0.5F * x + 0.1F * y * y,
+                                    0.8F - 0.5F * y + 0.1F * x * y, 0.6F + 0.4F * x, !hole});
+    }
+  }
+  picture.blend = {5, 4, 3, 16, {}};
+  for (int i = 0; i < 60; ++i) {
+    picture.blend.values.push_back(0.4F + 0.01F * static_cast<float>(i));
+  }
+  picture.black_level = {2, 2, 1, 8, {0.2F, 1.0F, 0.6F, 0.9F}};
+  picture.black_level_lift = {0.02, 0.05, 0.01};
+  picture.gain = {1.0, 0.9, 1.3};
+  picture.gamma = 1.9;
+  return picture;
+}
+
+//! The same, all grey: a pixel has one factor.
+inline ProjectorPicture grey_picture() {
+  ProjectorPicture picture = curved_picture();
+  picture.width_px = 93;  // not a multiple of what is drawn at a time
+  picture.black_level = {};
+  picture.blend = {3, 2, 1, 16, {0.0F, 0.5F, 1.0F, 0.3F, 0.6F, 0.9F}};
+  return picture;
+}
+
+//! The same without masks, with moved corners and a curve the other way.
+inline ProjectorPicture plain_picture() {
+  ProjectorPicture picture = grey_picture();
+  picture.blend = {};
+  picture.gamma = 0.8;
+  picture.corners.right = {0.05, -0.1, 0.02, 0.0};
+  picture.corners.down = {0.0, 0.03, -0.04, 0.1};
+  return picture;
+}
+
+}  // namespace ergodome::test
