@@ -143,4 +143,5 @@ void ergodome::add_cuda_benchmarks() {
   add_picture("sky", dome(""), 4096);
   add_picture("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), 4096);
   add_cuda_object_benchmarks();
+  add_cuda_projector_benchmarks();
 }
