@@ -61,7 +61,8 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
   renderer_.overlays().set_language(options.language);
   if (setup) {
     const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
-    projectors_.emplace(*setup, pictures);
+    projectors_.emplace(*setup, pictures,
+                        backend_ == Backend::cuda ? ProjectorDrawer::cuda : ProjectorDrawer::automatic);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
     fmt::print("domemasters of {} for {}\n", counted(choice_.size_px, "pixel"), counted(pictures.size(), "projector"));
   }

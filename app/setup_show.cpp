@@ -57,8 +57,9 @@ std::vector<std::string> plain_names(const DomeSetup& setup) {
   return names;
 }
 
-ProjectorFrames::ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures)
-    : projectors_(pictures) {
+ProjectorFrames::ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
+                                 ProjectorDrawer drawer)
+    : projectors_(pictures, drawer) {
   const std::vector<std::string> names = plain_names(setup);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     rasters_.push_back({names[i], pictures[i].width_px, pictures[i].height_px});

@@ -22,7 +22,8 @@ std::vector<std::string> plain_names(const DomeSetup& setup);
 class ProjectorFrames {
  public:
   //! Throws Error as HeadlessProjectors does.
-  ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures);
+  ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
+                  ProjectorDrawer drawer = ProjectorDrawer::automatic);
 
   //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes FOLDER/NAME_000001_PROJECTOR.png).
   void write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata = {});

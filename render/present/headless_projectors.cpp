@@ -39,7 +39,15 @@ bool has_gpu() {
 }  // namespace
 
 HeadlessProjectors::HeadlessProjectors(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer) {
-  if (drawer == ProjectorDrawer::opengl || (drawer == ProjectorDrawer::automatic && has_gpu())) {
+  if (drawer == ProjectorDrawer::cuda && cuda_unavailable_reason() == nullptr) {
+    cuda_ = std::make_unique<SoftwareProjectors>(pictures, Backend::cuda);
+  } else {
+    open_without_cuda(pictures, drawer);
+  }
+}
+
+void HeadlessProjectors::open_without_cuda(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer) {
+  if (drawer == ProjectorDrawer::opengl || (drawer != ProjectorDrawer::processor && has_gpu())) {
     opengl_ = std::make_unique<OpenGl>(pictures);
   } else {
     software_ = std::make_unique<SoftwareProjectors>(pictures);
@@ -48,7 +56,26 @@ HeadlessProjectors::HeadlessProjectors(const std::vector<ProjectorPicture>& pict
 
 HeadlessProjectors::~HeadlessProjectors() = default;
 
+bool HeadlessProjectors::show_by_cuda(const Picture& master) {
+  if (!cuda_) {
+    return false;
+  }
+  try {
+    cuda_->show(master);
+    cuda_->draw_in_place();
+    return true;
+  } catch (const Error&) {
+    const std::vector<ProjectorPicture> pictures = cuda_->pictures();
+    cuda_.reset();
+    open_without_cuda(pictures, ProjectorDrawer::automatic);
+    return false;
+  }
+}
+
 void HeadlessProjectors::show(const Picture& master) {
+  if (show_by_cuda(master)) {
+    return;
+  }
   if (software_) {
     return software_->show(master);
   }
@@ -57,6 +84,9 @@ void HeadlessProjectors::show(const Picture& master) {
 }
 
 std::vector<std::uint8_t> HeadlessProjectors::frame(std::size_t projector) {
+  if (cuda_) {
+    return cuda_->read_raster(projector);
+  }
   if (software_) {
     return software_->frame(projector);
   }

@@ -9,13 +9,15 @@
 
 namespace ergodome {
 
-//! Who draws what projectors show without a window: OpenGL on a GPU, else the processor; one of them in any case.
-enum class ProjectorDrawer { automatic, opengl, processor };
+//! Who draws what projectors show without a window: OpenGL on a GPU, else the processor; one of them in any case; or CUDA, where it can be used,
+//! else as if nobody were asked for.
+enum class ProjectorDrawer { automatic, opengl, processor, cuda };
 
-//! Draws what the projectors of a dome show without a window or a display: OpenGL through EGL where there is a GPU, else the processor.
+//! Draws what the projectors of a dome show without a window or a display: OpenGL through EGL where there is a GPU, else the processor; for
+//! pictures that CUDA makes, CUDA, whose devices may draw by OpenGL on few of their units.
 class HeadlessProjectors {
  public:
-  //! Throws Error where OpenGL is asked for and no driver gives version 4.5 without a display, and where a GPU has no room for a raster.
+  //! Throws Error where OpenGL is asked for and no driver gives version 4.5 without a display, and where a GPU has no room for OpenGL's rasters.
   explicit HeadlessProjectors(const std::vector<ProjectorPicture>& pictures,
                               ProjectorDrawer drawer = ProjectorDrawer::automatic);
   ~HeadlessProjectors();
@@ -30,8 +32,13 @@ class HeadlessProjectors {
 
  private:
   struct OpenGl;
+  void open_without_cuda(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer);
+  //! Whether CUDA has drawn a master. Where it fails, others draw from then on.
+  bool show_by_cuda(const Picture& master);
+
+  std::unique_ptr<SoftwareProjectors> cuda_;
   std::unique_ptr<OpenGl> opengl_;
-  std::unique_ptr<SoftwareProjectors> software_;  //!< the one or the other
+  std::unique_ptr<SoftwareProjectors> software_;  //!< one of the three
 };
 
 }  // namespace ergodome

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/core/error.h"
+#include "kernels/launch/launch.h"
 #include "render/present/headless_projectors.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/gl_driver.h"
@@ -17,10 +18,13 @@
 
 namespace ergodome::test {
 
-//! The projectors' pictures as OpenGL and the processor draw them; OpenGL's are skipped where there is no driver.
+//! The projectors' pictures as OpenGL, the processor and CUDA draw them; OpenGL's are skipped where there is no driver, CUDA's where there is no GPU.
 class ProjectorFrames : public FolderTest, public testing::WithParamInterface<ProjectorDrawer> {
  protected:
   void open(const std::vector<ProjectorPicture>& pictures) {
+    if (GetParam() == ProjectorDrawer::cuda && cuda_unavailable_reason() != nullptr) {
+      GTEST_SKIP() << cuda_unavailable_reason();
+    }
     try {
       driver_was_loaded = driver_was_loaded || GetParam() == ProjectorDrawer::opengl;
       projectors_ = std::make_unique<HeadlessProjectors>(pictures, GetParam());
@@ -53,10 +57,10 @@ inline float channel_of(const Vector3<float>& colour, int channel) {
   return channel == 0 ? colour.x : channel == 1 ? colour.y : colour.z;
 }
 
-inline constexpr const char* drawer_names[] = {"automatic", "opengl", "processor"};
+inline constexpr const char* drawer_names[] = {"automatic", "opengl", "processor", "cuda"};
 inline std::string name_of_drawer(const testing::TestParamInfo<ProjectorDrawer>& drawer) {
   return drawer_names[static_cast<int>(drawer.param)];
 }
-inline constexpr auto drawers = {ProjectorDrawer::opengl, ProjectorDrawer::processor};
+inline constexpr auto drawers = {ProjectorDrawer::opengl, ProjectorDrawer::processor, ProjectorDrawer::cuda};
 
 }  // namespace ergodome::test
