@@ -3,22 +3,26 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <string>
 
 #include "content/show_reader.h"
 #include "content/sky_map.h"
+#include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
+#include "tests/bench/published_sky.h"
 
 // Whole frames on a GPU, as a window shows them: the picture stays on the device. Nothing is registered where there is none.
 namespace {
 
 using namespace ergodome;
 
-//! What a frame's camera does: it stands, goes round the hole by a hair, so that stars are sought, or comes to a new place.
-enum class CameraWay { stands, goes_round, moves };
+//! What a frame's camera does: it stands, turns by two degrees a frame, so that stars are on other pixels, goes round the hole by a hair, so that they are
+//! sought, or comes to a new place.
+enum class CameraWay { stands, turns, goes_round, moves };
 
 //! How a frame's lens comes about.
 struct FrameWay {
@@ -54,6 +58,9 @@ void cuda_frame(benchmark::State& state, const Show& show, const FrameWay& way) 
   for (auto _ : state) {
     pose.r += way.camera == CameraWay::moves ? 1e-9 : 0.0;
     pose.phi += way.camera == CameraWay::goes_round ? 1e-9 : 0.0;
+    if (way.camera == CameraWay::turns) {
+      pose.orientation = glm::normalize(pose.orientation * glm::angleAxis(2.0 * one_degree, glm::dvec3(0.0, 1.0, 0.0)));
+    }
     benchmark::DoNotOptimize(renderer.render_eyes_in_place(pose, projection, ViewMode::sky, {time_s}));
   }
   state.SetLabel(std::string(lens) + times_of(work_between(before, work_done()), state.iterations()));
@@ -84,17 +91,6 @@ Show two_eyes() {
   show.stereo.layout = StereoLayout::side_by_side;
   show.stereo.baseline = 0.1;
   return show;
-}
-
-//! The set-up of Verbraeck & Eisemann's table 1: a whole sky of 1920 x 960 px, redshift, lensing, diffraction, and stars, here all that the eye
-//! sees, where they have 5,047. The map is half as fine as theirs.
-Show published() {
-  return parse_show(
-      "[hole]\nspin = 0.999\n[camera]\nobserver = \"geodesic\"\n[[camera.key]]\nr = 5\n[view]\nprojection = "
-      "\"equirect\"\n"
-      "[sky]\nmap = \"milky_way\"\nstars = \"bright_stars\"\nfaintest_mag = 10\n[effects]\nredshift = true\n"
-      "magnification = true\npsf = { sigma_px = 0.5 }\ndiffraction = { brighter_than_mag = 2.0 }\n",
-      "bench.toml");
 }
 
 void add(const std::string& name, const Show& show, const FrameWay& way, std::initializer_list<int> sizes) {
@@ -130,11 +126,17 @@ void ergodome::add_cuda_benchmarks() {
   add("sky/kept_grid", dome(""), kept, {1024, 4096});
   add("sky/live_grid", dome(""), live, {1024, 4096});
   add("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), direct, {1024, 4096});
-  add("all_stars", dome("stars = \"all_stars\"\nfaintest_mag = 10\n", every_effect), direct, {4096});
+  const Show all_stars = dome("stars = \"all_stars\"\nfaintest_mag = 10\n", every_effect);
+  add("all_stars", all_stars, direct, {4096});
+  add("all_stars/kept_grid", all_stars, kept, {4096});
+  add("all_stars/turning", all_stars, {LensChoice::live, CameraWay::turns}, {4096});
   add("bright_stars_moving", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect),
       {LensChoice::direct, CameraWay::moves}, {1024});
-  add("published", published(), direct, {1920});
-  add("published_standing", published(), {LensChoice::direct, CameraWay::stands}, {1920});
+  const Show published = published_show();
+  add("published", published, kept, {1920});
+  add("published/rays", published, direct, {1920});
+  add("published/turning", published, {LensChoice::live, CameraWay::turns}, {1920});
+  add("published/standing", published, {LensChoice::live, CameraWay::stands}, {1920});
   add("two_eyes", two_eyes(), direct, {2048});
   for (const char* const name : {"disk", "shells", "planet"}) {
     add(name, built_in(name), direct, {1920});
