@@ -197,32 +197,22 @@ void read_quadtree_pixels(const QuadtreePixelBatch& batch) {
   finish(counter, Backend::cpu, batch);
 }
 
+StarImageLanes star_image_lanes() { return {active_table().lanes_float, active_table().lanes_double}; }
+
 void find_star_images(const StarImageBatch<float>& batch) {
-  static WorkCounter counter("find_star_images");
-  const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_star_images_float, batch, batch.count, active_table().lanes_float, star_grain);
-  finish(counter, Backend::cpu, batch);
+  active_table().find_star_images_float(batch, 0, index_count(batch.count, active_table().lanes_float));
 }
 
 void find_star_images(const StarImageBatch<double>& batch) {
-  static WorkCounter counter("find_star_images, double");
-  const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_star_images_double, batch, batch.count, active_table().lanes_double, star_grain);
-  finish(counter, Backend::cpu, batch);
+  active_table().find_star_images_double(batch, 0, index_count(batch.count, active_table().lanes_double));
 }
 
 void find_star_images(const OmniStarBatch<float>& batch) {
-  static WorkCounter counter("find_star_images");
-  const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_omni_star_images_float, batch, batch.count, active_table().lanes_float, star_grain);
-  finish(counter, Backend::cpu, batch);
+  active_table().find_omni_star_images_float(batch, 0, index_count(batch.count, active_table().lanes_float));
 }
 
 void find_star_images(const OmniStarBatch<double>& batch) {
-  static WorkCounter counter("find_star_images, double");
-  const WorkScope work(counter, batch.count);
-  run_on_cpu(active_table().find_omni_star_images_double, batch, batch.count, active_table().lanes_double, star_grain);
-  finish(counter, Backend::cpu, batch);
+  active_table().find_omni_star_images_double(batch, 0, index_count(batch.count, active_table().lanes_double));
 }
 
 void measure_patch(const PatchMeasureBatch& batch) { active_table().measure_patch(batch, 0, 1); }

@@ -62,7 +62,15 @@ void read_quadtree_rays(Backend backend, const QuadtreeRaysBatch& batch);
 //! Reads the pixels of an image from quadtree grids; see QuadtreePixelBatch. On the CPU alone, as the baseline that it is.
 void read_quadtree_pixels(const QuadtreePixelBatch& batch);
 
-//! Finds images of stars on the processor, in host memory; see StarImageBatch.
+//! So many images are followed in the time of one.
+struct StarImageLanes {
+  int in_float;
+  int in_double;
+};
+
+StarImageLanes star_image_lanes();
+
+//! Finds images of stars on the processor, in host memory, on the thread that calls; see StarImageBatch. Who calls counts them.
 void find_star_images(const StarImageBatch<float>& batch);
 void find_star_images(const StarImageBatch<double>& batch);
 void find_star_images(const OmniStarBatch<float>& batch);

@@ -12,8 +12,6 @@ namespace ergodome {
 inline constexpr int grain = 32;
 //! The same for the rays of a grid, which come by the hundred and cost more each.
 inline constexpr int grid_grain = 4;
-//! And for the rays of stars: the last ones come by the dozen, next to the shadow, where each costs most.
-inline constexpr int star_grain = 1;
 
 inline int index_count(int elements, int lanes) { return elements > 0 ? (elements - 1) / lanes + 1 : 0; }
 

@@ -209,9 +209,10 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
   const auto brightness = [&](const StarCandidate& c) {
     return static_cast<double>(luminance_of(light_of(c, star_of(c), colours, settings.redshift)) / settings.faintest);
   };
-  refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness}, [&](const StarCandidate& c) {
+  const auto wanted = [&](const StarCandidate& c) {
     return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
-  });
+  };
+  refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness, wanted});
   // What a device has found is in one piece already.
   std::vector<SeenImage> found = device != nullptr ? std::move(parts.back().exact) : std::vector<SeenImage>();
   const std::size_t first = found.size();

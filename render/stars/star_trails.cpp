@@ -37,7 +37,7 @@ class Follower {
       candidates.push_back(candidate(eye, i, from, to));
     }
     const std::vector<StarCandidate> expected = candidates;
-    refine_images(candidates, {eye, {}, pixel_, {}}, [](const StarCandidate&) { return true; });
+    refine_images(candidates, {eye, {}, pixel_, {}, [](const StarCandidate&) { return true; }});
     std::vector<std::size_t> still;
     for (std::size_t k = 0; k < alive_.size(); ++k) {
       const StarCandidate& c = candidates[k];

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/stars/star_finder.h"
-#include "render/stars/star_refinement.h"
+#include "render/stars/star_candidate.h"
 
 namespace ergodome {
 
