@@ -33,7 +33,6 @@ struct ToneBatch {
   LightLevel to;
   Tone tone;
   bool as_it_is;  //!< the picture is display light already
-  float dimmed;   //!< factor on the display light
   const std::int32_t* tiles;
   int count;
 };

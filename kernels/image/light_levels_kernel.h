@@ -68,7 +68,7 @@ struct ToneTiles {
       for (int i = 0; i < count; i += RealTraits<T>::lane_count) {
         const T light = load_lanes<T>(batch.from + first, i, count);
         const T shown = batch.as_it_is ? maximum(light, T(0.0F)) : toned(batch.tone, light);
-        store_lanes(batch.to.rgba + first, i, count, T(batch.dimmed) * minimum(shown, T(1.0F)));
+        store_lanes(batch.to.rgba + first, i, count, minimum(shown, T(1.0F)));
       }
     }
   }

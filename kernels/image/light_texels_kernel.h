@@ -71,7 +71,7 @@ struct ToneTexels {
  private:
   ERGO_HD float shown(float light) const {
     const float display = batch.as_it_is ? ::fmaxf(light, 0.0F) : toned(batch.tone, light);
-    return batch.dimmed * ::fminf(display, 1.0F);
+    return ::fminf(display, 1.0F);
   }
 };
 

@@ -60,8 +60,7 @@ TEST(DeviceLight, IsTonedAsTheProcessorTonesIt) {
     for (const bool heat_map : {false, true}) {
       Level by_texels(150, 100);
       Level by_tiles(150, 100);
-      ToneBatch batch = {
-          master.rgba.data(), by_texels.view, {curve, 1.5F, 3.0F, 2.2F}, heat_map, 0.7F, tiles.data(), 4};
+      ToneBatch batch = {master.rgba.data(), by_texels.view, {curve, 1.5F, 3.0F, 2.2F}, heat_map, tiles.data(), 4};
       run_all(ToneTexels{batch}, 4 * light_tile_texels);
       batch.to = by_tiles.view;
       tone_tiles(Backend::cpu, batch);

@@ -213,5 +213,24 @@ TEST(ProcessorFrames, WhatIsNoNumberIsBlack) {
   EXPECT_EQ(*std::ranges::max_element(shown), 0);
 }
 
+TEST(ProcessorFrames, AreDimmedAsTheMasterIs) {
+  const Picture bright = master_of(64, [](double u, double v) {
+    return Vector3<float>{static_cast<float>(0.7 * u), static_cast<float>(0.6 * v), 0.4F};
+  });
+  Picture half = bright;
+  for (float& value : half.rgba) {
+    value *= 0.5F;
+  }
+  // Black keeps its lift.
+  for (const ProjectorPicture& picture : {curved_picture(), grey_picture()}) {
+    SoftwareProjectors projectors({picture});
+    projectors.show(half);
+    const auto expected = projectors.frame(0);
+    projectors.show(bright);
+    projectors.set_light(0.5F);
+    EXPECT_LE(difference_of(projectors.frame(0), expected).largest, 1);
+  }
+}
+
 }  // namespace
 }  // namespace ergodome
