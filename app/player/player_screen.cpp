@@ -39,6 +39,9 @@ void PlayerScreen::show(const PictureAnswer& answer) {
   } else {
     presenter_.upload(answer.picture);
   }
+  if (projectors_) {
+    projectors_->take(answer.on_device ? &*answer.on_device : nullptr);
+  }
 }
 
 std::vector<WindowEvent> PlayerScreen::events() {

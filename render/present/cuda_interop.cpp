@@ -46,4 +46,26 @@ void CudaTextureLink::copy_from_device(std::span<const Part> parts) {
   check(copied, "copying the picture");
 }
 
+CudaBufferLink::CudaBufferLink(unsigned buffer) {
+  cudaGraphicsResource_t resource = nullptr;
+  check(cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsWriteDiscard),
+        "sharing a projector's raster");
+  resource_ = resource;
+}
+
+CudaBufferLink::~CudaBufferLink() { cudaGraphicsUnregisterResource(static_cast<cudaGraphicsResource_t>(resource_)); }
+
+void CudaBufferLink::copy_from_device(const std::uint8_t* from, std::size_t bytes) {
+  auto* resource = static_cast<cudaGraphicsResource_t>(resource_);
+  check(cudaGraphicsMapResources(1, &resource), "mapping a projector's raster");
+  void* to = nullptr;
+  std::size_t room = 0;
+  cudaError_t copied = cudaGraphicsResourceGetMappedPointer(&to, &room, resource);
+  if (copied == cudaSuccess) {
+    copied = cudaMemcpyAsync(to, from, bytes < room ? bytes : room, cudaMemcpyDeviceToDevice);
+  }
+  check(cudaGraphicsUnmapResources(1, &resource), "giving back a projector's raster");
+  check(copied, "copying a projector's raster");
+}
+
 }  // namespace ergodome

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace ergodome {
@@ -24,6 +26,22 @@ class CudaTextureLink {
 
   //! Copies parts of the texture.
   void copy_from_device(std::span<const Part> parts);
+
+ private:
+  [[maybe_unused]] void* resource_ = nullptr;
+};
+
+//! A buffer of OpenGL's that CUDA writes into: what projectors are sent goes from the kernels to a texture without leaving the device.
+class CudaBufferLink {
+ public:
+  //! Throws Error as CudaTextureLink does.
+  explicit CudaBufferLink(unsigned buffer);
+  ~CudaBufferLink();
+  CudaBufferLink(const CudaBufferLink&) = delete;
+  CudaBufferLink& operator=(const CudaBufferLink&) = delete;
+
+  //! Fills the beginning of the buffer from device memory.
+  void copy_from_device(const std::uint8_t* from, std::size_t bytes);
 
  private:
   [[maybe_unused]] void* resource_ = nullptr;

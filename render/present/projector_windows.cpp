@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/error.h"
 #include "render/output/image_writer.h"
 #include "render/present/gl_program.h"
 #include "render/present/projector_drawing.h"
@@ -23,7 +24,7 @@ struct Screen {
   std::unique_ptr<ProjectorDrawing> drawing;
   std::unique_ptr<TextPanel> panel;
   std::unique_ptr<Presenter> raster;    //!< shown instead of the drawing while there is one
-  std::unique_ptr<RasterTexture> sent;  //!< what the processor drew instead of OpenGL, if it did
+  std::unique_ptr<RasterTexture> sent;  //!< what kernels drew instead of OpenGL, if they did
   bool changed = false;  //!< since the windows were opened: a warp takes the processor a second to work out
 };
 
@@ -55,14 +56,18 @@ struct ProjectorWindows::State {
   Window& control;
   std::unique_ptr<DisplayLight> light;
   std::vector<Screen> screens;
+  std::vector<ProjectorPicture> pictures;
   std::unique_ptr<SoftwareProjectors> software;  //!< where OpenGL has no GPU
+  std::unique_ptr<SoftwareProjectors> cuda;      //!< once CUDA has handed over a picture
+  bool in_cuda = false;                          //!< the picture that is shown has its light there
+  bool cuda_fails = false;
   bool control_shown = true;
   long version = -1;  //!< of the master whose light there is
 };
 
 ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
                                    const std::vector<ProjectorPicture>& pictures, bool hide_control)
-    : state_(std::make_unique<State>(State{control, nullptr, {}, nullptr})) {
+    : state_(std::make_unique<State>(State{control, nullptr, {}, pictures, nullptr, nullptr})) {
   require_outputs(setup, connected_monitors());
   const int monitor = free_monitor(setup);
   state_->control_shown = !hide_control && monitor >= 0;
@@ -120,42 +125,103 @@ void ProjectorWindows::draw(std::size_t projector) {
   screen.panel->draw(width, height);
 }
 
-bool ProjectorWindows::drawn_by_processor(std::size_t projector) const {
-  if (!state_->software) {
-    return false;
+void ProjectorWindows::take(const DevicePicture* picture) {
+  state_->in_cuda = false;
+  if (picture == nullptr || picture->right != nullptr || state_->cuda_fails) {
+    return;
   }
+  try {
+    if (!state_->cuda) {
+      state_->cuda = std::make_unique<SoftwareProjectors>(state_->pictures, Backend::cuda);
+    }
+    state_->cuda->show_in_place(
+        {picture->rgba, picture->width_px, picture->height_px, picture->heat_map, picture->tone});
+    wait_for_device(Backend::cuda);
+    state_->in_cuda = true;
+  } catch (const Error&) {
+    give_up_cuda();
+  }
+}
+
+void ProjectorWindows::give_up_cuda() {
+  state_->cuda.reset();
+  state_->in_cuda = false;
+  state_->cuda_fails = true;
+}
+
+bool ProjectorWindows::may_draw_by_kernels(std::size_t projector) const {
   int width = 0;
   int height = 0;
   state_->screens[projector].window->framebuffer_size(width, height);
-  const ProjectorPicture& picture = state_->software->picture(projector);
+  const ProjectorPicture& picture = state_->pictures[projector];
   return !state_->screens[projector].changed && width == picture.width_px && height == picture.height_px;
 }
 
+void ProjectorWindows::send(std::size_t projector) {
+  const ProjectorPicture& picture = state_->pictures[projector];
+  Screen& screen = state_->screens[projector];
+  screen.window->make_current();
+  if (!screen.sent) {
+    screen.sent = std::make_unique<RasterTexture>(picture.width_px, picture.height_px);
+  }
+  if (state_->in_cuda) {
+    screen.sent->upload_from_device(state_->cuda->raster(projector));
+  } else {
+    screen.sent->upload(state_->software->frame(projector).data());
+  }
+}
+
+bool ProjectorWindows::update_by_cuda(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels) {
+  if (!state_->in_cuda || by_kernels.empty()) {
+    return false;
+  }
+  try {
+    state_->cuda->set_light(master.light);
+    state_->cuda->draw_in_place();
+    for (const std::size_t i : by_kernels) {
+      send(i);
+    }
+    return true;
+  } catch (const Error&) {
+    give_up_cuda();
+    return false;
+  }
+}
+
 void ProjectorWindows::update(const PresentedPicture& master) {
-  std::vector<std::size_t> by_processor;
+  std::vector<std::size_t> by_kernels;
   for (std::size_t i = 0; i < state_->screens.size(); ++i) {
-    if (drawn_by_processor(i)) {
-      by_processor.push_back(i);
+    if (may_draw_by_kernels(i)) {
+      by_kernels.push_back(i);
     }
   }
-  if (by_processor.size() < state_->screens.size()) {
-    state_->light->update(master);
+  const bool by_cuda = update_by_cuda(master, by_kernels);
+  if (!by_cuda && (!state_->software || master.texture == 0)) {
+    by_kernels.clear();
   }
-  if (by_processor.empty() || master.texture == 0) {
-    return;
-  }
-  state_->software->show(brought_back(master));
-  state_->software->set_light(master.light);
-  for (const std::size_t i : by_processor) {
-    const ProjectorPicture& picture = state_->software->picture(i);
-    Screen& screen = state_->screens[i];
-    screen.window->make_current();
-    if (!screen.sent) {
-      screen.sent = std::make_unique<RasterTexture>(picture.width_px, picture.height_px);
+  if (!by_cuda && !by_kernels.empty()) {
+    state_->control.make_current();
+    state_->software->show(brought_back(master));
+    state_->software->set_light(master.light);
+    for (const std::size_t i : by_kernels) {
+      send(i);
     }
-    screen.sent->upload(state_->software->frame(i).data());
+  }
+  leave_others_to_opengl(master, by_kernels);
+}
+
+void ProjectorWindows::leave_others_to_opengl(const PresentedPicture& master,
+                                              const std::vector<std::size_t>& by_kernels) {
+  for (std::size_t i = 0; i < state_->screens.size(); ++i) {
+    if (state_->screens[i].sent && std::ranges::find(by_kernels, i) == by_kernels.end()) {
+      state_->screens[i].window->make_current();
+      state_->screens[i].sent.reset();
+    }
   }
   state_->control.make_current();
+  if (by_kernels.size() < state_->screens.size()) {
+    state_->light->update(master);
+  }
 }
 
 void ProjectorWindows::draw_by_opengl(std::size_t projector) {

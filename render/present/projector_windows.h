@@ -12,7 +12,7 @@
 namespace ergodome {
 
 //! The windows of a dome's projectors, which show one domemaster. It is on the GPU once, in the control window's context. Where OpenGL has
-//! no GPU the processor draws what the projectors are sent, until their warps are changed.
+//! no GPU the processor draws what the projectors are sent, and of pictures that CUDA has made CUDA, until their warps are changed.
 class ProjectorWindows {
  public:
   //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills, beside windows that are there if there is
@@ -23,6 +23,9 @@ class ProjectorWindows {
   ~ProjectorWindows();
   ProjectorWindows(const ProjectorWindows&) = delete;
   ProjectorWindows& operator=(const ProjectorWindows&) = delete;
+
+  //! Says that the control window's presenter was handed over a picture, and where CUDA has it, if it has. CUDA draws from it, which may go then.
+  void take(const DevicePicture* picture);
 
   //! Draws a picture of the control window's presenter in all windows, then shows it in all of them, the first in step with its display.
   void show(const PresentedPicture& master);
@@ -54,10 +57,17 @@ class ProjectorWindows {
  private:
   struct State;
   void draw(std::size_t projector);
-  [[nodiscard]] bool drawn_by_processor(std::size_t projector) const;
+  //! Whether a projector's window is as large as its picture, which was not changed: a warp takes the processor a second to work out.
+  [[nodiscard]] bool may_draw_by_kernels(std::size_t projector) const;
 
   //! Makes light or rasters of a new master.
   void update(const PresentedPicture& master);
+  //! Whether CUDA has made the rasters of these projectors. Where it fails, others do from then on.
+  bool update_by_cuda(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels);
+  //! Draws a raster, and hands it over to its window.
+  void send(std::size_t projector);
+  void leave_others_to_opengl(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels);
+  void give_up_cuda();
 
   //! From now on; its context must be current.
   void draw_by_opengl(std::size_t projector);

@@ -12,6 +12,8 @@ RasterTexture::RasterTexture(int width_px, int height_px) : width_px_(width_px),
 }
 
 RasterTexture::~RasterTexture() {
+  link_.reset();
+  glDeleteBuffers(1, &pixels_);
   glDeleteFramebuffers(1, &framebuffer_);
   glDeleteTextures(1, &texture_);
 }
@@ -20,6 +22,19 @@ void RasterTexture::upload(const std::uint8_t* rgb) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(texture_, 0, 0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, rgb);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void RasterTexture::upload_from_device(const std::uint8_t* rgb) {
+  const std::size_t bytes = 3 * static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_);
+  if (!link_) {
+    glCreateBuffers(1, &pixels_);
+    glNamedBufferStorage(pixels_, static_cast<GLsizeiptr>(bytes), nullptr, 0);
+    link_ = std::make_unique<CudaBufferLink>(pixels_);
+  }
+  link_->copy_from_device(rgb, bytes);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels_);
+  upload(nullptr);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
 void RasterTexture::draw() const {

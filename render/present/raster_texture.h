@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+
+#include "render/present/cuda_interop.h"
 
 namespace ergodome {
 
@@ -15,6 +18,9 @@ class RasterTexture {
   //! Takes over RGB bytes of its size, the top row first.
   void upload(const std::uint8_t* rgb);
 
+  //! The same from CUDA device memory, without a way through the host. Throws Error where CUDA cannot reach the context's device.
+  void upload_from_device(const std::uint8_t* rgb);
+
   //! Copies them to the window's framebuffer, which is as large.
   void draw() const;
 
@@ -23,6 +29,8 @@ class RasterTexture {
   int height_px_;
   unsigned texture_ = 0;
   unsigned framebuffer_ = 0;
+  unsigned pixels_ = 0;  //!< where CUDA puts the bytes: it cannot reach textures of three bytes
+  std::unique_ptr<CudaBufferLink> link_;
 };
 
 }  // namespace ergodome
