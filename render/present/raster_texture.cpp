@@ -38,9 +38,11 @@ void RasterTexture::upload_from_device(const std::uint8_t* rgb) {
 }
 
 void RasterTexture::draw() const {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   // The texture's first row is the top, a framebuffer's the bottom.
-  glBlitNamedFramebuffer(framebuffer_, 0, 0, 0, width_px_, height_px_, 0, height_px_, width_px_, 0, GL_COLOR_BUFFER_BIT,
-                         GL_NEAREST);
+  glBlitNamedFramebuffer(framebuffer_, static_cast<GLuint>(bound), 0, 0, width_px_, height_px_, 0, height_px_,
+                         width_px_, 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace ergodome

@@ -21,7 +21,7 @@ class RasterTexture {
   //! The same from CUDA device memory, without a way through the host. Throws Error where CUDA cannot reach the context's device.
   void upload_from_device(const std::uint8_t* rgb);
 
-  //! Copies them to the window's framebuffer, which is as large.
+  //! Copies them to the bound framebuffer, which is as large.
   void draw() const;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "render/output/tone_map.h"
 #include "render/present/headless_context.h"
 #include "render/present/presenter.h"
+#include "render/present/raster_texture.h"
 #include "tests/support/gl_driver.h"
 
 // No report of leaks where a driver was at work.
@@ -113,6 +115,20 @@ TEST_F(DevicePictures, OfTwoEyesFillOneTogether) {
     presenter.upload_from_device({first.data(), second.data(), above, size / 2, size / 2, false, left.tone});
     presenter.draw(width, height);
     EXPECT_EQ(Presenter::read_back(width, height), expected);
+  }
+}
+
+TEST_F(DevicePictures, OfProjectorsAreShownByteByByte) {
+  RasterTexture texture(size, size);
+  std::vector<std::uint8_t> bytes(std::size_t{3} * size * size);
+  for (const std::size_t step : {5, 7}) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] = static_cast<std::uint8_t>(step * i);
+    }
+    const Buffer<std::uint8_t> there(Backend::cuda, bytes, "test");
+    texture.upload_from_device(there.data());
+    texture.draw();
+    EXPECT_EQ(Presenter::read_back(size, size), bytes);
   }
 }
 
