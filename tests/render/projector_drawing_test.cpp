@@ -10,6 +10,7 @@
 #include "render/present/projector_light.h"
 #include "tests/render/curved_projector.h"
 #include "tests/render/projector_frames.h"
+#include "tests/support/sanitized.h"
 
 namespace ergodome {
 namespace {
