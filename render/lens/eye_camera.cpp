@@ -58,8 +58,13 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
       eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
   eye.spin = show.spin;
-  eye.r = event.r;
-  eye.theta = event.theta;
+  // An eye in the head's own place has its very numbers: by the last bit of another a grid would be of another place.
+  constexpr double rounding = 1e-12;
+  const auto unless_rounding = [](double of_eye, double of_head) {
+    return std::abs(of_eye - of_head) <= rounding * of_head ? of_head : of_eye;
+  };
+  eye.r = unless_rounding(event.r, pose.r);
+  eye.theta = unless_rounding(event.theta, pose.theta);
   eye.phi = event.phi;
   eye.head_r = pose.r;
   eye.head_theta = pose.theta;
