@@ -4,14 +4,20 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
+#include "kernels/metric/kerr.h"
 #include "kernels/projection/pixel_measure.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Light that still circles after this many steps is closer to the critical curve than float can tell.
-constexpr int direct_step_limit = 200;
+//! Light that still circles after this many steps is closer to the critical curve than float can tell. Outside the horizon of a hole of spin 0.999 and less
+//! all other light took 50 at the most, in pictures of up to 8192 px one pixel of 50 million more than 48. About faster ones it circles for longer, as
+//! its orbits next to the horizon are the less unstable. All of a device waits for the last ray.
+int direct_step_limit(const EyeCamera& eye) {
+  constexpr double fastest_usual = 0.999;
+  return std::abs(eye.spin) <= fastest_usual && eye.r > horizon_radius(eye.spin) ? 48 : 200;
+}
 
 }  // namespace
 
@@ -28,7 +34,7 @@ PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, doubl
       batch.frame_from_view[i][j] = static_cast<float>(eye.frame_from_view[i][j]);
     }
   }
-  batch.settings = {std::clamp(tolerance_px * pixel_angle(projection), 1e-7, 1e-4), direct_step_limit, true};
+  batch.settings = {std::clamp(tolerance_px * pixel_angle(projection), 1e-7, 1e-4), direct_step_limit(eye), true};
   return batch;
 }
 

@@ -20,7 +20,14 @@ constexpr double finest_tolerance = 1e-11;
 constexpr double fine_miss = 1e-7;
 //! And next to a caustic, where a hair beside a ring the magnification is another [rad].
 constexpr double ring_tolerance = 1e-10;
-constexpr int star_step_limit = 400;
+
+//! Light that still circles after so many steps leads to no image. More than two M from holes of spin 0.999 and less no image of 118,216 stars is lost by the lower limit
+//! (nor by two thirds of it); 1.3 M from one five of 370,553 are. The last ray is waited for.
+int star_step_limit(const EyeCamera& eye) {
+  constexpr double fastest_usual = 0.999;
+  constexpr double least_usual_r = 2.0;
+  return std::abs(eye.spin) <= fastest_usual && eye.r > least_usual_r ? 120 : 400;
+}
 
 double tolerance_of(RayKind kind) {
   switch (kind) {
@@ -67,7 +74,10 @@ CandidateRays::Setup<S> CandidateRays::setup_of(const ImageSearch& search) {
 }
 
 CandidateRays::CandidateRays(const ImageSearch& search)
-    : pixel_(search.pixel), quick_(setup_of<float>(search)), exact_(setup_of<double>(search)) {}
+    : pixel_(search.pixel),
+      step_limit_(star_step_limit(search.eye.camera)),
+      quick_(setup_of<float>(search)),
+      exact_(setup_of<double>(search)) {}
 
 std::size_t CandidateRays::lanes(RayKind kind) {
   const StarImageLanes lanes = star_image_lanes();
@@ -92,7 +102,7 @@ void CandidateRays::follow_in(const Setup<S>& setup, RayKind kind, std::span<Sta
       [&](const auto& camera) {
         find_star_images(StarImageBatch<S, std::decay_t<decltype(camera)>>{camera,
                                                                            setup.chart,
-                                                                           {tolerance_of(kind), star_step_limit, true},
+                                                                           {tolerance_of(kind), step_limit_, true},
                                                                            static_cast<S>(last_miss(kind, pixel_)),
                                                                            1,
                                                                            static_cast<int>(candidates.size()),

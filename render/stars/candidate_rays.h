@@ -50,6 +50,7 @@ class CandidateRays {
   void follow_in(const Setup<S>& setup, RayKind kind, std::span<StarCandidate* const> candidates) const;
 
   double pixel_;
+  int step_limit_;
   Setup<float> quick_;
   Setup<double> exact_;
 
