@@ -45,8 +45,10 @@ void* allocate_cuda(std::size_t bytes) {
     return memory;
   }
   check_cuda(cudaMallocFromPoolAsync(&memory, bytes, kept_pool(), current_stream()), "asking for device memory");
-  // Other streams copy into it.
-  check_cuda(cudaStreamSynchronize(current_stream()), "asking for device memory");
+  // Other streams copy into it, but for those of threads that work in order.
+  if (!works_in_order()) {
+    check_cuda(cudaStreamSynchronize(current_stream()), "asking for device memory");
+  }
   return memory;
 }
 
@@ -167,6 +169,10 @@ void clear_cuda(void* memory, std::size_t bytes) {
 }
 
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
+  if (works_in_order()) {
+    // What is copied from is read before the call returns: it is no memory that a device reaches by itself.
+    return check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copy to the device");
+  }
   const Idle<CopyStream>::Taken stream;
   check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream->handle()), "copy to the device");
   check_cuda(cudaStreamSynchronize(stream->handle()), "copy to the device");
@@ -178,6 +184,9 @@ void copy_from_cuda(void* to, const void* from, std::size_t bytes) {
     check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, current_stream()), "copy from the device");
     check_cuda(cudaStreamSynchronize(current_stream()), "copy from the device");
     return;
+  }
+  if (works_in_order()) {
+    finish_launch("copy from the device");
   }
   const Idle<HostStage>::Taken stage;
   stage->copy(static_cast<std::byte*>(to), static_cast<const std::byte*>(from), bytes);
@@ -193,6 +202,20 @@ void* begin_urgent_cuda() {
     return stream;
   }();
   return std::exchange(current_stream(), urgent);
+}
+
+bool begin_in_order_cuda() { return std::exchange(works_in_order(), true); }
+
+void end_in_order_cuda(bool before, bool may_throw) {
+  works_in_order() = before;
+  if (before) {
+    return;
+  }
+  if (may_throw) {
+    return finish_launch("waiting for the device");
+  }
+  cudaStreamSynchronize(current_stream());
+  cudaGetLastError();
 }
 
 void end_urgent_cuda(void* before) { current_stream() = static_cast<cudaStream_t>(before); }

@@ -32,10 +32,25 @@ inline cudaStream_t& current_stream() {
   return stream;
 }
 
+//! Whether the calling thread's launches go on without waiting: while DeviceWorkInOrder lasts.
+inline bool& works_in_order() {
+  thread_local bool in_order = false;
+  return in_order;
+}
+
 //! Waits for the end of what was launched.
 inline void finish_launch(const char* name) {
   check_cuda(cudaGetLastError(), name);
   check_cuda(cudaStreamSynchronize(current_stream()), name);
+}
+
+//! The end of a launch: waits for it, or goes on where works_in_order().
+inline void end_launch(const char* name) {
+  if (works_in_order()) {
+    check_cuda(cudaGetLastError(), name);
+  } else {
+    finish_launch(name);
+  }
 }
 
 //! Calls functor(i) for i in [0, count) on the device after what was launched before, and does not wait: finish_launch() does. The name goes into
@@ -50,12 +65,12 @@ void enqueue_cuda(const char* name, int count, const Functor& functor) {
   check_cuda(cudaGetLastError(), name);
 }
 
-//! The same, and waits.
+//! The same, and waits, unless works_in_order().
 template <class Functor>
 void launch_cuda(const char* name, int count, const Functor& functor) {
   if (count > 0) {
     enqueue_cuda(name, count, functor);
-    finish_launch(name);
+    end_launch(name);
   }
 }
 
@@ -101,7 +116,7 @@ void launch_cuda_on_pixels(const char* name, int width, int rows, const Functor&
     return;
   }
   run_functor_on_pixels<<<blocks_of_pixels(width, rows), pixel_block, 0, current_stream()>>>(functor, width, rows);
-  finish_launch(name);
+  end_launch(name);
 }
 
 //! Device memory for a launch.

@@ -14,6 +14,8 @@
 #include "kernels/shadow/edge_kernel.h"
 #include "kernels/stars/draw_stars.h"
 #include "kernels/stars/patch_search.h"
+#include "kernels/stars/star_sheet.h"
+#include "kernels/stars/star_twins.h"
 #include "kernels/trace/omni_camera.h"
 #include "kernels/trace/trace_pixels.h"
 #include "kernels/trace/trace_rays.h"
@@ -40,6 +42,8 @@ void look_at_objects_cuda(const ObjectPixelBatch& batch);
 void mark_flat_object_tiles_cuda(const FlatObjectTileBatch& batch);
 void look_at_flat_objects_cuda(const FlatObjectPixelBatch& batch);
 void lay_objects_cuda(const LayObjectsBatch& batch);
+void join_star_images_cuda(const StarTwinBatch& batch, StarTwinStep step);
+void place_star_images_cuda(const StarPointBatch& batch, int count);
 void place_stars_cuda(const StarTileBatch& batch, StarTileStep step);
 void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 void draw_stars_cuda(const StarLightBatch& batch);
@@ -51,6 +55,8 @@ void warp_pixels_cuda(const WarpBatch& batch);
 void wait_for_cuda();
 void solve_edge_cuda(const EdgeBatch& batch);
 long count_negative_cuda(const float* values, long count);
+bool begin_in_order_cuda();
+void end_in_order_cuda(bool before, bool may_throw);
 void* begin_urgent_cuda();
 void end_urgent_cuda(void* before);
 void* allocate_cuda(std::size_t bytes);

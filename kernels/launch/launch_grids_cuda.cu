@@ -26,9 +26,10 @@ struct LookUpAlone {
 template <class Functor>
 void look_up(const PixelBatch& pixels, const Functor& functor) {
   launch_cuda_in_steps("look_up_pixels", pixels.projection.width_px, pixels.row_count, LookUpAlone<Functor>{functor},
-                       [&](const int* listed, int count) {
-                         run_functor_on_listed<<<(count - 1) / pixel_block + 1, pixel_block, 0, current_stream()>>>(
-                             functor, listed, count);
+                       [&](const int* listed, const int* count) {
+                         // Two blocks of so many registers are on each of a large device's processors at a time.
+                         constexpr int blocks = 264;
+                         run_functor_on_listed<<<blocks, pixel_block, 0, current_stream()>>>(functor, listed, count);
                        });
 }
 

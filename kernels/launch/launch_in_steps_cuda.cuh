@@ -14,11 +14,12 @@ __global__ void list_unfinished(Step step, int width, int rows, int* listed, int
   }
 }
 
+//! The threads take what is listed by turns: how much that is the device alone knows.
 template <class Functor>
-__global__ void run_functor_on_listed(Functor functor, const int* listed, int count) {
-  const int thread = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (thread < count) {
-    functor(listed[thread]);
+__global__ void run_functor_on_listed(Functor functor, const int* listed, const int* count) {
+  const int threads = static_cast<int>(gridDim.x * blockDim.x);
+  for (int at = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x); at < *count; at += threads) {
+    functor(listed[at]);
   }
 }
 
@@ -46,7 +47,7 @@ __global__ void draw_samples(Functor functor, const int* fine, int count) {
 }
 
 //! Pixels of which few are dear: the threads of the others do not wait for them. step(index) does what all pixels need and tells whether there is more to
-//! do; rest(list, count) does it, in launches of its own.
+//! do; rest(list, count), both in device memory, does it in launches of its own.
 template <class Step, class Rest>
 void launch_cuda_in_steps(const char* name, int width, int rows, const Step& step, const Rest& rest) {
   if (width <= 0 || rows <= 0) {
@@ -58,11 +59,8 @@ void launch_cuda_in_steps(const char* name, int width, int rows, const Step& ste
   list_unfinished<<<blocks_of_pixels(width, rows), pixel_block, 0, current_stream()>>>(step, width, rows, listed,
                                                                                        memory.data());
   check_cuda(cudaGetLastError(), name);
-  const int count = read_cuda(memory.data(), name);
-  if (count > 0) {
-    rest(listed, count);
-    finish_launch(name);
-  }
+  rest(listed, static_cast<const int*>(memory.data()));
+  end_launch(name);
 }
 
 //! DrawNearField's first step, and DrawFlatEyes'.
@@ -75,10 +73,15 @@ struct DrawMiddle {
 //! Draws pixels of which few need many looks.
 template <class Functor>
 void launch_cuda_on_sampled_pixels(const char* name, int width, int rows, const Functor& functor) {
-  launch_cuda_in_steps(name, width, rows, DrawMiddle<Functor>{functor}, [&](const int* listed, int count) {
-    constexpr int pixels_a_block = pixel_block / (near_samples * near_samples);
-    draw_samples<<<(count - 1) / pixels_a_block + 1, pixel_block, 0, current_stream()>>>(functor, listed, count);
-  });
+  launch_cuda_in_steps(
+      name, width, rows, DrawMiddle<Functor>{functor}, [&](const int* listed, const int* device_count) {
+        const int count = read_cuda(device_count, name);
+        if (count == 0) {
+          return;
+        }
+        constexpr int pixels_a_block = pixel_block / (near_samples * near_samples);
+        draw_samples<<<(count - 1) / pixels_a_block + 1, pixel_block, 0, current_stream()>>>(functor, listed, count);
+      });
 }
 
 }  // namespace ergodome

@@ -10,7 +10,10 @@ void shade_pixels_cuda(const ShadeBatch& batch) {
   if (batch.mode != ViewMode::sky) {
     return launch_cuda("shade_pixels", batch.count, ShadeHeatMap{batch});
   }
-  dispatch_shading<float>(batch, [&](const auto& functor) { launch_cuda("shade_pixels", batch.count, functor); });
+  // Pixels side by side, and one above the other, look at the same texels.
+  const int width = batch.projection.width_px;
+  dispatch_shading<float>(
+      batch, [&](const auto& functor) { launch_cuda_on_pixels("shade_pixels", width, batch.count / width, functor); });
 }
 
 namespace {

@@ -43,6 +43,10 @@ void look_at_flat_objects_cuda(const FlatObjectPixelBatch&) { refuse(); }
 
 void lay_objects_cuda(const LayObjectsBatch&) { refuse(); }
 
+void join_star_images_cuda(const StarTwinBatch&, StarTwinStep) { refuse(); }
+
+void place_star_images_cuda(const StarPointBatch&, int) { refuse(); }
+
 void place_stars_cuda(const StarTileBatch&, StarTileStep) { refuse(); }
 
 void sum_counts_cuda(const std::int32_t*, int, std::int32_t*) { refuse(); }
@@ -64,6 +68,10 @@ void wait_for_cuda() { refuse(); }
 void solve_edge_cuda(const EdgeBatch&) { refuse(); }
 
 long count_negative_cuda(const float*, long) { refuse(); }
+
+bool begin_in_order_cuda() { refuse(); }
+
+void end_in_order_cuda(bool, bool) {}
 
 void* begin_urgent_cuda() { refuse(); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <new>
 #include <string>
@@ -108,15 +109,39 @@ void reserve(Backend backend, std::size_t count, const char* name, Buffer<T>& bu
   }
 }
 
-//! Fills the first `count` elements with zero bytes.
+//! Fills `count` elements with zero bytes, from `first` on.
 template <class T>
-void clear(Backend backend, const Buffer<T>& buffer, std::size_t count) {
+void clear(Backend backend, const Buffer<T>& buffer, std::size_t count, std::size_t first = 0) {
   if (backend == Backend::cuda) {
-    clear_cuda(buffer.data(), count * sizeof(T));
+    clear_cuda(buffer.data() + first, count * sizeof(T));
   } else {
-    std::memset(buffer.data(), 0, count * sizeof(T));
+    std::memset(buffer.data() + first, 0, count * sizeof(T));
   }
 }
+
+//! As long as it lives, the calling thread does not wait for what it asks of a device, which does it in order: for numbers that it reads it waits, and at the
+//! end for all, unless one of these that was there before lives on. What other threads are to read must be waited for.
+class DeviceWorkInOrder {
+ public:
+  explicit DeviceWorkInOrder(Backend backend) : in_order_(backend == Backend::cuda) {
+    if (in_order_) {
+      before_ = begin_in_order_cuda();
+    }
+  }
+  //! Throws Error where something that was asked for failed; not where another error is on its way.
+  ~DeviceWorkInOrder() noexcept(false) {
+    if (in_order_) {
+      end_in_order_cuda(before_, std::uncaught_exceptions() == errors_);
+    }
+  }
+  DeviceWorkInOrder(const DeviceWorkInOrder&) = delete;
+  DeviceWorkInOrder& operator=(const DeviceWorkInOrder&) = delete;
+
+ private:
+  bool in_order_;
+  bool before_ = false;
+  int errors_ = std::uncaught_exceptions();
+};
 
 //! As long as it lives, what the calling thread asks of a device comes before what other threads have asked, and does not wait for that.
 class UrgentDeviceWork {
