@@ -5,6 +5,8 @@
 #include "kernels/launch/kernel_table.h"
 #include "kernels/stars/draw_stars.h"
 #include "kernels/stars/patch_search.h"
+#include "kernels/stars/star_sheet.h"
+#include "kernels/stars/star_twins.h"
 
 namespace ergodome {
 
@@ -128,6 +130,12 @@ void look_at_objects(Backend backend, const FlatObjectPixelBatch& batch);
 
 //! Lays them over a picture that has neither disk nor shells.
 void lay_objects(Backend backend, const LayObjectsBatch& batch);
+
+//! A step of putting together images that were found; see StarTwinBatch.
+void join_star_images(Backend backend, const StarTwinBatch& batch, StarTwinStep step);
+
+//! Makes points of `count` images; see StarPointBatch.
+void place_star_images(Backend backend, const StarPointBatch& batch, int count);
 
 //! A step of finding which points shine on which tiles; see StarTileBatch.
 void place_stars(Backend backend, const StarTileBatch& batch, StarTileStep step);

@@ -5,6 +5,8 @@
 #include "kernels/launch/run_on_cpu.h"
 #include "kernels/stars/draw_stars_kernel.h"
 #include "kernels/stars/patch_search_kernel.h"
+#include "kernels/stars/star_points_kernel.h"
+#include "kernels/stars/star_twins_kernel.h"
 
 // What devices do with stars; on the processor it is there for tests, and for pictures that are made in one piece.
 namespace ergodome {
@@ -22,15 +24,40 @@ void run(const Functor& functor, int count) {
 
 }  // namespace
 
+void join_star_images(Backend backend, const StarTwinBatch& batch, StarTwinStep step) {
+  if (backend == Backend::cuda) {
+    return join_star_images_cuda(batch, step);
+  }
+  const int found = batch.found_count[0] + batch.found_count[1];
+  switch (step) {
+    case StarTwinStep::count:
+      return run(CountImage<false>{batch}, found);
+    case StarTwinStep::number:
+      return run(CountImage<true>{batch}, found);
+    case StarTwinStep::take:
+      break;
+  }
+  run(TakeImages{batch}, batch.star_count);
+}
+
+void place_star_images(Backend backend, const StarPointBatch& batch, int count) {
+  static WorkCounter counter("place_star_images");
+  const WorkScope work(counter, count);
+  if (backend == Backend::cuda) {
+    return place_star_images_cuda(batch, count);
+  }
+  run(PlaceImage{batch}, count);
+}
+
 void place_stars(Backend backend, const StarTileBatch& batch, StarTileStep step) {
   if (backend == Backend::cuda) {
     return place_stars_cuda(batch, step);
   }
   switch (step) {
     case StarTileStep::count:
-      return run(PlaceStar<false>{batch}, batch.point_count);
+      return run(PlaceStar<false>{batch}, batch.point_threads * batch.point_count);
     case StarTileStep::list:
-      return run(PlaceStar<true>{batch}, batch.point_count);
+      return run(PlaceStar<true>{batch}, batch.point_threads * batch.point_count);
     case StarTileStep::sort:
       break;
   }

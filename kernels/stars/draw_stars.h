@@ -15,6 +15,7 @@ inline constexpr int star_tile_px = 16;
 struct StarTileBatch {
   const StarPoint* points;
   int point_count;
+  int point_threads;  //!< that a point's tiles are shared by: those with spikes have many
   bool spikes_alone;  //!< points without spikes are left out
   double reach_px;    //!< how far light goes along x and along y
   int width_px;       //!< of the picture

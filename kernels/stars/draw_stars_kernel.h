@@ -11,9 +11,9 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Calls body(tile) for each tile of a picture that pixels within reach of a point lie in, once for each turn of a picture that goes on
-//! round the sky.
+//! round the sky; of their rows, those that are thread `thread`'s.
 template <class Body>
-ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point, const Body& body) {
+ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point, int thread, const Body& body) {
   const auto between = [](double place, double low, double high) {
     return static_cast<int>(::fmin(::fmax(::floor(place), low), high));
   };
@@ -27,7 +27,7 @@ ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point,
     if (top > bottom || left > right) {
       continue;
     }
-    for (int row = top / star_tile_px; row <= bottom / star_tile_px; ++row) {
+    for (int row = top / star_tile_px + thread; row <= bottom / star_tile_px; row += batch.point_threads) {
       for (int column = left / star_tile_px; column <= right / star_tile_px; ++column) {
         body(row * batch.columns + column);
       }
@@ -41,14 +41,14 @@ struct PlaceStar {
   StarTileBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const StarPoint& point = batch.points[index];
+    const StarPoint& point = batch.points[index / batch.point_threads];
     if (batch.spikes_alone && !(point.spikes.x + point.spikes.y + point.spikes.z > 0.0F)) {
       return;
     }
-    for_tiles_about(batch, point, [&](int tile) {
+    for_tiles_about(batch, point, index % batch.point_threads, [&](int tile) {
       const std::int32_t before = count_up(batch.counts + tile);
       if constexpr (Lists) {
-        batch.members[batch.first[tile] + before] = index;
+        batch.members[batch.first[tile] + before] = index / batch.point_threads;
       }
     });
   }
@@ -82,16 +82,70 @@ struct DrawStars {
     }
     float light[3] = {};
     for (int i = first; i < last; ++i) {
-      if (i == first || batch.members[i] != batch.members[i - 1]) {
+      if (!counts_again(first, i)) {
         add(batch.points[batch.members[i]], x, y, light);
       }
     }
+    lay(light, x, y);
+  }
+
+  //! Whether a tile, whose members begin at `first`, has the one before for a second time.
+  [[nodiscard]] ERGO_HD bool counts_again(int first, int member) const {
+    return member > first && batch.members[member] == batch.members[member - 1];
+  }
+
+  //! Adds light to the picture.
+  ERGO_HD void lay(const float (&light)[3], int x, int y) const {
     const float covered = image_coverage(batch.projection, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
     // Spikes do not know where the image ends.
     const float inside = batch.pattern == nullptr ? covered : covered > 0.0F ? 1.0F : 0.0F;
-    float* const to = batch.rgba + 4 * static_cast<long>(index);
+    float* const to = batch.rgba + 4 * (static_cast<long>(y - batch.first_row) * batch.projection.width_px + x);
     for (int channel = 0; channel < 3; ++channel) {
       to[channel] += inside * light[channel];
+    }
+  }
+
+  //! The part of a spot's light that falls on a column, or on a row, of pixels: none beside the sheet that it is drawn on. Of both, multiplied, a pixel has.
+  [[nodiscard]] ERGO_HD float part_of_column(const StarPoint& point, int x) const {
+    const PixelCell& cell = batch.cells[point.sheet];
+    if (x < cell.left_px || x >= cell.left_px + cell.width_px) {
+      return 0.0F;
+    }
+    const int turns = wraps_around(batch.projection) ? 1 : 0;
+    float part = 0.0F;
+    for (int turn = -turns; turn <= turns; ++turn) {
+      part += part_of(x + turn * batch.projection.width_px, point.x_px);
+    }
+    return part;
+  }
+
+  [[nodiscard]] ERGO_HD float part_of_row(const StarPoint& point, int y) const {
+    const PixelCell& cell = batch.cells[point.sheet];
+    return y < cell.top_px || y >= cell.top_px + cell.height_px ? 0.0F : part_of(y, point.y_px);
+  }
+
+  //! Adds what of a point falls on a pixel.
+  ERGO_HD void add(const StarPoint& point, int x, int y, float (&light)[3]) const {
+    if (batch.pattern == nullptr) {
+      const float part = part_of_column(point, x) * part_of_row(point, y);
+      light[0] += part * point.light.x;
+      light[1] += part * point.light.y;
+      light[2] += part * point.light.z;
+      return;
+    }
+    const PixelCell& cell = batch.cells[point.sheet];
+    if (x < cell.left_px || x >= cell.left_px + cell.width_px || y < cell.top_px || y >= cell.top_px + cell.height_px) {
+      return;
+    }
+    const int turns = wraps_around(batch.projection) ? 1 : 0;
+    for (int turn = -turns; turn <= turns; ++turn) {
+      const int column = x + turn * batch.projection.width_px;
+      const float half = 0.5F * static_cast<float>(batch.pattern_px);
+      const Vector3<float> pattern =
+          pattern_at(static_cast<float>(column - point.x_px) + half, static_cast<float>(y - point.y_px) + half);
+      light[0] += pattern.x * point.spikes.x;
+      light[1] += pattern.y * point.spikes.y;
+      light[2] += pattern.z * point.spikes.z;
     }
   }
 
@@ -125,29 +179,6 @@ struct DrawStars {
       }
     }
     return sum;
-  }
-
-  ERGO_HD void add(const StarPoint& point, int x, int y, float (&light)[3]) const {
-    const PixelCell& cell = batch.cells[point.sheet];
-    if (x < cell.left_px || x >= cell.left_px + cell.width_px || y < cell.top_px || y >= cell.top_px + cell.height_px) {
-      return;
-    }
-    const int turns = wraps_around(batch.projection) ? 1 : 0;
-    for (int turn = -turns; turn <= turns; ++turn) {
-      const int column = x + turn * batch.projection.width_px;
-      Vector3<float> part{};
-      if (batch.pattern != nullptr) {
-        const float half = 0.5F * static_cast<float>(batch.pattern_px);
-        const Vector3<float> pattern =
-            pattern_at(static_cast<float>(column - point.x_px) + half, static_cast<float>(y - point.y_px) + half);
-        part = {pattern.x * point.spikes.x, pattern.y * point.spikes.y, pattern.z * point.spikes.z};
-      } else {
-        part = (part_of(column, point.x_px) * part_of(y, point.y_px)) * point.light;
-      }
-      light[0] += part.x;
-      light[1] += part.y;
-      light[2] += part.z;
-    }
   }
 };
 

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "kernels/core/sort_in_place.h"
 #include "kernels/stars/keep_root.h"
 #include "kernels/stars/part_halving_kernel.h"
 #include "kernels/stars/part_solving_kernel.h"
@@ -15,13 +14,23 @@ namespace detail {
 ERGO_HD const SearchedPair& folded_pair(const PatchSearchBatch& batch, int index) {
   return batch.pairs[static_cast<int>(PatchShape::folded)].at[batch.first_folded + index];
 }
+
+//! Whether the slice has so many pairs.
+ERGO_HD bool is_in_slice(const PatchSearchBatch& batch, int index) {
+  const SharedList<SearchedPair>& pairs = batch.pairs[static_cast<int>(PatchShape::folded)];
+  const int at = batch.first_folded + index;
+  return at < *pairs.count && at < pairs.room;
+}
 }  // namespace detail
 
-//! Shows the patch of a pair of the slice, which may be folded, as its star sees it: part i of the first list.
+//! Shows the patch of a pair of the slice, which may be folded, as its star sees it: part i of the first list, and counts it there.
 struct SeeFoldedPair {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
+    if (!detail::is_in_slice(batch, index)) {
+      return;
+    }
     const SearchedPair pair = detail::folded_pair(batch, index);
     const StarPatch& patch = batch.patches[pair.patch];
     const BezierPatch* const sky = &patch.sky;
@@ -32,6 +41,7 @@ struct SeeFoldedPair {
     SeePatches<float>{see}(0);
     // Numbers in a slice are exact in float.
     to.at[static_cast<long>(part_pair) * to.room + index] = static_cast<float>(index);
+    count_up(to.count);
   }
 };
 
@@ -134,6 +144,9 @@ struct TakeRoots {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
+    if (!detail::is_in_slice(batch, index)) {
+      return;
+    }
     const SearchedPair pair = detail::folded_pair(batch, index);
     const int wanted = batch.patches[pair.patch].shape == PatchShape::bent ? 1 : most_roots;
     FoldedRoot taken[most_roots];
@@ -148,13 +161,27 @@ struct TakeRoots {
   }
 
  private:
-  //! In the order of their places, as chance told them in another each time.
-  ERGO_HD static void take(FoldedRoot* told, int told_count, int wanted, FoldedRoot (&taken)[most_roots], int& count) {
-    sort_in_place(told, told_count,
-                  [](const FoldedRoot& a, const FoldedRoot& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); });
-    for (int i = 0; i < told_count; ++i) {
-      if (may_add_root(taken, count, wanted, told[i])) {
-        taken[count++] = told[i];
+  static ERGO_HD bool comes_before(const FoldedRoot& a, const FoldedRoot& b) {
+    return a.u < b.u || (a.u == b.u && (a.v < b.v || (a.v == b.v && a.area < b.area)));
+  }
+
+  //! In the order of their places, as chance told them in another each time. Few are taken of what may be hundreds: what is refused once is refused for
+  //! good, so that the next one is the first that may be added.
+  ERGO_HD static void take(const FoldedRoot* told, int told_count, int wanted, FoldedRoot (&taken)[most_roots],
+                           int& count) {
+    const int before = count;
+    bool more = true;
+    while (more) {
+      int next = -1;
+      for (int i = 0; i < told_count; ++i) {
+        if ((count == before || comes_before(taken[count - 1], told[i])) &&
+            (next < 0 || comes_before(told[i], told[next])) && may_add_root(taken, count, wanted, told[i])) {
+          next = i;
+        }
+      }
+      more = next >= 0;
+      if (more) {
+        taken[count++] = told[next];
       }
     }
   }

@@ -62,12 +62,13 @@ struct SharedParts {
 //! Pairs of folded patches whose parts are searched together: so many as fill a device, so few that their parts do not fill its memory.
 inline constexpr int most_searched_together = 1 << 15;
 
-//! The search for images of stars in the patches of a lens, one thread a patch and then one a pair: for devices. On the processor
+//! The search for images of stars in the patches of a lens, some threads a patch and then one a pair: for devices. On the processor
 //! RoughImageFinder works on registers of pairs.
 struct PatchSearchBatch {
   const StarPatch* patches;
   int patch_count;
   int sides;                  //!< 2: the grid is half of a sky that is its own mirror image
+  int patch_threads;          //!< that look for a patch's stars, side by side: some patches hold thousands
   Vector3<double> view_axis;  //!< the cone in which images are sought, in the observer's frame
   double view_half_angle;     //!< [rad]
   double view_cosine;
@@ -102,7 +103,7 @@ struct PatchSearchBatch {
 };
 
 //! The steps of the search, one after another: pairs of all patches, the roots of pairs by their patches' shapes; bent patches add to the pairs of folded
-//! ones. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one.
+//! ones. How many there are of most things the device alone knows: a step may be run for more, up to the room of their list. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one.
 enum class PatchSearchStep {
   find_pairs,
   regular,

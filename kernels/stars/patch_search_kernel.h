@@ -6,13 +6,16 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Finds the stars that a patch may hold, and that are bright enough; index i is side i % sides of patch i / sides.
+//! Finds the stars that a patch may hold, and that are bright enough: index i is thread i % patch_threads of side i / patch_threads, and side j is side
+//! j % sides of patch j / sides.
 struct FindPatchPairs {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const int number = index / batch.sides;
-    const bool mirrored = index % batch.sides == 1;
+    const int side = index / batch.patch_threads;
+    const int thread = index % batch.patch_threads;
+    const int number = side / batch.sides;
+    const bool mirrored = side % batch.sides == 1;
     const StarPatch& patch = batch.patches[number];
     if (!may_be_seen(patch, mirrored)) {
       return;
@@ -26,7 +29,7 @@ struct FindPatchPairs {
     const CellRange range = cells_of(part.bounds, level.stars);
     const int end_cell = range.first_cell + range.cell_count;
     const auto search = [&](int first, int last) {
-      for (int at = first; at < last; ++at) {
+      for (int at = first + thread; at < last; at += batch.patch_threads) {
         if (level.stars.illuminance[at] >= faintest && is_within(part, level.stars, at) &&
             level.stars.illuminance[at] * gain.gain[level.colour[at]] >= floor) {
           add(patch, number, mirrored, level.number[at]);
@@ -88,7 +91,11 @@ struct InvertPair {
   PatchSearchBatch batch;
 
   ERGO_HD void operator()(int index) const {
-    const SearchedPair pair = batch.pairs[static_cast<int>(Shape)].at[index];
+    const SharedList<SearchedPair>& pairs = batch.pairs[static_cast<int>(Shape)];
+    if (index >= *pairs.count || index >= pairs.room) {
+      return;
+    }
+    const SearchedPair pair = pairs.at[index];
     const BezierPatch* const sky = &batch.patches[pair.patch].sky;
     const PatchPairBatch one = {1, &sky, &pair.a, &pair.b};
     float side = 0.0F;

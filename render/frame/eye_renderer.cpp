@@ -171,16 +171,16 @@ ShadeBatch EyeRenderer::prepare(const Projection& projection, const SkyCube& sky
   return shade;
 }
 
-std::future<std::vector<StarPoint>> EyeRenderer::seek_stars(const EyeCamera& eye, const Projection& projection,
-                                                            const PictureSettings& settings) const {
+std::future<FoundPoints> EyeRenderer::seek_stars(const EyeCamera& eye, const Projection& projection,
+                                                 const PictureSettings& settings) const {
   // What of them the processor does it does while a device makes the rest.
   const bool meanwhile = settings.stars != nullptr && backend_ != Backend::cpu;
   return std::async(meanwhile ? std::launch::async : std::launch::deferred, [this, &eye, &projection, &settings] {
     const UrgentDeviceWork urgent(backend_);
     const StarEye seen_by = settings.turning ? StarEye(settings.turning) : StarEye(eye);
     const PixelMatch match = settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
-    return settings.stars != nullptr ? settings.stars->find(seen_by, projection, settings.shutter, match)
-                                     : std::vector<StarPoint>();
+    return settings.stars != nullptr ? settings.stars->find_points(seen_by, projection, settings.shutter, match)
+                                     : FoundPoints();
   });
 }
 
@@ -195,16 +195,17 @@ std::unique_ptr<LensSource> EyeRenderer::lens_for(const EyeCamera& eye, const Pr
 
 PictureInPlace EyeRenderer::render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                             const PictureSettings& settings) {
+  const DeviceWorkInOrder in_order(backend_);
   const std::size_t pixels =
       static_cast<std::size_t>(projection.width_px) * static_cast<std::size_t>(projection.height_px);
   ShadeBatch shade = prepare(projection, sky, settings, pixels);
   shade.rgba = room_for(pixels);
-  std::future<std::vector<StarPoint>> seeking = seek_stars(eye, projection, settings);
+  std::future<FoundPoints> seeking = seek_stars(eye, projection, settings);
   const auto source = lens_for(eye, projection, settings);
   near_field_ = near_field_of(eye, projection, settings);
   source->fill(0, projection.height_px, shade.lens);
   shade_rows(shade, settings.polygons, {0, projection.height_px});
-  const std::vector<StarPoint> stars = seeking.get();
+  const FoundPoints stars = seeking.get();
   place_stars(stars, projection, settings);
   if (!stars.empty()) {
     tiled_stars_.draw(0, projection.height_px, shade.rgba);
@@ -254,10 +255,16 @@ void EyeRenderer::draw_objects_in_place(const EyeCamera& eye, const Projection& 
   rgba_.write(picture.data(), picture.size());
 }
 
-void EyeRenderer::place_stars(const std::vector<StarPoint>& stars, const Projection& projection,
-                              const PictureSettings& settings) {
-  if (!stars.empty()) {
-    tiled_stars_.set(stars, projection, settings.stars->splat_for(projection), settings.stars->spikes());
+void EyeRenderer::place_stars(const FoundPoints& stars, const Projection& projection, const PictureSettings& settings) {
+  if (stars.empty()) {
+    return;
+  }
+  const SplatSettings splat = settings.stars->splat_for(projection);
+  const DiffractionPattern* const spikes = settings.stars->spikes();
+  if (stars.in_place.count > 0) {
+    tiled_stars_.set(stars.in_place, projection, splat, spikes);
+  } else {
+    tiled_stars_.set(stars.in_host, projection, splat, spikes);
   }
 }
 

@@ -164,11 +164,11 @@ class EyeRenderer {
   void shade_rows(ShadeBatch& shade, const PolygonFilter* polygons, const RowBlock& rows);
 
   //! Seeks the images of stars that a picture shows. What is given has to outlive the search.
-  std::future<std::vector<StarPoint>> seek_stars(const EyeCamera& eye, const Projection& projection,
-                                                 const PictureSettings& settings) const;
+  std::future<FoundPoints> seek_stars(const EyeCamera& eye, const Projection& projection,
+                                      const PictureSettings& settings) const;
 
   //! Brings stars to where the picture is made.
-  void place_stars(const std::vector<StarPoint>& stars, const Projection& projection, const PictureSettings& settings);
+  void place_stars(const FoundPoints& stars, const Projection& projection, const PictureSettings& settings);
 
   //! What stands near the hole in a picture, with the grid that its disk is read from where that is worth its while.
   NearField near_field_of(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings);
@@ -179,7 +179,7 @@ class EyeRenderer {
 
   //! Draws stars and what stands near the hole over rows whose sky is in rgba_, or on the processor in `light`: there they end up.
   void draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
-                      const std::vector<StarPoint>& stars, const RowBlock& rows, float* light);
+                      const FoundPoints& stars, const RowBlock& rows, float* light);
 
   //! Rays that did not converge, by what the backend's memory says of errors.
   long count_unresolved(const float* estimates, std::size_t pixels) const;

@@ -27,8 +27,8 @@ struct EyeRenderer::Making {
   const PictureSettings& settings;
   Picture picture{};
   ShadeBatch shade{};
-  std::future<std::vector<StarPoint>> seeking{};
-  std::vector<StarPoint> stars{};
+  std::future<FoundPoints> seeking{};
+  FoundPoints stars{};
   std::unique_ptr<LensSource> chosen{};
   const LensSource* source = nullptr;
 
@@ -147,11 +147,11 @@ std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCu
 }
 
 void EyeRenderer::draw_over_rows(const EyeCamera& eye, const Projection& projection, const PictureSettings& settings,
-                                 const std::vector<StarPoint>& stars, const RowBlock& rows, float* light) {
+                                 const FoundPoints& stars, const RowBlock& rows, float* light) {
   if (backend_ == Backend::cpu) {
     // The rows are made in the picture itself.
     if (!stars.empty()) {
-      settings.stars->draw(stars, projection, rows.first, rows.count, light);
+      settings.stars->draw(stars.in_host, projection, rows.first, rows.count, light);
     }
     return draw_near_rows(eye, projection, settings, rows, light);
   }

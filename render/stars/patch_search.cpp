@@ -10,6 +10,13 @@
 
 namespace ergodome {
 
+namespace {
+
+//! Threads that look for a patch's stars: they go together, and read stars that lie together.
+constexpr int threads_of_a_patch = 32;
+
+}  // namespace
+
 void PlacedPatches::set(const StarPatches& patches, const LensStation& station) {
   arrays_.begin();
   const auto put = [this](const auto& values) { return arrays_.put(values); };
@@ -100,11 +107,11 @@ bool PatchSearch::have_room(const Counts& counts) const {
 
 //! The device alone knows how many parts there are: to ask it each time takes longer than threads that find none.
 void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
+  clear(backend_, counts_, 4, halved);
   search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);
-  counts_.write_at(halved, pairs);
   for (int depth = 0; depth < batch.deepest; ++depth) {
     const SharedParts& to = batch.halved[1 - depth % 2];
-    counts_.write_at(static_cast<std::size_t>(halves - depth % 2), 0);
+    clear(backend_, counts_, 1, static_cast<std::size_t>(halves - depth % 2));
     search_patches(backend_, batch, PatchSearchStep::halve, to.room, depth);
   }
   const auto lists = 2 * static_cast<std::size_t>(pairs);
@@ -118,31 +125,18 @@ void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
   search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
 }
 
-void PatchSearch::search_folded(PatchSearchBatch batch, int pairs) {
-  // Each pair is a part at first.
-  const int slice = std::min(most_searched_together, rooms_[halved]);
-  for (int first = 0; first < pairs; first += slice) {
-    batch.first_folded = first;
-    for (const std::size_t list : {plain_parts, folded_parts}) {
-      counts_.write_at(list, 0);
-    }
-    search_slice(batch, std::min(pairs - first, slice));
-  }
-}
-
-//! How long lists were: longer than their room where they have to be made longer, and nothing is found yet.
-PatchSearch::Counts PatchSearch::search(const PatchSearchBatch& batch) {
+//! How long lists were: longer than their room where they have to be made longer, and what is found is not all.
+PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   clear(backend_, counts_, list_count);
-  search_patches(backend_, batch, PatchSearchStep::find_pairs, batch.sides * batch.patch_count);
-  Counts found = counts();
-  if (!have_room(found)) {
-    return found;
-  }
-  search_patches(backend_, batch, PatchSearchStep::regular, found[regular]);
-  search_patches(backend_, batch, PatchSearchStep::bent, found[bent]);
-  found = counts();
-  if (have_room(found) && found[folded] > 0) {
-    search_folded(batch, found[folded]);
+  search_patches(backend_, batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.sides * batch.patch_count);
+  search_patches(backend_, batch, PatchSearchStep::regular, rooms_[regular]);
+  search_patches(backend_, batch, PatchSearchStep::bent, rooms_[bent]);
+  // Each pair of a folded patch is a part at first. There are few mostly: the first slice is searched before it is known whether there are more.
+  const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});
+  Counts found{};
+  for (batch.first_folded = 0; batch.first_folded == 0 || (have_room(found) && batch.first_folded < found[folded]);
+       batch.first_folded += slice) {
+    search_slice(batch, slice);
     found = counts();
   }
   return found;
@@ -150,7 +144,9 @@ PatchSearch::Counts PatchSearch::search(const PatchSearchBatch& batch) {
 
 PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Question& question) {
   static WorkCounter counter("search_patches");
+  const DeviceWorkInOrder in_order(backend_);
   PatchSearchBatch batch = patches.batch();
+  batch.patch_threads = threads_of_a_patch;
   const WorkScope work(counter, batch.patch_count);
   batch.view_axis = question.view.axis;
   batch.view_half_angle = question.view.half_angle;
@@ -178,9 +174,16 @@ PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Questi
   Answer answer;
   answer.rough.resize(static_cast<std::size_t>(found[images]));
   images_.read(answer.rough.data(), answer.rough.size());
-  answer.exact.resize(static_cast<std::size_t>(found[exact]));
-  exact_.read(answer.exact.data(), answer.exact.size());
+  answer.exact = {exact_.data(), found[exact]};
   return answer;
+}
+
+std::vector<SeenImage> PatchSearch::fetched(const FoundInPlace& found) const {
+  std::vector<SeenImage> images(static_cast<std::size_t>(found.count));
+  if (found.count > 0) {
+    copy_to_host(backend_, images.data(), found.images, images.size());
+  }
+  return images;
 }
 
 }  // namespace ergodome

@@ -7,6 +7,7 @@
 
 #include "kernels/stars/patch_search.h"
 #include "render/backend/buffer.h"
+#include "render/stars/image_joiner.h"
 #include "render/stars/image_observer.h"
 #include "render/stars/star_patches.h"
 #include "render/stars/view_cone.h"
@@ -74,14 +75,17 @@ class PatchSearch {
     StarLook look;
   };
 
-  //! What it finds: rough images, and those that need no rays.
+  //! What it finds: rough images, and those that need no rays, which stay in place until the next search.
   struct Answer {
     std::vector<RoughImage> rough;
-    std::vector<SeenImage> exact;
+    FoundInPlace exact;
   };
 
   //! Patches are of this field.
   Answer find(const PlacedPatches& patches, const Question& question);
+
+  //! What stays in place, in host memory.
+  [[nodiscard]] std::vector<SeenImage> fetched(const FoundInPlace& found) const;
 
  private:
   //! Lists whose lengths the device counts.
@@ -92,9 +96,8 @@ class PatchSearch {
   void make_room(const Counts& wanted);
   void share(PatchSearchBatch& batch) const;
   [[nodiscard]] bool have_room(const Counts& counts) const;
-  Counts search(const PatchSearchBatch& batch);
+  Counts search(PatchSearchBatch batch);
   void search_slice(const PatchSearchBatch& batch, int pairs);
-  void search_folded(PatchSearchBatch batch, int pairs);
 
   Backend backend_;
   PlacedArrays arrays_;

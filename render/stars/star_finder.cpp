@@ -150,8 +150,9 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
 }
 
 //! Seeks images roughly. In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes; a
-//! device finds them in none.
-std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device) {
+//! device finds them in none, and leaves those that need no rays `in_place`.
+std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
+                         FoundInPlace& in_place) {
   if (device == nullptr) {
     std::vector<Sought> parts(static_cast<std::size_t>(rough_parts(patches)));
     find_rough_images(search.field, search.phi, patches, search.settings.view,
@@ -161,13 +162,13 @@ std::vector<Sought> seek(const Search& search, const StarPatches& patches, const
     return parts;
   }
   const StarSettings& settings = search.settings;
-  PatchSearch::Answer answer =
+  const PatchSearch::Answer answer =
       device->search.find(device->patches, {search.phi, settings.view, search.observer, look_of(settings)});
   const std::vector<RoughImage>& rough = answer.rough;
   constexpr std::size_t chunk = 512;
   const std::size_t chunks = (rough.size() + chunk - 1) / chunk;
-  std::vector<Sought> parts(chunks + 1);
-  parts.back().exact = std::move(answer.exact);
+  std::vector<Sought> parts(chunks);
+  in_place = answer.exact;
   parallel_for(static_cast<int>(chunks), 1, [&](int begin, int end) {
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
       const std::size_t first = part * chunk;
@@ -190,13 +191,19 @@ void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std:
   }
 }
 
-}  // namespace
+//! All that is found, some of it twice.
+struct FoundImages {
+  FoundInPlace in_place;
+  std::vector<SeenImage> in_host;
+};
 
-std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
-                                        const LensStation& station, const StarPatches& patches,
-                                        const StarSettings& settings, const DeviceSearch* device) {
+FoundImages found_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                         const LensStation& station, const StarPatches& patches, const StarSettings& settings,
+                         const DeviceSearch* device) {
   const ImageObserver observer(eye, station, colours, settings.redshift);
-  std::vector<Sought> parts = seek({field, colours, observer, eye.camera.phi, settings}, patches, device);
+  FoundImages found;
+  const std::vector<Sought> parts =
+      seek({field, colours, observer, eye.camera.phi, settings}, patches, device, found.in_place);
   std::vector<StarCandidate> candidates;
   append(parts, &Sought::rays, candidates);
   // Guesses take many rounds: they shall not hold the others up.
@@ -213,18 +220,35 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
     return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
   };
   refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness, wanted});
-  // What a device has found is in one piece already.
-  std::vector<SeenImage> found = device != nullptr ? std::move(parts.back().exact) : std::vector<SeenImage>();
-  const std::size_t first = found.size();
-  found.resize(first + candidates.size());
+  found.in_host.resize(candidates.size());
   parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      found[first + i] = seen_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
+      found.in_host[i] = seen_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
     }
   });
-  append(parts, &Sought::exact, found);
+  append(parts, &Sought::exact, found.in_host);
+  return found;
+}
+
+}  // namespace
+
+std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                                        const LensStation& station, const StarPatches& patches,
+                                        const StarSettings& settings, const DeviceSearch* device) {
+  FoundImages found = found_images(field, colours, eye, station, patches, settings, device);
+  if (device != nullptr) {
+    const std::vector<SeenImage> fetched = device->search.fetched(found.in_place);
+    found.in_host.insert(found.in_host.end(), fetched.begin(), fetched.end());
+  }
   const auto order = device == nullptr ? FindingOrder::of_patches : FindingOrder::of_chance;
-  return without_twins(found, field.stars().size(), settings.pixel, order);
+  return without_twins(found.in_host, field.stars().size(), settings.pixel, order);
+}
+
+PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                                       const LensStation& station, const StarPatches& patches,
+                                       const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner) {
+  const FoundImages found = found_images(field, colours, eye, station, patches, settings, &device);
+  return joiner.join(found.in_place, found.in_host, settings.pixel);
 }
 
 }  // namespace ergodome

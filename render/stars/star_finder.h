@@ -58,4 +58,9 @@ std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyT
                                         const LensStation& station, const StarPatches& patches,
                                         const StarSettings& settings, const DeviceSearch* device = nullptr);
 
+//! The same, where pictures are made.
+PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                                       const LensStation& station, const StarPatches& patches,
+                                       const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner);
+
 }  // namespace ergodome

@@ -86,6 +86,8 @@ StarPass::StarPass(const Show& show, Backend backend)
 void StarPass::search_field() {
   if (backend_ != Backend::cpu && !tree_ && !field_.stars().empty()) {
     search_.emplace(backend_, field_, colours_.view());
+    joiner_.emplace(backend_, field_.stars().size());
+    placer_.emplace(backend_);
   }
 }
 
@@ -95,6 +97,7 @@ void StarPass::turn_sky(const Show& show) {
   }
   field_ = StarField(*catalogue_, sky_from_map(show.sky), colours_.view());
   images_ = {};
+  images_in_place_ = {};
   if (tree_) {
     tree_.emplace(field_);
   }
@@ -179,20 +182,45 @@ std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSet
   return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings, &device);
 }
 
+PlacedImages StarPass::sought_in_place(const StarEye& eye, const StarSettings& settings) {
+  const Turned& turned = patches_for(eye, settings);
+  return find_star_images_in_place(field_, colours_.view(), eye, turned.station, turned.patches, settings,
+                                   {*search_, *turned.on_device}, *joiner_);
+}
+
+StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
+                                    PixelMatch match) const {
+  StarSettings settings = settings_;
+  settings.pixel = pixel_angle(projection);
+  settings.about = match == PixelMatch::about;
+  // Trails may come in from anywhere.
+  if (!leaves_trails) {
+    const SplatSettings splat = scaled_to(splat_, projection);
+    const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
+    settings.view = view_cone(eye.camera, projection, view_margin + reach_px * largest_pixel_angle(projection));
+  }
+  return settings;
+}
+
+FoundPoints StarPass::find_points(const StarEye& eye, const Projection& projection,
+                                  const std::optional<Shutter>& shutter, PixelMatch match) {
+  if (!search_ || shutter) {
+    return {find(eye, projection, shutter, match), {}};
+  }
+  const DeviceWorkInOrder in_order(backend_);
+  const PlacedImages& images =
+      images_in_place_.images(eye, settings_for(eye, projection, false, match),
+                              [&](const StarSettings& asked) { return sought_in_place(eye, asked); });
+  return {{}, placer_->place(images, eye.camera, projection, scaled_to(splat_, projection))};
+}
+
 std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,
                                       const std::optional<Shutter>& shutter, PixelMatch match) {
   if (field_.stars().empty()) {
     return {};
   }
-  StarSettings settings = settings_;
-  settings.pixel = pixel_angle(projection);
-  settings.about = match == PixelMatch::about;
+  const StarSettings settings = settings_for(eye, projection, shutter.has_value(), match);
   const SplatSettings splat = scaled_to(splat_, projection);
-  // Trails may come in from anywhere.
-  if (!shutter) {
-    const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
-    settings.view = view_cone(eye.camera, projection, view_margin + reach_px * largest_pixel_angle(projection));
-  }
   const auto points_of = [&](const std::vector<StarImage>& found) {
     return shutter
                ? trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_)

@@ -7,7 +7,9 @@
 #include "render/effects/diffraction.h"
 #include "render/lens/grid_tracer.h"
 #include "render/stars/blackbody_colours.h"
+#include "render/stars/image_joiner.h"
 #include "render/stars/kept_star_images.h"
+#include "render/stars/point_placer.h"
 #include "render/stars/star_finder.h"
 #include "render/stars/star_gather.h"
 #include "render/stars/star_splat.h"
@@ -21,6 +23,14 @@ inline constexpr double luminance_of_white = 0.0114;
 //! What pictures before may lend one: what was found for its own pixels, so that it hangs on none of them, or for about such pixels, so that a window may
 //! change its size.
 enum class PixelMatch { exact, about };
+
+//! Points that a picture shows: in host memory, or in place on the device where it is made.
+struct FoundPoints {
+  std::vector<StarPoint> in_host;
+  PlacedPoints in_place;
+
+  [[nodiscard]] bool empty() const { return in_host.empty() && in_place.count == 0; }
+};
 
 //! Draws the stars of a show. Keeps the last lens grids turned round: a camera that turns, moves otherwise or goes round the axis needs
 //! no new one. One that only turns has the images of the last picture, too.
@@ -43,6 +53,10 @@ class StarPass {
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                               PixelMatch match = PixelMatch::exact);
 
+  //! The same, in place where images are sought on a device and leave no trails. What is in place is there until the next call.
+  FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
+                          PixelMatch match);
+
   //! How they are drawn on a picture's pixels, and what spikes look like: nullptr where the show has none.
   [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
   [[nodiscard]] const DiffractionPattern* spikes() const { return spikes_ ? &*spikes_ : nullptr; }
@@ -52,7 +66,12 @@ class StarPass {
             float* rgba) const;
 
  private:
+  //! What is asked of a search for a picture.
+  [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
+                                          PixelMatch match) const;
+
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
+  PlacedImages sought_in_place(const StarEye& eye, const StarSettings& settings);
   std::vector<StarImage> gathered_images(const StarEye& eye, const Projection& projection,
                                          const StarSettings& settings) const;
   void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
@@ -90,7 +109,10 @@ class StarPass {
   std::optional<DiffractionSettings> pattern_;  //!< of these spikes
   GridTracer<float> tracer_;
   std::vector<Turned> turned_;  //!< of the last eyes
-  KeptStarImages images_;
+  KeptStarImages<std::vector<StarImage>> images_;
+  KeptStarImages<PlacedImages> images_in_place_;
+  std::optional<ImageJoiner> joiner_;  //!< on a device
+  std::optional<PointPlacer> placer_;
 };
 
 }  // namespace ergodome

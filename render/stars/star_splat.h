@@ -5,6 +5,7 @@
 
 #include "kernels/projection/projection.h"
 #include "kernels/stars/star_point.h"
+#include "kernels/stars/star_sheet.h"
 #include "render/lens/eye_camera.h"
 #include "render/stars/star_trails.h"
 
@@ -26,6 +27,9 @@ struct SplatSettings {
 //! The same for a picture: a spot of a dome or a whole sky is given in pixels of 4k ones, and keeps its angle in finer ones, where it
 //! would shrink below what an eye in the dome can tell from nothing. None reaches beyond widest_splat_px.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
+
+//! The sheets of a picture, on which points are made of images.
+std::vector<StarSheet> star_sheets(const Projection& projection, const SplatSettings& settings);
 
 //! In which order points are: as splat_points() wants them, or as their images came, which is all that TiledStars asks.
 enum class PointOrder { by_row, of_images };

@@ -5,16 +5,14 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <tuple>
 
 #include "kernels/launch/parallel_for.h"
+#include "kernels/stars/same_image.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Images of one star nearer to each other than this, and not turned over, are one.
-constexpr double same_image_px = 0.1;
 //! Numbers of images by star, for each in their order.
 std::vector<std::uint32_t> by_star(const std::vector<SeenImage>& found, std::size_t stars) {
   // Sorting by counting: where each star's images begin, those that are none before all.
@@ -33,25 +31,9 @@ std::vector<std::uint32_t> by_star(const std::vector<SeenImage>& found, std::siz
   return order;
 }
 
-//! Whether two images of a star are one that was found twice.
-bool are_one(const SeenImage& a, const SeenImage& b, double pixel) {
-  const Vector3<float> apart = a.image.direction - b.image.direction;
-  const auto square = static_cast<double>(dot(apart, apart));
-  const float ratio = a.image.magnification / b.image.magnification;
-  const bool one_side = ratio > 0.0F;
-  if (square < same_image_px * same_image_px * pixel * pixel && one_side) {
-    return true;
-  }
-  // Rings of different order lie side by side, arcs of one ring are as bright as each other.
-  const auto arc = static_cast<double>(std::max(a.arc, b.arc));
-  return square < arc * arc && std::abs(std::log(std::abs(ratio))) < 0.7F && (one_side || (a.capped && b.capped));
-}
-
 void sort_by_place(const std::vector<SeenImage>& found, std::span<std::uint32_t> of_star) {
-  std::ranges::sort(of_star, {}, [&](std::uint32_t number) {
-    const StarImage& image = found[number].image;
-    return std::tuple(image.direction.x, image.direction.y, image.direction.z, image.magnification);
-  });
+  std::ranges::sort(of_star,
+                    [&](std::uint32_t a, std::uint32_t b) { return comes_before(found[a].image, found[b].image); });
 }
 
 //! Adds the images of a star, each once.
@@ -60,7 +42,7 @@ void add_without_twins(const std::vector<SeenImage>& found, std::span<const std:
   std::vector<const SeenImage*> taken;
   for (const std::uint32_t number : of_star) {
     const SeenImage& here = found[number];
-    if (std::ranges::none_of(taken, [&](const SeenImage* other) { return are_one(here, *other, pixel); })) {
+    if (std::ranges::none_of(taken, [&](const SeenImage* other) { return are_one_image(here, *other, pixel); })) {
       taken.push_back(&here);
       images.push_back(here.image);
     }

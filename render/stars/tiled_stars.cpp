@@ -12,11 +12,14 @@ namespace ergodome {
 
 namespace {
 
+//! Threads that share the tiles of a point with spikes, row by row.
+constexpr int threads_of_spikes = 16;
+
 //! Throws where so many points, each on so many tiles, are more than a device should list.
-void require_listable(std::size_t points, double reach_px, const char* remedy) {
+void require_listable(int points, double reach_px, const char* remedy) {
   constexpr double most = 2.5e8;
   const double across = 2.0 * reach_px / star_tile_px + 2.0;
-  if (static_cast<double>(points) * across * across > most) {
+  if (points * across * across > most) {
     throw Error("stars", "shine on more pixels than can be listed on a GPU",
                 std::string(remedy) + ", or run with --backend cpu");
   }
@@ -30,8 +33,9 @@ void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const
   const auto count = static_cast<std::size_t>(tiles);
   reserve(backend_, count, "star tiles", placed.counts);
   reserve(backend_, count + 1, "star tiles", placed.first);
-  const StarTileBatch batch{points_.data(),
-                            point_count_,
+  const StarTileBatch batch{points_.points,
+                            points_.count,
+                            spikes_alone ? threads_of_spikes : 1,
                             spikes_alone,
                             reach_px,
                             projection_.width_px,
@@ -71,25 +75,32 @@ void TiledStars::set_pattern(const DiffractionPattern& pattern) {
 
 void TiledStars::set(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& splat,
                      const DiffractionPattern* pattern) {
+  const auto has_spikes = [](const StarPoint& p) { return p.spikes.x + p.spikes.y + p.spikes.z > 0.0F; };
+  const auto spiked = pattern != nullptr ? std::ranges::count_if(points, has_spikes) : 0;
+  reserve(backend_, points.size(), "star points", own_points_);
+  own_points_.write(points.data(), points.size());
+  set(PlacedPoints{own_points_.data(), static_cast<int>(points.size()), static_cast<int>(spiked)}, projection, splat,
+      pattern);
+}
+
+void TiledStars::set(const PlacedPoints& points, const Projection& projection, const SplatSettings& splat,
+                     const DiffractionPattern* pattern) {
+  const DeviceWorkInOrder in_order(backend_);
   projection_ = projection;
   splat_ = splat;
-  point_count_ = static_cast<int>(points.size());
+  points_ = points;
   spots_.members = 0;
   spikes_.members = 0;
-  if (points.empty()) {
+  if (points.count == 0) {
     return;
   }
-  reserve(backend_, points.size(), "star points", points_);
-  points_.write(points.data(), points.size());
-  require_listable(points.size(), splat.reach_px(),
+  require_listable(points.count, splat.reach_px(),
                    "choose a smaller effects.psf.sigma_px or cutoff_px, or leave out faint stars (sky.faintest_mag)");
   place(splat.reach_px(), false, spots_);
-  const auto has_spikes = [](const StarPoint& p) { return p.spikes.x + p.spikes.y + p.spikes.z > 0.0F; };
-  const auto spiked = static_cast<std::size_t>(pattern != nullptr ? std::ranges::count_if(points, has_spikes) : 0);
-  if (spiked > 0) {
+  if (pattern != nullptr && points.spiked > 0) {
     set_pattern(*pattern);
     const double reach_px = 0.5 * pattern_px_ + 1.0;
-    require_listable(spiked, reach_px, "let fewer have spikes (effects.diffraction.brighter_than_mag)");
+    require_listable(points.spiked, reach_px, "let fewer have spikes (effects.diffraction.brighter_than_mag)");
     place(reach_px, true, spikes_);
   }
 }
@@ -101,7 +112,7 @@ StarLightBatch TiledStars::batch_of(const Placed& placed) const {
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     batch.cells[i] = sheets[i].cell;
   }
-  batch.points = points_.data();
+  batch.points = points_.points;
   batch.first = placed.first.data();
   batch.members = placed.numbers.data();
   batch.tile_columns = columns();
@@ -129,7 +140,7 @@ void TiledStars::draw(int first_row, int row_count, float* rgba) const {
       batch.pattern = pattern_.data();
       batch.pattern_px = pattern_px_;
     }
-    draw_stars(backend_, batch, point_count_);
+    draw_stars(backend_, batch, points_.count);
   }
 }
 

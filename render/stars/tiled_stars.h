@@ -5,6 +5,7 @@
 #include "kernels/stars/draw_stars.h"
 #include "render/backend/buffer.h"
 #include "render/effects/diffraction.h"
+#include "render/stars/point_placer.h"
 #include "render/stars/star_splat.h"
 
 namespace ergodome {
@@ -17,6 +18,10 @@ class TiledStars {
 
   //! What is drawn from now on; `splat` is scaled to the projection (scaled_to). `pattern`, of the spikes, may be nullptr.
   void set(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& splat,
+           const DiffractionPattern* pattern);
+
+  //! The same of points that are where the picture is made, and stay there until it is drawn.
+  void set(const PlacedPoints& points, const Projection& projection, const SplatSettings& splat,
            const DiffractionPattern* pattern);
 
   //! Adds the light to rows of the picture.
@@ -39,8 +44,8 @@ class TiledStars {
   Backend backend_;
   Projection projection_{};
   SplatSettings splat_;
-  int point_count_ = 0;
-  Buffer<StarPoint> points_;
+  PlacedPoints points_;
+  Buffer<StarPoint> own_points_;  //!< that came from host memory
   Placed spots_;
   Placed spikes_;
   Buffer<float> pattern_;

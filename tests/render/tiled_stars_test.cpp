@@ -127,7 +127,7 @@ TEST(TiledStars, ComeAndGo) {
   TiledStars stars(Backend::cpu);
   std::vector<float> rgba(4UL * 128 * 128);
   stars.set(scattered(projection, 500), projection, {0.4, 1.0F}, nullptr);
-  stars.set({}, projection, {0.4, 1.0F}, nullptr);
+  stars.set(std::vector<StarPoint>(), projection, {0.4, 1.0F}, nullptr);
   stars.draw(0, 128, rgba.data());
   EXPECT_EQ(*std::ranges::max_element(rgba), 0.0F);
 }

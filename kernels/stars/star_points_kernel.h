@@ -1,0 +1,32 @@
+#pragma once
+
+#include "kernels/core/shared_counter.h"
+#include "kernels/stars/star_sheet.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Makes a point of image i.
+struct PlaceImage {
+  StarPointBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const StarImage& image = batch.images[index];
+    const StarSheet& sheet = batch.sheet;
+    double x = 0.0;
+    double y = 0.0;
+    StarPoint point{};
+    const bool spiked = image.star >= 0 && has_spikes(sheet, image.illuminance);
+    const bool seen = image.star >= 0 &&
+                      place_on_screen(image.direction, batch.frame_from_view, sheet.projection, x, y) &&
+                      point_on_sheet(sheet, x, y, image.illuminance, spiked, point);
+    if (!seen) {
+      constexpr double beside = -1e9;
+      point = {beside, beside, {}, {}, sheet.number};
+    } else if (spiked) {
+      count_up(batch.spiked);
+    }
+    batch.points[index] = point;
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "kernels/core/vector3.h"
+#include "kernels/projection/cube_cells.h"
+#include "kernels/projection/pixel_measure.h"
+#include "kernels/projection/projection.h"
+#include "kernels/stars/seen_image.h"
+#include "kernels/stars/star_point.h"
+
+namespace ergodome {
+
+//! A part of a picture on which images of stars become points (render/stars/picture_sheets.h), and how these shine.
+struct StarSheet {
+  Projection projection;
+  PixelCell cell;
+  int number;
+  float scale;             //!< picture value of a luminance of 1 cd/m²
+  float spikes_from;       //!< illuminance of the images that have spikes [lx]
+  float spike_strength;    //!< part of their light that is in these
+  double reach_px;         //!< how far light of a point goes
+  double spiked_reach_px;  //!< and of one that has spikes
+};
+
+//! Images of stars that become points on a sheet, image i point i. Arrays lie in the backend's memory.
+struct StarPointBatch {
+  StarSheet sheet;
+  double frame_from_view[3][3];
+  const StarImage* images;  //!< a star of -1: none
+  StarPoint* points;        //!< those that are none lie beside all pictures
+  std::int32_t* spiked;     //!< counts those with spikes
+};
+
+inline namespace ERGO_TARGET {
+
+//! Where an observer's direction is on the screen; false where it is nowhere there.
+ERGO_HD bool place_on_screen(const Vector3<float>& n, const double (&frame_from_view)[3][3],
+                             const Projection& projection, double& x, double& y) {
+  const auto along = [&](int axis) {
+    return static_cast<double>(n.x) * frame_from_view[0][axis] + static_cast<double>(n.y) * frame_from_view[1][axis] +
+           static_cast<double>(n.z) * frame_from_view[2][axis];
+  };
+  return pixel_from_direction(projection, {along(0), along(1), along(2)}, x, y);
+}
+
+//! The point that light of an illuminance makes at a place of a sheet [px]; false where none of it may reach the picture.
+ERGO_HD bool point_on_sheet(const StarSheet& sheet, double x, double y, const Vector3<float>& illuminance,
+                            bool has_spikes, StarPoint& point) {
+  const Projection& projection = sheet.projection;
+  if (wraps_around(projection)) {
+    x -= projection.width_px * ::floor(x / projection.width_px);
+  }
+  const double reach_px = has_spikes ? sheet.spiked_reach_px : sheet.reach_px;
+  if (!(x >= -reach_px && x <= projection.width_px + reach_px && y >= -reach_px &&
+        y <= projection.height_px + reach_px)) {
+    return false;
+  }
+  const double solid_angle = pixel_solid_angle(projection, x, y);
+  const Vector3<float> light = (sheet.scale / static_cast<float>(maximum(solid_angle, 1e-12))) * illuminance;
+  const float part = has_spikes ? sheet.spike_strength : 0.0F;
+  point = {x + sheet.cell.left_px, y + sheet.cell.top_px, (1.0F - part) * light, part * light, sheet.number};
+  return true;
+}
+
+//! Whether an image has spikes.
+ERGO_HD bool has_spikes(const StarSheet& sheet, const Vector3<float>& illuminance) {
+  return luminance_of(illuminance) >= sheet.spikes_from;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome
