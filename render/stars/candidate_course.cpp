@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/stars/edge_rounding.h"
 
@@ -31,8 +32,12 @@ constexpr double nowhere = 1e30;
 //! What goes farther than this after the rounds of those on their way will not come to an end, as a part of the distance to the shadow's
 //! edge.
 constexpr double hopeless_miss = 0.02;
+//! The same for what may be very bright.
+constexpr double dazzling_miss = 0.5;
 //! Larger changes of the magnification over a step are but told as large.
 constexpr double most_change_told = 0.5;
+//! How far from a star the sky has to end at least, for rays in double to tell it [rad].
+constexpr double least_short_of = 1e-8;
 
 //! Whether another round would tell more of an image.
 bool is_open(const StarCandidate& c, double miss) {
@@ -65,7 +70,7 @@ bool is_left(const StarCandidate& c, const CandidateCourse& course, const ImageS
 }
 
 //! Whether a candidate that is open is worth another ray of the same kind.
-bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, double miss) {
+bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search, double miss) {
   if (course.rounds < first_rounds) {
     return true;
   }
@@ -75,8 +80,69 @@ bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, double
   if (course.rounds < on_way_rounds) {
     return true;
   }
-  const bool is_near = c.miss > miss && c.miss < hopeless_miss * c.edge_distance;
+  // Next to a point that all of a ring leads to, rays go round it for long; its light is all the more.
+  constexpr double dazzling = 100.0;
+  const bool dazzles = course.rays == RayKind::finest && search.brightness && search.brightness(c) > dazzling;
+  const bool is_near = c.miss > miss && c.miss < (dazzles ? dazzling_miss : hopeless_miss) * c.edge_distance;
   return course.rays != RayKind::quick && course.rounds < most_rounds && (course.rounds > on_way_rounds || is_near);
+}
+
+//! The smaller singular value of the map to the sky, with the sign of the parity.
+double signed_smaller(const StarCandidate& c) {
+  return std::copysign(std::sqrt(singular_values(c).smaller_square), c.solid_angle);
+}
+
+//! How far from a star the sky is folded back before it reaches it, by a step of Newton's method over a length, between whose ends the
+//! smaller singular value s changed [rad]; 0 where the sky may reach it.
+//!
+//! Across a fold the sky is a parabola, f(x) = s x + c x² / 2, and a step x = f / s; so c = (s' - s) / x, and a root that is real asks for
+//! s² + 2 c f = s (2 s' - s) >= 0. Else f is missed by that over 2 c.
+double fold_short_of(double s, double s_after, double length) {
+  const double root = s * (2.0 * s_after - s);
+  return root < 0.0 ? 0.5 * length * std::abs(root / (s_after - s)) : 0.0;
+}
+
+//! Whether there is no image where a candidate is sought: its star lies beyond a fold, by as much as its last rays and those before said. Its disk
+//! does not reach there.
+bool is_beyond_fold(const StarCandidate& c, CandidateCourse& course) {
+  constexpr double most_unlike = 2.0;
+  constexpr double least_disks = 2.0;
+  // Longer steps lead to where the sky is folded in other ways: round a ring, or at the next fold beside the shadow's edge.
+  constexpr double longest = 0.25;
+  if (course.rounds < 2 || course.rays == RayKind::quick || course.miss > longest * c.edge_distance) {
+    return false;
+  }
+  const double short_of = fold_short_of(course.smaller, signed_smaller(c), course.miss);
+  if (short_of == 0.0) {
+    return false;
+  }
+  const double before = std::exchange(course.short_of, short_of);
+  return short_of > std::max(least_disks * c.radius, least_short_of) && short_of < most_unlike * before &&
+         before < most_unlike * short_of;
+}
+
+//! What float's rounding changes an image's magnification by, as a part of it. The map changes on the scale of the distance to the shadow's
+//! edge, and next to a caustic faster by one over the square of its smaller singular value.
+double change_by_rounding(const StarCandidate& c, const SingularValues& values) {
+  return edge_rounding / (c.edge_distance * std::min(values.smaller_square, 1.0));
+}
+
+//! Whether rays in float say that there is no image.
+bool float_denies(const StarCandidate& c, const ImageSearch& search) {
+  const double smaller = std::min(std::sqrt(singular_values(c).smaller_square), 1.0);
+  return float_tells(c, search) && (is_lost(c) || c.miss * smaller > near_px * search.pixel);
+}
+
+//! Whether rays in float have told what they can of a candidate that is open: where their rounding leads, or where double begins anew.
+bool float_has_told(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
+  constexpr double least_gain = 0.5;
+  const SingularValues values = singular_values(c);
+  if (c.miss <= last_miss(RayKind::quick, search.pixel) && values.smaller_square >= steepest * steepest) {
+    const double rounding = change_by_rounding(c, values);
+    return rounding > most_change && c.change < std::min(rounding, most_change_told);
+  }
+  return !float_denies(c, search) &&
+         (values.smaller_square < steepest * steepest || (course.rounds > 1 && c.miss > least_gain * course.miss));
 }
 
 //! Where double has to seek an image.
@@ -90,19 +156,14 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   if (c.faint) {
     return Start::none;
   }
-  const double pixel = search.pixel;
-  const SingularValues values = singular_values(c);
-  const double smaller = std::min(std::sqrt(values.smaller_square), 1.0);
-  if (float_tells(c, search) && (is_lost(c) || c.miss * smaller > near_px * pixel)) {
+  if (float_denies(c, search)) {
     return Start::none;
   }
-  if (!(c.miss <= image_tolerance_px * pixel) || values.smaller_square < steepest * steepest) {
+  const SingularValues values = singular_values(c);
+  if (!(c.miss <= last_miss(RayKind::quick, search.pixel)) || values.smaller_square < steepest * steepest) {
     return Start::rough;
   }
-  // The map changes on the scale of the distance to the shadow's edge, and next to a caustic faster by one over the square of its smaller
-  // singular value.
-  const double change = edge_rounding / (c.edge_distance * std::min(values.smaller_square, 1.0));
-  return change > most_change ? Start::found : Start::none;
+  return change_by_rounding(c, values) > most_change ? Start::found : Start::none;
 }
 
 //! Whether rays in double have brought a candidate next to a caustic. Most of what is sought there is none: only what came near is worth
@@ -117,10 +178,39 @@ bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
   return c.miss <= near_px * search.pixel && beside_caustic && !faint;
 }
 
+//! Whether a candidate's next steps are short and next to a caustic: less exact rays need not end what the finest will.
+bool is_settled_beside_caustic(const StarCandidate& c, const ImageSearch& search) {
+  return c.change < most_change_told && singular_values(c).smaller_square < steepest * steepest &&
+         needs_finest(c, search);
+}
+
+//! Whether rays of a kind have told of a candidate that is open what they can, and others may tell more.
+bool has_told(const StarCandidate& c, const CandidateCourse& course, const ImageSearch& search) {
+  switch (course.rays) {
+    case RayKind::quick:
+      return float_has_told(c, course, search);
+    case RayKind::fine:
+      return course.led_away && c.change < most_change_told &&
+             singular_values(c).smaller_square < steepest * steepest && needs_finest(c, search);
+    case RayKind::finest:
+      break;
+  }
+  return false;
+}
+
 std::optional<RayKind> begin_with(RayKind rays, CandidateCourse& course) {
   course.rays = rays;
   course.rounds = 0;
+  course.short_of = 0.0;
   return rays;
+}
+
+//! Begins with rays in double from a place that is known in float. Its length is not quite 1, which would be taken for another place: by up to a
+//! hundredth of a pixel where the sky is steep.
+std::optional<RayKind> begin_in_double(RayKind rays, const Vector3<double>& place, StarCandidate& c,
+                                       CandidateCourse& course) {
+  c.direction = (1.0 / std::sqrt(dot(place, place))) * place;
+  return begin_with(rays, course);
 }
 
 //! What comes after rays of a kind.
@@ -130,11 +220,11 @@ std::optional<RayKind> next_kind(StarCandidate& c, CandidateCourse& course, cons
       case Start::none:
         return std::nullopt;
       case Start::found:
-        return search.wanted(c) ? begin_with(RayKind::fine, course) : std::nullopt;
+        return search.wanted(c) ? begin_in_double(RayKind::fine, c.direction, c, course) : std::nullopt;
       case Start::rough:
-        c.direction = course.begin;
         course.led_away = true;
-        return begin_with(RayKind::fine, course);
+        return begin_in_double(is_settled_beside_caustic(c, search) ? RayKind::finest : RayKind::fine, course.begin, c,
+                               course);
     }
   }
   if (course.rays == RayKind::fine && course.led_away && needs_finest(c, search)) {
@@ -152,7 +242,11 @@ std::optional<RayKind> go_on(StarCandidate& candidate, CandidateCourse& course, 
     if (is_left(candidate, course, search)) {
       candidate.miss = nowhere;
       candidate.faint = true;
-    } else if (is_worth_more(candidate, course, miss)) {
+    } else if (is_beyond_fold(candidate, course)) {
+      candidate.miss = nowhere;
+    } else if (is_worth_more(candidate, course, search, miss) && !has_told(candidate, course, search)) {
+      course.miss = candidate.miss;
+      course.smaller = signed_smaller(candidate);
       return course.rays;
     }
   }

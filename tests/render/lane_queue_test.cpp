@@ -1,0 +1,92 @@
+#include "render/stars/lane_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+
+namespace ergodome {
+namespace {
+
+//! Things of which each goes through rounds of three kinds, of each as many as its number says.
+class LanesOfThings : public testing::Test {
+ protected:
+  static constexpr std::size_t count = 1000;
+  static constexpr std::array<std::size_t, 3> lanes = {16, 8, 4};
+
+  static std::size_t rounds_of(std::size_t thing, std::size_t kind) { return (thing >> (2 * kind)) % 4; }
+
+  //! The first kind from `kind` on of which a thing has rounds left.
+  [[nodiscard]] std::optional<std::size_t> next_of(std::size_t thing) const {
+    std::size_t before = 0;
+    for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
+      before += rounds_of(thing, kind);
+      if (done_[thing].size() < before) {
+        return kind;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void run() {
+    LaneQueue<3> queue(lanes);
+    for (std::size_t thing = 0; thing < count; ++thing) {
+      if (const auto kind = next_of(thing)) {
+        queue.add(*kind, thing);
+      }
+    }
+    queue.run(
+        [&](std::size_t kind, std::span<const std::size_t> things) {
+          too_large_ = too_large_ || things.size() > lanes[kind];
+          lots_ += 1;
+          for (const std::size_t thing : things) {
+            done_[thing].push_back(kind);
+          }
+        },
+        [&](std::size_t thing) { return next_of(thing); });
+  }
+
+  std::vector<std::vector<std::size_t>> done_ = std::vector<std::vector<std::size_t>>(count);
+  std::atomic<bool> too_large_ = false;
+  std::atomic<std::size_t> lots_ = 0;
+};
+
+TEST_F(LanesOfThings, GoThroughAllTheirRoundsInOrder) {
+  run();
+  for (std::size_t thing = 0; thing < count; ++thing) {
+    std::vector<std::size_t> expected;
+    for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
+      expected.insert(expected.end(), rounds_of(thing, kind), kind);
+    }
+    EXPECT_EQ(done_[thing], expected) << thing;
+  }
+}
+
+TEST_F(LanesOfThings, AreNeverMoreThanThereAreLanes) {
+  run();
+  EXPECT_FALSE(too_large_);
+}
+
+TEST_F(LanesOfThings, AreMostlyAsManyAsThereAreLanes) {
+  run();
+  std::size_t least = 0;
+  for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
+    std::size_t rounds = 0;
+    for (std::size_t thing = 0; thing < count; ++thing) {
+      rounds += rounds_of(thing, kind);
+    }
+    least += rounds / lanes[kind];
+  }
+  EXPECT_LT(lots_, least + 20U * static_cast<std::size_t>(thread_count()));
+}
+
+TEST(LaneQueue, OfNothingEndsAtOnce) {
+  LaneQueue<3> queue({16, 8, 4});
+  std::atomic<int> lots = 0;
+  queue.run([&](std::size_t, std::span<const std::size_t>) { ++lots; },
+            [](std::size_t) { return std::optional<std::size_t>(); });
+  EXPECT_EQ(lots, 0);
+}
+
+}  // namespace
+}  // namespace ergodome
