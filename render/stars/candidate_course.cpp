@@ -23,7 +23,7 @@ constexpr int first_rounds = 4;
 //! And after those that are on their way.
 constexpr int on_way_rounds = 6;
 //! And in which those are, in double, that lie next to caustics, far from where they are sought.
-constexpr int most_rounds = 24;
+constexpr int most_course_rounds = 24;
 //! What is farther than this after the first rounds is on no way: it leaps about, in distances to the shadow's edge.
 constexpr double lost_miss = 2.0;
 //! Larger misses say that no light came [rad].
@@ -84,7 +84,8 @@ bool is_worth_more(const StarCandidate& c, const CandidateCourse& course, const 
   constexpr double dazzling = 100.0;
   const bool dazzles = course.rays == RayKind::finest && search.brightness && search.brightness(c) > dazzling;
   const bool is_near = c.miss > miss && c.miss < (dazzles ? dazzling_miss : hopeless_miss) * c.edge_distance;
-  return course.rays != RayKind::quick && course.rounds < most_rounds && (course.rounds > on_way_rounds || is_near);
+  return course.rays != RayKind::quick && course.rounds < most_course_rounds &&
+         (course.rounds > on_way_rounds || is_near);
 }
 
 //! The smaller singular value of the map to the sky, with the sign of the parity.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "render/stars/star_finder.h"
 #include "render/stars/star_candidate.h"
+#include "render/stars/star_finder.h"
 
 namespace ergodome {
 
