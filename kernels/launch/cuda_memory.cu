@@ -170,8 +170,9 @@ void clear_cuda(void* memory, std::size_t bytes) {
 
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
   if (works_in_order()) {
-    // What is copied from is read before the call returns: it is no memory that a device reaches by itself.
-    return check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copy to the device");
+    // Drivers may read on after the call returns, and what is copied from may be gone then.
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copy to the device");
+    return finish_launch("copy to the device");
   }
   const Idle<CopyStream>::Taken stream;
   check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, stream->handle()), "copy to the device");

@@ -40,8 +40,9 @@ inline bool& works_in_order() {
 
 //! Waits for the end of what was launched.
 inline void finish_launch(const char* name) {
-  check_cuda(cudaGetLastError(), name);
+  const cudaError_t launched = cudaGetLastError();
   check_cuda(cudaStreamSynchronize(current_stream()), name);
+  check_cuda(launched, name);
 }
 
 //! The end of a launch: waits for it, or goes on where works_in_order().

@@ -11,13 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Light that still circles after this many steps is closer to the critical curve than float can tell. Outside the horizon of a hole of spin 0.999 and less
-//! all other light took 50 at the most, in pictures of up to 8192 px one pixel of 50 million more than 48. About faster ones it circles for longer, as
-//! its orbits next to the horizon are the less unstable. All of a device waits for the last ray.
-int direct_step_limit(const EyeCamera& eye) {
-  constexpr double fastest_usual = 0.999;
-  return std::abs(eye.spin) <= fastest_usual && eye.r > horizon_radius(eye.spin) ? 48 : 200;
-}
+//! Light that still circles after this many steps is closer to the critical curve than float can tell.
+constexpr int direct_step_limit = 200;
 
 }  // namespace
 
@@ -34,8 +29,15 @@ PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, doubl
       batch.frame_from_view[i][j] = static_cast<float>(eye.frame_from_view[i][j]);
     }
   }
-  batch.settings = {std::clamp(tolerance_px * pixel_angle(projection), 1e-7, 1e-4), direct_step_limit(eye), true};
+  batch.settings = {std::clamp(tolerance_px * pixel_angle(projection), 1e-7, 1e-4), direct_step_limit, true};
   return batch;
+}
+
+void set_sky_steps(PixelBatch& batch, const EyeCamera& eye) {
+  constexpr double fastest_usual = 0.999;
+  if (std::abs(eye.spin) <= fastest_usual && eye.r > horizon_radius(eye.spin)) {
+    batch.settings.step_limit = 48;
+  }
 }
 
 void set_edge(PixelBatch& batch, const EdgeCurve& edge, const Projection& projection) {
@@ -52,6 +54,7 @@ DirectLens::DirectLens(Backend backend, const EyeCamera& eye, const Projection& 
       edge_(backend, station_of(eye), edge_points),
       prototype_(pixel_batch(eye, projection, tolerance_px)) {
   set_edge(prototype_, edge_.view(), projection);
+  set_sky_steps(prototype_, eye);
 }
 
 void DirectLens::fill(int first_row, int row_count, const LensPixels& out) const {

@@ -83,7 +83,7 @@ void Planner::plan_stars() {
     // Sought and drawn where the picture is.
     if (!needs_.gather) {
       buffer("star search", WorkMoment::start, 0, stars);
-      buffer("star images", WorkMoment::start, 0, stars);
+      buffer("star images", WorkMoment::picture, 0, stars);
       pass("place_star_images", WorkMoment::picture, 0, 0, stars, true);
     }
     buffer("star points", WorkMoment::picture, 0, stars);

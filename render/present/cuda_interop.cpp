@@ -12,6 +12,8 @@ namespace {
 
 void check(cudaError_t code, const char* doing) {
   if (code != cudaSuccess) {
+    // Else the next launch would fail by what this one could not do.
+    cudaGetLastError();
     throw Error("CUDA and OpenGL", std::string(doing) + " failed: " + cudaGetErrorString(code),
                 "run with --backend cpu");
   }

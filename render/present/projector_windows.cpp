@@ -61,6 +61,7 @@ struct ProjectorWindows::State {
   std::unique_ptr<SoftwareProjectors> cuda;      //!< once CUDA has handed over a picture
   bool in_cuda = false;                          //!< the picture that is shown has its light there
   bool cuda_fails = false;
+  int of_another_size = 0;  //!< pictures that came one after the other, for which CUDA has no warps
   bool control_shown = true;
   long version = -1;  //!< of the master whose light there is
 };
@@ -134,6 +135,12 @@ void ProjectorWindows::take(const DevicePicture* picture) {
     if (!state_->cuda) {
       state_->cuda = std::make_unique<SoftwareProjectors>(state_->pictures, Backend::cuda);
     }
+    // Warps for another size take the processor a second: OpenGL draws until such pictures have come for a while.
+    constexpr int patience = 120;
+    if (state_->cuda->has_other_warps(picture->width_px, picture->height_px) && ++state_->of_another_size < patience) {
+      return;
+    }
+    state_->of_another_size = 0;
     state_->cuda->show_in_place(
         {picture->rgba, picture->width_px, picture->height_px, picture->heat_map, picture->tone});
     wait_for_device(Backend::cuda);

@@ -2,9 +2,13 @@
 
 namespace ergodome {
 
-void SoftwareProjectors::prepare(int width, int height) {
+bool SoftwareProjectors::has_other_warps(int width, int height) const {
   const LightLevel& finest = light_.levels().level[0];
-  const bool resized = warps_.empty() || finest.width != width || finest.height != height;
+  return !warps_.empty() && (finest.width != width || finest.height != height);
+}
+
+void SoftwareProjectors::prepare(int width, int height) {
+  const bool resized = warps_.empty() || has_other_warps(width, height);
   if (resized) {
     warps_.clear();
     warps_.resize(pictures_.size());

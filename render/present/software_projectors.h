@@ -18,8 +18,11 @@ class SoftwareProjectors {
   //! Takes over a domemaster, in linear light; it stays until the next one. The first, and one of another size, takes longer.
   void show(const Picture& master);
 
-  //! The same of one that lies in the backend's memory. A device may read it until the next draw() or frame() returns.
+  //! The same of one that lies in the backend's memory. A device may read it until the next draw_in_place() or frame() returns.
   void show_in_place(const MasterPicture& master);
+
+  //! Whether a master of a size makes it work all warps out anew.
+  [[nodiscard]] bool has_other_warps(int width, int height) const;
 
   //! Factor on the light of all that is drawn from now on, 0 to 1.
   void set_light(float light) { shown_light_ = light; }

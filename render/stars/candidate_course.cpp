@@ -110,13 +110,8 @@ bool is_beyond_fold(const StarCandidate& c, CandidateCourse& course) {
   constexpr double least_disks = 2.0;
   // Longer steps lead to where the sky is folded in other ways: round a ring, or at the next fold beside the shadow's edge.
   constexpr double longest = 0.25;
-  if (course.rounds < 2 || course.rays == RayKind::quick || course.miss > longest * c.edge_distance) {
-    return false;
-  }
-  const double short_of = fold_short_of(course.smaller, signed_smaller(c), course.miss);
-  if (short_of == 0.0) {
-    return false;
-  }
+  const bool tells = course.rounds >= 2 && course.rays != RayKind::quick && course.miss <= longest * c.edge_distance;
+  const double short_of = tells ? fold_short_of(course.smaller, signed_smaller(c), course.miss) : 0.0;
   const double before = std::exchange(course.short_of, short_of);
   return short_of > std::max(least_disks * c.radius, least_short_of) && short_of < most_unlike * before &&
          before < most_unlike * short_of;
@@ -191,8 +186,7 @@ bool has_told(const StarCandidate& c, const CandidateCourse& course, const Image
     case RayKind::quick:
       return float_has_told(c, course, search);
     case RayKind::fine:
-      return course.led_away && c.change < most_change_told &&
-             singular_values(c).smaller_square < steepest * steepest && needs_finest(c, search);
+      return course.led_away && is_settled_beside_caustic(c, search);
     case RayKind::finest:
       break;
   }

@@ -15,7 +15,7 @@ struct CandidateCourse {
   // What its last ray of this kind said, where it had one.
   double miss = 0.0;
   double smaller = 0.0;  //!< singular value, with the sign of the parity
-  //! How far from its star the sky is folded back, as two rays had it; 0: they had it nowhere [rad].
+  //! How far from its star the sky is folded back, as its last two rays had it; 0: they had it nowhere [rad].
   double short_of = 0.0;
 };
 

@@ -133,6 +133,9 @@ PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   search_patches(backend_, batch, PatchSearchStep::bent, rooms_[bent]);
   // Each pair of a folded patch is a part at first. There are few mostly: the first slice is searched before it is known whether there are more.
   const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});
+  if (slice == 0) {
+    return counts();
+  }
   Counts found{};
   for (batch.first_folded = 0; batch.first_folded == 0 || (have_room(found) && batch.first_folded < found[folded]);
        batch.first_folded += slice) {

@@ -15,15 +15,27 @@ namespace {
 //! Threads that share the tiles of a point with spikes, row by row.
 constexpr int threads_of_spikes = 16;
 
-//! Throws where so many points, each on so many tiles, are more than a device should list.
-void require_listable(int points, double reach_px, const char* remedy) {
-  constexpr double most = 2.5e8;
-  const double across = 2.0 * reach_px / star_tile_px + 2.0;
-  if (points * across * across > most) {
+//! Throws for what a device should not list, with what may help.
+void require_listable(double members, double most, const char* remedy) {
+  if (members > most) {
     throw Error("stars", "shine on more pixels than can be listed on a GPU",
                 std::string(remedy) + ", or run with --backend cpu");
   }
 }
+
+//! How many there may be at the most of `points`, each on so many tiles. They are counted by 32 bits.
+double most_members(int points, double reach_px) {
+  const double across = 2.0 * reach_px / star_tile_px + 2.0;
+  return points * across * across;
+}
+
+//! Members that are counted, and that are listed, at the most: 1 GB.
+constexpr double most_counted = 2e9;
+constexpr double most_listed = 2.5e8;
+
+constexpr const char* fewer_spots =
+    "choose a smaller effects.psf.sigma_px or cutoff_px, or leave out faint stars (sky.faintest_mag)";
+constexpr const char* fewer_spikes = "let fewer have spikes (effects.diffraction.brighter_than_mag)";
 
 }  // namespace
 
@@ -51,6 +63,7 @@ void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const
   sum_counts(backend_, placed.counts.data(), tiles, placed.first.data());
   std::int32_t members = 0;
   copy_to_host(backend_, &members, placed.first.data() + tiles, 1);
+  require_listable(members, most_listed, spikes_alone ? fewer_spikes : fewer_spots);
   placed.members = members;
   if (members == 0) {
     return;
@@ -94,13 +107,12 @@ void TiledStars::set(const PlacedPoints& points, const Projection& projection, c
   if (points.count == 0) {
     return;
   }
-  require_listable(points.count, splat.reach_px(),
-                   "choose a smaller effects.psf.sigma_px or cutoff_px, or leave out faint stars (sky.faintest_mag)");
+  require_listable(most_members(points.count, splat.reach_px()), most_counted, fewer_spots);
   place(splat.reach_px(), false, spots_);
   if (pattern != nullptr && points.spiked > 0) {
     set_pattern(*pattern);
     const double reach_px = 0.5 * pattern_px_ + 1.0;
-    require_listable(points.spiked, reach_px, "let fewer have spikes (effects.diffraction.brighter_than_mag)");
+    require_listable(most_members(points.spiked, reach_px), most_counted, fewer_spikes);
     place(reach_px, true, spikes_);
   }
 }

@@ -24,6 +24,7 @@ long unresolved_pixels(const EyeCamera& eye, int step_limit) {
   const EdgeTable edge(Backend::cpu, station_of(eye), 1024);
   PixelBatch batch = pixel_batch(eye, projection, 0.05);
   set_edge(batch, edge.view(), projection);
+  set_sky_steps(batch, eye);
   batch.settings.step_limit = step_limit > 0 ? step_limit : batch.settings.step_limit;
   constexpr std::size_t pixels = std::size_t{dome_px} * dome_px;
   std::vector<float> channels(5 * pixels);
