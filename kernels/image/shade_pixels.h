@@ -22,13 +22,13 @@ struct ShadeBatch {
   SkyShift shift;
   bool brightening;                //!< the map's light is multiplied by the magnification
   BlackbodyTable colours;          //!< for SkyShift::blackbody_fit
-  ProjectionOf<float> projection;  //!< of the image, for brightening
+  ProjectionOf<float> projection;  //!< of the image: for brightening, and for how devices go through its rows
   int first_row;                   //!< of the image in this batch, for brightening
   float exposure;                  //!< factor on the sky's light
   float range_low;                 //!< value at the low end of a heat map (its logarithm for logarithmic ones)
   float range_high;
   float* rgba;  //!< with SkyFilter::polygon it comes with each pixel's filtered light, as the cube map's texels hold it
-  int count;
+  int count;    //!< whole rows
 };
 
 }  // namespace ergodome

@@ -16,7 +16,8 @@ enum class Backend { cpu, cuda };
 //! Why CUDA cannot be used here, or nothing (nullptr) when it can. Asked once; any error of the driver counts as "no GPU".
 const char* cuda_unavailable_reason();
 
-//! Traces a batch. With Backend::cuda the arrays are device memory and the call returns after the device has finished.
+//! Traces a batch. With Backend::cuda the arrays are device memory and the call returns after the device has
+//! finished, unless the thread works in order (DeviceWorkInOrder).
 //!
 //! The closed form is not a SIMD method: it runs one ray at a time.
 void trace_rays(Backend backend, const RayBatch<float>& batch);

@@ -103,7 +103,8 @@ struct PatchSearchBatch {
 };
 
 //! The steps of the search, one after another: pairs of all patches, the roots of pairs by their patches' shapes; bent patches add to the pairs of folded
-//! ones. How many there are of most things the device alone knows: a step may be run for more, up to the room of their list. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one.
+//! ones. Those are halved again and again, side by side: a pair next to a fold has hundreds of parts, most have one. How many there are of most things the
+//! device alone knows: a step may be run for more, up to the room of their list.
 enum class PatchSearchStep {
   find_pairs,
   regular,

@@ -14,6 +14,8 @@ namespace {
 
 //! Threads that look for a patch's stars: they go together, and read stars that lie together.
 constexpr int threads_of_a_patch = 32;
+//! Room for parts: without any none is lost, and nobody would know that there are too few.
+constexpr std::size_t least_parts = 1024;
 
 }  // namespace
 
@@ -58,7 +60,7 @@ void PatchSearch::make_room(const Counts& wanted) {
   reserve(backend_, count_of(images), name, images_);
   reserve(backend_, count_of(exact), name, exact_);
   for (Buffer<float>& list : parts_) {
-    reserve(backend_, part_channels * count_of(halved), name, list);
+    reserve(backend_, part_channels * std::max(count_of(halved), least_parts), name, list);
   }
   const std::size_t room = std::ranges::min_element(parts_, {}, &Buffer<float>::size)->size() / part_channels;
   reserve(backend_, room, name, plain_roots_);
