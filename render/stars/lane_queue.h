@@ -32,11 +32,7 @@ class LaneQueue {
   //! has one. Both are called by many threads at once, and must not throw.
   template <class Work, class Next>
   void run(const Work& work, const Next& next) {
-    std::size_t lots = 0;
-    for (std::size_t kind = 0; kind < Kinds; ++kind) {
-      lots += (waiting_[kind].size() + lanes_[kind] - 1) / lanes_[kind];
-    }
-    const int threads = std::min(thread_count(), static_cast<int>(lots));
+    const int threads = std::min(thread_count(), static_cast<int>(lots_waiting()));
     parallel_for(threads, 1, [&](int /*begin*/, int /*end*/) { help(work, next); });
   }
 
@@ -98,14 +94,19 @@ class LaneQueue {
         waiting_[*kinds[i]].push_back(things[i]);
       }
     }
-    std::size_t kinds_waiting = 0;
-    for (std::size_t kind = 0; kind < Kinds; ++kind) {
-      kinds_waiting += (waiting_[kind].size() + lanes_[kind] - 1) / lanes_[kind];
-    }
     // This thread takes one lot itself.
-    if (kinds_waiting > 1 || (kinds_waiting == 0 && in_work_ == 0)) {
+    const std::size_t lots = lots_waiting();
+    if (lots > 1 || (lots == 0 && in_work_ == 0)) {
       changed_.notify_all();
     }
+  }
+
+  [[nodiscard]] std::size_t lots_waiting() const {
+    std::size_t lots = 0;
+    for (std::size_t kind = 0; kind < Kinds; ++kind) {
+      lots += (waiting_[kind].size() + lanes_[kind] - 1) / lanes_[kind];
+    }
+    return lots;
   }
 
   std::array<std::size_t, Kinds> lanes_;

@@ -34,7 +34,8 @@ Show built_in(const char* name) {
   return read_show(built_in_content_folder() / "shows" / (std::string(name) + ".toml"));
 }
 
-//! What took more than a twentieth of a millisecond of each picture; the search for stars goes on beside the device.
+//! What the processor spent more than a twentieth of a millisecond of each picture with. A device that works in order is waited for where something is
+//! read: its own times are not among them, and the search for stars goes on beside it.
 std::string times_of(const std::map<std::string, WorkCount>& work, long pictures) {
   std::string words;
   for (const auto& [name, count] : work) {
