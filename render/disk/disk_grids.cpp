@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/metric/kerr.h"
+#include "render/lens/place_turn.h"
 
 namespace ergodome {
 
@@ -67,7 +68,7 @@ bool DiskGrids::serves(const Grid& grid, const DiskGridRequest& request) {
   const EyeCamera& eye = request.eye;
   // A grid serves any motion, but was refined where its own observer looks closely: the motion may differ, not much.
   const Vector3<double> turn = grid.velocity - eye.velocity;
-  return grid.spin == eye.spin && grid.r == eye.r && grid.theta == eye.theta &&
+  return grid.spin == eye.spin && same_place({grid.r, grid.theta}, {eye.r, eye.theta}) &&
          serves_disk(grid.inner_r, grid.outer_r, grid.pattern, request.disk) &&
          grid.error <= 1.01 * error_of(request) && grid.error >= 0.5 * error_of(request) && grid.motion == eye.motion &&
          grid.nearness == request.nearness && dot(turn, turn) < 1e-4;

@@ -26,7 +26,7 @@ CubicMix mix_of(const JoinedDisk& stations, const LensPlace& place) {
 DiskLayers::DiskLayers(std::shared_ptr<const DiskStation> station, const LensPlace& place)
     : cells_(std::move(station)) {
   const LensPlace from = disk_place_of(*cells_);
-  if (from.r == place.r && from.theta == place.theta) {
+  if (same_place(from, place)) {
     return;
   }
   set_edge(place);

@@ -9,8 +9,8 @@ namespace ergodome {
 namespace {
 
 bool same(const GridOrder& a, const GridOrder& b) {
-  return a.spin == b.spin && a.place.r == b.place.r && a.place.theta == b.place.theta &&
-         a.settings.pixel == b.settings.pixel && a.settings.budget_px == b.settings.budget_px;
+  return a.spin == b.spin && same_place(a.place, b.place) && a.settings.pixel == b.settings.pixel &&
+         a.settings.budget_px == b.settings.budget_px;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "kernels/projection/pixel_measure.h"
 #include "render/lens/direct_lens.h"
 #include "render/lens/lens_choice.h"
+#include "render/lens/place_turn.h"
 #include "render/lens/quadtree_source.h"
 #include "render/lens/screen_error.h"
 
@@ -56,7 +57,7 @@ double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px
 
 const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
-    return grid.spin == order.spin && grid.r == order.place.r && grid.theta == order.place.theta &&
+    return grid.spin == order.spin && same_place({grid.r, grid.theta}, order.place) &&
            grid.error <= 1.01 * error_of(order) && grid.error >= 0.5 * error_of(order) &&
            moves_alike(grid.motion, grid.velocity, eye);
   });
@@ -102,7 +103,7 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
     const EyeCamera earlier = ordered_eye_.value_or(eye);
     ordered_eye_ = eye;
     if (auto made = worker_->build(order, request.moment.patience_s)) {
-      const bool own = made->order.place.r == eye.r && made->order.place.theta == eye.theta;
+      const bool own = same_place(made->order.place, {eye.r, eye.theta});
       keep(made->order, own ? eye : earlier, std::move(made->station), made->statistics);
     }
     if (const Grid* kept = find(order, eye)) {
@@ -129,7 +130,7 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
     return nullptr;
   }
   EyeCamera eye = request.eye;
-  const bool behind = grid.r != eye.r || grid.theta != eye.theta;
+  const bool behind = !same_place({grid.r, grid.theta}, {eye.r, eye.theta});
   if (behind && eye.r > horizon_radius(eye.spin)) {
     // The sky of another radius is about the same in the azimuth of what falls in.
     eye.phi += ingoing_turn(eye.spin, eye.r) - ingoing_turn(eye.spin, grid.r);
@@ -185,10 +186,10 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
 
 std::unique_ptr<LensSource> LensChooser::published(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
-  const bool same = quadtree_eye_ && quadtree_eye_->spin == eye.spin && quadtree_eye_->r == eye.r &&
-                    quadtree_eye_->theta == eye.theta && quadtree_eye_->motion == eye.motion &&
-                    quadtree_eye_->velocity.x == eye.velocity.x && quadtree_eye_->velocity.y == eye.velocity.y &&
-                    quadtree_eye_->velocity.z == eye.velocity.z;
+  const bool same = quadtree_eye_ && quadtree_eye_->spin == eye.spin &&
+                    same_place({quadtree_eye_->r, quadtree_eye_->theta}, {eye.r, eye.theta}) &&
+                    quadtree_eye_->motion == eye.motion && quadtree_eye_->velocity.x == eye.velocity.x &&
+                    quadtree_eye_->velocity.y == eye.velocity.y && quadtree_eye_->velocity.z == eye.velocity.z;
   if (!same) {
     const CameraStation camera = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
     const bool mirrored = quadtree_is_mirrored(eye.theta, eye.velocity);

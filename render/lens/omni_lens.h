@@ -38,7 +38,7 @@ std::optional<OmniPair> make_omni_pair(Backend backend, const EyePlace& eye_at, 
 std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const OmniCamera> cameras, double side,
                                                         const EyePlace& eye_at);
 
-//! Whether two eyes see the same but for the head's azimuth, to the last bit.
+//! Whether two eyes see the same but for the head's azimuth, and for what rounding changes where it goes round.
 bool see_alike(const OmniEye& first, const OmniEye& second);
 
 //! The exact lens of such an eye: a ray a pixel, each from its own camera.

@@ -21,6 +21,11 @@ glm::dmat3 about_axis(double angle) {
 
 }  // namespace
 
+bool same_place(const LensPlace& a, const LensPlace& b) {
+  constexpr double rounding = 1e-13;
+  return std::abs(a.r - b.r) <= rounding * a.r && std::abs(a.theta - b.theta) <= rounding;
+}
+
 glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
   const double tilt = to.theta - from.theta;
   const glm::dmat3 tilted(std::cos(tilt), 0.0, -std::sin(tilt), 0.0, 1.0, 0.0, std::sin(tilt), 0.0, std::cos(tilt));

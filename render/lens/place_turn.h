@@ -10,6 +10,10 @@ struct LensPlace {
   double theta;  //!< polar angle [rad]
 };
 
+//! Whether two places are one but for rounding, which moves each eye of a head that goes round, by less than any picture shows. What is kept
+//! of a place serves its like.
+bool same_place(const LensPlace& a, const LensPlace& b);
+
 //! The rotation that takes the sky of a camera at one place to that of a camera at another: what moving there turns of itself. The sky
 //! turns with θ, and about the axis with r, as a principal null ray does. Places may be on both sides of the horizon: within, skies are in the azimuth of ingoing
 //! Kerr coordinates.

@@ -1,12 +1,14 @@
 #include "render/stars/star_eye.h"
 
+#include "render/lens/place_turn.h"
+
 namespace ergodome {
 
 namespace {
 
 //! The same but for the velocity, along which cameras may drift by rounding, and the azimuth.
 bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
-  return a.spin == b.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion;
+  return a.spin == b.spin && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
 }
 
 double square_apart(const Vector3<double>& a, const Vector3<double>& b) { return dot(a - b, a - b); }
