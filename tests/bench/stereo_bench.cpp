@@ -12,7 +12,7 @@
 #include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 
-// Frames of both eyes beside those of one, memory to memory, with a camera that comes nearer all the time: nothing is kept from frame to frame.
+// Frames of both eyes beside those of one, memory to memory.
 namespace {
 
 using namespace ergodome;
@@ -29,17 +29,30 @@ constexpr const char* physical_eyes = "layout = \"separate\"\nbaseline = 0.1\n";
 constexpr const char* flat_eyes = "layout = \"separate\"\nbaseline = 0.1\nmodel = \"flat\"\n";
 constexpr const char* omni_eyes = "layout = \"separate\"\nbaseline = 0.1\nmodel = \"omni\"\n";
 
-void stereo_frame(benchmark::State& state, const char* stereo) {
+//! Takes a camera to its next place.
+using CameraStep = void (*)(CameraPose& pose);
+
+void stereo_frames(benchmark::State& state, const char* stereo, CameraStep step) {
   const int size = static_cast<int>(state.range(0));
   const Show show = bench_show(stereo);
   ShowRenderer renderer(show, Backend::cpu);
   const Projection projection = make_projection(show.view, size, 0.0);
   CameraPose pose = camera_pose(show, 0.0);
   for (auto _ : state) {
-    pose.r -= 1e-6;
+    step(pose);
     benchmark::DoNotOptimize(renderer.render_window_parts(pose, projection, ViewMode::sky).front().rgba.data());
   }
   state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
+}
+
+//! Of a camera that comes nearer all the time: nothing is kept from frame to frame.
+void stereo_frame(benchmark::State& state, const char* stereo) {
+  stereo_frames(state, stereo, [](CameraPose& pose) { pose.r -= 1e-6; });
+}
+
+//! Of a camera that goes round and keeps looking at the hole: its grids are kept.
+void stereo_round(benchmark::State& state, const char* stereo) {
+  stereo_frames(state, stereo, [](CameraPose& pose) { pose.phi += 0.0031; });
 }
 
 void stereo_sizes(benchmark::internal::Benchmark* benchmark) {
@@ -50,6 +63,10 @@ BENCHMARK_CAPTURE(stereo_frame, mono, "")->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_frame, physical, physical_eyes)->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_frame, flat, flat_eyes)->Apply(stereo_sizes);
 BENCHMARK_CAPTURE(stereo_frame, omni, omni_eyes)->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_round, mono, "")->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_round, physical, physical_eyes)->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_round, flat, flat_eyes)->Apply(stereo_sizes);
+BENCHMARK_CAPTURE(stereo_round, omni, omni_eyes)->Apply(stereo_sizes);
 
 //! Both eyes of the built-in disk's show, with the camera at rest: grids are kept.
 void stereo_disk(benchmark::State& state, const char* stereo, const char* pattern) {
