@@ -141,12 +141,14 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   const double pixel = pixel_angle(projection);
   const double budget_px = show.quality.budget_px;
   if (!is_fine_enough(*stream, show, size_px)) {
+    // Three digits are near enough: holds_budget() leaves a hundredth.
+    const std::string finer = budget_px < baked.budget_px ? fmt::format(" --budget {:.3g}", budget_px) : "";
     // By its name: each sentence is told once, and of an exhibit's shows two may have trajectories that are too coarse alike.
     return {
-        fmt::format("{} was baked for {} px in pictures {:.0f} px wide, and is too coarse for {} px at {}: {}; bake it "
-                    "again with --size {}",
+        fmt::format("{} was baked for {:.3g} px in pictures {:.0f} px wide, and is too coarse for {:.3g} px at {}: {}; "
+                    "bake it again with --size {}{}",
                     trajectory.path().string(), baked.budget_px, width_px * pixel / baked.pixel, budget_px, width_px,
-                    stand_in_for_stream(projection, options, backend), width_px)};
+                    stand_in_for_stream(projection, options, backend), width_px, finer)};
   }
   // What a station's pixel is in this picture.
   const double scale = baked.pixel / pixel;

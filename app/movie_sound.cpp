@@ -12,6 +12,7 @@
 
 #include "app/interrupt.h"
 #include "app/lens_options.h"
+#include "app/playback/audio_file.h"
 #include "app/playback/audio_messages.h"
 #include "app/playback/audio_mixer.h"
 #include "app/playback/playback.h"
@@ -41,6 +42,14 @@ int open_nameless(const std::filesystem::path& folder) {
   return file;
 }
 
+//! A file that breaks off is heard as far as it goes.
+void tell_of_file(const std::filesystem::path& file) {
+  const std::string problem = sound_problem(file);
+  if (!problem.empty()) {
+    tell_on_terminal(problem);
+  }
+}
+
 }  // namespace
 
 MovieSound::MovieSound(const Show& show, const std::string& language, double from_s, double length_s,
@@ -52,7 +61,13 @@ MovieSound::MovieSound(const Show& show, const std::string& language, double fro
   PlaybackSettings settings;
   settings.language = language;
   const std::string spoken = Playback(show, settings).language();
-  AudioMixer mixer(*output, soundtrack_of(show), [&now] { return now; });
+  const Soundtrack soundtrack = soundtrack_of(show);
+  for (const AudioTrack& track : soundtrack.tracks) {
+    if (track.language.empty() || track.language == spoken) {
+      tell_of_file(soundtrack.folder / track.file);
+    }
+  }
+  AudioMixer mixer(*output, soundtrack, [&now] { return now; });
   const auto frames = static_cast<std::int64_t>(std::llround(length_s * rate_hz));
   for (std::int64_t done = 0; done < frames && !interrupted(); done += step_frames) {
     const double since_s = static_cast<double>(done) / rate_hz;

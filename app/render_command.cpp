@@ -16,6 +16,7 @@
 #include "app/movie_plan.h"
 #include "app/number_check.h"
 #include "app/pattern_frames.h"
+#include "app/playback/playback.h"
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "app/usage_error.h"
@@ -85,6 +86,12 @@ void require_used_options(const RenderOptions& options, const Show& show) {
   }
 }
 
+void tell_language(const RenderOptions& options, const Show& show) {
+  if (const std::string note = language_note(show, options.language); !note.empty()) {
+    tell_on_terminal(note);
+  }
+}
+
 int write_patterns(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   if (setup) {
     return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
@@ -128,6 +135,7 @@ void run(RenderOptions options) {
   require_file_layout(options, show);
   require_movie(options, show);
   tell_movie_losses(options, show);
+  tell_language(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   // What a budget leaves open is chosen by times that are others in each run.
   const std::string request = frame_request(options, show, setup);

@@ -53,7 +53,7 @@ ChaseState ClockChaser::follow(ShowClock& clock, const std::optional<ClockFix>& 
     return ChaseState::held;
   }
   follow_running(clock, *fix);
-  return silence > settings_.silence ? ChaseState::freewheeling : ChaseState::following;
+  return silence > patience / 2 ? ChaseState::freewheeling : ChaseState::following;
 }
 
 void ClockChaser::follow_running(ShowClock& clock, const ClockFix& fix) const {

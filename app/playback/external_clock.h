@@ -47,8 +47,6 @@ struct ChaseSettings {
   std::chrono::nanoseconds jump = std::chrono::milliseconds(100);  //!< errors beyond this are jumped over
   std::chrono::nanoseconds slew = std::chrono::milliseconds(500);  //!< smaller ones fall to 1/e in this time
   double most_slew = 0.1;                                          //!< greatest change of speed for it, as a part
-  //! Silence after which the clock is said to run freely.
-  std::chrono::nanoseconds silence = std::chrono::milliseconds(200);
 };
 
 //! How a clock stands to the one it follows: it has heard nothing yet; follows; runs on alone for a moment; has stopped because nothing
@@ -60,7 +58,7 @@ class ClockChaser {
  public:
   explicit ClockChaser(ChaseSettings settings = {}) : settings_(settings) {}
 
-  //! Once a frame, before the clock is read.
+  //! Once a frame, before the clock is read. After half of `patience` without a word the clock is said to run freely.
   ChaseState follow(ShowClock& clock, const std::optional<ClockFix>& fix, std::chrono::nanoseconds patience);
 
  private:

@@ -14,9 +14,21 @@ using Kind = TransportCommand::Kind;
 
 std::string wider(const std::string& language) { return language.substr(0, language.find('-')); }
 
+bool has(const std::vector<std::string>& languages, const std::string& language) {
+  return std::ranges::find(languages, language) != languages.end();
+}
+
 }  // namespace
 
 Soundtrack soundtrack_of(const Show& show) { return {show.timeline.audio, show.folder, show.duration_s}; }
+
+std::string language_note(const Show& show, const std::string& language) {
+  const std::vector<std::string> spoken = languages(show.timeline);
+  if (language.empty() || spoken.empty() || has(spoken, language) || has(spoken, wider(language))) {
+    return "";
+  }
+  return fmt::format("{} does not speak \"{}\"; it speaks {}", show.name, language, fmt::join(spoken, ", "));
+}
 
 Playback::Playback(const Show& show, PlaybackSettings settings)
     : source_(settings.source),
@@ -34,11 +46,10 @@ void Playback::set_show(const Show& show) {
   stereo_ = eye_count(show.stereo) > 1;
   chapters_ = show.timeline.chapters;
   languages_ = languages(show.timeline);
-  const bool known = std::ranges::find(languages_, language_) != languages_.end();
-  if (!known && !languages_.empty()) {
-    const bool widely = std::ranges::find(languages_, wider(language_)) != languages_.end();
-    const bool english = std::ranges::find(languages_, "en") != languages_.end();
-    language_ = widely ? wider(language_) : english ? "en" : languages_.front();
+  if (!has(languages_, language_) && !languages_.empty()) {
+    language_ = has(languages_, wider(language_)) ? wider(language_)
+                : has(languages_, "en")           ? "en"
+                                                  : languages_.front();
   }
   clock_.set_show(show.duration_s, show.frame_rate_hz);
 }

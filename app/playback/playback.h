@@ -27,6 +27,10 @@ enum class CommandOutcome {
   refused     //!< cannot be; Playback::refusal says why
 };
 
+//! What to tell of a show that has not the language that a person chose, nor a wider one ("de" for "de-AT"); empty where there is nothing
+//! to tell.
+std::string language_note(const Show& show, const std::string& language);
+
 //! A show's transport: its clock and what an operator sets, as commands say. No window, no threads.
 class Playback {
  public:

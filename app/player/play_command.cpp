@@ -139,8 +139,9 @@ void run(PlayArguments arguments) {
   }
   const Backend backend = choose_backend(arguments.backend);
   // Of a budget's pictures its own line tells.
-  const RendererLoader::Make make = renderer_maker(
-      {backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(), options.notes});
+  const RendererLoader::Make make =
+      renderer_maker({backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(),
+                      options.notes, arguments.options.language});
   std::shared_ptr<ShowRenderer> first = use_budget(arguments, show, make);
   Player(show, with_first(make, show.name, std::move(first)), options).run();
 }

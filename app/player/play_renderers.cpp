@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "app/playback/playback.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 
@@ -21,6 +22,9 @@ std::shared_ptr<ShowRenderer> made_renderer(const Show& show, Backend backend, c
   }
   auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(wish.lens), std::move(stream));
   std::ranges::for_each(renderer->notes(), tell);
+  if (const std::string note = language_note(show, wish.language); !note.empty()) {
+    tell(note);
+  }
   wish.notes->take_place(show.name, reading);
   return renderer;
 }

@@ -17,6 +17,7 @@ struct RendererWish {
   int size_px;
   bool tells_misses;  //!< notes say what of a show its trajectory is too coarse for
   std::shared_ptr<NoteBoard> notes;
+  std::string language;  //!< that somebody asked for, or none
 };
 
 //! Makes a show's renderer, with the stream of its trajectory, and posts what is to be known of both. Throws Error where it cannot be made.

@@ -2,30 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "content/animated_show.h"
 #include "kernels/metric/kerr.h"
 
 namespace ergodome {
 
+namespace {
+
+bool has_polygons(const Show& show) {
+  return std::ranges::any_of(show.objects, [](const auto& object) { return object.method == ObjectMethod::polygon; });
+}
+
+constexpr const char* polygons = "objects of the method polygon";
+constexpr const char* polygons_german = "Objekte der Methode polygon";
+
+}  // namespace
+
 double deepest_rest(double spin) { return std::ceil(1e5 * least_interior_radius(spin)) * 1e-5; }
 
 bool has_inside(double spin) { return deepest_rest(spin) < horizon_radius(spin) / nearest_rest; }
 
 std::optional<LocalText> hidden_within(const Show& show) {
-  struct Sight {
-    bool is_there;
-    const char* english;
-    const char* german;
-  };
-  const Sight sights[] = {
-      {std::ranges::any_of(show.objects, [](const auto& object) { return object.method == ObjectMethod::polygon; }),
-       "objects of the method polygon", "Objekte der Methode polygon"},
-      {show.stereo.model == StereoModel::flat, "eyes of the model flat", "Augen des Modells flat"},
-  };
-  const Sight* const hidden = std::ranges::find(sights, true, &Sight::is_there);
-  return hidden != std::end(sights) ? std::optional(LocalText{{"en", hidden->english}, {"de", hidden->german}})
-                                    : std::nullopt;
+  if (has_polygons(show)) {
+    return LocalText{{"en", polygons}, {"de", polygons_german}};
+  }
+  return show.stereo.model == StereoModel::flat
+             ? std::optional(LocalText{{"en", "eyes of the model flat"}, {"de", "Augen des Modells flat"}})
+             : std::nullopt;
 }
 
 std::optional<LocalText> kept_outside(const Show& show) {
@@ -36,12 +41,11 @@ std::optional<LocalText> kept_outside(const Show& show) {
     return LocalText{{"en", "nobody falls into a hole whose spin changes"},
                      {"de", "in ein Loch, dessen Spin sich ändert, fällt niemand"}};
   }
-  const std::optional<LocalText> hidden = hidden_within(show);
-  if (!hidden) {
+  if (!has_polygons(show)) {
     return std::nullopt;
   }
-  return LocalText{{"en", hidden->at("en") + " cannot be shown within the horizon"},
-                   {"de", "innerhalb des Horizonts nicht zu zeigen: " + hidden->at("de")}};
+  return LocalText{{"en", std::string(polygons) + " cannot be shown within the horizon"},
+                   {"de", std::string("innerhalb des Horizonts nicht zu zeigen: ") + polygons_german}};
 }
 
 }  // namespace ergodome

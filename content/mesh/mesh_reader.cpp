@@ -11,9 +11,11 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <memory>
 
+#include "content/files/counted.h"
 #include "content/files/whole_file.h"
 #include "content/mesh/named_file.h"
 #include "content/mesh/whole_mesh.h"
@@ -189,6 +191,11 @@ void add_part(const aiScene& scene, const aiMesh& from, const std::string& place
       if (face.mIndices[k] >= from.mNumVertices) {
         throw Error(place, "has a face with a corner that is not there", "export the mesh again");
       }
+      const aiVector3D& corner = from.mVertices[face.mIndices[k]];
+      if (!std::isfinite(corner.x + corner.y + corner.z)) {
+        throw Error(place, "has a face with a corner whose place is no number",
+                    "give it three, or export the mesh again");
+      }
       mesh.indices.push_back(first_vertex + face.mIndices[k]);
     }
   }
@@ -256,8 +263,9 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
   drop_degenerate_triangles(mesh);
   if (mesh.indices.empty()) {
     throw Error(place,
-                mesh.dropped_triangles > 0 ? fmt::format("has {} triangles, all without area", mesh.dropped_triangles)
-                                           : std::string("is empty"),
+                mesh.dropped_triangles > 0
+                    ? fmt::format("has {}, all without area", counted(mesh.dropped_triangles, "triangle"))
+                    : std::string("is empty"),
                 "give a mesh with triangles");
   }
   return mesh;

@@ -155,7 +155,12 @@ TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
   EXPECT_THAT(output_, testing::Not(HasSubstr("too coarse")));
   ASSERT_EQ(run("plan moving.toml --size 4096"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("is too coarse for 0.25 px at 4096: lenses are made anew"));
+  EXPECT_THAT(output_, HasSubstr("bake it again with --size 4096\n"));
   EXPECT_THAT(output_, HasSubstr("lens: live"));
+  write("finer.toml", text("moving.toml") + "[quality]\nbudget_px = 0.0123456\n");
+  ASSERT_EQ(run("plan finer.toml --size 64 --trajectory moving.trajectory"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("is too coarse for 0.0123 px at 64"));
+  EXPECT_THAT(output_, HasSubstr("bake it again with --size 64 --budget 0.0123\n"));
   std::string bytes = text("moving.trajectory");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 16);
   write("moving.trajectory", bytes);

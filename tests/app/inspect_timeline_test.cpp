@@ -87,6 +87,16 @@ TEST_F(CommandLine, InspectMarksCameraKeysAndNumbersThatComeAfterTheEnd) {
   EXPECT_THAT(output_, Not(testing::ContainsRegex(" 0.000 +20 [^\n]* AFTER THE END")));
 }
 
+TEST_F(CommandLine, InspectMarksNumbersThatHaveNotComeToTheirLastKeyAtTheEnd) {
+  write("late.toml",
+        "duration_s = 20\n[[camera.key]]\nr = 20\n"
+        "[[animate]]\nnumber = \"sky.exposure\"\nkey = [{ t_s = 5, value = 1 }, { t_s = 60, value = 4 }]\n"
+        "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 5, value = 0.1 }, { t_s = 20, value = 0.4 }]\n");
+  ASSERT_EQ(run("inspect late.toml"), 0) << output_;
+  EXPECT_THAT(output_, testing::ContainsRegex("sky.exposure [^\n]* GOES ON AFTER THE END"));
+  EXPECT_THAT(output_, Not(testing::ContainsRegex("hole.spin [^\n]* AFTER THE END")));
+}
+
 //! A sphere of radius 1 at a place.
 std::string show_with_sphere(const std::string& place) {
   return "[hole]\nspin = 0.5\n[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n[[objects]]\n"

@@ -143,6 +143,14 @@ TEST_F(RenderAMovie, HasTheShowsSoundInStepWithItsPictures) {
   ASSERT_EQ(bytes.size(), 48000U / 20 * 2 * sizeof(float));
 }
 
+TEST_F(RenderAMovie, TellsOfSoundThatBreaksOff) {
+  write("step.wav", sound_with_a_step().substr(0, 20000));
+  write("loud.toml", std::string(movie_show) + "[[audio]]\nfile = \"step.wav\"\nfrom_s = 0\n");
+  install("for last; do :; done\ncat > \"$last\"\ncat <&3 > /dev/null\n");
+  ASSERT_EQ(run("render loud.toml --out f --frames 1:1 --movie film.MP4 --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("step.wav: is torn: it breaks off before the end that its header tells"));
+}
+
 TEST(MovieSound, IsWhereTheShowHasIt) {
   const fs::path folder = fs::temp_directory_path() / ("ergodome-sound-" + std::to_string(::getpid()));
   fs::create_directories(folder);

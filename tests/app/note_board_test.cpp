@@ -65,7 +65,7 @@ TEST_F(RendererOfADamagedBake, TellsOfItsStationsAsTheyAreRead) {
   const auto board = std::make_shared<NoteBoard>();
   LensOptions lens;
   lens.trajectory = file.string();
-  const RendererWish wish = {Backend::cpu, false, lens, 64, false, board};
+  const RendererWish wish = {Backend::cpu, false, lens, 64, false, board, ""};
   const std::shared_ptr<ShowRenderer> renderer = renderer_maker(wish)(show);
   std::vector<std::string> told;
   for (int wait = 0; wait < 500 && told.empty(); ++wait) {

@@ -278,7 +278,6 @@ TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
     const char* says;
   } shows[] = {{0.0, "[[objects]]\nshape = \"sphere\"\nmethod = \"polygon\"\nsize = 0.5\nposition = [9, 0, 0]\n",
                 "polygon cannot be shown"},
-               {0.9, "[stereo]\nmodel = \"flat\"\n", "model flat"},
                {0.9, "guard = \"photon_orbit\"\n", "out of bounds"},
                {1.0, "", "no inside"}};
   for (const auto& [spin, flight, says] : shows) {
@@ -287,6 +286,12 @@ TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
     EXPECT_GT(visitor.pose().r, visitor.flier.navigator.space().guard_r()) << says;
     EXPECT_THAT(visitor.flier.navigator.own_observer()->sentence, HasSubstr(says));
   }
+}
+
+TEST(VisitorFallsIn, GoesOnWithinWhereTheShowsOwnEyesAreFlat) {
+  Visitor visitor(show_at(0.9, 5.0, 90.0, "[stereo]\nmodel = \"flat\"\n"));
+  visitor.fall_within();
+  EXPECT_LT(visitor.pose().r, horizon_radius(0.9));
 }
 
 TEST(VisitorFallsIn, OnceTooCloseOnlyEverDeeperWhateverIsAsked) {

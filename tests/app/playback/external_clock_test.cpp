@@ -20,6 +20,7 @@ struct Chase {
   ClockChaser chaser;
   std::optional<ClockFix> fix;
   ChaseState state = ChaseState::waiting;
+  std::chrono::nanoseconds patience = 1s;
 
   //! What the other clock says now, of now or of a time so far ahead.
   [[nodiscard]] ClockFix word(ShowTime show_time, double speed, std::chrono::nanoseconds ahead = 0s) const {
@@ -28,7 +29,7 @@ struct Chase {
 
   ShowInstant frame() {
     time.pass(1.0 / 60.0);
-    state = chaser.follow(clock, fix, 1s);
+    state = chaser.follow(clock, fix, patience);
     return clock.read();
   }
 };
@@ -88,14 +89,26 @@ TEST(ClockChaser, FollowsBackwardsAndAtOtherSpeeds) {
   EXPECT_NEAR(seconds_of(chase.clock.read().time), 99.0, 1e-6);
 }
 
+TEST(ClockChaser, FollowsAClockThatSpeaksTwiceASecondWithoutAWordOfLosingIt) {
+  Chase chase;
+  chase.patience = 2s;
+  for (int i = 0; i < 120; ++i) {
+    if (i % 30 == 0) {
+      chase.fix = chase.word(100s + (chase.time.now - FakeTime{}.now), 1.0);
+    }
+    chase.frame();
+    ASSERT_EQ(chase.state, ChaseState::following) << i;
+  }
+}
+
 TEST(ClockChaser, RunsOnForAMomentWhenNothingComesAndThenStops) {
   Chase chase;
   chase.fix = chase.word(100s, 1.0);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 36; ++i) {
     chase.frame();
   }
   EXPECT_EQ(chase.state, ChaseState::freewheeling);
-  EXPECT_NEAR(seconds_of(chase.clock.read().time), 100.5, 1e-6);
+  EXPECT_NEAR(seconds_of(chase.clock.read().time), 100.6, 1e-6);
   for (int i = 0; i < 60; ++i) {
     chase.frame();
   }

@@ -213,7 +213,7 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "the show follows MIDI time code");
   EXPECT_EQ(tell(Kind::exposure, 1.0), CommandOutcome::done);
-  time_.pass(0.5);
+  time_.pass(0.6);
   EXPECT_EQ(status().clock, "MIDI time code, lost, runs on");
   time_.pass(5.0);
   EXPECT_EQ(status().clock, "MIDI time code, lost, stopped");
@@ -244,6 +244,16 @@ TEST(PlaybackLanguage, APersonsChoiceComesFirstAndItsWiderLanguageNext) {
   EXPECT_EQ(Playback(show_with_chapters(), {"fr", 1s, time.source()}).language(), "fr");
   EXPECT_EQ(Playback(show_with_chapters(), {"de-CH", 1s, time.source()}).language(), "de");
   EXPECT_EQ(Playback(show_with_chapters(), {"pl", 1s, time.source()}).language(), "en");
+}
+
+TEST(PlaybackLanguage, IsToldWhereTheShowDoesNotSpeakIt) {
+  Show show = show_with_chapters();
+  show.name = "chapters";
+  EXPECT_THAT(language_note(show, "pl"), testing::StartsWith("chapters does not speak \"pl\"; it speaks "));
+  for (const char* known : {"", "fr", "de-CH"}) {
+    EXPECT_EQ(language_note(show, known), "") << known;
+  }
+  EXPECT_EQ(language_note(Show{}, "pl"), "") << "a show without words speaks to all";
 }
 
 }  // namespace

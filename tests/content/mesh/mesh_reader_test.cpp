@@ -43,13 +43,13 @@ TEST(MeshReader, ReadsAnObjAndDropsTrianglesWithoutArea) {
 }
 
 TEST(MeshReader, SaysWhatIsWrongWithTheFileAndWhatToDo) {
-  for (const auto& wrong :
-       std::map<std::string, std::string>{{"", "mesh.obj"},
-                                          {"v 0 0 0\n", "mesh.obj"},
-                                          {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "all without area"},
-                                          {"v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "all without area"},
-                                          {"f 1 2 3\n", "mesh.obj"},
-                                          {"v 0 0 0\nv 1 0 0\nf 1 2 900000\n", "mesh.obj"}}) {
+  for (const auto& wrong : std::map<std::string, std::string>{
+           {"", "mesh.obj"},
+           {"v 0 0 0\n", "mesh.obj"},
+           {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "all without area"},
+           {"v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "a corner whose place is no number"},
+           {"f 1 2 3\n", "mesh.obj"},
+           {"v 0 0 0\nv 1 0 0\nf 1 2 900000\n", "mesh.obj"}}) {
     EXPECT_THAT(error_of([&] { parse_mesh(wrong.first, MeshFormat::obj, "mesh.obj"); }),
                 testing::AllOf(testing::HasSubstr("mesh.obj: "), testing::HasSubstr(wrong.second),
                                testing::HasSubstr("; give ")))
