@@ -71,7 +71,7 @@ json facts_of_timeline(const Show& show, const std::map<std::string, std::string
                                  {"keys", animation.keys.size()},
                                  {"from_s", animation.keys.front().time_s},
                                  {"to_s", animation.keys.back().time_s},
-                                 {"breaks_off", animation.keys.back().time_s > show.duration_s},
+                                 {"ends_after_end", animation.keys.back().time_s > show.duration_s},
                                  {"least", range.least},
                                  {"greatest", range.greatest}});
   }
@@ -125,9 +125,10 @@ void print_timeline(const json& facts) {
   const auto late = [](const json& one) { return one["after_end"].get<bool>() ? "  AFTER THE END" : ""; };
   each("files", [](const json& one) { print_file(one, one["key"].get<std::string>()); });
   each("animated", [&](const json& one) {
-    fmt::print("  {:<34} {}  {}, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
-               counted(one["keys"].get<int>(), "key"), one["least"].get<double>(), one["greatest"].get<double>(),
-               one["breaks_off"].get<bool>() && !one["after_end"].get<bool>() ? "  GOES ON AFTER THE END" : late(one));
+    fmt::print(
+        "  {:<34} {}  {}, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
+        counted(one["keys"].get<int>(), "key"), one["least"].get<double>(), one["greatest"].get<double>(),
+        one["ends_after_end"].get<bool>() && !one["after_end"].get<bool>() ? "  GOES ON AFTER THE END" : late(one));
   });
   each("chapters", [&](const json& one) {
     fmt::print("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one));

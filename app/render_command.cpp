@@ -87,7 +87,12 @@ void require_used_options(const RenderOptions& options, const Show& show) {
 }
 
 void tell_language(const RenderOptions& options, const Show& show) {
-  if (const std::string note = language_note(show, options.language); !note.empty()) {
+  Timeline heard;
+  heard.captions = show.timeline.captions;
+  if (!options.movie.empty()) {
+    heard.audio = show.timeline.audio;
+  }
+  if (const std::string note = language_note(show.name, heard, options.language); !note.empty()) {
     tell_on_terminal(note);
   }
 }

@@ -14,7 +14,7 @@ using Kind = TransportCommand::Kind;
 
 std::string wider(const std::string& language) { return language.substr(0, language.find('-')); }
 
-bool has(const std::vector<std::string>& languages, const std::string& language) {
+bool has_language(const std::vector<std::string>& languages, const std::string& language) {
   return std::ranges::find(languages, language) != languages.end();
 }
 
@@ -22,12 +22,12 @@ bool has(const std::vector<std::string>& languages, const std::string& language)
 
 Soundtrack soundtrack_of(const Show& show) { return {show.timeline.audio, show.folder, show.duration_s}; }
 
-std::string language_note(const Show& show, const std::string& language) {
-  const std::vector<std::string> spoken = languages(show.timeline);
-  if (language.empty() || spoken.empty() || has(spoken, language) || has(spoken, wider(language))) {
+std::string language_note(const std::string& show, const Timeline& heard, const std::string& language) {
+  const std::vector<std::string> spoken = languages(heard);
+  if (language.empty() || spoken.empty() || has_language(spoken, language) || has_language(spoken, wider(language))) {
     return "";
   }
-  return fmt::format("{} does not speak \"{}\"; it speaks {}", show.name, language, fmt::join(spoken, ", "));
+  return fmt::format("{} does not speak \"{}\"; it speaks {}", show, language, fmt::join(spoken, ", "));
 }
 
 Playback::Playback(const Show& show, PlaybackSettings settings)
@@ -46,10 +46,10 @@ void Playback::set_show(const Show& show) {
   stereo_ = eye_count(show.stereo) > 1;
   chapters_ = show.timeline.chapters;
   languages_ = languages(show.timeline);
-  if (!has(languages_, language_) && !languages_.empty()) {
-    language_ = has(languages_, wider(language_)) ? wider(language_)
-                : has(languages_, "en")           ? "en"
-                                                  : languages_.front();
+  if (!has_language(languages_, language_) && !languages_.empty()) {
+    language_ = has_language(languages_, wider(language_)) ? wider(language_)
+                : has_language(languages_, "en")           ? "en"
+                                                           : languages_.front();
   }
   clock_.set_show(show.duration_s, show.frame_rate_hz);
 }
@@ -167,7 +167,7 @@ CommandOutcome Playback::go_to_previous_chapter() {
 }
 
 CommandOutcome Playback::choose_language(const std::string& tag) {
-  if (std::ranges::find(languages_, tag) == languages_.end()) {
+  if (!has_language(languages_, tag)) {
     return languages_.empty() ? refuse("the show has one language", "die Vorführung hat eine Sprache")
                               : refuse(fmt::format("the show speaks {}", fmt::join(languages_, ", ")),
                                        fmt::format("die Vorführung spricht {}", fmt::join(languages_, ", ")));

@@ -27,9 +27,9 @@ enum class CommandOutcome {
   refused     //!< cannot be; Playback::refusal says why
 };
 
-//! What to tell of a show that has not the language that a person chose, nor a wider one ("de" for "de-AT"); empty where there is nothing
-//! to tell.
-std::string language_note(const Show& show, const std::string& language);
+//! What to tell of a show by its name where what is seen and heard of it is not in the language that a person chose, nor in a wider one ("de"
+//! for "de-AT"); empty where there is nothing to tell.
+std::string language_note(const std::string& show, const Timeline& heard, const std::string& language);
 
 //! A show's transport: its clock and what an operator sets, as commands say. No window, no threads.
 class Playback {

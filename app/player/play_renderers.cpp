@@ -22,7 +22,7 @@ std::shared_ptr<ShowRenderer> made_renderer(const Show& show, Backend backend, c
   }
   auto renderer = std::make_shared<ShowRenderer>(show, backend, lens_choice(wish.lens), std::move(stream));
   std::ranges::for_each(renderer->notes(), tell);
-  if (const std::string note = language_note(show, wish.language); !note.empty()) {
+  if (const std::string note = language_note(show.name, show.timeline, wish.language); !note.empty()) {
     tell(note);
   }
   wish.notes->take_place(show.name, reading);

@@ -197,6 +197,7 @@ void PlayerSession::press_view(KeyAction action) {
       break;
     case KeyAction::let_go:
       navigator_->let_go();
+      say_where_flat_eyes_are_replaced();
       break;
     case KeyAction::next_observer:
       // Within the horizon there is but one.
@@ -224,7 +225,13 @@ void PlayerSession::adjust_stereo(KeyAction action) {
     convergence_ = after.convergence;
   }
   stereo_ = after;
-  if (action == KeyAction::next_model && stereo_now().model != after.model) {
+  if (action == KeyAction::next_model) {
+    say_where_flat_eyes_are_replaced();
+  }
+}
+
+void PlayerSession::say_where_flat_eyes_are_replaced() {
+  if (eye_count(stereo_) > 1 && stereo_now().model != chosen_stereo().model) {
     say(playback_.language() == "de" ? "Augen des Modells flat sehen in keinem Fall durch den Horizont: physical"
                                      : "Eyes of the model flat see nothing in a fall through the horizon: physical");
   }

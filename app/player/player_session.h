@@ -82,6 +82,7 @@ class PlayerSession {
   void press(KeyAction action);
   void press_view(KeyAction action);
   void adjust_stereo(KeyAction action);
+  void say_where_flat_eyes_are_replaced();
   void navigate(const PlayerInput& input, double seconds);
   void look(double seconds);
   //! Chooses who looks, and at what velocity, from where the camera is at a time of the show.

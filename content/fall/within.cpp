@@ -11,12 +11,12 @@ namespace ergodome {
 
 namespace {
 
-bool has_polygons(const Show& show) {
+bool has_polygon_objects(const Show& show) {
   return std::ranges::any_of(show.objects, [](const auto& object) { return object.method == ObjectMethod::polygon; });
 }
 
-constexpr const char* polygons = "objects of the method polygon";
-constexpr const char* polygons_german = "Objekte der Methode polygon";
+constexpr const char* polygon_objects = "objects of the method polygon";
+constexpr const char* polygon_objects_german = "Objekte der Methode polygon";
 
 }  // namespace
 
@@ -25,8 +25,8 @@ double deepest_rest(double spin) { return std::ceil(1e5 * least_interior_radius(
 bool has_inside(double spin) { return deepest_rest(spin) < horizon_radius(spin) / nearest_rest; }
 
 std::optional<LocalText> hidden_within(const Show& show) {
-  if (has_polygons(show)) {
-    return LocalText{{"en", polygons}, {"de", polygons_german}};
+  if (has_polygon_objects(show)) {
+    return LocalText{{"en", polygon_objects}, {"de", polygon_objects_german}};
   }
   return show.stereo.model == StereoModel::flat
              ? std::optional(LocalText{{"en", "eyes of the model flat"}, {"de", "Augen des Modells flat"}})
@@ -41,11 +41,11 @@ std::optional<LocalText> kept_outside(const Show& show) {
     return LocalText{{"en", "nobody falls into a hole whose spin changes"},
                      {"de", "in ein Loch, dessen Spin sich ändert, fällt niemand"}};
   }
-  if (!has_polygons(show)) {
+  if (!has_polygon_objects(show)) {
     return std::nullopt;
   }
-  return LocalText{{"en", std::string(polygons) + " cannot be shown within the horizon"},
-                   {"de", std::string("innerhalb des Horizonts nicht zu zeigen: ") + polygons_german}};
+  return LocalText{{"en", std::string(polygon_objects) + " cannot be shown within the horizon"},
+                   {"de", std::string("innerhalb des Horizonts nicht zu zeigen: ") + polygon_objects_german}};
 }
 
 }  // namespace ergodome

@@ -192,7 +192,7 @@ void add_part(const aiScene& scene, const aiMesh& from, const std::string& place
         throw Error(place, "has a face with a corner that is not there", "export the mesh again");
       }
       const aiVector3D& corner = from.mVertices[face.mIndices[k]];
-      if (!std::isfinite(corner.x + corner.y + corner.z)) {
+      if (!(std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.z))) {
         throw Error(place, "has a face with a corner whose place is no number",
                     "give it three, or export the mesh again");
       }

@@ -18,8 +18,8 @@ enum class MeshFormat { obj, gltf, glb };
 //! outside its folder. Faces become triangles, missing normals smooth ones; nodes stand where the file places them, lines, points, cameras
 //! and animations are left out. Triangles without area are dropped.
 //!
-//! Throws Error, with the file and a remedy, where it or a file that it names is missing, of another kind, torn, too large, or has no
-//! triangle.
+//! Throws Error, with the file and a remedy, where it or a file that it names is missing, of another kind, torn, too large, has no
+//! triangle, or one with a corner that is no number.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 //! The same of bytes that name files in `folder`; where it is empty, these are not there. `place` is how messages call the mesh.

@@ -39,7 +39,7 @@ struct TriangleMesh {
   }
 };
 
-//! Leaves out triangles without area, or with a corner that is no number, and counts them; parts that are left empty go, too.
+//! Leaves out triangles without area (such as those with a corner that is no number), and counts them; parts that are left empty go, too.
 void drop_degenerate_triangles(TriangleMesh& mesh);
 
 //! The distance of the corner that is farthest from the mesh's own middle.

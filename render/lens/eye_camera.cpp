@@ -58,7 +58,7 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
       eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
   eye.spin = show.spin;
-  // An eye in the head's own place has its very numbers: by the last bit of another a grid would be of another place.
+  // An eye in the head's own place has its very numbers, as a single camera has.
   constexpr double rounding = 1e-12;
   const auto unless_rounding = [](double of_eye, double of_head) {
     return std::abs(of_eye - of_head) <= rounding * of_head ? of_head : of_eye;

@@ -12,7 +12,7 @@ namespace ergodome {
 namespace {
 
 //! The same but for what rounding leaves in the numbers of a head that goes round, through which no picture shows anything else.
-bool are_like(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
+bool omni_numbers_alike(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
 
 //! The head with the view's axes for its frame.
 EyeCamera head_in_view(const EyePlace& eye_at) {
@@ -53,11 +53,12 @@ std::shared_ptr<const OmniEye> make_omni_eye_for_trails(std::shared_ptr<const Om
 bool see_alike(const OmniEye& first, const OmniEye& second) {
   const OmniCameraOf<double> a = first.cameras->exact(first.side);
   const OmniCameraOf<double> b = second.cameras->exact(second.side);
-  return a.spin == b.spin && a.degree == b.degree && a.ingoing == b.ingoing && are_like(a.offset, b.offset) &&
-         are_like(a.inverse_convergence, b.inverse_convergence) && are_like(a.fade_begin, b.fade_begin) &&
-         are_like(a.fade_scale, b.fade_scale) && are_like(a.inverse_reach, b.inverse_reach) &&
-         are_like(a.turn, b.turn) &&
-         std::equal(a.coefficients, a.coefficients + omni_numbers * omni_terms(a.degree), b.coefficients, are_like);
+  return a.spin == b.spin && a.degree == b.degree && a.ingoing == b.ingoing && omni_numbers_alike(a.offset, b.offset) &&
+         omni_numbers_alike(a.inverse_convergence, b.inverse_convergence) &&
+         omni_numbers_alike(a.fade_begin, b.fade_begin) && omni_numbers_alike(a.fade_scale, b.fade_scale) &&
+         omni_numbers_alike(a.inverse_reach, b.inverse_reach) && omni_numbers_alike(a.turn, b.turn) &&
+         std::equal(a.coefficients, a.coefficients + omni_numbers * omni_terms(a.degree), b.coefficients,
+                    omni_numbers_alike);
 }
 
 OmniLens::OmniLens(Backend backend, std::shared_ptr<const OmniEye> eye, const Projection& projection,

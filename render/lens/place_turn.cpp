@@ -22,7 +22,7 @@ glm::dmat3 about_axis(double angle) {
 }  // namespace
 
 bool same_place(const LensPlace& a, const LensPlace& b) {
-  constexpr double rounding = 1e-13;
+  constexpr double rounding = 4e-15;
   return std::abs(a.r - b.r) <= rounding * a.r && std::abs(a.theta - b.theta) <= rounding;
 }
 

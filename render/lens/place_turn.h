@@ -10,8 +10,8 @@ struct LensPlace {
   double theta;  //!< polar angle [rad]
 };
 
-//! Whether two places are one but for rounding, which moves each eye of a head that goes round, by less than any picture shows. What is kept
-//! of a place serves its like.
+//! Whether two places differ by rounding alone, which moves an eye of a head that goes round by some last bits: what is kept of one serves the
+//! other. No two places that a picture tells apart are so near, next to the horizon either.
 bool same_place(const LensPlace& a, const LensPlace& b);
 
 //! The rotation that takes the sky of a camera at one place to that of a camera at another: what moving there turns of itself. The sky

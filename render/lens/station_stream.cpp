@@ -60,15 +60,15 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   const auto after = static_cast<std::size_t>(later - all.begin());
   std::size_t first = after > 0 ? after - 1 : 0;
   std::size_t second = std::min(after, all.size() - 1);
-  const auto same_place = [&](std::size_t a, std::size_t b) {
+  const auto at_one_place = [&](std::size_t a, std::size_t b) {
     return all[a].r == all[b].r && all[a].theta == all[b].theta;
   };
   // Where the camera stands either serves, and at a station's time its own does.
-  const bool first_serves = all[first].time_s == time_s || same_place(first, second);
+  const bool first_serves = all[first].time_s == time_s || at_one_place(first, second);
   if (first_serves && bad_.contains(second) && !bad_.contains(first)) {
     return Bracket{first, first, false};
   }
-  if (same_place(first, second) && bad_.contains(first) && !bad_.contains(second)) {
+  if (at_one_place(first, second) && bad_.contains(first) && !bad_.contains(second)) {
     return Bracket{second, second, false};
   }
   const bool skips = bad_.contains(first) || bad_.contains(second);
@@ -83,7 +83,7 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   if (bad_.contains(first)) {
     return std::nullopt;
   }
-  return Bracket{first, same_place(first, second) ? first : second, skips};
+  return Bracket{first, at_one_place(first, second) ? first : second, skips};
 }
 
 void StationStream::move_head(double time_s) {

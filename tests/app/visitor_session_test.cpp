@@ -114,6 +114,26 @@ TEST_F(VisitorSession, KeepsTheModelOfEyesThatWasChosenBeforeAFall) {
   EXPECT_EQ(session_.frame().stereo.model, StereoModel::flat);
 }
 
+TEST_F(VisitorSession, TellsThatTheShowsOwnFlatEyesAreReplacedInAFall) {
+  PlayerSession session(parse_show("[hole]\nspin = 0.9\n[[camera.key]]\nr = 4\n[stereo]\nlayout = \"side_by_side\"\n"
+                                   "model = \"flat\"\nbaseline = 0.05\n",
+                                   "flat.toml"),
+                        {.free_flight = true, .language = "en", .source = [this] { return now_; }});
+  session.advance({});
+  ASSERT_EQ(session.frame().stereo.model, StereoModel::flat);
+  PlayerInput input;
+  input.actions = {KeyAction::let_go};
+  now_ += std::chrono::milliseconds(17);
+  session.advance(input);
+  EXPECT_THAT(session.caption(), testing::HasSubstr("Eyes of the model flat see nothing in a fall"));
+  for (int i = 0; i < 3000 && session.frame().pose.r > horizon_radius(session_spin); ++i) {
+    now_ += std::chrono::milliseconds(17);
+    session.advance({});
+  }
+  EXPECT_LT(session.frame().pose.r, horizon_radius(session_spin));
+  EXPECT_EQ(session.frame().stereo.model, StereoModel::physical);
+}
+
 TEST_F(VisitorSession, ComesBackToTheShowFromWithin) {
   fall_within();
   press(KeyAction::return_to_path);

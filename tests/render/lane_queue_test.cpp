@@ -11,9 +11,8 @@ namespace {
 //! Things of which each goes through rounds of three kinds, of each as many as its number says.
 class LanesOfThings : public testing::Test {
  protected:
-  static constexpr std::size_t count = 20000;
+  static constexpr std::size_t count = 40000;
   static constexpr std::array<std::size_t, 3> lanes = {16, 8, 4};
-
   static constexpr std::size_t most_rounds = 3 * lanes.size();
 
   static std::size_t rounds_of(std::size_t thing, std::size_t kind) { return (thing >> (2 * kind)) % 4; }

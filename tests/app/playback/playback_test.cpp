@@ -247,13 +247,12 @@ TEST(PlaybackLanguage, APersonsChoiceComesFirstAndItsWiderLanguageNext) {
 }
 
 TEST(PlaybackLanguage, IsToldWhereTheShowDoesNotSpeakIt) {
-  Show show = show_with_chapters();
-  show.name = "chapters";
-  EXPECT_THAT(language_note(show, "pl"), testing::StartsWith("chapters does not speak \"pl\"; it speaks "));
+  const Timeline heard = show_with_chapters().timeline;
+  EXPECT_THAT(language_note("tour", heard, "pl"), testing::StartsWith("tour does not speak \"pl\"; it speaks "));
   for (const char* known : {"", "fr", "de-CH"}) {
-    EXPECT_EQ(language_note(show, known), "") << known;
+    EXPECT_EQ(language_note("tour", heard, known), "") << known;
   }
-  EXPECT_EQ(language_note(Show{}, "pl"), "") << "a show without words speaks to all";
+  EXPECT_EQ(language_note("tour", {}, "pl"), "") << "a show without words speaks to all";
 }
 
 }  // namespace
