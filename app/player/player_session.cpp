@@ -92,6 +92,7 @@ void PlayerSession::advance(const PlayerInput& input) {
   playback_.advance();
   const double seconds = std::max(now_s() - before_s, 0.0);
   navigate(input, seconds);
+  tell_of_replaced_eyes();
   const PlayerFrame before = std::exchange(frame_, {});
   look(seconds);
   changed_ = !begun_ || !same_picture(before, frame_);
@@ -197,7 +198,6 @@ void PlayerSession::press_view(KeyAction action) {
       break;
     case KeyAction::let_go:
       navigator_->let_go();
-      say_where_flat_eyes_are_replaced();
       break;
     case KeyAction::next_observer:
       // Within the horizon there is but one.
@@ -225,16 +225,15 @@ void PlayerSession::adjust_stereo(KeyAction action) {
     convergence_ = after.convergence;
   }
   stereo_ = after;
-  if (action == KeyAction::next_model) {
-    say_where_flat_eyes_are_replaced();
-  }
 }
 
-void PlayerSession::say_where_flat_eyes_are_replaced() {
-  if (eye_count(stereo_) > 1 && stereo_now().model != chosen_stereo().model) {
+void PlayerSession::tell_of_replaced_eyes() {
+  const bool replaced = eye_count(stereo_) > 1 && stereo_now().model != chosen_stereo().model;
+  if (replaced && !told_of_replaced_eyes_) {
     say(playback_.language() == "de" ? "Augen des Modells flat sehen in keinem Fall durch den Horizont: physical"
                                      : "Eyes of the model flat see nothing in a fall through the horizon: physical");
   }
+  told_of_replaced_eyes_ = replaced;
 }
 
 std::vector<KeyAction> PlayerSession::take_requests() { return std::exchange(requests_, {}); }

@@ -82,7 +82,7 @@ class PlayerSession {
   void press(KeyAction action);
   void press_view(KeyAction action);
   void adjust_stereo(KeyAction action);
-  void say_where_flat_eyes_are_replaced();
+  void tell_of_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
   void look(double seconds);
   //! Chooses who looks, and at what velocity, from where the camera is at a time of the show.
@@ -130,6 +130,7 @@ class PlayerSession {
   bool times_shown_ = false;
   std::string message_;
   double message_until_s_ = -1.0;
+  bool told_of_replaced_eyes_ = false;
 
   PlayerFrame frame_;
   bool begun_ = false;
