@@ -50,10 +50,11 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
   constexpr int inputs = 10'000;
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -0.9}) {
     for (const char* guard : {"horizon", "photon_orbit"}) {
-      // Such eyes keep a fall from leading through the horizon.
-      const Show show =
-          show_at(spin, 6.0, 50.0,
-                  std::string("guard = \"") + guard + "\"\nmax_speed = 3\nmost_r = 50\n[stereo]\nmodel = \"flat\"\n");
+      // Such objects keep a fall from leading through the horizon.
+      const Show show = show_at(spin, 6.0, 50.0,
+                                std::string("guard = \"") + guard +
+                                    "\"\nmax_speed = 3\nmost_r = 50\n[[objects]]\nshape = \"sphere\"\n"
+                                    "method = \"polygon\"\nsize = 0.5\nposition = [9, 0, 0]\n");
       Navigator navigator(show);
       navigator.leave_path();
       std::mt19937 random(7);
