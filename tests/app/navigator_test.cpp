@@ -50,11 +50,11 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
   constexpr int inputs = 10'000;
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -0.9}) {
     for (const char* guard : {"horizon", "photon_orbit"}) {
-      // Such objects keep a fall from leading through the horizon.
+      // A spin that might change keeps a fall from leading through the horizon.
+      const std::string key = "value = " + std::to_string(spin) + " }";
       const Show show = show_at(spin, 6.0, 50.0,
-                                std::string("guard = \"") + guard +
-                                    "\"\nmax_speed = 3\nmost_r = 50\n[[objects]]\nshape = \"sphere\"\n"
-                                    "method = \"polygon\"\nsize = 0.5\nposition = [9, 0, 0]\n");
+                                std::string("guard = \"") + guard + "\"\nmax_speed = 3\nmost_r = 50\n[[animate]]\n" +
+                                    "number = \"hole.spin\"\nkey = [{ t_s = 0, " + key + ", { t_s = 1, " + key + "]\n");
       Navigator navigator(show);
       navigator.leave_path();
       std::mt19937 random(7);
