@@ -2,8 +2,8 @@
 #   cmake -D PROGRAM=... -D OUTPUT=... -D LONG=... -D LEFT_OUT=... -P ListTestSuites.cmake
 # LEFT_OUT: suites that are not run.
 
-# To load OpenImageIO with the hundreds of libraries that it brings takes half a second, longer than most suites; and few enough that two
-# cores share them evenly.
+# Several, because to load OpenImageIO with the hundreds of libraries that it brings takes half a second, longer than most suites; few, so
+# that two cores share them evenly.
 set(suites_of_a_test 6)
 
 execute_process(
