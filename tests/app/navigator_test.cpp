@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "kernels/core/angles.h"
 #include "kernels/metric/kerr.h"
@@ -51,10 +52,12 @@ TEST(Navigator, NeverComesWithinItsGuardWhateverIsAskedAndHoweverLongAFrameTakes
   for (const double spin : {0.0, 0.5, 0.999, 1.0, -0.9}) {
     for (const char* guard : {"horizon", "photon_orbit"}) {
       // A spin that might change keeps a fall from leading through the horizon.
-      const std::string key = "value = " + std::to_string(spin) + " }";
-      const Show show = show_at(spin, 6.0, 50.0,
-                                std::string("guard = \"") + guard + "\"\nmax_speed = 3\nmost_r = 50\n[[animate]]\n" +
-                                    "number = \"hole.spin\"\nkey = [{ t_s = 0, " + key + ", { t_s = 1, " + key + "]\n");
+      std::string numbers = "guard = \"" + std::string(guard) + "\"\nmax_speed = 3\nmost_r = 50\n";
+      numbers += "[[animate]]\nnumber = \"hole.spin\"\nkey = [";
+      for (const char* time : {"{ t_s = 0", ", { t_s = 1"}) {
+        numbers.append(time).append(", value = ").append(std::to_string(spin)).append(" }");
+      }
+      const Show show = show_at(spin, 6.0, 50.0, numbers + "]\n");
       Navigator navigator(show);
       navigator.leave_path();
       std::mt19937 random(7);

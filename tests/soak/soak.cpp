@@ -120,8 +120,8 @@ class Soak {
     pads_.poll();
     const PadSnapshot pads = pads_.snapshot();
     PlayerInput input = inputs_.gather({}, pads, 1e-3);
-    // Hours in which nobody comes, and hours of visitors.
-    const bool visited = (number / 1500) % 2 == 1;
+    // Times in which nobody comes, and times of visitors.
+    const bool visited = (number / 750) % 2 == 1;
     if (exhibit_.advance(seconds(), visited && inputs_.touched(), false)) {
       begin();
       log_->info("scene {}", static_cast<int>(exhibit_.scene()));
@@ -202,9 +202,9 @@ class Soak {
   }
 
   void break_and_mend_the_show(int number) {
-    if (number % 5000 == 1000) {
+    if (number % 5000 == 500) {
       std::ofstream(file_) << "title = ";
-    } else if (number % 5000 == 1400) {
+    } else if (number % 5000 == 700) {
       write_text_atomically(file_, std::string(attract_text) + fmt::format("# {}\n", number));
     }
   }
