@@ -1,11 +1,34 @@
 #include "tests/app/command_line.h"
 
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
+#include "tests/support/child_process.h"
+
 namespace ergodome::test {
+
+namespace {
+
+//! The program, loaded and waiting for command lines as long as the tests run.
+class ReadyProgram {
+ public:
+  ReadyProgram() : process_({ERGODOME_READY_PROGRAM, name_}) {
+    EXPECT_NE(process_.output_until("ready", std::chrono::minutes(1)).find("ready"), std::string::npos);
+  }
+
+  //! What a shell calls it by.
+  [[nodiscard]] std::string called() const { return "ERGODOME_READY=" + name_ + " '" ERGODOME_CALL_PROGRAM "' "; }
+
+ private:
+  std::string name_ = "ergodome-tests-" + std::to_string(::getpid());
+  ChildProcess process_;
+};
+
+}  // namespace
 
 void CommandLine::SetUp() {
   FolderTest::SetUp();
@@ -19,7 +42,8 @@ void CommandLine::SetUp() {
 }
 
 int CommandLine::run(const std::string& arguments) {
-  return run_command("cd '" + folder_.string() + "' && '" ERGODOME_PROGRAM "' " + arguments + " 2>&1");
+  static const ReadyProgram program;
+  return run_command("cd '" + folder_.string() + "' && " + program.called() + arguments + " 2>&1");
 }
 
 int CommandLine::run_with_driver(const std::string& arguments) {

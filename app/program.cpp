@@ -1,0 +1,80 @@
+#include "app/program.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/usage_error.h"
+#include "content/files/toml_table.h"
+#include "kernels/core/error.h"
+#include "render/backend/kept_memory.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A word that is no command.
+int refuse_word(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    commands.push_back(command->get_name());
+  }
+  const std::string nearest = nearest_word(word, commands);
+  const std::string remedy = nearest.empty() ? "try --help" : "did you mean " + nearest + "?";
+  std::fprintf(stderr, "ergodome: there is no command %s; %s\n", word.c_str(), remedy.c_str());
+  return 2;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  keep_freed_memory();
+  CLI::App app("Ergodome shows what a spinning black hole does to the sky around it.", "ergodome");
+  app.set_version_flag("--version", "ergodome " ERGODOME_VERSION);
+  app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& problem) {
+    return std::string("ergodome: ") + problem.what() + "; try --help\n";
+  });
+  add_play_command(app);
+  add_render_command(app);
+  add_bake_command(app);
+  add_inspect_command(app);
+  add_plan_command(app);
+  add_diagram_command(app);
+  add_accuracy_command(app);
+  add_catalogue_command(app);
+  add_calibrate_command(app);
+  add_convert_command(app);
+  add_pad_command(app);
+  add_trace_command(app);
+  add_edge_command(app);
+  add_connect_command(app);
+  catch_interrupts();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    const std::vector<std::string> words = app.remaining();
+    const auto word = std::ranges::find_if(words, [](const std::string& each) { return !each.starts_with("-"); });
+    if (problem.get_exit_code() != 0 && app.get_subcommands().empty() && word != words.end()) {
+      return refuse_word(app, *word);
+    }
+    return app.exit(problem) == 0 ? 0 : 2;
+  } catch (const UsageError& problem) {
+    std::fprintf(stderr, "ergodome: %s\n", problem.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("ergodome: not enough memory; choose a smaller size\n", stderr);
+    return 1;
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "ergodome: %s\n", problem.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,23 @@
+// Has the server that ERGODOME_READY names run this command line, and ends with its status; 125 where there is none.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/app/ready/call.h"
+
+int main(int argc, char** argv) {
+  using namespace ergodome::test;
+  Call call = {std::filesystem::current_path().string(), {argv, argv + argc}, {}, {0, 1, 2}};
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    call.environment.emplace_back(*variable);
+  }
+  const char* const name = std::getenv("ERGODOME_READY");
+  const int socket = connect_to(name != nullptr ? name : "");
+  if (socket < 0 || !send_call(socket, call)) {
+    std::fputs("call_ergodome: no server\n", stderr);
+    return 125;
+  }
+  return receive_status(socket).value_or(125);
+}

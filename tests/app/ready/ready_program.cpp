@@ -1,0 +1,106 @@
+// The program, with OpenImageIO loaded, waiting for command lines: each runs in a process of its own that is forked off here. To load that
+// library's hundreds takes half a second of a processor, and tests start the program some hundred times.
+//   ergodome_ready NAME
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(ERGODOME_SANITIZED)
+#include <sanitizer/lsan_interface.h>
+#endif
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include "app/program.h"
+#include "content/images/image_library.h"
+#include "tests/app/ready/call.h"
+
+namespace ergodome::test {
+
+namespace {
+
+//! Ends a worker. What is left to do at exit would wait for threads that loaded libraries have started, and that a fork does not have.
+[[noreturn]] void end(int status) {
+  std::cout.flush();
+  std::fflush(nullptr);
+#if defined(ERGODOME_SANITIZED)
+  __lsan_do_leak_check();
+#endif
+  ::_exit(status);
+}
+
+[[noreturn]] void run(Call& call) {
+  for (int stream = 0; stream < 3; ++stream) {
+    ::dup2(call.streams[static_cast<std::size_t>(stream)], stream);
+    ::close(call.streams[static_cast<std::size_t>(stream)]);
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+  ::clearenv();
+  for (std::string& variable : call.environment) {
+    ::putenv(variable.data());
+  }
+  if (::chdir(call.folder.c_str()) != 0) {
+    end(125);
+  }
+  std::vector<char*> words;
+  words.reserve(call.words.size() + 1);
+  for (std::string& word : call.words) {
+    words.push_back(word.data());
+  }
+  words.push_back(nullptr);
+  end(run_program(static_cast<int>(call.words.size()), words.data()));
+}
+
+//! Runs what a socket asks for in a process of its own, and says how that ended.
+void serve(int socket) {
+  std::optional<Call> call = receive_call(socket);
+  if (!call) {
+    return;
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+  const pid_t worker = ::fork();
+  if (worker == 0) {
+    ::close(socket);
+    run(*call);
+  }
+  int status = 0;
+  ::waitpid(worker, &status, 0);
+  send_status(socket, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
+}
+
+int wait_for_calls(const char* name) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGCHLD, SIG_IGN);
+  const int listening = listen_as(name);
+  if (listening < 0) {
+    std::perror(name);
+    return 1;
+  }
+  static_cast<void>(image_library());
+  std::puts("ready");
+  std::fflush(stdout);
+  while (true) {
+    const int socket = ::accept4(listening, nullptr, nullptr, SOCK_CLOEXEC);
+    if (socket < 0) {
+      continue;
+    }
+    if (::fork() == 0) {
+      ::close(listening);
+      serve(socket);
+      ::_exit(0);
+    }
+    ::close(socket);
+  }
+}
+
+}  // namespace
+
+}  // namespace ergodome::test
+
+int main(int argc, char** argv) { return argc == 2 ? ergodome::test::wait_for_calls(argv[1]) : 2; }
