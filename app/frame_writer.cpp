@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "app/backend_choice.h"
@@ -20,6 +22,16 @@
 namespace ergodome {
 
 namespace {
+
+//! What a frame's file says of exposure that follows the light: the stops that it was shown with [1].
+constexpr const char* followed_stops_fact = "followed_stops";
+
+std::optional<double> number_of(const std::string& text) {
+  double number = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return problem == std::errc() && end == text.data() + text.size() && std::isfinite(number) ? std::optional(number)
+                                                                                             : std::nullopt;
+}
 
 FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::optional<CubeFace> face) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
@@ -81,6 +93,7 @@ void FrameWriter::write(int frame) {
     return;
   }
   const double time_s = frame_time_s(show, frame);
+  go_on_exposing(frame);
   std::vector<FrameImage> images = renderer_.render(time_s, choice_);
   tell_narrowed_eyes(time_s);
   for (FrameImage& image : images) {
@@ -96,6 +109,9 @@ void FrameWriter::write(int frame) {
     enter(path.parent_path());
     FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
     metadata.emplace_back("request", request_);
+    if (const std::optional<double> stops = followed_stops()) {
+      metadata.emplace_back(followed_stops_fact, fmt::format("{:.17g}", *stops));
+    }
     if (projectors_) {
       projectors_->write(path, image.picture, metadata);
     } else if (views) {
@@ -105,6 +121,30 @@ void FrameWriter::write(int frame) {
     }
   }
   ++written_;
+}
+
+std::optional<double> FrameWriter::followed_stops() const {
+  const bool shown = choice_.mode == ViewMode::sky && format_.image != ImageFormat::exr;
+  return shown ? renderer_.followed_stops() : std::nullopt;
+}
+
+void FrameWriter::go_on_exposing(int frame) {
+  if (followed_stops() && std::exchange(exposed_, frame + 1) != frame) {
+    const Show& show = renderer_.show();
+    const FramePart part = show.stereo.layout == StereoLayout::separate ? FramePart::left : FramePart::whole;
+    const auto face = has_face_files(show.view) ? std::optional(CubeFace{}) : std::nullopt;
+    const std::filesystem::path frame_before = path_of(frame - 1, part, face);
+    const std::filesystem::path before = projectors_ ? projectors_->first_of(frame_before) : frame_before;
+    const std::optional<double> stops = number_of(fact_of_image(before, followed_stops_fact));
+    if (!stops || fact_of_image(before, "request") != request_) {
+      tell_on_terminal(fmt::format(
+          "exposure that follows the light (tone.auto) begins anew with frame {}: the one before is not there, or "
+          "was asked for otherwise; render them in order into one folder, and they fit together",
+          frame + 1));
+      return;
+    }
+    renderer_.follow_from(*stops, frame_time_s(show, frame - 1));
+  }
 }
 
 void FrameWriter::tell_missing_legend(const Picture& picture) {

@@ -72,6 +72,10 @@ class FrameWriter {
  private:
   [[nodiscard]] int eye_width_px() const;
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
+  //! Stops of exposure that follows the light, in files that are shown as they are.
+  [[nodiscard]] std::optional<double> followed_stops() const;
+  //! Has that exposure go on from the frame before, where that was not this run's.
+  void go_on_exposing(int frame);
   //! Tells of the first frame whose eyes stand closer than the show asks.
   void tell_narrowed_eyes(double time_s);
   //! Says once that heat maps are too small for their legend.
@@ -91,6 +95,7 @@ class FrameWriter {
   std::string request_;
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
+  int exposed_ = 0;             //!< the frame that exposure goes on to; it begins with the first
   bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there

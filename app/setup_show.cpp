@@ -113,6 +113,10 @@ int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup)
   return static_cast<int>(names.size() * (parts.size() * patterns.size() + (all ? 1 : 0)));
 }
 
+std::filesystem::path ProjectorFrames::first_of(const std::filesystem::path& frame) const {
+  return path_of(frame, rasters_.front());
+}
+
 bool ProjectorFrames::are_there(const std::filesystem::path& frame, const std::string& request) const {
   return std::ranges::all_of(rasters_, [&](const Raster& raster) {
     const std::filesystem::path path = path_of(frame, raster);

@@ -99,6 +99,17 @@ Tone ShowRenderer::tone() const {
   return tone;
 }
 
+std::optional<double> ShowRenderer::followed_stops() const {
+  return exposure_ ? std::optional(exposure_->stops()) : std::nullopt;
+}
+
+void ShowRenderer::follow_from(double stops, double clock_s) {
+  if (exposure_) {
+    exposure_->go_on_from(stops);
+    last_clock_s_ = clock_s;
+  }
+}
+
 void ShowRenderer::expose(std::span<Picture> eyes, double clock_s) {
   Tone tone = this->tone();
   if (exposure_ && !eyes.front().heat_range) {

@@ -121,6 +121,10 @@ class ShowRenderer {
   //! Stops of exposure on top of the show's.
   void set_exposure(double stops) { exposure_stops_ = stops; }
 
+  //! Stops of the last pictures' exposure where it follows the light; it goes on from stops that pictures at `clock_s` have had, whoever rendered them.
+  [[nodiscard]] std::optional<double> followed_stops() const;
+  void follow_from(double stops, double clock_s);
+
   //! How pictures are shown, but for exposure that follows the light.
   [[nodiscard]] Tone tone() const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/launch/work_counter.h"
+
 namespace ergodome {
 
 namespace {
@@ -25,6 +26,11 @@ void LightMeter::add(const Picture& picture) {
 }
 
 double LightMeter::middle_light() const { return count_ > 0.0 ? std::exp2(sum_ / count_) : 0.0; }
+
+void AutoExposure::go_on_from(double stops) {
+  started_ = true;
+  stops_ = stops;
+}
 
 double AutoExposure::follow(double middle_light, double seconds) {
   const double wished = middle_light > 0.0 ? std::log2(settings_.target / middle_light) : stops_;

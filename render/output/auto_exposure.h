@@ -26,6 +26,12 @@ class AutoExposure {
   //! Follows otherwise from now on, from where it is.
   void set(const AutoExposureSettings& settings) { settings_ = settings; }
 
+  //! Goes on from stops that pictures before have had.
+  void go_on_from(double stops);
+
+  //! The stops of the last pictures.
+  [[nodiscard]] double stops() const { return stops_; }
+
   //! The stops to add for pictures of a middle light, `seconds` after those before; the first is met at once.
   double follow(double middle_light, double seconds);
 

@@ -6,10 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#if defined(ERGODOME_SANITIZED)
-#include <sanitizer/lsan_interface.h>
-#endif
-
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -29,9 +25,6 @@ namespace {
 [[noreturn]] void end(int status) {
   std::cout.flush();
   std::fflush(nullptr);
-#if defined(ERGODOME_SANITIZED)
-  __lsan_do_leak_check();
-#endif
   ::_exit(status);
 }
 
