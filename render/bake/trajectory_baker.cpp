@@ -13,6 +13,7 @@
 #include "content/trajectory/trajectory_journal.h"
 #include "kernels/core/error.h"
 #include "render/bake/disk_bake.h"
+#include "render/lens/edge_table.h"
 #include "render/lens/eye_camera.h"
 #include "render/lens/grid_builder.h"
 #include "render/lens/screen_error.h"
@@ -212,14 +213,14 @@ class Baker {
     constexpr double rounding = 1e-12;
     if (std::abs(last.r - first.r) <= rounding * first.r && std::abs(last.theta - first.theta) <= rounding) {
       if (moves_alike(begin_s, early_s) && moves_alike(begin_s, middle_s) && moves_alike(begin_s, end_s)) {
-        return 0.0;
+        return edge_error(first, begin_s);
       }
       // The first station serves all the way there, and misses by most where the velocity is farthest from its own.
       error_px = blending_error(first, last, end_s);
     }
     // Where the camera gathers speed towards the hole, a gap misses by most in its last quarter.
     return std::max({error_px, blending_error(first, last, middle_s), blending_error(first, last, early_s),
-                     blending_error(first, last, late_s)});
+                     blending_error(first, last, late_s), edge_error(first, begin_s), edge_error(last, end_s)});
   }
 
   //! The same at a time.
@@ -232,7 +233,14 @@ class Baker {
   //! What a station misses by at its own place [px].
   [[nodiscard]] double own_error(const LensStation& station, double time_s) const {
     const StationBlend alone(on_host(station));
-    return error_of(alone, view_at(time_s), station);
+    return std::max(error_of(alone, view_at(time_s), station), edge_error(station, time_s));
+  }
+
+  //! How far off the shadow's edge is in a station [px].
+  [[nodiscard]] double edge_error(const LensStation& station, double time_s) const {
+    const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), 0.0);
+    const CameraStation observer = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
+    return edge_miss(grid_view(station).chart.edge, observer, view_at(time_s).observer) / settings_.pixel;
   }
 
   static std::shared_ptr<const StationBuffers> on_host(const LensStation& station) {

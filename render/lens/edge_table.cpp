@@ -1,6 +1,7 @@
 #include "render/lens/edge_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
@@ -12,6 +13,17 @@ namespace {
 
 Vector3<float> narrowed(const Vector3<double>& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+Vector3<double> widened(const Vector3<float>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+//! Whether an observer moves so slowly past the rain that no part of a table is much enlarged.
+bool sees_all_alike(const Aberration& to_rain) {
+  // A table is good to 1e-7, which a boost enlarges by its Doppler factor at the most.
+  constexpr double slow = 16.0;
+  return to_rain.zamo_from_observer.stretch * to_rain.rain_from_zamo.stretch < slow;
 }
 
 }  // namespace
@@ -39,6 +51,42 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
           static_cast<int>(polar_angle.size()),
           *smallest,
           *largest};
+}
+
+double edge_miss(const EyeCamera& eye) {
+  const Aberration to_rain = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  if (sees_all_alike(to_rain)) {
+    return 0.0;
+  }
+  const EdgeTable table(Backend::cpu, make_camera_station(eye.spin, eye.r, eye.theta, 0.0, ObserverMotion::rain),
+                        edge_points);
+  return edge_miss(table.view(), make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity),
+                   to_rain);
+}
+
+double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Aberration& to_rain) {
+  if (sees_all_alike(to_rain)) {
+    return 0.0;
+  }
+  constexpr int circles = 96;
+  const ShadowChart seen = make_shadow_chart(observer);
+  const ShadowChart of_table = {widened(table.centre), widened(table.first), widened(table.second)};
+  double worst = 0.0;
+  for (int i = 0; i < circles; ++i) {
+    const double gamma = full_turn * (i + 0.5) / circles;
+    const double alpha = edge_polar_angle(observer, seen, gamma);
+    double energy = 1.0;
+    const Vector3<double> n =
+        rain_direction(to_rain, chart_direction<double>(seen, std::cos(alpha), std::sin(alpha), gamma), energy);
+    float there = 0.0F;
+    float slope = 0.0F;
+    edge_at(table, static_cast<float>(chart_position_angle(of_table, n)), there, slope);
+    const double along = static_cast<double>(slope) / std::max(std::sin(static_cast<double>(there)), 1e-30);
+    const double across =
+        std::abs(chart_polar_angle(of_table, n) - static_cast<double>(there)) / std::hypot(1.0, along);
+    worst = std::max(worst, across * energy);
+  }
+  return worst;
 }
 
 EdgeTable::EdgeTable(Backend backend, const CameraStation& camera, int count) {

@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "kernels/metric/camera_station.h"
+#include "kernels/metric/frame_boost.h"
 #include "kernels/shadow/edge_curve.h"
 #include "kernels/shadow/shadow_chart.h"
 #include "render/backend/buffer.h"
+#include "render/lens/eye_camera.h"
 
 namespace ergodome {
 
@@ -19,6 +21,16 @@ std::vector<float> solve_edge(const CameraStation& camera, const ShadowChart& ch
 
 //! The edge as kernels on the host read it; it points into `polar_angle`, which must not be empty.
 EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_angle);
+
+//! How far off an observer sees the shadow's edge, at the most, where a table of the rain frame has it [rad]; 0 for who moves so slowly past the
+//! rain that all sees it as it is.
+//!
+//! Next to the horizon of an extremal hole an observer that does not fall sees but a corner of the rain's sky, and most of the edge between two points of a
+//! table. `to_rain`: from aberration_to_rain().
+double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Aberration& to_rain);
+
+//! The same for an eye in all grids of its place.
+double edge_miss(const EyeCamera& eye);
 
 //! Owns the shadow's edge of one camera as a table.
 class EdgeTable {

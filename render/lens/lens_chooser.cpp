@@ -6,6 +6,7 @@
 
 #include "kernels/projection/pixel_measure.h"
 #include "render/lens/direct_lens.h"
+#include "render/lens/edge_table.h"
 #include "render/lens/lens_choice.h"
 #include "render/lens/place_turn.h"
 #include "render/lens/quadtree_source.h"
@@ -81,8 +82,11 @@ const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const Ey
 
 const LensChooser::Grid& LensChooser::keep(const GridOrder& order, const EyeCamera& eye, LensStation station,
                                            const GridStatistics& statistics) {
+  const CameraStation observer =
+      make_camera_station(order.spin, order.place.r, order.place.theta, 0.0, eye.motion, eye.velocity);
+  const double miss = edge_miss(grid_view(station).chart.edge, observer, order.settings.observer);
   grids_.push_front({order.spin, order.place.r, order.place.theta, error_of(order), eye.motion, eye.velocity,
-                     statistics.flagged_px, std::make_shared<StationBuffers>(backend_, std::move(station))});
+                     statistics.flagged_px, miss, std::make_shared<StationBuffers>(backend_, std::move(station))});
   ++built_;
   if (grids_.size() > kept_grids) {
     grids_.pop_back();
@@ -127,6 +131,9 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   }
   const Grid& grid = grid_for(request);
   if (!asked && grid.traced_px >= 0.25 * pixels) {
+    return nullptr;
+  }
+  if (grid.edge_miss > request.accuracy.budget_px * pixel_angle(request.projection)) {
     return nullptr;
   }
   EyeCamera eye = request.eye;

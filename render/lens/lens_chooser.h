@@ -69,7 +69,8 @@ class LensChooser {
   //!
   //! LensChoice::automatic streams where the camera is on a baked path and the bake is fine enough. Else small pictures, all pictures on a
   //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
-  //! nothing: off the path, or while it reads.
+  //! nothing: off the path, or while it reads. Where a grid has the shadow's edge farther off than the budget (edge_miss()) there are rays, whatever is
+  //! asked.
   //!
   //! On a GPU live grids are traced there, within the picture. On the processor they are built on a thread of their own; one that does
   //! not come within the moment's patience is for the next picture, and this one is the view from where the last grid was built
@@ -94,6 +95,7 @@ class LensChooser {
     ObserverMotion motion;
     Vector3<double> velocity;
     double traced_px;  //!< pixels of the image that the grid leaves to rays
+    double edge_miss;  //!< how far off the eye sees the shadow's edge in it [rad]
     std::shared_ptr<const StationBuffers> station;
   };
 

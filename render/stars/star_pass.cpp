@@ -11,6 +11,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/lens/edge_table.h"
 #include "render/plan/frame_needs.h"
 #include "render/stars/picture_sheets.h"
 
@@ -69,9 +70,10 @@ StarPass::StarPass(const Show& show, Backend backend)
     : backend_(backend),
       colours_(Backend::cpu),
       field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
+      all_gathered_(show.sky.star_method == StarMethod::gather),
       settings_(star_settings(show)),
       order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {
-  if (show.sky.star_method == StarMethod::gather) {
+  if (all_gathered_) {
     tree_.emplace(field_);
   }
   search_field();
@@ -84,7 +86,7 @@ StarPass::StarPass(const Show& show, Backend backend)
 
 //! Lays the field out for a device's search, where there is one.
 void StarPass::search_field() {
-  if (backend_ != Backend::cpu && !tree_ && !field_.stars().empty()) {
+  if (backend_ != Backend::cpu && !all_gathered_ && !field_.stars().empty()) {
     search_.emplace(backend_, field_, colours_.view());
     joiner_.emplace(backend_, field_.stars().size());
     placer_.emplace(backend_);
@@ -163,7 +165,10 @@ void StarPass::place(Turned& turned) const {
 }
 
 std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Projection& projection,
-                                                 const StarSettings& settings) const {
+                                                 const StarSettings& settings) {
+  if (!tree_) {
+    tree_.emplace(field_);
+  }
   std::vector<StarImage> images;
   for (const PictureSheet& sheet : picture_sheets(projection)) {
     const auto stars = gather_stars(field_, *tree_, colours_.view(), eye, sheet.projection, settings).stars;
@@ -171,6 +176,12 @@ std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Proje
     images.insert(images.end(), on_sheet.begin(), on_sheet.end());
   }
   return images;
+}
+
+bool StarPass::gathers(const StarEye& eye, double pixel) const {
+  // Images are made exact by rays; what is so far off is not found, or found where the shadow is.
+  constexpr double most_miss_px = 0.5;
+  return all_gathered_ || (!eye.omni && edge_miss(eye.camera) > most_miss_px * pixel);
 }
 
 std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSettings& settings) {
@@ -204,7 +215,7 @@ StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projec
 
 FoundPoints StarPass::find_points(const StarEye& eye, const Projection& projection,
                                   const std::optional<Shutter>& shutter, PixelMatch match) {
-  if (!search_ || shutter) {
+  if (!search_ || shutter || gathers(eye, pixel_angle(projection))) {
     return {find(eye, projection, shutter, match), {}};
   }
   const DeviceWorkInOrder in_order(backend_);
@@ -226,7 +237,7 @@ std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& proj
                ? trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_)
                : star_points(found, eye.camera, projection, splat, order_);
   };
-  if (tree_) {
+  if (gathers(eye, settings.pixel)) {
     return points_of(gathered_images(eye, projection, settings));
   }
   return points_of(images_.images(eye, settings, [&](const StarSettings& asked) { return sought_images(eye, asked); }));

@@ -70,10 +70,13 @@ class StarPass {
   [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
                                           PixelMatch match) const;
 
+  //! Whether stars are gathered by pixels: where the show asks for it, and where grids have the shadow wrong, and with it what lies beside it.
+  [[nodiscard]] bool gathers(const StarEye& eye, double pixel) const;
+
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
   PlacedImages sought_in_place(const StarEye& eye, const StarSettings& settings);
   std::vector<StarImage> gathered_images(const StarEye& eye, const Projection& projection,
-                                         const StarSettings& settings) const;
+                                         const StarSettings& settings);
   void draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
                    float* rgba) const;
 
@@ -100,6 +103,7 @@ class StarPass {
   BlackbodyColours colours_;
   std::optional<StarCatalogue> catalogue_;  //!< once the sky has turned
   StarField field_;
+  bool all_gathered_;                  //!< as the show has it
   std::optional<StarTree> tree_;       //!< where pixels gather stars
   std::optional<PatchSearch> search_;  //!< on a device
   StarSettings settings_;

@@ -70,6 +70,26 @@ TEST(GridLens, WholeSkyOffTheEquatorIsThatOfDirectRays) {
                        "projection = \"equirect\"\nsize_px = 400\n"));
 }
 
+//! Of who stands beside a horizon on the equator.
+Picture picture_beside_horizon(double spin, double above, LensChoice lens) {
+  Show show = show_of("[[camera.key]]\nr = 9\ntheta_deg = 90\n", "projection = \"equirect\"\nsize_px = 128\n");
+  show.spin = spin;
+  show.camera.keys[0].r = horizon_radius(spin) + above;
+  return picture_of(show, lens);
+}
+
+TEST(LensChooser, TakesRaysBesideAnExtremalHorizonWhereAGridHasTheShadowWrong) {
+  for (const LensChoice asked : {LensChoice::automatic, LensChoice::live, LensChoice::streamed}) {
+    EXPECT_STREQ(picture_beside_horizon(1.0, 1e-3, asked).lens, "direct");
+  }
+}
+
+TEST(LensChooser, TakesTheGridThatIsAskedForBesideAnyOtherHorizon) {
+  for (const double spin : {0.0, 0.9, 0.999}) {
+    EXPECT_STREQ(picture_beside_horizon(spin, 1e-3, LensChoice::live).lens, "live") << spin;
+  }
+}
+
 TEST(QuadtreeSource, PictureOfAShowThatAsksForItIsNearThatOfDirectRays) {
   Show show = show_of("observer = \"geodesic\"\n[[camera.key]]\nr = 6\ntheta_deg = 80\nphi_deg = 77\n",
                       "projection = \"dome\"\nsize_px = 300\n[grid]\nscheme = \"quadtree\"\n");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "content/show_reader.h"
+#include "kernels/core/angles.h"
 #include "render/frame/show_renderer.h"
 
 namespace ergodome {
@@ -62,6 +63,23 @@ TEST(StarsOfAShow, AddLightToItsSky) { EXPECT_GT(light_of_stars(rendered(plain_e
 TEST(StarsOfAShow, GatheredByPixelsShineAsMuch) {
   const double gathered = light_of_stars(rendered(std::string(plain_effects) + "[stars]\nmethod = \"gather\"\n"));
   EXPECT_NEAR(gathered / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
+}
+
+TEST(StarsOfAShow, AreGatheredBesideAnExtremalHorizonWhereGridsHaveTheShadowWrong) {
+  const auto picture = [](StarMethod method) {
+    Show show = star_show(plain_effects);
+    show.spin = 1.0;
+    show.camera.keys = {show.camera.keys.front()};
+    show.camera.keys[0].r = 1.001;
+    show.camera.keys[0].theta = 0.5 * pi;
+    show.view.projection = ViewProjection::equirect;
+    show.sky.star_method = method;
+    ShowRenderer renderer(show, Backend::cpu);
+    return renderer.render(5.0, {}).front().picture;
+  };
+  const Picture sought = picture(StarMethod::inverse);
+  EXPECT_GT(light_of_stars(sought), 0.0);
+  EXPECT_EQ(sought.rgba, picture(StarMethod::gather).rgba);
 }
 
 TEST(StarsOfAShow, KeepTheirLightWithSpikes) {

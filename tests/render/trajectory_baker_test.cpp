@@ -153,6 +153,19 @@ TEST_F(TrajectoryBaker, ACameraThatStandsStillNeedsNoStationsButItsEnds) {
   EXPECT_EQ(bake(show, "moment").times_s, std::vector<double>{0.0});
 }
 
+TEST_F(TrajectoryBaker, TellsThatAGridHasTheShadowBesideAnExtremalHorizonWrong) {
+  Show show = approach();
+  show.spin = 1.0;
+  show.camera.motion = ObserverMotion::zamo;
+  for (CameraKey& key : show.camera.keys) {
+    key.r = 1.001;
+    key.theta = 0.5 * pi;
+  }
+  const BakeResult result = bake(show, "horn", coarse_settings());
+  EXPECT_GT(result.worst_px, 1.0);
+  EXPECT_EQ(result.unmet, 2);
+}
+
 TEST_F(TrajectoryBaker, StoppedAndResumedAfterEveryGapTheBytesAreTheSame) {
   const Show show = approach();
   bake(show, "whole");
