@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ class FollowedExposure : public CommandLine {
     EXPECT_THAT(output_, Not(HasSubstr("begins anew")));
   }
 
-  [[nodiscard]] std::vector<float> frame(const std::string& folder, int number) const {
+  [[nodiscard]] std::vector<std::uint16_t> frame(const std::string& folder, int number) const {
     return read_display_pixels(folder_ / folder / ("fall_00000" + std::to_string(number) + ".png")).values;
   }
 
