@@ -123,7 +123,8 @@ Renewal LiveCalibration::adjust(const Way& way) {
       return Renewal::master;
     case Adjustable::rotation:
       setup_.rotation_deg = turned(tidy(setup_.rotation_deg + more, step()));
-      return Renewal::warps;
+      // In a dome that leans, patterns stay level.
+      return Renewal::master;
     case Adjustable::viewer:
       return adjust_viewer(way, step());
     case Adjustable::gamma:

@@ -79,17 +79,17 @@ void ProjectorFrames::write(const std::filesystem::path& frame, const Picture& m
   }
 }
 
-Projection upright_master(const DomeSetup& setup, int size_px) {
+PatternView upright_master(const DomeSetup& setup, int size_px) {
   Show show;
   show.view.tilt_deg = setup.tilt_deg;
   fit_to_setup(show, setup);
-  return make_projection(show.view, size_px, 0.0);
+  return {make_projection(show.view, size_px, 0.0), one_degree * setup.rotation_deg};
 }
 
 int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup) {
   const std::vector<ProjectorPicture> pictures = projector_pictures(setup);
   ProjectorFrames frames(setup, pictures);
-  const Projection master = upright_master(setup, asked.size_px > 0 ? asked.size_px : enough_master_px(pictures));
+  const PatternView master = upright_master(setup, asked.size_px > 0 ? asked.size_px : enough_master_px(pictures));
   const bool all = asked.pattern == "all";
   const std::vector<std::string> patterns = all ? test_pattern_names() : std::vector<std::string>{asked.pattern};
   const std::vector<FramePart> parts = asked.layout == StereoLayout::separate

@@ -7,6 +7,7 @@
 #include "calibration/dome_setup.h"
 #include "content/show.h"
 #include "render/output/image_writer.h"
+#include "render/patterns/pattern_place.h"
 #include "render/present/headless_projectors.h"
 
 namespace ergodome {
@@ -58,7 +59,8 @@ struct ProjectedPatterns {
 //! number_PROJECTOR.png. Patterns stand upright in the dome as it is tilted. Returns how many files.
 int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup);
 
-//! The projection of a setup's domemasters whose up is straight up.
-Projection upright_master(const DomeSetup& setup, int size_px);
+//! A setup's domemaster whose up is straight up where the dome shows it, tilted and turned as it is. Its front is the setup's rotation to the right of the
+//! dome's.
+PatternView upright_master(const DomeSetup& setup, int size_px);
 
 }  // namespace ergodome

@@ -56,7 +56,7 @@ Vector3<float> ramp_light(const PatternPlace& place) {
 }
 
 //! The value under each field.
-std::vector<DomeLabel> ramp_labels(const Projection& projection) {
+std::vector<DomeLabel> ramp_labels(const PatternView& projection) {
   std::vector<DomeLabel> labels;
   for (const Ramp& ramp : ramps) {
     for (int i = 0; i < steps && !ramp.smooth; ++i) {
@@ -75,13 +75,13 @@ std::vector<DomeLabel> ramp_labels(const Projection& projection) {
 
 }  // namespace
 
-Picture grey_ramp_pattern(const Projection& projection) {
+Picture grey_ramp_pattern(const PatternView& projection) {
   const std::vector<LabelStamp> stamps = stamps_of(ramp_labels(projection));
   return draw_pattern(projection, 2,
                       [&](const PatternPlace& place) { return labelled(ramp_light(place), stamps, place.direction); });
 }
 
-Picture colour_bar_pattern(const Projection& projection) {
+Picture colour_bar_pattern(const PatternView& projection) {
   // The order of falling luminance, as television has it.
   constexpr Vector3<float> bars[] = {{1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 1.0F}, {0.0F, 1.0F, 0.0F},
                                      {1.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};

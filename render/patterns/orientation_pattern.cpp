@@ -23,7 +23,7 @@ constexpr Vector3<float> white_label = {1.0F, 1.0F, 1.0F};
 constexpr Vector3<float> grey_label = {0.35F, 0.35F, 0.35F};
 
 //! Light of the grid's lines at a place.
-float grid_light(const Projection& projection, const PatternPlace& place) {
+float grid_light(const PatternView& projection, const PatternPlace& place) {
   const DomeSteps steps = dome_steps(projection, place);
   const bool crowded = std::abs(place.elevation_deg) > crowded_deg;
   const double circles = 0.12 * line_at(place.elevation_deg, spacing_deg, steps.elevation_deg, 1.5);
@@ -58,7 +58,7 @@ std::vector<DomeLabel> orientation_labels() {
   return labels;
 }
 
-Picture orientation_pattern(const Projection& projection) {
+Picture orientation_pattern(const PatternView& projection) {
   const std::vector<LabelStamp> stamps = stamps_of(orientation_labels());
   return draw_pattern(projection, 1, [&](const PatternPlace& place) {
     const float line = grid_light(projection, place);

@@ -13,6 +13,6 @@ std::vector<DomeLabel> orientation_labels();
 //! A picture that settles arguments about left and right: circles of elevation and lines of azimuth every 15° as a viewer inside has them,
 //! the horizon and the four quarters brighter, labelled. Linear light, coverage in the fourth channel; black where the projection has no
 //! image.
-Picture orientation_pattern(const Projection& projection);
+Picture orientation_pattern(const PatternView& projection);
 
 }  // namespace ergodome

@@ -13,6 +13,16 @@ namespace {
 
 bool is_screen(const Projection& projection) { return projection.kind == ProjectionKind::pinhole; }
 
+//! Where a turned picture shows its pixel, as a pixel of one that is not.
+void shown_at(const PatternView& view, double& x_px, double& y_px) {
+  const double right = x_px - 0.5 * view.width_px;
+  const double down = y_px - 0.5 * view.height_px;
+  if (view.turn_sine != 0.0) {
+    x_px = 0.5 * view.width_px + view.turn_cosine * right + view.turn_sine * down;
+    y_px = 0.5 * view.height_px + view.turn_cosine * down - view.turn_sine * right;
+  }
+}
+
 void put_angles(PatternPlace& place) {
   const Vector3<double>& n = place.direction;
   place.azimuth_deg = std::atan2(n.x, -n.z) / one_degree;
@@ -21,11 +31,19 @@ void put_angles(PatternPlace& place) {
 
 }  // namespace
 
-PatternPlace pattern_place(const Projection& projection, double x_px, double y_px) {
+PatternView::PatternView(const Projection& projection, double turn)
+    : Projection(projection), turn_sine(std::sin(turn)), turn_cosine(std::cos(turn)) {}
+
+PatternPlace pattern_place(const PatternView& projection, double x_px, double y_px) {
   PatternPlace place{};
   place.x_px = x_px;
   place.y_px = y_px;
-  place.direction = direction_from_pixel(projection, x_px, y_px);
+  double shown_x_px = x_px;
+  double shown_y_px = y_px;
+  shown_at(projection, shown_x_px, shown_y_px);
+  const Vector3<double> shown = direction_from_pixel<double>(projection, shown_x_px, shown_y_px);
+  place.direction = {projection.turn_cosine * shown.x + projection.turn_sine * shown.z, shown.y,
+                     projection.turn_cosine * shown.z - projection.turn_sine * shown.x};
   put_angles(place);
   if (is_screen(projection)) {
     place.across = x_px / projection.width_px;
@@ -37,7 +55,7 @@ PatternPlace pattern_place(const Projection& projection, double x_px, double y_p
   return place;
 }
 
-void dome_place(const Projection& projection, double across, double up, double& azimuth_deg, double& elevation_deg) {
+void dome_place(const PatternView& projection, double across, double up, double& azimuth_deg, double& elevation_deg) {
   if (is_screen(projection)) {
     const PatternPlace place =
         pattern_place(projection, across * projection.width_px, (1.0 - up) * projection.height_px);
@@ -53,7 +71,7 @@ double sheet_degrees(const Projection& projection, double part) {
   return is_screen(projection) ? part * projection.height_px * pixel_angle(projection) / one_degree : 90.0 * part;
 }
 
-Picture draw_pattern(const Projection& projection, int samples, const PatternLight& light) {
+Picture draw_pattern(const PatternView& projection, int samples, const PatternLight& light) {
   Picture picture;
   picture.width = projection.width_px;
   picture.height = projection.height_px;
@@ -86,9 +104,13 @@ double line_at(double coordinate, double spacing, double per_px, double width_px
   return std::clamp(0.5 * width_px + 0.5 - apart / std::max(per_px, 1e-12), 0.0, 1.0);
 }
 
-DomeSteps dome_steps(const Projection& projection, const PatternPlace& place) {
-  const PixelSteps<double> steps = pixel_steps(projection, place.x_px, place.y_px);
-  const Vector3<double>& n = place.direction;
+DomeSteps dome_steps(const PatternView& projection, const PatternPlace& place) {
+  double x_px = place.x_px;
+  double y_px = place.y_px;
+  shown_at(projection, x_px, y_px);
+  // Steps along the picture and along what is shown are turned against each other, and as long together.
+  const PixelSteps<double> steps = pixel_steps(projection, x_px, y_px);
+  const Vector3<double> n = direction_from_pixel<double>(projection, x_px, y_px);
   const double level = std::max(std::hypot(n.x, n.z), 1e-9);
   const Vector3<double> up = {-n.x * n.y / level, level, -n.z * n.y / level};
   const Vector3<double> right = {-n.z / level, 0.0, n.x / level};

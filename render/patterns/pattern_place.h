@@ -8,6 +8,16 @@
 
 namespace ergodome {
 
+//! A picture that a pattern is drawn for. Where a dome's projectors show it turned about the dome's own axis, what is level in a leaning dome is not what
+//! is level in the picture: places are then asked for where they come to be, and azimuths counted from where the picture's front does.
+struct PatternView : Projection {
+  //! `turn`: how far the picture is shown turned to the right [rad].
+  PatternView(const Projection& projection, double turn = 0.0);
+
+  double turn_sine;
+  double turn_cosine;
+};
+
 //! What a pattern knows of the place that it is asked the light of.
 struct PatternPlace {
   double x_px;
@@ -22,10 +32,10 @@ struct PatternPlace {
 };
 
 //! The place of the picture at pixel coordinates.
-PatternPlace pattern_place(const Projection& projection, double x_px, double y_px);
+PatternPlace pattern_place(const PatternView& projection, double x_px, double y_px);
 
 //! A direction of the sheet, as azimuth and elevation [deg] on the dome: the inverse, above the horizon.
-void dome_place(const Projection& projection, double across, double up, double& azimuth_deg, double& elevation_deg);
+void dome_place(const PatternView& projection, double across, double up, double& azimuth_deg, double& elevation_deg);
 
 //! How many degrees `part` of the sheet's height are, in the middle of it.
 double sheet_degrees(const Projection& projection, double part);
@@ -35,7 +45,7 @@ using PatternLight = std::function<Vector3<float>(const PatternPlace&)>;
 
 //! A picture of what `light` says: `samples` x `samples` places a pixel, their mean times the pixel's coverage; black where the projection has
 //! no image. Such a picture is shown as it is, without a curve: 1 is all that the display has.
-Picture draw_pattern(const Projection& projection, int samples, const PatternLight& light);
+Picture draw_pattern(const PatternView& projection, int samples, const PatternLight& light);
 
 //! How much of a pixel lines cover that are `width_px` wide, at every `spacing` of a coordinate that changes by `per_px` a pixel.
 double line_at(double coordinate, double spacing, double per_px, double width_px);
@@ -46,7 +56,7 @@ struct DomeSteps {
   double azimuth_deg;
 };
 
-DomeSteps dome_steps(const Projection& projection, const PatternPlace& place);
+DomeSteps dome_steps(const PatternView& projection, const PatternPlace& place);
 
 //! Linear light of a display's value, 0 to 255 (sRGB).
 float light_of_value(double value);

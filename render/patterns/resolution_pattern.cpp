@@ -19,12 +19,12 @@ struct Patch {
   int y_px;
 };
 
-int patch_size(const Projection& projection) {
+int patch_size(const PatternView& projection) {
   return std::clamp(std::min(projection.width_px, projection.height_px) / 12, 24, 384);
 }
 
 //! Middles that are spread over the image: on a fisheye the zenith, and rings half way out and near the rim; else rows and columns.
-std::vector<Patch> patches(const Projection& projection) {
+std::vector<Patch> patches(const PatternView& projection) {
   const double width = projection.width_px;
   const double height = projection.height_px;
   std::vector<Patch> all;
@@ -72,7 +72,7 @@ float patch_light(double dx, double dy, int size_px) {
 
 }  // namespace
 
-Picture resolution_pattern(const Projection& projection) {
+Picture resolution_pattern(const PatternView& projection) {
   const int size_px = patch_size(projection);
   const std::vector<Patch> all = patches(projection);
   // Wedges and gaps there are one pixel wide, together two.

@@ -20,7 +20,7 @@ Vector3<float> grey(double light) {
 }
 
 //! Lines every 5°, brighter every 10° and 30°; meridians thin out towards the poles, where they would run together.
-double polar_light(const Projection& projection, const PatternPlace& place) {
+double polar_light(const PatternView& projection, const PatternPlace& place) {
   const DomeSteps steps = dome_steps(projection, place);
   const double elevation = std::abs(place.elevation_deg);
   double light = 0.0;
@@ -57,14 +57,14 @@ std::vector<DomeLabel> polar_labels() {
 
 }  // namespace
 
-Picture polar_grid_pattern(const Projection& projection) {
+Picture polar_grid_pattern(const PatternView& projection) {
   const std::vector<LabelStamp> stamps = stamps_of(polar_labels());
   return draw_pattern(projection, 1, [&](const PatternPlace& place) {
     return labelled(grey(polar_light(projection, place)), stamps, place.direction);
   });
 }
 
-Picture checker_pattern(const Projection& projection) {
+Picture checker_pattern(const PatternView& projection) {
   return draw_pattern(projection, 4, [](const PatternPlace& place) {
     constexpr double field_deg = 10.0;
     // Rings of an even number of fields, so that white and black take turns all the way round.
@@ -76,7 +76,7 @@ Picture checker_pattern(const Projection& projection) {
   });
 }
 
-Picture blend_check_pattern(const Projection& projection) {
+Picture blend_check_pattern(const PatternView& projection) {
   const auto field = static_cast<double>(light_of_value(128.0));
   return draw_pattern(projection, 1, [&](const PatternPlace& place) {
     const DomeSteps steps = dome_steps(projection, place);
@@ -87,7 +87,7 @@ Picture blend_check_pattern(const Projection& projection) {
   });
 }
 
-Picture left_right_pattern(const Projection& projection, bool left, bool right) {
+Picture left_right_pattern(const PatternView& projection, bool left, bool right) {
   constexpr Vector3<float> red = {1.0F, 0.1F, 0.1F};
   constexpr Vector3<float> cyan = {0.0F, 0.8F, 0.9F};
   std::vector<DomeLabel> labels;
@@ -117,7 +117,7 @@ Picture left_right_pattern(const Projection& projection, bool left, bool right) 
   });
 }
 
-Picture even_pattern(const Projection& projection, float light) {
+Picture even_pattern(const PatternView& projection, float light) {
   return draw_pattern(projection, 1, [&](const PatternPlace&) { return grey(static_cast<double>(light)); });
 }
 

@@ -25,7 +25,7 @@ TestPattern test_pattern(const std::string& name) {
   return static_cast<TestPattern>(found - names.begin());
 }
 
-Picture draw_test_pattern(TestPattern pattern, const Projection& projection, FramePart eye) {
+Picture draw_test_pattern(TestPattern pattern, const PatternView& projection, FramePart eye) {
   switch (pattern) {
     case TestPattern::polar_grid:
       return polar_grid_pattern(projection);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/frame/show_renderer.h"
+#include "render/patterns/pattern_place.h"
 
 // Pictures by which domes, projectors and stereo displays are set up. All are linear light that is shown without a curve: a pattern's
 // values arrive at the display as its labels say.
@@ -29,7 +30,7 @@ const std::vector<std::string>& test_pattern_names();
 TestPattern test_pattern(const std::string& name);
 
 //! A pattern as an eye sees it; but for `left_right` all eyes, and the whole, see the same.
-Picture draw_test_pattern(TestPattern pattern, const Projection& projection, FramePart eye = FramePart::whole);
+Picture draw_test_pattern(TestPattern pattern, const PatternView& projection, FramePart eye = FramePart::whole);
 
 //! A projector's own raster, without warp: its number and name, its size, a frame of single pixels along its very edge, both diagonals and
 //! a circle that a square pixel leaves round. `number` counts from 1.

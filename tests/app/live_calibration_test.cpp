@@ -70,7 +70,7 @@ TEST_F(LiveKeys, TiltEndsWhereSetupsEnd) {
 TEST_F(LiveKeys, RotationGoesRound) {
   press(Action::choose_rotation);
   press(Action::coarser);
-  EXPECT_EQ(press(Action::right, 37), Renewal::warps);
+  EXPECT_EQ(press(Action::right, 37), Renewal::master);
   EXPECT_NEAR(live_.setup().rotation_deg, -175.0, 1e-9);
 }
 
