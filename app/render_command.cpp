@@ -127,7 +127,7 @@ void run(RenderOptions options) {
   Show show = chosen_show(options);
   const std::optional<DomeSetup> setup = chosen_setup(options);
   if (setup) {
-    fit_to_setup(show, *setup);
+    fit_to_setup(show, *setup, options.stereo);
   }
   if (!options.pattern.empty()) {
     const int files = write_patterns(options, show, setup);

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/usage_error.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -29,11 +30,13 @@ Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
 
 }  // namespace
 
-void fit_to_setup(Show& show, const DomeSetup& setup) {
+void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo) {
   if (show.stereo.layout != StereoLayout::mono && show.stereo.layout != StereoLayout::separate) {
-    throw Error(show.name.empty() ? "--stereo" : show.name + ".toml",
-                "puts both eyes into one picture, which projectors do not take apart",
-                "choose --stereo mono, or separate for frames of each eye");
+    constexpr const char* problem = "puts both eyes into one picture, which projectors do not take apart";
+    if (!stereo.empty()) {
+      throw UsageError("--stereo " + stereo, problem, "choose mono, or separate for frames of each eye");
+    }
+    throw Error(show.name + ".toml", problem, "choose --stereo mono, or separate for frames of each eye");
   }
   ViewSettings view;
   view.size_px = show.view.size_px;

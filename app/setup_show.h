@@ -13,8 +13,9 @@
 namespace ergodome {
 
 //! Makes a show's pictures the domemaster that warps of a setup look up: 180°, equidistant, uncut, from inside, right as seen from the
-//! setup's viewer. How far it is tilted stays the show's. Throws Error for layouts that put two eyes into one picture.
-void fit_to_setup(Show& show, const DomeSetup& setup);
+//! setup's viewer. How far it is tilted stays the show's. Throws Error for layouts that put two eyes into one picture; UsageError where the command
+//! line's `stereo` (empty: none) asked for one.
+void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
 //! The projectors' names for files: what of them is plain, and different for each.
 std::vector<std::string> plain_names(const DomeSetup& setup);

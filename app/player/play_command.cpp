@@ -80,7 +80,7 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   }
   show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
   if (arguments.options.setup) {
-    fit_to_setup(show, *arguments.options.setup);
+    fit_to_setup(show, *arguments.options.setup, arguments.stereo);
   }
   require_features(show);
   return show;

@@ -113,6 +113,21 @@ TEST_F(SetupCommands, RefuseWhatProjectorsCannotShow) {
   EXPECT_THAT(output_, HasSubstr("projector p: has a warp that shows no part of the domemaster"));
 }
 
+TEST_F(SetupCommands, AStereoLayoutThatProjectorsCannotTakeApartIsTheCommandLinesFault) {
+  for (const char* words : {"render show.toml --setup dome.toml --stereo side_by_side",
+                            "render --pattern white --setup dome.toml --stereo side_by_side",
+                            "play show.toml --setup dome.toml --stereo side_by_side"}) {
+    EXPECT_EQ(run(words), 2) << words;
+    EXPECT_THAT(output_, HasSubstr("ergodome: --stereo side_by_side: puts both eyes into one picture")) << words;
+  }
+}
+
+TEST_F(SetupCommands, AStereoLayoutOfAShowThatProjectorsCannotTakeApartIsTheShows) {
+  write("show.toml", std::string(show_on_dome) + "[stereo]\nlayout = \"side_by_side\"\n");
+  EXPECT_EQ(run("render show.toml --setup dome.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("show.toml: puts both eyes into one picture"));
+}
+
 TEST_F(SetupCommands, PlayOpensAWindowForEachProjector) {
   run_on_display("play show.toml --setup dome.toml --backend cpu --size 128 --for 1 --screenshot shot.png");
   if (IsSkipped()) {
