@@ -10,6 +10,7 @@
 #include "app/calibration_keys.h"
 #include "app/calibration_window.h"
 #include "app/commands.h"
+#include "app/inspect_setup.h"
 #include "app/interrupt.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
@@ -118,6 +119,9 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
   projectors.reserve(setup.projectors.size());
   for (const ProjectorSetup& projector : setup.projectors) {
     projectors.emplace_back(setup, projector);
+    if (projectors.back().outside()) {
+      fmt::print(stderr, "ergodome: {}{}\n", projector.name, outside_note);
+    }
   }
   const DomeBlend blend(projectors, screen, options.blend);
   const std::vector<double> lit = lit_parts_of(projectors, screen);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "calibration/projector_optics.h"
 #include "calibration/projector_picture.h"
 #include "content/files/toml_table.h"
 #include "content/files/whole_file.h"
@@ -36,6 +37,23 @@ nlohmann::json facts_of(const ProjectorSetup& projector, const ProjectorPicture&
   return facts;
 }
 
+//! Whether light of a projector, which its lens and place tell, comes to the dome from outside its sphere.
+bool stands_outside(const DomeSetup& setup, const ProjectorSetup& projector) {
+  const bool placed = !projector.warp && !std::holds_alternative<std::monostate>(projector.lens);
+  return placed && ProjectorOptics(setup, projector).outside();
+}
+
+std::vector<std::string> remarks_on(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures) {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const ProjectorSetup& projector = setup.projectors[i];
+    if (stands_outside(setup, projector)) {
+      notes.push_back(projector.name + outside_note);
+    }
+  }
+  return notes;
+}
+
 }  // namespace
 
 bool is_dome_setup(const std::string& file) {
@@ -63,6 +81,7 @@ nlohmann::json inspect_setup(const std::string& file, const std::string& picture
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     facts["projectors"].push_back(facts_of(setup.projectors[i], pictures[i], lit[i]));
   }
+  facts["notes"] = remarks_on(setup, pictures);
   if (!picture.empty()) {
     write_picture(picture, {}, draw_setup(pictures, size_px), {});
   }
@@ -86,6 +105,9 @@ void print_setup(const nlohmann::json& facts) {
                projector["warp"].get<std::string>());
   }
   fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * facts["dark_part"].get<double>());
+  for (const auto& note : facts["notes"]) {
+    fmt::print("{}\n", note.get<std::string>());
+  }
 }
 
 }  // namespace ergodome

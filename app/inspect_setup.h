@@ -12,6 +12,10 @@ bool is_dome_setup(const std::string& file);
 //! setup_picture.h), `size_px` wide.
 nlohmann::json inspect_setup(const std::string& file, const std::string& picture, int size_px);
 
+//! What is to be said of a projector that stands outside the dome's sphere, after its name.
+inline constexpr const char* outside_note =
+    " stands outside the dome's sphere: only what of its light comes in below the rim gets to the dome";
+
 //! Prints those facts for people.
 void print_setup(const nlohmann::json& facts);
 

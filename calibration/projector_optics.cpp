@@ -1,5 +1,7 @@
 #include "calibration/projector_optics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,7 @@ FisheyeLens<double> law_of(const ProjectorFisheye& lens) {
 ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& projector)
     : place_(place_of(projector)),
       dome_radius_m_(setup.radius_m),
+      zenith_{0.0, std::cos(one_degree * setup.tilt_deg), -std::sin(one_degree * setup.tilt_deg)},
       position_m_(projector.position_m),
       axes_(axes_of(projector.orientation)),
       aspect_(static_cast<double>(projector.width_px) / projector.height_px),
@@ -46,6 +49,27 @@ ProjectorOptics::ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& p
     throw Error(place_, "has no lens, so nothing tells where its picture goes",
                 "give it a frustum or a fisheye, with position_m and its angles");
   }
+  if (outside() && dot(position_m_, zenith_) > 0.0) {
+    throw Error(
+        place_, "stands outside the dome, whose shell keeps its light out",
+        fmt::format(
+            "correct its position_m, in metres from the dome's middle; inside is within {:g} m, and light comes "
+            "in from below the rim alone",
+            dome_radius_m_));
+  }
+}
+
+bool ProjectorOptics::outside() const { return length(position_m_) >= dome_radius_m_; }
+
+//! Whether light that leaves the projector this way (of unit length) meets the dome's shell from outside.
+bool ProjectorOptics::is_stopped_outside(const Vector3<double>& way) const {
+  if (!outside()) {
+    return false;
+  }
+  const double along = dot(position_m_, way);
+  const double room = along * along - dot(position_m_, position_m_) + dome_radius_m_ * dome_radius_m_;
+  const double distance = -along - std::sqrt(std::max(room, 0.0));
+  return room > 0.0 && distance > 0.0 && dot(position_m_ + distance * way, zenith_) > 0.0;
 }
 
 double ProjectorOptics::circle_radius(const RasterPlace& place, double& to_right, double& upwards) const {
@@ -113,6 +137,9 @@ std::optional<Vector3<double>> ProjectorOptics::sphere_point(const Vector3<doubl
 
 std::optional<Vector3<double>> ProjectorOptics::dome_point(const RasterPlace& place) const {
   const Vector3<double> way = lens_direction(place);
+  if (is_stopped_outside(way)) {
+    return std::nullopt;
+  }
   if (!mirror_) {
     return sphere_point(position_m_, way);
   }
@@ -160,7 +187,11 @@ std::optional<RasterPlace> ProjectorOptics::raster_place(const Vector3<double>& 
   if (mirror_ && !(dot(met - mirror_->position_m, position_m_ - met) > 0.0)) {
     return std::nullopt;
   }
-  const std::optional<RasterPlace> place = lens_place(normalized(met - position_m_));
+  const Vector3<double> way = normalized(met - position_m_);
+  if (is_stopped_outside(way)) {
+    return std::nullopt;
+  }
+  const std::optional<RasterPlace> place = lens_place(way);
   return place && depth(*place) > 0.0 ? place : std::nullopt;
 }
 

@@ -13,11 +13,12 @@ struct RasterPlace {
   double y;
 };
 
-//! What light of a projector meets which point of the dome: through its lens, over its mirror if it has one, to the sphere. Places are in
-//! the dome's axes, as in DomeSetup.
+//! What light of a projector meets which point of the dome: through its lens, over its mirror if it has one, to the sphere. The shell that
+//! stops light from outside is the half of the sphere above the rim. Places are in the dome's axes, as in DomeSetup.
 class ProjectorOptics {
  public:
-  //! Throws Error, naming the projector, where it has no lens: a warp alone does not tell where the picture goes.
+  //! Throws Error, naming the projector, where it has no lens, as a warp alone does not tell where the picture goes, and where it stands
+  //! outside the sphere above the dome's rim, where the dome's shell is between it and the dome's inside.
   ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& projector);
 
   //! The point of the sphere [m] that a place of the raster meets. A fisheye's map goes on beyond its image circle, where no light is,
@@ -33,6 +34,9 @@ class ProjectorOptics {
   //! Area of the sphere that the raster would light if all of it were lit as this place is [m²]; 0 where there is none.
   [[nodiscard]] double spread_m2(const RasterPlace& place) const;
 
+  //! Whether the projector stands outside the sphere, so that its light comes in below the dome's rim.
+  [[nodiscard]] bool outside() const;
+
   //! How messages call the projector (place_of()).
   [[nodiscard]] const std::string& place() const { return place_; }
   [[nodiscard]] double dome_radius_m() const { return dome_radius_m_; }
@@ -44,10 +48,12 @@ class ProjectorOptics {
   [[nodiscard]] double circle_radius(const RasterPlace& place, double& across, double& upwards) const;
   [[nodiscard]] std::optional<Vector3<double>> sphere_point(const Vector3<double>& from,
                                                             const Vector3<double>& way) const;
+  [[nodiscard]] bool is_stopped_outside(const Vector3<double>& way) const;
   [[nodiscard]] Vector3<double> mirror_point(const Vector3<double>& point) const;
 
   std::string place_;
   double dome_radius_m_;
+  Vector3<double> zenith_;  //!< direction of the dome's top
   Vector3<double> position_m_;
   ProjectorAxes axes_;
   double aspect_;       //!< of the raster, width over height

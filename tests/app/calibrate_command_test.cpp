@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -60,11 +61,41 @@ TEST_F(CalibrateCommand, AndInspectTellTheSamePartsOfTheDome) {
 }
 
 TEST_F(CalibrateCommand, TellsOfAProjectorWhoseLightPassesTheDomeBy) {
+  // The front of the rim is 10 degrees down, and light goes up to 9 degrees below the horizon.
   write("dome.toml", std::string(dome_of_two) +
-                         "[[projector]]\nname = \"roof\"\nposition_m = [0, 9, -1]\npitch_deg = 40\n"
-                         "fisheye = { fov_deg = 170 }\nresolution_px = [32, 32]\nwindow_px = [200, 0]\n");
+                         "[[projector]]\nname = \"floor\"\npitch_deg = -44\n"
+                         "frustum = { left_deg = -5, right_deg = 5, up_deg = 35, down_deg = -35 }\n"
+                         "resolution_px = [32, 32]\nwindow_px = [200, 0]\n");
   ASSERT_EQ(run("calibrate dome.toml --out made --size 512"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("roof lights next to nothing of the dome"));
+  EXPECT_THAT(output_, HasSubstr("floor lights next to nothing of the dome"));
+}
+
+//! A projector behind a dome of 6 m radius that looks to the front.
+std::string dome_with_one_behind(double tilt_deg) {
+  return fmt::format(
+      "[dome]\nradius_m = 6\ntilt_deg = {}\n[[projector]]\nname = \"behind\"\nposition_m = [0, 0, 7]\npitch_deg = 20\n"
+      "frustum = {{ left_deg = -30, right_deg = 30, up_deg = 30, down_deg = -30 }}\nresolution_px = [32, 32]\n"
+      "window_px = [0, 0]\n",
+      tilt_deg);
+}
+
+TEST_F(CalibrateCommand, RefusesAProjectorBehindTheDomesShellAsInspectDoes) {
+  // The top leans to the back, whose rim is below the projector.
+  write("dome.toml", dome_with_one_behind(-20.0));
+  for (const char* words :
+       {"calibrate dome.toml --out made", "inspect dome.toml", "render --pattern white --setup dome.toml"}) {
+    EXPECT_EQ(run(words), 1) << words;
+    EXPECT_THAT(output_,
+                HasSubstr("dome.toml:4, projector behind: stands outside the dome, whose shell keeps its light out"));
+  }
+}
+
+TEST_F(CalibrateCommand, RemarksOnAProjectorBehindTheDomesRaisedRimAsInspectDoes) {
+  write("dome.toml", dome_with_one_behind(30.0));
+  for (const char* words : {"calibrate dome.toml --out made", "inspect dome.toml"}) {
+    EXPECT_EQ(run(words), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("behind stands outside the dome's sphere")) << words;
+  }
 }
 
 TEST_F(CalibrateCommand, KeepsWhatTheSetupsOwnFolderHeld) {

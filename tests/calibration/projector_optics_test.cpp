@@ -178,5 +178,38 @@ TEST(ProjectorOptics, AProjectorWithoutALensIsRefusedByName) {
   }
 }
 
+TEST(ProjectorOptics, LightFromBelowTheRimComesIn) {
+  const ProjectorOptics optics(dome(5.0), projector_with(Frustum{-30, 30, 30, -30}, {0, -4, 6}, {0, 45, 0}));
+  ASSERT_TRUE(optics.outside());
+  const auto point = optics.dome_point({0.5, 0.5});
+  ASSERT_TRUE(point);
+  EXPECT_TRUE(optics.raster_place(*point));
+  EXPECT_GT(point->y, 0.0);
+  EXPECT_LT(point->z, 0.0);
+}
+
+TEST(ProjectorOptics, LightThatMeetsTheShellFromOutsideLightsNothing) {
+  // Upwards: it comes to the sphere's back above the rim, and would go on to its front.
+  const Vector3<double> from = {0, -1, 6};
+  const double pitch = 55.0 * one_degree;
+  const ProjectorOptics optics(dome(5.0), projector_with(Frustum{-30, 30, 30, -30}, from, {0, 55, 0}));
+  EXPECT_FALSE(optics.dome_point({0.5, 0.5}));
+  const double along = from.y * std::sin(pitch) - from.z * std::cos(pitch);
+  const double distance = std::sqrt(along * along - dot(from, from) + 25.0) - along;
+  EXPECT_FALSE(optics.raster_place(from + distance * Vector3<double>{0.0, std::sin(pitch), -std::cos(pitch)}));
+}
+
+TEST(ProjectorOptics, NoProjectorStandsOutsideAboveTheRim) {
+  const auto at = [](double tilt_deg, double y) {
+    DomeSetup setup = dome(5.0);
+    setup.tilt_deg = tilt_deg;
+    return ProjectorOptics(setup, projector_with(Frustum{-30, 30, 30, -30}, {0, y, 6}, {0, 35, 0}));
+  };
+  EXPECT_THROW(at(0.0, 0.1), Error);
+  EXPECT_NO_THROW(at(0.0, -0.1));
+  EXPECT_NO_THROW(at(10.0, 0.1)) << "the back of the rim is raised";
+  EXPECT_THROW(at(-10.0, -0.1), Error) << "and lowered";
+}
+
 }  // namespace
 }  // namespace ergodome

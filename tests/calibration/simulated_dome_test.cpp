@@ -245,8 +245,8 @@ std::pair<double, double> mask_of(const DomeBlend& blend) {
 
 TEST_F(SimulatedDome, LightThatPassesTheDomeByLeavesTheRestAsItIs) {
   const std::string beside =
-      "position_m = [0, 0, 20]\nresolution_px = [640, 400]\nfrustum = { left_deg = -22, right_deg = 22, up_deg = 22, "
-      "down_deg = -5 }\n";
+      "position_m = [0, -20, 0]\npitch_deg = 90\nresolution_px = [640, 400]\n"
+      "frustum = { left_deg = -22, right_deg = 22, up_deg = 22, down_deg = -5 }\n";
   const auto [mean, most] = mask_of(blend_of(beside, 0.0));
   EXPECT_GT(mean, 0.4);
   EXPECT_EQ(most, 1.0);
