@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "app/calibration_keys.h"
 #include "app/calibration_window.h"
@@ -23,9 +23,11 @@
 #include "calibration/dome_setup.h"
 #include "calibration/mpcdi_writer.h"
 #include "calibration/projector_files.h"
+#include "calibration/projector_picture.h"
 #include "calibration/setup_conversion.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
+#include "render/patterns/setup_picture.h"
 
 namespace ergodome {
 
@@ -48,36 +50,6 @@ std::string moved(const std::string& file, const std::filesystem::path& from, co
   return file.empty() ? file : std::filesystem::relative(from / file, to).string();
 }
 
-//! Parts of the dome's screen, as seen from its middle, that each projector lights, and that none does, last.
-std::vector<double> lit_parts_of(const std::vector<ProjectorOptics>& projectors, const DomeScreen& screen) {
-  constexpr int places = 4000;
-  std::vector<double> lit(projectors.size() + 1, 0.0);
-  int all = 0;
-  for (int i = 0; i < places; ++i) {
-    const double up = 1.0 - 2.0 * (i + 0.5) / places;
-    const double across = std::sqrt(1.0 - up * up);
-    const double azimuth = 2.39996322972865332 * i;
-    const Vector3<double> direction = {across * std::sin(azimuth), up, -across * std::cos(azimuth)};
-    double u = 0.0;
-    double v = 0.0;
-    if (!master_place(screen, direction, u, v)) {
-      continue;
-    }
-    ++all;
-    bool dark = true;
-    for (std::size_t k = 0; k < projectors.size(); ++k) {
-      const bool reached = projectors[k].raster_place(projectors[k].dome_radius_m() * direction).has_value();
-      lit[k] += reached ? 1.0 : 0.0;
-      dark = dark && !reached;
-    }
-    lit.back() += dark ? 1.0 : 0.0;
-  }
-  for (double& part : lit) {
-    part /= all;
-  }
-  return lit;
-}
-
 void run_live(const CalibrateOptions& options) {
   LiveOptions live = options.shown;
   live.setup = options.setup;
@@ -90,8 +62,6 @@ struct ComputedProjector {
   std::string name;  //!< that of its files begins so
   std::string mesh;
   std::string mask;
-  int columns = 0;
-  int rows = 0;
 };
 
 //! Looks at all that can be known to go wrong before anything is written: files that are to be named or written.
@@ -113,6 +83,21 @@ void require_files(const CalibrateOptions& options, const DomeSetup& setup) {
   }
 }
 
+//! Says how much of the dome each projector lights, by the meshes and masks that were made (as `inspect` does).
+void tell_lit_parts(const std::vector<ProjectorPicture>& pictures) {
+  const std::vector<double> lit = lit_parts(pictures);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const ProjectorPicture& picture = pictures[i];
+    fmt::print("{}: {} x {} nodes, {:.1f} % of the dome\n", picture.name, picture.warp.columns, picture.warp.rows,
+               100.0 * lit[i]);
+    if (lit[i] < 0.005) {
+      fmt::print(stderr, "ergodome: {} lights next to nothing of the dome: check position_m, yaw_deg and pitch_deg\n",
+                 picture.name);
+    }
+  }
+  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
+}
+
 std::vector<ComputedProjector> compute(const CalibrateOptions& options, const DomeSetup& setup) {
   const DomeScreen screen = {setup.tilt_deg, 180.0};
   std::vector<ProjectorOptics> projectors;
@@ -124,24 +109,26 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
     }
   }
   const DomeBlend blend(projectors, screen, options.blend);
-  const std::vector<double> lit = lit_parts_of(projectors, screen);
   std::vector<ComputedProjector> computed;
+  std::vector<ProjectorPicture> pictures;
+  pictures.reserve(projectors.size());
   Progress progress("warps and masks", static_cast<long>(projectors.size()));
   for (std::size_t i = 0; i < projectors.size(); ++i) {
     const ProjectorSetup& projector = setup.projectors[i];
-    const WarpMesh warp = dome_warp(projectors[i], screen, options.master_px, options.tolerance_px);
+    ProjectorPicture picture;
+    picture.name = projector.name;
+    picture.width_px = projector.width_px;
+    picture.height_px = projector.height_px;
+    picture.warp = dome_warp(projectors[i], screen, options.master_px, options.tolerance_px);
+    picture.blend = blend.mask(i, projector.width_px, projector.height_px);
     const std::string name = projector_file_name(i, projector.name);
-    computed.push_back({name, to_bourke_mesh(warp, static_cast<double>(projector.width_px) / projector.height_px),
-                        to_png(blend.mask(i, projector.width_px, projector.height_px), name + "_blend.png"),
-                        warp.columns, warp.rows});
-    fmt::print("{}: {} x {} nodes, {:.0f} % of the dome\n", projector.name, warp.columns, warp.rows, 100.0 * lit[i]);
-    if (lit[i] < 0.005) {
-      fmt::print(stderr, "ergodome: {} lights next to nothing of the dome: check position_m, yaw_deg and pitch_deg\n",
-                 projector.name);
-    }
+    computed.push_back({name,
+                        to_bourke_mesh(picture.warp, static_cast<double>(projector.width_px) / projector.height_px),
+                        to_png(picture.blend, name + "_blend.png")});
+    pictures.push_back(std::move(picture));
     progress.advance_to(static_cast<long>(i) + 1);
   }
-  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
+  tell_lit_parts(pictures);
   return computed;
 }
 
