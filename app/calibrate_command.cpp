@@ -17,6 +17,7 @@
 #include "app/progress.h"
 #include "app/projector_folder.h"
 #include "app/setup_show.h"
+#include "app/tilt_note.h"
 #include "app/usage_error.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/dome_blend.h"
@@ -153,9 +154,10 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   write_dome_setup(file, setup);
   fmt::print("written to {}\n", file.string());
   if (!options.mpcdi.empty()) {
-    write_mpcdi(options.mpcdi,
-                mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr)))));
-    fmt::print("written to {}\n", options.mpcdi);
+    const auto now = fmt::gmtime(std::time(nullptr));
+    const Mpcdi mpcdi = mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now));
+    write_mpcdi(options.mpcdi, mpcdi);
+    fmt::print("written to {}{}\n", options.mpcdi, tilt_note(setup, mpcdi));
   }
 }
 

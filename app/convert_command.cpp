@@ -13,6 +13,7 @@
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/projector_folder.h"
+#include "app/tilt_note.h"
 #include "app/usage_error.h"
 #include "calibration/bourke_mesh.h"
 #include "calibration/mpcdi_reader.h"
@@ -61,12 +62,16 @@ void convert_setup(const ConvertOptions& options, const DomeSetup& setup) {
   const std::filesystem::path to = options.to;
   if (kind_of(to) == FileKind::folder) {
     const std::filesystem::path name = std::filesystem::path(options.from).stem().string() + ".toml";
-    fmt::print("written to {}\n", write_projector_folder(to, name, setup, projector_pictures(setup)).string());
+    const bool not_level = setup.tilt_deg != 0.0 && setup.rotation_deg != 0.0;
+    fmt::print(
+        "written to {}{}\n", write_projector_folder(to, name, setup, projector_pictures(setup)).string(),
+        not_level ? "; its meshes have rotation_deg in them: test patterns are level with the old setup alone" : "");
     return;
   }
   const auto now = fmt::gmtime(std::time(nullptr));
-  write_mpcdi(to, mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now)));
-  fmt::print("written to {}\n", to.string());
+  const Mpcdi mpcdi = mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now));
+  write_mpcdi(to, mpcdi);
+  fmt::print("written to {}{}\n", to.string(), tilt_note(setup, mpcdi));
 }
 
 void convert_mpcdi(const ConvertOptions& options) {
@@ -84,8 +89,15 @@ void convert_mpcdi(const ConvertOptions& options) {
     return convert_setup(options, setup);
   }
   write_dome_setup(to, setup);
-  fmt::print("written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor the viewer's place\n",
-             to.string(), options.radius_m);
+  const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
+  fmt::print(
+      "written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor the viewer's place, nor how the dome "
+      "leans: {}\n",
+      to.string(), options.radius_m,
+      flat ? "shows are right without, and test patterns are level once tilt_deg is written (rotation_deg is in the "
+             "warps)"
+           : "places are taken to be in its own axes, where shows are right with tilt_deg and rotation_deg 0, and test "
+             "patterns are level in a dome that does not lean; write tilt_deg where they have y straight up");
 }
 
 void convert_mesh(const ConvertOptions& options) {

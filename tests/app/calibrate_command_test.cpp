@@ -110,6 +110,12 @@ TEST_F(CalibrateCommand, RemarksOnAProjectorBehindTheDomesRaisedRimAsInspectDoes
   }
 }
 
+TEST_F(CalibrateCommand, SaysThatMpcdiDoesNotTellTheTilt) {
+  write("dome.toml", dome_of_two);
+  ASSERT_EQ(run("calibrate dome.toml --out made --size 512 --mpcdi made.mpcdi"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("for level test patterns write tilt_deg = 10 into a setup that is made of it"));
+}
+
 TEST_F(CalibrateCommand, KeepsWhatTheSetupsOwnFolderHeld) {
   write("dome.toml", dome_of_two);
   write("2_right.data", "measured by hand");

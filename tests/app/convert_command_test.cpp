@@ -110,6 +110,54 @@ TEST_F(ConvertCommand, MeshesBecomeMapsAndMapsMeshes) {
   }
 }
 
+//! The setup of two projectors in a dome that leans.
+std::string leaning(const std::string& rotation) {
+  std::string setup = two_projectors;
+  setup.replace(setup.find("rotation_deg = 20"), 17, "tilt_deg = 15\n" + rotation);
+  return setup;
+}
+
+TEST_F(ConvertCommand, ATiltWrittenBesideFlatWarpsOfMpcdiChangesNoShow) {
+  write("dome.toml", leaning(""));
+  ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
+  ASSERT_EQ(run("convert made/dome.toml a.mpcdi"), 0) << output_;
+  EXPECT_THAT(output_,
+              HasSubstr("are in its warps, and MPCDI does not tell them: for level test patterns write tilt_deg = 15"));
+  ASSERT_EQ(run("convert a.mpcdi again.toml --radius 6"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("test patterns are level once tilt_deg is written"));
+  std::string with_tilt = text("again.toml");
+  with_tilt.replace(with_tilt.find("tilt_deg = 0"), 12, "tilt_deg = 15");
+  write("tilted.toml", with_tilt);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(farthest_apart(pictures_of("dome.toml")[i].warp, pictures_of("tilted.toml")[i].warp), 1e-5);
+  }
+}
+
+TEST_F(ConvertCommand, ATiltWrittenBesidePlacesOfMpcdiTiltsShowsAgain) {
+  write("dome.toml", leaning(""));
+  ASSERT_EQ(run("convert dome.toml a.mpcdi"), 0) << output_;
+  EXPECT_THAT(output_,
+              HasSubstr("are in its places, and MPCDI does not tell them: for level test patterns keep this setup"));
+  ASSERT_EQ(run("convert a.mpcdi again.toml --radius 6"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("shows are right with tilt_deg and rotation_deg 0"));
+  EXPECT_LT(farthest_apart(pictures_of("dome.toml")[0].warp, pictures_of("again.toml")[0].warp), 1e-4);
+  std::string with_tilt = text("again.toml");
+  with_tilt.replace(with_tilt.find("tilt_deg = 0"), 12, "tilt_deg = 15");
+  write("tilted.toml", with_tilt);
+  EXPECT_GT(farthest_apart(pictures_of("dome.toml")[0].warp, pictures_of("tilted.toml")[0].warp), 0.05);
+}
+
+TEST_F(ConvertCommand, WarpsWithARotationKeepTheirSetupForLevelPatterns) {
+  write("dome.toml", leaning("rotation_deg = 20"));
+  ASSERT_EQ(run("convert dome.toml made"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("test patterns are level with the old setup alone"));
+}
+
+TEST_F(ConvertCommand, SaysNothingOfTiltWhereThereIsNone) {
+  ASSERT_EQ(run("convert dome.toml a.mpcdi"), 0) << output_;
+  EXPECT_THAT(output_, testing::Not(HasSubstr("tilt_deg")));
+}
+
 TEST_F(ConvertCommand, SaysWhatItCannotMake) {
   for (const char* words : {"convert dome.toml a.png", "convert a.png b.pfm", "convert dome.toml b.toml",
                             "convert absent.toml made", "convert absent.mpcdi made", "convert absent.data a.pfm",
