@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <limits>
@@ -27,7 +29,7 @@ namespace ergodome {
 
 namespace {
 
-//! No size was asked for: a mesh keeps its own.
+//! No size was asked for: a mesh keeps its own, if it has one.
 constexpr std::pair<int, int> own_size = {std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
 
 struct ConvertOptions {
@@ -100,20 +102,65 @@ void convert_mpcdi(const ConvertOptions& options) {
              "patterns are level in a dome that does not lean; write tilt_deg where they have y straight up");
 }
 
+//! Columns and rows of the map that a mesh becomes.
+std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh) {
+  if (options.size != own_size) {
+    return options.size;
+  }
+  if (mesh.topology == MeshTopology::rectangular) {
+    return {mesh.columns, mesh.rows};
+  }
+  // Rings and spokes are no rows and columns. What is drawn of a map ends at its last known sample: of a circle as high as the raster some 0.3 % are
+  // lost.
+  constexpr double shorter_side = 720.0;
+  const auto side = [](double samples) {
+    return static_cast<int>(std::lround(std::min(samples, static_cast<double>(most_mesh_side))));
+  };
+  return {side(shorter_side * std::max(options.aspect, 1.0)), side(shorter_side * std::max(1.0 / options.aspect, 1.0))};
+}
+
+//! Says which of a mesh's intensities are lost in a map, if any are.
+void tell_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) {
+  float least = 1.0F;
+  float most = 1.0F;
+  for (const WarpNode& node : mesh.nodes) {
+    least = node.valid ? std::min(least, node.intensity) : least;
+    most = node.valid ? std::max(most, node.intensity) : most;
+  }
+  if (least < 1.0F || most > 1.0F) {
+    fmt::print(stderr,
+               "ergodome: {}: a .pfm holds no intensities, and {} has some from {:.3g} to {:.3g}; who needs them names "
+               "{} as a "
+               "warp in a setup, and makes MPCDI or a folder of that\n",
+               options.to, options.from, least, most, options.from);
+  }
+}
+
+void write_map(const ConvertOptions& options, const WarpMesh& mesh) {
+  const auto [columns, rows] = map_size(options, mesh);
+  check_mesh_size(columns, rows, "--size");
+  const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
+  write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
+  const bool chosen = options.size == own_size && mesh.topology == MeshTopology::polar;
+  fmt::print(
+      "written to {}{}\n", options.to,
+      chosen ? fmt::format(
+                   ", with {} x {} samples, as a polar mesh has no columns and rows of a raster; --size takes others",
+                   columns, rows)
+             : "");
+  tell_lost_intensities(options, mesh);
+}
+
 void convert_mesh(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
   const WarpMesh mesh =
       kind_of(from) == FileKind::bourke
           ? read_bourke_mesh(from, options.aspect)
           : with_rim(warp_from_map(read_float_map(from, RowOrder::bottom_up), TextureDirection::downwards));
-  if (kind_of(options.to) == FileKind::bourke) {
-    write_text_atomically(options.to, to_bourke_mesh(mesh, options.aspect));
-  } else {
-    const auto [columns, rows] = options.size == own_size ? std::pair(mesh.columns, mesh.rows) : options.size;
-    check_mesh_size(columns, rows, "--size");
-    const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
-    write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
+  if (kind_of(options.to) == FileKind::map) {
+    return write_map(options, mesh);
   }
+  write_text_atomically(options.to, to_bourke_mesh(mesh, options.aspect));
   fmt::print("written to {}\n", options.to);
 }
 
@@ -154,7 +201,10 @@ void add_convert_command(CLI::App& app) {
   command->add_option("--aspect", options->aspect, "width over height of the raster that a .data mesh is for")
       ->check(number_between(0.01, 100.0))
       ->capture_default_str();
-  command->add_option("--size", options->size, "columns and rows of a .pfm (default: the mesh's own)")
+  command
+      ->add_option(
+          "--size", options->size,
+          "columns and rows of a .pfm (default: the mesh's own; of a polar one 720 on the raster's shorter side)")
       ->delimiter('x')
       ->check(CLI::Range(2, 16384))
       ->type_name("WxH");

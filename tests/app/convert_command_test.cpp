@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "calibration/projector_picture.h"
 #include "calibration/warp_conversion.h"
@@ -108,6 +110,58 @@ TEST_F(ConvertCommand, MeshesBecomeMapsAndMapsMeshes) {
   for (std::size_t i = 0; i < before.samples.size(); ++i) {
     ASSERT_NEAR(after.samples[i], before.samples[i], 1e-5F) << i;
   }
+}
+
+TEST_F(ConvertCommand, SaysThatAMapHoldsNoIntensities) {
+  const std::string head = "2\n2 2\n-2 -1 0 0 0.25\n2 -1 1 0 1\n-2 1 0 1 -1\n";
+  write("a.data", head + "2 1 1 1 1\n");
+  ASSERT_EQ(run("convert a.data a.pfm --aspect 2"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("a .pfm holds no intensities, and a.data has some from 0.25 to 1;"));
+}
+
+TEST_F(ConvertCommand, SaysNothingOfIntensitiesWhereAllAreFull) {
+  write("a.data", "2\n2 2\n-2 -1 0 0 1\n2 -1 1 0 1\n-2 1 0 1 -1\n2 1 1 1 1\n");
+  ASSERT_EQ(run("convert a.data a.pfm --aspect 2"), 0) << output_;
+  EXPECT_THAT(output_, testing::Not(HasSubstr("intensities")));
+}
+
+//! A polar mesh that shows the domemaster's circle as high as the raster, of 12 rings and 36 spokes.
+std::string polar_circle() {
+  std::string mesh = "1\n36 12\n";
+  for (int ring = 0; ring < 12; ++ring) {
+    for (int spoke = 0; spoke < 36; ++spoke) {
+      const double x = ring / 11.0 * std::cos(spoke * std::numbers::pi / 18.0);
+      const double y = ring / 11.0 * std::sin(spoke * std::numbers::pi / 18.0);
+      mesh += fmt::format("{} {} {} {} 1\n", x, y, 0.5 + 0.5 * x, 0.5 + 0.5 * y);
+    }
+  }
+  return mesh;
+}
+
+TEST_F(ConvertCommand, APolarMeshLosesNextToNothingAsAMap) {
+  write("a.data", polar_circle());
+  ASSERT_EQ(run("convert a.data a.pfm"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("with 1280 x 720 samples"));
+  const WarpMesh map =
+      warp_from_map(read_float_map(folder_ / "a.pfm", RowOrder::bottom_up), TextureDirection::downwards);
+  int drawn = 0;
+  for (int row = 0; row + 1 < map.rows; ++row) {
+    for (int column = 0; column + 1 < map.columns; ++column) {
+      drawn += map.at(column, row).valid && map.at(column + 1, row).valid && map.at(column, row + 1).valid &&
+                       map.at(column + 1, row + 1).valid
+                   ? 1
+                   : 0;
+    }
+  }
+  const double polygon_px = 0.5 * 36 * std::sin(std::numbers::pi / 18.0) * 360.0 * 360.0;
+  EXPECT_GT(drawn, 0.99 * polygon_px);
+  EXPECT_LT(drawn, polygon_px);
+}
+
+TEST_F(ConvertCommand, APolarMeshOfAnUprightRasterBecomesAnUprightMap) {
+  write("a.data", polar_circle());
+  ASSERT_EQ(run("convert a.data a.pfm --aspect 0.5"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("with 720 x 1440 samples"));
 }
 
 //! The setup of two projectors in a dome that leans.
