@@ -235,6 +235,11 @@ void run(const InspectOptions& options) {
     throw Error(options.file, "is a calibration",
                 fmt::format("make a setup of it, and inspect that: ergodome convert {} dome.toml", options.file));
   }
+  if (file.extension() == ".data" || file.extension() == ".pfm") {
+    throw Error(options.file, "is a warp mesh",
+                fmt::format("name it in a dome setup, as a projector's warp = \"{}\", and inspect that",
+                            file.filename().string()));
+  }
   if (is_dome_setup(options.file)) {
     const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
     if (options.json) {

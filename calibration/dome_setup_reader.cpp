@@ -113,6 +113,10 @@ DomeSetup read_dome_setup(const std::filesystem::path& path) {
     throw Error(path.string(), "is a calibration, not a setup",
                 fmt::format("make one of it: ergodome convert {} dome.toml", path.string()));
   }
+  if (path.extension() == ".data" || path.extension() == ".pfm") {
+    throw Error(path.string(), "is a warp mesh, not a setup",
+                fmt::format("name it in one, as a projector's warp = \"{}\"", path.filename().string()));
+  }
   return parse_dome_setup(read_whole_file(path, largest_mib << 20U, "give the path of a dome setup (.toml)"),
                           path.string(), NamedFiles::must_exist);
 }

@@ -241,5 +241,21 @@ TEST_F(CommandLine, InspectRefusesASetupWhoseFilesAreAbsent) {
   EXPECT_THAT(output_, HasSubstr("absent.data"));
 }
 
+//! A rectangular mesh whose x runs from -half_width to half_width.
+std::string mesh_of_width(double half_width) {
+  return fmt::format("2\n2 2\n-{0} -1 0.1 0.1 1\n{0} -1 0.9 0.1 1\n-{0} 1 0.1 0.9 1\n{0} 1 0.9 0.9 1\n", half_width);
+}
+
+TEST_F(CommandLine, AMeshIsNoSetupAndIsToBeNamedInOne) {
+  write("a.data", mesh_of_width(1.0));
+  write("a.pfm", "PF");
+  for (const char* words : {"inspect a.data", "inspect a.pfm", "render grid-sky --setup a.data",
+                            "play grid-sky --setup a.pfm", "calibrate a.data --out made"}) {
+    EXPECT_EQ(run(words), 1) << words;
+    EXPECT_THAT(output_, HasSubstr("is a warp mesh")) << words;
+    EXPECT_THAT(output_, HasSubstr("warp = \"a.")) << words;
+  }
+}
+
 }  // namespace
 }  // namespace ergodome
