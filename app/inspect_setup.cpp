@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "calibration/projector_optics.h"
 #include "calibration/projector_picture.h"
 #include "content/files/toml_table.h"
@@ -37,6 +41,34 @@ nlohmann::json facts_of(const ProjectorSetup& projector, const ProjectorPicture&
   return facts;
 }
 
+//! Where a rectangular mesh of Bourke's fills its raster from bottom to top, but not from side to side or beyond them: made for a raster of
+//! another shape, as it seems. Empty: not so.
+std::string note_of_shape(const ProjectorSetup& projector, const WarpMesh& mesh) {
+  constexpr float tolerance = 0.01F;
+  if (!projector.warp || projector.warp->format != WarpFormat::bourke || mesh.topology == MeshTopology::polar) {
+    return {};
+  }
+  const auto [left, right] = std::ranges::minmax(mesh.nodes, {}, &WarpNode::x);
+  const auto [top, bottom] = std::ranges::minmax(mesh.nodes, {}, &WarpNode::y);
+  const bool fills_height = std::abs(top.y) < tolerance && std::abs(1.0F - bottom.y) < tolerance;
+  const bool fills_width = std::abs(left.x) < tolerance && std::abs(1.0F - right.x) < tolerance;
+  const bool even = std::abs(left.x + right.x - 1.0F) < tolerance;
+  if (!fills_height || fills_width || !even) {
+    return {};
+  }
+  const double read_to = projector.warp->x_to_one ? 1.0 : static_cast<double>(projector.width_px) / projector.height_px;
+  const double half_width = read_to * (static_cast<double>(right.x) - static_cast<double>(left.x));
+  const bool to_one = std::abs(half_width - 1.0) < static_cast<double>(tolerance);
+  return fmt::format(
+      "{}: x in {} runs to {:.3f}, where the raster's sides are at {:.3f}, so {}; {}", projector.name,
+      projector.warp->file, half_width, read_to,
+      half_width < read_to ? "these stay black" : "the mesh goes on beyond them",
+      to_one ? "with x_range = \"one\" it fills the raster"
+             : fmt::format("was it made for a raster of another shape? (ergodome convert {} MESH.pfm --aspect {:.4f} "
+                           "makes a map that fills any)",
+                           projector.warp->file, half_width));
+}
+
 //! Whether light of a projector, which its lens and place tell, comes to the dome from outside its sphere.
 bool stands_outside(const DomeSetup& setup, const ProjectorSetup& projector) {
   const bool placed = !projector.warp && !std::holds_alternative<std::monostate>(projector.lens);
@@ -49,6 +81,9 @@ std::vector<std::string> remarks_on(const DomeSetup& setup, const std::vector<Pr
     const ProjectorSetup& projector = setup.projectors[i];
     if (stands_outside(setup, projector)) {
       notes.push_back(projector.name + outside_note);
+    }
+    if (std::string note = note_of_shape(projector, pictures[i].warp); !note.empty()) {
+      notes.push_back(std::move(note));
     }
   }
   return notes;

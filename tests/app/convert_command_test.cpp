@@ -241,9 +241,36 @@ TEST_F(CommandLine, InspectRefusesASetupWhoseFilesAreAbsent) {
   EXPECT_THAT(output_, HasSubstr("absent.data"));
 }
 
+//! A setup with one flat warp.
+constexpr const char* dome_with_a_mesh =
+    "[dome]\nradius_m = 6\n[[projector]]\nname = \"m\"\nresolution_px = [320, 180]\nwarp = \"a.data\"\n";
+
 //! A rectangular mesh whose x runs from -half_width to half_width.
 std::string mesh_of_width(double half_width) {
   return fmt::format("2\n2 2\n-{0} -1 0.1 0.1 1\n{0} -1 0.9 0.1 1\n-{0} 1 0.1 0.9 1\n{0} 1 0.9 0.9 1\n", half_width);
+}
+
+TEST_F(CommandLine, InspectRemarksOnAMeshForARasterOfAnotherShape) {
+  write("dome.toml", dome_with_a_mesh);
+  write("a.data", mesh_of_width(1.3333333));
+  ASSERT_EQ(run("inspect dome.toml"), 0) << output_;
+  EXPECT_THAT(output_,
+              HasSubstr("m: x in a.data runs to 1.333, where the raster's sides are at 1.778, so these stay black"));
+  EXPECT_THAT(output_, HasSubstr("--aspect 1.3333"));
+}
+
+TEST_F(CommandLine, InspectNamesTheRangeOfAMeshThatRunsToOne) {
+  write("dome.toml", dome_with_a_mesh);
+  write("a.data", mesh_of_width(1.0));
+  ASSERT_EQ(run("inspect dome.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("x_range = \"one\""));
+}
+
+TEST_F(CommandLine, InspectHasNoRemarkOnAMeshOfTheRastersShape) {
+  write("dome.toml", dome_with_a_mesh);
+  write("a.data", mesh_of_width(16.0 / 9.0));
+  ASSERT_EQ(run("inspect dome.toml"), 0) << output_;
+  EXPECT_THAT(output_, testing::Not(HasSubstr("runs to")));
 }
 
 TEST_F(CommandLine, AMeshIsNoSetupAndIsToBeNamedInOne) {
