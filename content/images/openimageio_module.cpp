@@ -4,11 +4,13 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
 #include "content/images/image_library.h"
 #include "content/images/jpeg_end.h"
+#include "content/images/png_chunks.h"
 
 namespace ergodome {
 
@@ -33,11 +35,35 @@ ImageShape shape_of(const OIIO::ImageSpec& spec) {
 //! The first line of a message: readers of PNG say one thing in three.
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
+//! What is wrong with a file, or with the bytes that stand for it, if it is a PNG; empty where nothing is.
+std::string problem_of_file(const std::string& name, const std::optional<std::span<const std::byte>>& bytes,
+                            PngExtent extent) {
+  if (bytes) {
+    std::span<const std::byte> left = *bytes;
+    const auto next = [&](char* to, std::size_t count) {
+      const bool enough = count <= left.size();
+      if (enough) {
+        std::memcpy(to, left.data(), count);
+        left = left.subspan(count);
+      }
+      return enough;
+    };
+    return problem_of_png(next, extent);
+  }
+  std::ifstream file(name, std::ios::binary);
+  const auto next = [&](char* to, std::size_t count) {
+    return static_cast<bool>(file.read(to, static_cast<std::streamsize>(count)));
+  };
+  return problem_of_png(next, extent);
+}
+
 class Input final : public ImageInput {
  public:
   //! Opens a file, or its bytes; is_open() tells whether it could.
   Input(const std::string& name, const ImageLibrary::Wishes& asked)
-      : memory_(asked.bytes ? asked.bytes->data() : nullptr, asked.bytes ? asked.bytes->size() : 0) {
+      : name_(name),
+        bytes_(asked.bytes),
+        memory_(asked.bytes ? asked.bytes->data() : nullptr, asked.bytes ? asked.bytes->size() : 0) {
     OIIO::Filesystem::IOProxy* const memory = asked.bytes ? &memory_ : nullptr;
     OIIO::ImageSpec wishes;
     if (asked.separate_alpha) {
@@ -67,19 +93,25 @@ class Input final : public ImageInput {
   }
 
   bool read_rows(int begin, int end, int channels, float* to) override {
+    if (!is_whole()) {
+      return false;
+    }
     const int top = input_->spec().y;
     return input_->read_scanlines(part_, 0, top + begin, top + end, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
   }
 
   bool read_all(int channels, float* to) override {
-    return input_->read_image(part_, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
+    return is_whole() && input_->read_image(part_, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
   }
 
   bool read_all(int channels, std::uint16_t* to) override {
-    return input_->read_image(part_, 0, 0, channels, OIIO::TypeDesc::UINT16, to);
+    return is_whole() && input_->read_image(part_, 0, 0, channels, OIIO::TypeDesc::UINT16, to);
   }
 
   bool read_through() override {
+    if (!is_whole()) {
+      return false;
+    }
     constexpr int rows_at_once = 64;
     const OIIO::ImageSpec spec = input_->spec();
     std::vector<unsigned char> rows(spec.scanline_bytes(true) * rows_at_once);
@@ -96,9 +128,23 @@ class Input final : public ImageInput {
     return std::string(input_->spec().get_string_attribute(name));
   }
 
-  std::string error() override { return first_line(input_->geterror()); }
+  std::string error() override {
+    const std::string library = first_line(input_->geterror());
+    return torn_.value_or("").empty() ? library : *torn_;
+  }
 
  private:
+  //! Looks at a PNG up to its end before the first of its pixels are read, and not earlier: who asks for a file's size alone need not wait for that.
+  bool is_whole() {
+    if (!torn_) {
+      torn_ = std::string_view(input_->format_name()) == "png" ? problem_of_file(name_, bytes_, PngExtent::to_end) : "";
+    }
+    return torn_->empty();
+  }
+
+  std::string name_;
+  std::optional<std::span<const std::byte>> bytes_;
+  std::optional<std::string> torn_;  //!< what is wrong with a PNG, once that is known; empty where nothing is
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;
   ImageShape shape_;
@@ -187,6 +233,10 @@ std::string bytes_of(const std::string& name, const ImageLibrary::Wishes& wishes
 class Library final : public ImageLibrary {
  public:
   std::unique_ptr<ImageInput> open(const std::string& name, const Wishes& wishes, std::string& problem) const override {
+    problem = problem_of_file(name, wishes.bytes, PngExtent::to_pixels);
+    if (!problem.empty()) {
+      return nullptr;
+    }
     auto input = std::make_unique<Input>(name, wishes);
     if (!input->is_open()) {
       problem = first_line(OIIO::geterror());

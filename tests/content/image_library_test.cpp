@@ -7,6 +7,7 @@
 #include <fstream>
 #include <random>
 #include <span>
+#include <utility>
 
 #include "tests/support/folder_test.h"
 
@@ -62,14 +63,47 @@ TEST_F(ImageLibraryFiles, SaysThatAJpegIsTornWhereverItBreaksOff) {
   }
 }
 
-TEST_F(ImageLibraryFiles, SaysInOneLineThatAPngIsTorn) {
+//! What is said of a PNG when it is opened and read through, and what the library of PNG says of it on stderr.
+std::pair<std::string, std::string> said_of_png(const std::string& name, const ImageLibrary::Wishes& wishes) {
+  std::string problem;
+  testing::internal::CaptureStderr();
+  const auto input = image_library().open(name, wishes, problem);
+  if (input && !input->read_through()) {
+    problem = input->error();
+  }
+  return {problem, testing::internal::GetCapturedStderr()};
+}
+
+TEST_F(ImageLibraryFiles, SaysInOneLineThatAPngIsTornWhereverItBreaksOff) {
   const std::vector<unsigned char> png = noisy_image("png");
   ASSERT_GT(png.size(), 2000U);
-  std::string problem;
-  const auto input = image_library().open("noise.png", {std::as_bytes(std::span(png).first(png.size() / 2))}, problem);
-  ASSERT_NE(input, nullptr) << problem;
-  EXPECT_FALSE(input->read_through());
-  EXPECT_THAT(input->error(), testing::AllOf(Not(testing::IsEmpty()), Not(HasSubstr("\n"))));
+  for (const std::size_t left : {png.size() - 1, png.size() - 12, png.size() / 2, std::size_t{30}, std::size_t{8}}) {
+    const auto [problem, of_library] = said_of_png("noise.png", {std::as_bytes(std::span(png).first(left))});
+    EXPECT_THAT(problem, testing::AllOf(HasSubstr("torn"), Not(HasSubstr("\n")))) << left;
+    EXPECT_EQ(of_library, "") << left;
+  }
+}
+
+TEST_F(ImageLibraryFiles, SaysInOneLineThatAByteOfAPngIsAnother) {
+  const std::vector<unsigned char> whole = noisy_image("png");
+  ASSERT_GT(whole.size(), 2000U);
+  const std::string path = (folder_ / "changed.png").string();
+  for (const std::size_t at : {std::size_t{8}, std::size_t{17}, whole.size() / 2, whole.size() - 6}) {
+    std::vector<unsigned char> png = whole;
+    png[at] ^= 0x80U;
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    for (const auto& [problem, of_library] :
+         {said_of_png(path, {}), said_of_png("noise.png", {std::as_bytes(std::span(png))})}) {
+      EXPECT_THAT(problem, testing::AllOf(HasSubstr("torn"), Not(HasSubstr("\n")))) << at;
+      EXPECT_EQ(of_library, "") << at;
+    }
+  }
+}
+
+TEST_F(ImageLibraryFiles, ReadsAWholePngWithoutAWord) {
+  const std::vector<unsigned char> png = noisy_image("png");
+  EXPECT_EQ(said_of_png("noise.png", {std::as_bytes(std::span(png))}), std::pair(std::string(), std::string()));
 }
 
 TEST_F(ImageLibraryFiles, ReadsRowsPartsAndWholeImagesAsTheyWereWritten) {

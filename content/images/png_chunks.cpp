@@ -1,0 +1,81 @@
+#include "content/images/png_chunks.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::string_view signature("\x89PNG\r\n\x1A\n", 8);
+constexpr const char* broken_off = "it is torn, and breaks off before its end";
+constexpr std::uint32_t longest_chunk = 0x7FFF'FFFF;
+
+std::uint32_t word(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) {
+    value = value << 8U | static_cast<unsigned char>(bytes[i]);
+  }
+  return value;
+}
+
+unsigned long sum_over(unsigned long sum, const char* bytes, std::size_t count) {
+  return crc32(sum, reinterpret_cast<const Bytef*>(bytes), static_cast<uInt>(count));
+}
+
+//! Reads what follows a chunk's length and kind: its data and their sum.
+std::string problem_of_chunk(const NextBytes& next, std::uint32_t length, std::string_view kind,
+                             std::vector<char>& room) {
+  unsigned long sum = sum_over(crc32(0, nullptr, 0), kind.data(), kind.size());
+  for (std::size_t left = length; left > 0;) {
+    const std::size_t count = std::min(left, room.size());
+    if (!next(room.data(), count)) {
+      return broken_off;
+    }
+    sum = sum_over(sum, room.data(), count);
+    left -= count;
+  }
+  std::array<char, 4> saved{};
+  if (!next(saved.data(), saved.size())) {
+    return broken_off;
+  }
+  return word(saved.data()) == sum ? "" : "it is torn: some of its bytes are not those that were saved";
+}
+
+}  // namespace
+
+std::string problem_of_png(const NextBytes& next, PngExtent extent) {
+  std::array<char, 8> head{};
+  if (!next(head.data(), head.size()) || std::string_view(head.data(), head.size()) != signature) {
+    return "";
+  }
+  std::vector<char> room(std::size_t{1} << 16U);
+  for (bool pixels = false;;) {
+    if (!next(head.data(), head.size())) {
+      return broken_off;
+    }
+    const std::uint32_t length = word(head.data());
+    const std::string_view kind(head.data() + 4, 4);
+    if (kind == "IDAT" && extent == PngExtent::to_pixels) {
+      return "";
+    }
+    if (length > longest_chunk) {
+      return "it is torn: some of its bytes are not those that were saved";
+    }
+    std::string problem = problem_of_chunk(next, length, kind, room);
+    if (!problem.empty()) {
+      return problem;
+    }
+    pixels = pixels || kind == "IDAT";
+    if (kind == "IEND") {
+      return pixels ? "" : "it holds no pixels";
+    }
+  }
+}
+
+}  // namespace ergodome
