@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "content/images/image_library.h"
+#include "content/images/light_coding.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -15,10 +16,6 @@ constexpr int narrowest = 8;
 constexpr int widest = 65'536;
 //! Light brighter than this is a broken texel; half floats end at 65504, and the sun in any unit stays far below.
 constexpr float brightest = 1e9F;
-
-float decoded_srgb(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
 
 void check_shape(const ImageShape& shape, const std::string& name) {
   if (shape.width < narrowest || shape.width > widest || shape.depth > 1) {
@@ -38,7 +35,7 @@ void check_shape(const ImageShape& shape, const std::string& name) {
 class MapReader {
  public:
   MapReader(ImageInput& input, std::string name, int largest_width)
-      : input_(input), name_(std::move(name)), encoded_(input.shape().encoded) {
+      : input_(input), name_(std::move(name)), coding_(light_coding(input.shape())) {
     const ImageShape& shape = input.shape();
     check_shape(shape, name_);
     while (shape.width / factor_ > largest_width && shape.width % (2 * factor_) == 0 &&
@@ -53,13 +50,14 @@ class MapReader {
     image_.width = shape.width / factor_;
     image_.height = shape.height / factor_;
     image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
-    colour_channels_ = shape.channels >= 3 ? 3 : 1;
+    // Channels past those of colour and alpha are not looked at.
+    read_channels_ = std::max(shape.channels >= 3 ? 3 : 1, coding_.alpha + 1);
   }
 
   EnvironmentImage read() {
     const ImageShape shape = input_.shape();
     constexpr int rows_at_once = 64;
-    std::vector<float> rows(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(colour_channels_) *
+    std::vector<float> rows(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(read_channels_) *
                             rows_at_once);
     for (int begin = 0; begin < shape.height; begin += rows_at_once) {
       const int end = std::min(begin + rows_at_once, shape.height);
@@ -68,9 +66,9 @@ class MapReader {
                     "the file seems torn; save it again");
       }
       for (int y = begin; y < end; ++y) {
-        add_row(rows.data() +
-                    static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(shape.width * colour_channels_),
-                y, shape.width);
+        add_row(
+            rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(shape.width * read_channels_),
+            y, shape.width);
       }
     }
     if (repaired_ == static_cast<long>(shape.width) * shape.height) {
@@ -83,7 +81,7 @@ class MapReader {
  private:
   bool read_rows(const ImageShape& shape, int begin, int end, std::vector<float>& rows) {
     if (!shape.tiled) {
-      return input_.read_rows(begin, end, colour_channels_, rows.data());
+      return input_.read_rows(begin, end, read_channels_, rows.data());
     }
     // Tiles are read once and kept: asking for scanlines of them would decode each many times.
     if (tiles_.empty()) {
@@ -91,12 +89,12 @@ class MapReader {
         throw Error(name_, fmt::format("is tiled and {} pixels wide", shape.width),
                     "save it in scanlines, or scale it to 16384 pixels");
       }
-      tiles_.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height * colour_channels_));
-      if (!input_.read_all(colour_channels_, tiles_.data())) {
+      tiles_.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height * read_channels_));
+      if (!input_.read_all(read_channels_, tiles_.data())) {
         return false;
       }
     }
-    const auto row_size = static_cast<std::ptrdiff_t>(shape.width) * colour_channels_;
+    const auto row_size = static_cast<std::ptrdiff_t>(shape.width) * read_channels_;
     std::copy(tiles_.begin() + begin * row_size, tiles_.begin() + end * row_size, rows.begin());
     return true;
   }
@@ -105,14 +103,14 @@ class MapReader {
     const float share = 1.0F / static_cast<float>(factor_ * factor_);
     float* to = image_.rgb.data() + 3 * static_cast<std::size_t>(y / factor_) * static_cast<std::size_t>(image_.width);
     for (int x = 0; x < width; ++x) {
+      const float* const pixel = row + static_cast<std::ptrdiff_t>(x) * read_channels_;
       float colour[3];
+      coding_.put_light(pixel, colour);
       bool sound = true;
-      for (int c = 0; c < 3; ++c) {
-        const float value = row[x * colour_channels_ + (colour_channels_ == 3 ? c : 0)];
-        sound = sound && value >= -brightest && value <= brightest;  // false for NaN
+      for (float& light : colour) {
+        sound = sound && light >= -brightest && light <= brightest;  // false for NaN
         // What filters and changes of gamut leave below zero is no light; the other colours are.
-        const float light = std::max(value, 0.0F);
-        colour[c] = encoded_ ? decoded_srgb(light) : light;
+        light = std::max(light, 0.0F);
       }
       repaired_ += sound ? 0 : 1;
       for (int c = 0; c < 3; ++c) {
@@ -123,9 +121,9 @@ class MapReader {
 
   ImageInput& input_;
   std::string name_;
-  bool encoded_;
+  LightCoding coding_;
   int factor_ = 1;
-  int colour_channels_ = 3;
+  int read_channels_ = 3;  //!< of a pixel
   long repaired_ = 0;
   std::vector<float> tiles_;
   EnvironmentImage image_;
@@ -152,11 +150,11 @@ EnvironmentImage read_environment_image(const std::filesystem::path& path, int l
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", "give the path of an equirectangular image");
   }
-  return read_with({}, path.string(), largest_width);
+  return read_with({std::nullopt, true}, path.string(), largest_width);
 }
 
 EnvironmentImage read_environment_image(std::span<const std::byte> bytes, const std::string& name, int largest_width) {
-  return read_with({bytes}, name, largest_width);
+  return read_with({bytes, true}, name, largest_width);
 }
 
 }  // namespace ergodome

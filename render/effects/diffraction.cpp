@@ -7,6 +7,7 @@
 #include <string>
 
 #include "content/images/image_library.h"
+#include "content/images/light_coding.h"
 #include "kernels/core/error.h"
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
@@ -81,7 +82,7 @@ struct Image {
 
 Image read_image(const std::string& name) {
   std::string problem;
-  const auto input = image_library().open(name, {}, problem);
+  const auto input = image_library().open(name, {std::nullopt, true}, problem);
   if (!input) {
     throw Error(name, "is not an image that can be read: " + problem, "give an EXR, HDR, PNG, TIFF or JPEG");
   }
@@ -90,19 +91,19 @@ Image read_image(const std::string& name) {
     throw Error(name, fmt::format("is {} x {} pixels", shape.width, shape.height),
                 fmt::format("scale the pattern to at most {} x {}", widest_px, widest_px));
   }
-  const int channels = shape.channels >= 3 ? 3 : 1;
+  const LightCoding coding = light_coding(shape);
+  const auto channels = static_cast<std::size_t>(std::max(shape.channels >= 3 ? 3 : 1, coding.alpha + 1));
   const std::size_t pixels = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
-  std::vector<float> values(pixels * static_cast<std::size_t>(channels));
-  if (!input->read_all(channels, values.data())) {
+  std::vector<float> values(pixels * channels);
+  if (!input->read_all(static_cast<int>(channels), values.data())) {
     throw Error(name, "cannot be read: " + input->error(), "the file seems torn; save it again");
   }
   Image image{shape.width, shape.height, std::vector<float>(3 * pixels)};
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    const float value = values[channels == 3 ? i : i / 3];
-    if (!std::isfinite(value)) {
-      throw Error(name, "holds light that is not finite", "save it again without NaN and infinity");
-    }
-    image.rgb[i] = shape.encoded ? srgb_decoded(value) : value;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    coding.put_light(values.data() + channels * i, image.rgb.data() + 3 * i);
+  }
+  if (!std::ranges::all_of(image.rgb, [](float light) { return std::isfinite(light); })) {
+    throw Error(name, "holds light that is not finite", "save it again without NaN and infinity");
   }
   return image;
 }

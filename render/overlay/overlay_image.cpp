@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "content/images/image_library.h"
+#include "content/images/light_coding.h"
 #include "kernels/core/error.h"
-#include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
 
 namespace ergodome {
@@ -101,38 +101,12 @@ Error unreadable_overlay(const std::filesystem::path& path, const std::string& r
           "name an image file that OpenImageIO reads (PNG, EXR, TIFF, JPEG)"};
 }
 
-//! How a file's numbers become light.
-struct Coding {
-  int channels;
-  int alpha;      //!< its channel, or -1
-  bool decoded;   //!< from sRGB
-  bool separate;  //!< colours are not times alpha
-};
-
-Coding coding_of(const ImageShape& shape) {
-  Coding coding{shape.channels, shape.alpha_channel, shape.encoded, shape.separate_alpha};
-  if (coding.alpha < 0 && (shape.channels == 2 || shape.channels == 4)) {
-    coding.alpha = shape.channels - 1;
-  }
-  return coding;
-}
-
-//! A pixel's light times alpha.
-void put_pixel(const Coding& coding, const float* from, std::uint16_t* to) {
-  const float alpha = coding.alpha >= 0 ? std::clamp(from[coding.alpha], 0.0F, 1.0F) : 1.0F;
-  const bool grey = coding.channels < 3;
-  for (int c = 0; c < 3; ++c) {
-    float value = from[grey ? 0 : c];
-    if (coding.decoded) {
-      // The curve is for colours as they are, whatever the file keeps.
-      const float colour = coding.separate || alpha <= 0.0F ? value : value / alpha;
-      value = srgb_decoded(colour) * alpha;
-    } else if (coding.separate) {
-      value *= alpha;
-    }
-    to[c] = whole_number(value);
-  }
-  to[3] = whole_number(alpha);
+//! A pixel's light times alpha, and alpha.
+void put_pixel(const LightCoding& coding, const float* from, std::uint16_t* to) {
+  float light[3];
+  coding.put_light(from, light);
+  std::ranges::transform(light, to, whole_number);
+  to[3] = whole_number(coding.alpha_of(from));
 }
 
 //! `bytes`: of the file, if it is not on a disk.
@@ -157,7 +131,7 @@ std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path,
 
 OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path& path) {
   const ImageShape shape = input.shape();
-  const Coding coding = coding_of(shape);
+  const LightCoding coding = light_coding(shape);
   OverlayImage image = empty_image(shape.width, shape.height);
   const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);

@@ -22,10 +22,14 @@ using testing::HasSubstr;
 class EnvironmentImageFile : public test::FolderTest {
  protected:
   fs::path write(const std::string& name, int width, int height, int channels, const OIIO::TypeDesc& type,
-                 const std::vector<float>& values) {
+                 const std::vector<float>& values, bool separate_alpha = false) {
     fs::path path = folder_ / name;
     auto output = OIIO::ImageOutput::create(path.string());
-    EXPECT_TRUE(output->open(path.string(), OIIO::ImageSpec(width, height, channels, type)));
+    OIIO::ImageSpec spec(width, height, channels, type);
+    if (separate_alpha) {
+      spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
+    EXPECT_TRUE(output->open(path.string(), spec));
     EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
     EXPECT_TRUE(output->close());
     return path;
@@ -56,7 +60,7 @@ TEST_F(EnvironmentImageFile, FloatingPointIsLinear) {
   }
 }
 
-TEST_F(EnvironmentImageFile, GreyBecomesColourAndAlphaIsLeftOut) {
+TEST_F(EnvironmentImageFile, GreyBecomesColourAndLightTimesAlphaStays) {
   const auto grey = read_environment_image(write("grey.exr", 8, 4, 1, OIIO::TypeDesc::HALF, constant(8, 4, 1, 2.0F)));
   EXPECT_EQ(grey.rgb[0], 2.0F);
   EXPECT_EQ(grey.rgb[2], 2.0F);
@@ -64,6 +68,19 @@ TEST_F(EnvironmentImageFile, GreyBecomesColourAndAlphaIsLeftOut) {
   const auto rgba = read_environment_image(write("rgba.exr", 8, 4, 4, OIIO::TypeDesc::HALF, with_alpha));
   EXPECT_EQ(rgba.rgb.size(), 3U * 8U * 4U);
   EXPECT_EQ(rgba.rgb[0], 0.25F);
+}
+
+TEST_F(EnvironmentImageFile, HalfOfAlphaLeavesHalfOfTheLight) {
+  for (const int channels : {2, 4}) {
+    for (const char* name : {"half.png", "half.tif"}) {
+      std::vector<float> values = constant(8, 4, channels, 200.0F / 255.0F);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = (i + 1) % static_cast<std::size_t>(channels) == 0 ? 128.0F / 255.0F : values[i];
+      }
+      const auto image = read_environment_image(write(name, 8, 4, channels, OIIO::TypeDesc::UINT8, values, true));
+      EXPECT_NEAR(image.rgb[4], 0.5776F * 128.0F / 255.0F, 1e-4F) << name << ", " << channels;  // sRGB 200: 57.76 %
+    }
+  }
 }
 
 TEST_F(EnvironmentImageFile, EightPixelsWideIsEnoughAndFewerAreNot) {
