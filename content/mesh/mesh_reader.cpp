@@ -130,7 +130,12 @@ MeshImage image_inside(const aiTexture& from, const std::string& place) {
   }
   // The importer counts bytes here.
   return {fmt::format("{}, its image {}.{}", place, from.mFilename.C_Str(), kind),
-          std::make_shared<const std::string>(reinterpret_cast<const char*>(from.pcData), from.mWidth)};
+          std::make_shared<const std::string>(reinterpret_cast<const char*>(from.pcData), from.mWidth), ""};
+}
+
+Error missing_file(const std::string& place, const std::string& name) {
+  return {place, fmt::format("names \"{}\", which is not in its folder", name),
+          "put it there, or take out the line that names it"};
 }
 
 MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& place,
@@ -162,7 +167,10 @@ MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& pl
                 "keep images beside the mesh");
   }
   const std::filesystem::path there = file_of_mesh(folder, named.string());
-  part.image.name = (there.empty() ? folder / named : there).string();
+  if (there.empty() && !folder.empty()) {
+    throw missing_file(place, named.string());
+  }
+  part.image = {(there.empty() ? named : there).string(), nullptr, place};
   return part;
 }
 
@@ -233,8 +241,7 @@ TriangleMesh import_mesh(std::string_view bytes, MeshFormat format, const std::s
   }
   // The importer of OBJ goes on without materials, and everything would be grey.
   if (!folder.empty() && !asked.missing().empty()) {
-    throw Error(place, fmt::format("names \"{}\", which is not in its folder", asked.missing()),
-                "put it there, or take out the line that names it");
+    throw missing_file(place, asked.missing());
   }
   check_size(*scene, place);
   TriangleMesh mesh;

@@ -14,6 +14,7 @@ namespace ergodome {
 struct MeshImage {
   std::string name;                          //!< path of its file, or what messages call it; empty: there is none
   std::shared_ptr<const std::string> bytes;  //!< of one that is inside the mesh's own file, coded as its name ends
+  std::string mesh;                          //!< path of the mesh that names a file of its own
 
   [[nodiscard]] bool empty() const { return name.empty(); }
 };

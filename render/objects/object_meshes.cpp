@@ -8,6 +8,7 @@
 #include "content/mesh/built_in_meshes.h"
 #include "content/mesh/mesh_reader.h"
 #include "content/show_files.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -52,7 +53,14 @@ ObjectMeshes load_meshes(const Show& show) {
 }
 
 OverlayImage read_mesh_image(const MeshImage& image) {
-  return image.bytes ? read_overlay_image(*image.bytes, image.name) : read_overlay_image(image.name);
+  if (image.bytes) {
+    return read_overlay_image(*image.bytes, image.name);
+  }
+  try {
+    return read_overlay_image(image.name);
+  } catch (const Error& error) {
+    throw Error(error.place(), fmt::format("{} (a picture on {})", error.problem(), image.mesh), error.remedy());
+  }
 }
 
 }  // namespace ergodome

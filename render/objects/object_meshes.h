@@ -17,7 +17,7 @@ struct ObjectMeshes {
 //! Makes them, or reads them, each file once. Throws Error where one cannot be read.
 ObjectMeshes load_meshes(const Show& show);
 
-//! Reads the picture on a mesh's triangles, which is there. Throws Error like read_overlay_image.
+//! Reads the picture on a mesh's triangles, which is there. Throws Error like read_overlay_image; it names the mesh, too.
 OverlayImage read_mesh_image(const MeshImage& image);
 
 }  // namespace ergodome

@@ -143,7 +143,7 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
     const bool read = shape.tiled ? input.read_all(coding.channels, rows.data())
                                   : input.read_rows(row, row + count, coding.channels, rows.data());
     if (!read) {
-      throw unreadable_overlay(path, input.error());
+      throw Error(path.string(), "cannot be read: " + input.error(), "the file seems torn; save it again");
     }
     std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {

@@ -79,6 +79,7 @@ class MeshFilesOnDisk : public test::FolderTest {
 
 TEST_F(MeshFilesOnDisk, AnObjHasTheColoursAndImagesOfItsMaterials) {
   write("a.mtl", "newmtl warm\nKd 0.5 0.25 0\nmap_Kd skin.png\nnewmtl cold\nKd 0 0 1\n");
+  write("skin.png", "");
   write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\nusemtl cold\nf 3 2 1\n");
   const TriangleMesh mesh = read_mesh(folder_ / "a.obj");
   ASSERT_EQ(mesh.parts.size(), 2U);
@@ -161,6 +162,16 @@ TEST_F(MeshFilesOnDisk, MaterialsThatAreNotThereAreAnErrorThatNamesThem) {
               testing::AllOf(testing::HasSubstr("d.obj: names \"colours.mtl\""), testing::HasSubstr("put it there")));
   write("colours.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
   EXPECT_THAT(read_mesh(folder_ / "d.obj").parts.front().color, testing::ElementsAre(0.5F, 0.25F, 0.0F));
+}
+
+TEST_F(MeshFilesOnDisk, AnImageThatIsNotThereIsAnErrorThatNamesIt) {
+  write("d.mtl", "newmtl skin\nmap_Kd no.png\n");
+  write("d.obj", "mtllib d.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl skin\nf 1 2 3\n");
+  write("d.gltf", gltf_with_image(R"({"uri":"no.png"})"));
+  for (const std::string mesh : {"d.obj", "d.gltf"}) {
+    EXPECT_THAT(error_of([&] { read_mesh(folder_ / mesh); }),
+                testing::AllOf(testing::HasSubstr(mesh + ": names \"no.png\""), testing::HasSubstr("put it there")));
+  }
 }
 
 TEST_F(MeshFilesOnDisk, WhatAMeshNamesIsFoundWithoutReadingIt) {

@@ -9,6 +9,7 @@
 #include "render/frame/show_renderer.h"
 #include "render/objects/object_meshes.h"
 #include "render/output/image_writer.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/gl_driver.h"
 
@@ -27,7 +28,7 @@ class MeshImages : public test::FolderTest {
   }
 
   [[nodiscard]] MeshImage inside(const std::string& bytes) const {
-    return {"ship.glb, its image skin.png", std::make_shared<const std::string>(bytes)};
+    return {"ship.glb, its image skin.png", std::make_shared<const std::string>(bytes), ""};
   }
 
   [[nodiscard]] std::string skin_bytes() const {
@@ -37,7 +38,7 @@ class MeshImages : public test::FolderTest {
 };
 
 TEST_F(MeshImages, AreTheSameInsideAMeshsFileAsInOneOfTheirOwn) {
-  const OverlayImage own = read_mesh_image({(folder_ / "skin.png").string(), nullptr});
+  const OverlayImage own = read_mesh_image({(folder_ / "skin.png").string(), nullptr, "ship.obj"});
   const OverlayImage within = read_mesh_image(inside(skin_bytes()));
   EXPECT_EQ(within.width, 8);
   EXPECT_EQ(within.height, 4);
@@ -53,6 +54,15 @@ TEST_F(MeshImages, ThatAreTornAreErrorsWithTheMeshsName) {
       EXPECT_THAT(error.what(), testing::HasSubstr("ship.glb"));
     }
   }
+}
+
+TEST_F(MeshImages, ThatAreTornFilesAreErrorsWithBothNamesAndTheRemedy) {
+  std::ofstream(folder_ / "torn.png", std::ios::binary) << skin_bytes().substr(0, skin_bytes().size() - 20);
+  const std::string problem = test::error_of([&] {
+    read_mesh_image({(folder_ / "torn.png").string(), nullptr, "ship.obj"});
+  });
+  EXPECT_THAT(problem, testing::AllOf(testing::HasSubstr("torn.png: "), testing::HasSubstr("ship.obj"),
+                                      testing::EndsWith("the file seems torn; save it again")));
 }
 
 //! Those that a driver draws.
