@@ -75,6 +75,18 @@ void check(const RayRow& row, const TableLine& line) {
   }
 }
 
+//! Throws Error unless a table has the three columns of a velocity: a part under a name that is misspelt would be 0.
+void need_velocity(const TableLine& line, const Columns& columns) {
+  constexpr std::string_view names[3] = {"beta_r", "beta_theta", "beta_phi"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!columns.beta[i]) {
+      throw Error(line.place,
+                  fmt::format("observer is {}, and there is no column {}", line.cell(columns.observer), names[i]),
+                  "name beta_r, beta_theta and beta_phi in the first line");
+    }
+  }
+}
+
 //! A velocity beside an observer who has his own must be that one; cells that are empty, and zeros, say nothing.
 void check_velocity(const RayRow& row, const TableLine& line, const Columns& columns) {
   constexpr double same = 1e-6;
@@ -120,6 +132,7 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
     row.theta = line.number(columns.theta, "theta");
     row.motion = motion_of(line, line.cell(columns.observer));
     if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
+      need_velocity(line, columns);
       row.velocity = vector_of(line, columns.beta, "beta");
     }
     check(row, line);

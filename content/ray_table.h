@@ -22,7 +22,7 @@ struct RayRow {
 };
 
 //! Reads a table of rays (CSV with a header; columns a, r, theta, observer, n_r, n_theta, n_phi, and beta_r, beta_theta, beta_phi
-//! for the observers "boost" and "rain_boost"; `id` is optional, others are ignored). Throws Error with file and line for missing columns,
+//! for the observers "boost" and "rain_boost"; `id` is optional, others are ignored). Throws Error with file and line for missing columns, those of a velocity where a row has such an observer among them,
 //! what is not a number, cameras within the horizon whose observer is no rain, or that are too near to the inner one, observers that cannot
 //! exist, directions without length.
 std::vector<RayRow> read_ray_table(const std::filesystem::path& path);

@@ -92,6 +92,15 @@ TEST(RayTable, NothingInALineIsIgnored) {
               HasSubstr("gives another velocity than zamo has there"));
 }
 
+TEST(RayTable, WhoIsBoostedNeedsAllColumnsOfTheVelocity) {
+  for (const std::string observer : {"boost", "rain_boost"}) {
+    const std::string row = "0.5,9,1," + observer + ",1,0,0,0.1,0.2,0.3\n";
+    EXPECT_THAT(ray_problem("a,r,theta,observer,n_r,n_theta,n_phi,beta_r,beta_theta,beta_ph\n" + row),
+                AllOf(HasSubstr("rays.csv:2"), HasSubstr("no column beta_phi"), HasSubstr(observer + ",")));
+    EXPECT_EQ(ray_problem("a,r,theta,observer,n_r,n_theta,n_phi,beta_r,beta_theta,beta_phi\n" + row), "");
+  }
+}
+
 TEST(RayTable, MissingFileIsAnErrorWithItsName) {
   EXPECT_THAT(test::error_of([] { read_ray_table("no/such.csv"); }), HasSubstr("no/such.csv"));
 }
