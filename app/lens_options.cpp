@@ -157,10 +157,10 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
     return {};
   }
   return {
-      fmt::format("{} misses the budget of {:.3g} px in {} between its stations, {:.3g} s of the show: by {:.3g} px at "
-                  "{:.2f} s; pictures there get live grids",
+      fmt::format("{} misses the budget of {:.3g} px in {} between its stations, {:.3g} s of the show, the worst with "
+                  "{:.3f} px at {:.2f} s; pictures there get live grids",
                   trajectory.path().string(), budget_px, counted(missed.count, "gap"), missed.seconds,
-                  missed.worst_px * scale - budget_px, missed.worst_time_s)};
+                  missed.worst_px * scale, missed.worst_time_s)};
 }
 
 void print_statistics(const StreamStatistics& s) {

@@ -26,7 +26,7 @@ MissedGaps missed_gaps(const std::vector<StationEntry>& stations, double limit_p
     missed.seconds += stations[i + 1].time_s - begin.time_s;
     if (error_px > missed.worst_px) {
       missed.worst_px = error_px;
-      missed.worst_time_s = begin.time_s;
+      missed.worst_time_s = 0.5 * (begin.time_s + stations[i + 1].time_s);
     }
   }
   return missed;

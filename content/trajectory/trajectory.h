@@ -56,7 +56,7 @@ struct MissedGaps {
   int count = 0;
   double seconds = 0.0;       //!< all of them together
   double worst_px = 0.0;      //!< error of the worst
-  double worst_time_s = 0.0;  //!< where that begins
+  double worst_time_s = 0.0;  //!< in the middle of that gap
 };
 
 //! Gaps of a finished trajectory whose StationEntry::gap_error_px is over `limit_px`. Disks' errors are none of them: where these are too much a grid

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -86,6 +87,8 @@ TEST_F(BakeCommand, BakesOnceAndTellsWhatItMade) {
   EXPECT_THAT(output_, HasSubstr("is baked already"));
   ASSERT_EQ(run("inspect moving.trajectory --picture grid.png --size 64 --time 5"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("blending"));
+  EXPECT_EQ(run("inspect moving.trajectory --picture none.png --size 64 --time 11"), 2);
+  EXPECT_THAT(output_, HasSubstr("11 s is outside moving.trajectory; choose from 0 to 10 s"));
   EXPECT_TRUE(is_complete_image(folder_ / "grid.png", 64, 64));
 }
 
@@ -232,9 +235,15 @@ TEST_F(BakeCommand, StreamsTellWhatATrajectoryMisses) {
     return stream_notes(open_stream(show, options, Backend::cpu).get(), show, options, Backend::cpu, size_px);
   };
   EXPECT_THAT(notes("good", 0), testing::IsEmpty());
-  EXPECT_THAT(notes("bad", 0), testing::ElementsAre(testing::AllOf(
-                                   HasSubstr("bad misses the budget of 4 px in "),
-                                   HasSubstr("10 s of the show: by 2 px at 0.00 s; pictures there get live grids"))));
+  const TrajectoryReader bad(folder_ / "bad");
+  const double middle_s = 0.5 * (bad.stations()[0].time_s + bad.stations()[1].time_s);
+  EXPECT_THAT(
+      notes("bad", 0),
+      testing::ElementsAre(testing::AllOf(
+          HasSubstr("bad misses the budget of 4 px in "),
+          HasSubstr(fmt::format("10 s of the show, the worst with 6.000 px at {:.2f} s; pictures there get live grids",
+                                middle_s)))))
+      << "as the bake tells it";
   EXPECT_THAT(notes("bad", 16), testing::IsEmpty()) << "half as many pixels";
   EXPECT_THAT(notes("good", 2048), testing::ElementsAre(HasSubstr((folder_ / "good").string() +
                                                                   " was baked for 4 px in pictures 32 px wide")));
