@@ -60,7 +60,7 @@ class FrameWriter {
   //! Puts the frames first to last together as films: one, or one for each eye that has files of its own.
   void write_movies(int first, int last) const;
 
-  //! The sheet of facts beside the frames first to last, and beside those that lie there without a gap before and after them.
+  //! The sheet of facts beside the frames first to last, and beside those that were asked for alike and lie there without a gap before and after them.
   void write_facts(int first, int last) const;
 
   [[nodiscard]] int written() const { return written_; }

@@ -270,6 +270,20 @@ TEST_F(CommandLine, ASheetOfFactsTellsOfTheFramesThatLieThere) {
   EXPECT_EQ(facts()["frames"], 5);
 }
 
+TEST_F(CommandLine, ASheetOfFactsLeavesOutFramesThatWereAskedForOtherwise) {
+  write("still.toml",
+        "duration_s = 1\nframe_rate_hz = 8\n[[camera.key]]\nr = 9\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n");
+  const auto facts = [&] {
+    std::ifstream file(folder_ / "f/still.json");
+    return nlohmann::json::parse(file);
+  };
+  ASSERT_EQ(run("render still.toml --out f --backend cpu --lens direct --frames 1:4"), 0) << output_;
+  ASSERT_EQ(run("render still.toml --out f --backend cpu --lens direct --frames 5:8 --size 32"), 0) << output_;
+  EXPECT_EQ(facts()["eye_width_px"], 32);
+  EXPECT_EQ(facts()["first_frame"], 5);
+  EXPECT_EQ(facts()["frames"], 4);
+}
+
 TEST_F(CommandLine, PatternsNeedNoShow) {
   ASSERT_EQ(run("render --pattern all --size 64 --out p"), 0) << output_;
   EXPECT_TRUE(fs::exists(folder_ / "p/orientation.png"));
