@@ -256,6 +256,7 @@ void run(const InspectOptions& options) {
     const Show show = load_show(options.file);
     facts = facts_of(show);
     if (!options.picture.empty()) {
+      require_time("inspect --time", show, options.time_s);
       GridSettings settings;
       GridStatistics statistics;
       const LensStation station = grid_of(show, options.time_s, settings, statistics);

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "app/progress.h"
+#include "app/usage_error.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -109,6 +110,11 @@ void print_trajectory(const nlohmann::json& facts) {
 LensStation station_of_trajectory(const std::filesystem::path& file, double time_s) {
   const TrajectoryReader trajectory(file);
   const auto& all = trajectory.stations();
+  // One station is of a camera that stands, at all times.
+  if (all.size() > 1 && !(time_s >= all.front().time_s && time_s <= all.back().time_s)) {
+    throw UsageError("inspect --time", fmt::format("{:.9g} s is outside {}", time_s, file.string()),
+                     fmt::format("choose from {:.9g} to {:.9g} s", all.front().time_s, all.back().time_s));
+  }
   const auto later = std::upper_bound(all.begin(), all.end(), time_s,
                                       [](double t, const StationEntry& station) { return t < station.time_s; });
   return trajectory.read(static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - all.begin() - 1, 0)));

@@ -141,6 +141,9 @@ void print(const Measured& measured) {
 
 void run(const PlanOptions& options) {
   Show show = load_show(options.show);
+  if (options.measure) {
+    require_time("plan --time", show, options.time_s);
+  }
   override_view(show, options.projection, options.stereo);
   override_baseline(show, options.baseline);
   require_two_eyes(show, options.baseline);

@@ -56,6 +56,17 @@ TEST_F(CommandLine, PlanMeasuresWhatItPlanned) {
   }
 }
 
+TEST_F(CommandLine, TimesOutsideAShowAreRefusedWithThoseInIt) {
+  write("my.toml", std::string("duration_s = 12\n") + starry_show);
+  for (const char* command : {"plan my.toml --backend cpu --measure", "inspect my.toml --picture g.png"}) {
+    for (const char* time : {"99", "-5"}) {
+      EXPECT_EQ(run(std::string(command) + " --time " + time), 2) << output_;
+      EXPECT_THAT(output_, HasSubstr(std::string("--time: ") + time + " s is outside my; choose from 0 to 12 s"));
+    }
+    EXPECT_EQ(run(std::string(command) + " --time 12"), 0) << output_;
+  }
+}
+
 TEST_F(CommandLine, PlanRefusesWhatIsNotAShow) {
   for (const char* words : {"plan", "plan nothing.toml", "plan dome-still --size 0", "plan dome-still --view light"}) {
     EXPECT_NE(run(words), 0) << words;
