@@ -26,11 +26,7 @@ void LightCoding::put_light(const float* pixel, float* rgb) const {
 }
 
 LightCoding light_coding(const ImageShape& shape) {
-  LightCoding coding{shape.channels, shape.alpha_channel, shape.encoded, shape.separate_alpha};
-  if (coding.alpha < 0 && (shape.channels == 2 || shape.channels == 4)) {
-    coding.alpha = shape.channels - 1;
-  }
-  return coding;
+  return {shape.channels, shape.alpha_channel, shape.encoded, shape.separate_alpha};
 }
 
 }  // namespace ergodome

@@ -19,7 +19,7 @@ struct LightCoding {
   void put_light(const float* pixel, float* rgb) const;
 };
 
-//! The coding of an image; the last of two or four channels is alpha, whatever it is called.
+//! The coding of an image; alpha is what its file calls so.
 LightCoding light_coding(const ImageShape& shape);
 
 }  // namespace ergodome

@@ -101,6 +101,15 @@ Error unreadable_overlay(const std::filesystem::path& path, const std::string& r
           "name an image file that OpenImageIO reads (PNG, EXR, TIFF, JPEG)"};
 }
 
+//! The last of two or four channels is alpha, whatever it is called.
+LightCoding coding_of(const ImageShape& shape) {
+  LightCoding coding = light_coding(shape);
+  if (coding.alpha < 0 && (shape.channels == 2 || shape.channels == 4)) {
+    coding.alpha = shape.channels - 1;
+  }
+  return coding;
+}
+
 //! A pixel's light times alpha, and alpha.
 void put_pixel(const LightCoding& coding, const float* from, std::uint16_t* to) {
   float light[3];
@@ -131,7 +140,7 @@ std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path,
 
 OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path& path) {
   const ImageShape shape = input.shape();
-  const LightCoding coding = light_coding(shape);
+  const LightCoding coding = coding_of(shape);
   OverlayImage image = empty_image(shape.width, shape.height);
   const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);

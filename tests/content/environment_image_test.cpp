@@ -27,6 +27,7 @@ class EnvironmentImageFile : public test::FolderTest {
     auto output = OIIO::ImageOutput::create(path.string());
     OIIO::ImageSpec spec(width, height, channels, type);
     if (separate_alpha) {
+      spec.alpha_channel = channels - 1;
       spec.attribute("oiio:UnassociatedAlpha", 1);
     }
     EXPECT_TRUE(output->open(path.string(), spec));
