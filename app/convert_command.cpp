@@ -130,8 +130,7 @@ void tell_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) 
   if (least < 1.0F || most > 1.0F) {
     fmt::print(stderr,
                "ergodome: {}: a .pfm holds no intensities, and {} has some from {:.3g} to {:.3g}; who needs them names "
-               "{} as a "
-               "warp in a setup, and makes MPCDI or a folder of that\n",
+               "{} as a warp in a setup, and makes MPCDI or a folder of that\n",
                options.to, options.from, least, most, options.from);
   }
 }

@@ -25,6 +25,11 @@ namespace {
 
 //! What a frame's file says of exposure that follows the light: the stops that it was shown with [1].
 constexpr const char* followed_stops_fact = "followed_stops";
+//! And the stops of the frame before that it went on from, or that it began anew.
+constexpr const char* followed_from_fact = "followed_from";
+constexpr const char* anew = "anew";
+
+std::string stops_text(double stops) { return fmt::format("{:.17g}", stops); }
 
 std::optional<double> number_of(const std::string& text) {
   double number = 0.0;
@@ -109,8 +114,9 @@ void FrameWriter::write(int frame) {
     enter(path.parent_path());
     FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
     metadata.emplace_back("request", request_);
-    if (const std::optional<double> stops = followed_stops()) {
-      metadata.emplace_back(followed_stops_fact, fmt::format("{:.17g}", *stops));
+    if (followed_stops()) {
+      metadata.emplace_back(followed_from_fact, followed_from_);
+      metadata.emplace_back(followed_stops_fact, stops_text(*followed_stops()));
     }
     if (projectors_) {
       projectors_->write(path, image.picture, metadata);
@@ -120,6 +126,9 @@ void FrameWriter::write(int frame) {
       write_picture(path, format_, image.picture, metadata);
     }
   }
+  if (followed_stops()) {
+    followed_from_ = stops_text(*followed_stops());
+  }
   ++written_;
 }
 
@@ -128,22 +137,33 @@ std::optional<double> FrameWriter::followed_stops() const {
   return shown ? renderer_.followed_stops() : std::nullopt;
 }
 
+std::filesystem::path FrameWriter::first_file_of(int frame) const {
+  const Show& show = renderer_.show();
+  const FramePart part = show.stereo.layout == StereoLayout::separate ? FramePart::left : FramePart::whole;
+  const auto face = has_face_files(show.view) ? std::optional(CubeFace{}) : std::nullopt;
+  const std::filesystem::path path = path_of(frame, part, face);
+  return projectors_ ? projectors_->first_of(path) : path;
+}
+
+std::string FrameWriter::stops_before(int frame) const {
+  const std::filesystem::path before = frame > 0 ? first_file_of(frame - 1) : std::filesystem::path();
+  const bool alike = frame > 0 && fact_of_image(before, "request") == request_;
+  const std::string stops = alike ? fact_of_image(before, followed_stops_fact) : "";
+  return number_of(stops) ? stops : anew;
+}
+
 void FrameWriter::go_on_exposing(int frame) {
-  if (followed_stops() && std::exchange(exposed_, frame + 1) != frame) {
-    const Show& show = renderer_.show();
-    const FramePart part = show.stereo.layout == StereoLayout::separate ? FramePart::left : FramePart::whole;
-    const auto face = has_face_files(show.view) ? std::optional(CubeFace{}) : std::nullopt;
-    const std::filesystem::path frame_before = path_of(frame - 1, part, face);
-    const std::filesystem::path before = projectors_ ? projectors_->first_of(frame_before) : frame_before;
-    const std::optional<double> stops = number_of(fact_of_image(before, followed_stops_fact));
-    if (!stops || fact_of_image(before, "request") != request_) {
-      tell_on_terminal(fmt::format(
-          "exposure that follows the light (tone.auto) begins anew with frame {}: the one before is not there, or "
-          "was asked for otherwise; render them in order into one folder, and they fit together",
-          frame + 1));
-      return;
-    }
-    renderer_.follow_from(*stops, frame_time_s(show, frame - 1));
+  if (!followed_stops() || std::exchange(exposed_, frame + 1) == frame) {
+    return;
+  }
+  followed_from_ = stops_before(frame);
+  if (const std::optional<double> stops = number_of(followed_from_)) {
+    renderer_.follow_from(*stops, frame_time_s(renderer_.show(), frame - 1));
+  } else if (frame > 0) {
+    tell_on_terminal(fmt::format(
+        "exposure that follows the light (tone.auto) begins anew with frame {}: the one before is not there, or "
+        "was asked for otherwise; render it, and --resume from there",
+        frame + 1));
   }
 }
 
@@ -221,6 +241,10 @@ std::filesystem::path FrameWriter::path_of(int frame, FramePart part, std::optio
 
 bool FrameWriter::is_there(int frame) const {
   const Show& show = renderer_.show();
+  // What went on from other stops than the frame before has now would jump.
+  if (followed_stops() && fact_of_image(first_file_of(frame), followed_from_fact) != stops_before(frame)) {
+    return false;
+  }
   if (show.stereo.layout == StereoLayout::separate) {
     return is_there(frame, FramePart::left) && is_there(frame, FramePart::right);
   }

@@ -76,6 +76,10 @@ class FrameWriter {
   [[nodiscard]] std::optional<double> followed_stops() const;
   //! Has that exposure go on from the frame before, where that was not this run's.
   void go_on_exposing(int frame);
+  //! What a frame has to go on from: the stops of the frame before, where that is there and was asked for alike.
+  [[nodiscard]] std::string stops_before(int frame) const;
+  //! One of a frame's files.
+  [[nodiscard]] std::filesystem::path first_file_of(int frame) const;
   //! Tells of the first frame whose eyes stand closer than the show asks.
   void tell_narrowed_eyes(double time_s);
   //! Says once that heat maps are too small for their legend.
@@ -95,7 +99,8 @@ class FrameWriter {
   std::string request_;
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
-  int exposed_ = 0;             //!< the frame that exposure goes on to; it begins with the first
+  int exposed_ = -1;            //!< the frame that exposure goes on to
+  std::string followed_from_;   //!< its stops, as a file has them
   bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there

@@ -19,13 +19,20 @@ namespace ergodome {
 
 namespace {
 
+//! In axes that lean to the front by an angle against those that a place is in.
+Vector3<double> leaned(const Vector3<double>& place, double angle_deg) {
+  const double cosine = std::cos(angle_deg * one_degree);
+  const double sine = std::sin(angle_deg * one_degree);
+  return {place.x, cosine * place.y + sine * place.z, cosine * place.z - sine * place.y};
+}
+
 //! The setup's viewer in radii of the dome, in the axes of a view that is tilted by `tilt_deg`.
 Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
-  // Both tilts lean the dome's top to the front; what is fixed is the viewer's place in the dome.
-  const double angle = (tilt_deg - setup.tilt_deg) * one_degree;
-  const Vector3<double> upright = (1.0 / setup.radius_m) * setup.viewer_m;
-  return {upright.x, std::cos(angle) * upright.y + std::sin(angle) * upright.z,
-          std::cos(angle) * upright.z - std::sin(angle) * upright.y};
+  // What is fixed is the viewer's place in the dome, about whose own axis the picture is turned to the right.
+  const Vector3<double> own = leaned((1.0 / setup.radius_m) * setup.viewer_m, -setup.tilt_deg);
+  const double cosine = std::cos(setup.rotation_deg * one_degree);
+  const double sine = std::sin(setup.rotation_deg * one_degree);
+  return leaned({cosine * own.x + sine * own.z, own.y, cosine * own.z - sine * own.x}, tilt_deg);
 }
 
 }  // namespace
@@ -85,7 +92,10 @@ void ProjectorFrames::write(const std::filesystem::path& frame, const Picture& m
 PatternView upright_master(const DomeSetup& setup, int size_px) {
   Show show;
   show.view.tilt_deg = setup.tilt_deg;
-  fit_to_setup(show, setup);
+  // Patterns' places are asked for where the turned picture shows them, to which the viewer's place is that of one that is not turned.
+  DomeSetup unturned = setup;
+  unturned.rotation_deg = 0.0;
+  fit_to_setup(show, unturned);
   return {make_projection(show.view, size_px, 0.0), one_degree * setup.rotation_deg};
 }
 

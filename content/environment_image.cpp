@@ -50,8 +50,8 @@ class MapReader {
     image_.width = shape.width / factor_;
     image_.height = shape.height / factor_;
     image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
-    // Channels past those of colour and alpha are not looked at.
-    read_channels_ = std::max(shape.channels >= 3 ? 3 : 1, coding_.alpha + 1);
+    // Other channels are not looked at.
+    read_channels_ = coding_.light_channels();
   }
 
   EnvironmentImage read() {

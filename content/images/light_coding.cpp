@@ -10,8 +10,13 @@ float LightCoding::alpha_of(const float* pixel) const {
   return alpha >= 0 ? std::clamp(pixel[alpha], 0.0F, 1.0F) : 1.0F;
 }
 
+int LightCoding::light_channels() const {
+  const int colours = channels >= 3 ? 3 : 1;
+  return decoded || separate ? std::max(colours, alpha + 1) : colours;
+}
+
 void LightCoding::put_light(const float* pixel, float* rgb) const {
-  const float part = alpha_of(pixel);
+  const float part = decoded || separate ? alpha_of(pixel) : 1.0F;
   const bool grey = channels < 3;
   for (int c = 0; c < 3; ++c) {
     float value = pixel[grey ? 0 : c];

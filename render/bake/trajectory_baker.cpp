@@ -158,9 +158,7 @@ class Baker {
     const Station first = station(begin_s);
     const Station last = station(end_s);
     const double error_px = gap_error(*first, *last, begin_s, end_s);
-    // Blends cannot be better than the grids that they are made of.
-    const double floor_px =
-        error_px > settings_.budget_px ? std::max(own_error(*first, begin_s), own_error(*last, end_s)) : 0.0;
+    const double floor_px = error_px > settings_.budget_px ? least_error(*first, *last, begin_s, end_s) : 0.0;
     const int stalls = error_px > stalled_share * depth.whole_px ? depth.stalls + 1 : 0;
     const bool long_enough = (end_s - begin_s) * show_.frame_rate_hz > fewest_frames;
     const bool may_help = long_enough && depth.lens < most_halvings && stalls < most_stalls;
@@ -233,10 +231,18 @@ class Baker {
   //! What a station misses by at its own place [px].
   [[nodiscard]] double own_error(const LensStation& station, double time_s) const {
     const StationBlend alone(on_host(station));
-    return std::max(error_of(alone, view_at(time_s), station), edge_error(station, time_s));
+    return error_of(alone, view_at(time_s), station);
   }
 
-  //! How far off the shadow's edge is in a station [px].
+  //! What is left of a stretch's error however it is divided: blends cannot be better than the grids that they are made of, and where both ends
+  //! have the shadow's edge off, so have those between.
+  [[nodiscard]] double least_error(const LensStation& first, const LensStation& last, double begin_s,
+                                   double end_s) const {
+    return std::max({own_error(first, begin_s), own_error(last, end_s),
+                     std::min(edge_error(first, begin_s), edge_error(last, end_s))});
+  }
+
+  //! How far off the shadow's edge is in a station [px], which no finer grid would mend.
   [[nodiscard]] double edge_error(const LensStation& station, double time_s) const {
     const EyeCamera eye = eye_camera(show_, camera_pose(show_, time_s), 0.0);
     const CameraStation observer = make_camera_station(eye.spin, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);

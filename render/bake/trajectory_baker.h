@@ -37,7 +37,7 @@ struct BakeResult {
 //! Between two camera keys r and θ run monotonously; a stretch whose ends, blended, miss traced rays by more than the budget at a
 //! quarter, half or three quarters of it, and by more than they do at their own places, is divided. A station that would miss by nearly as
 //! much at its own place is built finer. Stretches of a few pictures are not divided, nor are those that miss as much in their parts' parts
-//! as in the whole. Where the camera stands while its velocity goes over, the first station serves all the stretch, which is divided by what
+//! as in the whole. How far off the shadow's edge is at the ends (EdgeMiss) counts for a stretch, too. Where the camera stands while its velocity goes over, the first station serves all the stretch, which is divided by what
 //! it misses at the end. With parts, every stretch that touches this part is looked at, so that the parts of a bake together hold what a
 //! whole bake needs. `proceed` is told the show time up to which all is done; false stops the bake with an Error.
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,

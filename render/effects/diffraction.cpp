@@ -87,12 +87,16 @@ Image read_image(const std::string& name) {
     throw Error(name, "is not an image that can be read: " + problem, "give an EXR, HDR, PNG, TIFF or JPEG");
   }
   const ImageShape shape = input->shape();
+  constexpr int most_channels = 64;
+  if (shape.channels < 1 || shape.channels > most_channels) {
+    throw Error(name, fmt::format("has {} channels", shape.channels), "save it as RGB");
+  }
   if (shape.width < 1 || shape.height < 1 || shape.width > widest_px || shape.height > widest_px || shape.depth > 1) {
     throw Error(name, fmt::format("is {} x {} pixels", shape.width, shape.height),
                 fmt::format("scale the pattern to at most {} x {}", widest_px, widest_px));
   }
   const LightCoding coding = light_coding(shape);
-  const auto channels = static_cast<std::size_t>(std::max(shape.channels >= 3 ? 3 : 1, coding.alpha + 1));
+  const auto channels = static_cast<std::size_t>(coding.light_channels());
   const std::size_t pixels = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
   std::vector<float> values(pixels * channels);
   if (!input->read_all(static_cast<int>(channels), values.data())) {

@@ -6,7 +6,6 @@
 
 #include "kernels/projection/pixel_measure.h"
 #include "render/lens/direct_lens.h"
-#include "render/lens/edge_table.h"
 #include "render/lens/lens_choice.h"
 #include "render/lens/place_turn.h"
 #include "render/lens/quadtree_source.h"
@@ -82,11 +81,8 @@ const LensChooser::Grid* LensChooser::find_near(const GridOrder& order, const Ey
 
 const LensChooser::Grid& LensChooser::keep(const GridOrder& order, const EyeCamera& eye, LensStation station,
                                            const GridStatistics& statistics) {
-  const CameraStation observer =
-      make_camera_station(order.spin, order.place.r, order.place.theta, 0.0, eye.motion, eye.velocity);
-  const double miss = edge_miss(grid_view(station).chart.edge, observer, order.settings.observer);
   grids_.push_front({order.spin, order.place.r, order.place.theta, error_of(order), eye.motion, eye.velocity,
-                     statistics.flagged_px, miss, std::make_shared<StationBuffers>(backend_, std::move(station))});
+                     statistics.flagged_px, std::make_shared<StationBuffers>(backend_, std::move(station))});
   ++built_;
   if (grids_.size() > kept_grids) {
     grids_.pop_back();
@@ -131,9 +127,6 @@ std::unique_ptr<LensSource> LensChooser::live(const LensRequest& request) {
   }
   const Grid& grid = grid_for(request);
   if (!asked && grid.traced_px >= 0.25 * pixels) {
-    return nullptr;
-  }
-  if (grid.edge_miss > request.accuracy.budget_px * pixel_angle(request.projection)) {
     return nullptr;
   }
   EyeCamera eye = request.eye;
@@ -212,7 +205,8 @@ std::unique_ptr<LensSource> LensChooser::choose(const LensRequest& request) {
   if (!about_rays && request.choice != LensChoice::direct && request.scheme == GridScheme::quadtree &&
       backend_ == Backend::cpu) {
     lens = published(request);
-  } else if (!about_rays && request.choice != LensChoice::direct) {
+  } else if (!about_rays && request.choice != LensChoice::direct &&
+             edge_miss_.of(request.eye) <= request.accuracy.budget_px * pixel_angle(request.projection)) {
     if (request.choice != LensChoice::live) {
       lens = streamed(request);
     }

@@ -8,6 +8,7 @@
 
 #include "content/show.h"
 #include "kernels/image/shade_pixels.h"
+#include "render/lens/edge_table.h"
 #include "render/lens/grid_lens.h"
 #include "render/lens/grid_worker.h"
 #include "render/lens/lens_source.h"
@@ -69,7 +70,7 @@ class LensChooser {
   //!
   //! LensChoice::automatic streams where the camera is on a baked path and the bake is fine enough. Else small pictures, all pictures on a
   //! GPU, and places where most of a grid would be left to rays, are traced. LensChoice::streamed takes a live grid where the stream has
-  //! nothing: off the path, or while it reads. Where a grid has the shadow's edge farther off than the budget (edge_miss()) there are rays, whatever is
+  //! nothing: off the path, or while it reads. Where grids have the shadow's edge farther off than the budget (EdgeMiss) there are rays, whatever is
   //! asked.
   //!
   //! On a GPU live grids are traced there, within the picture. On the processor they are built on a thread of their own; one that does
@@ -95,7 +96,6 @@ class LensChooser {
     ObserverMotion motion;
     Vector3<double> velocity;
     double traced_px;  //!< pixels of the image that the grid leaves to rays
-    double edge_miss;  //!< how far off the eye sees the shadow's edge in it [rad]
     std::shared_ptr<const StationBuffers> station;
   };
 
@@ -111,6 +111,7 @@ class LensChooser {
   std::shared_ptr<StationStream> stream_;
   int built_ = 0;
   GridTracer<float> tracer_;
+  EdgeMiss edge_miss_;
   std::unique_ptr<GridWorker> worker_;    //!< made when first needed
   std::optional<EyeCamera> ordered_eye_;  //!< whose grid the worker has or had in hand
   std::list<Grid> grids_;                 //!< the latest first

@@ -11,7 +11,6 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/lens/edge_table.h"
 #include "render/plan/frame_needs.h"
 #include "render/stars/picture_sheets.h"
 
@@ -100,7 +99,8 @@ void StarPass::turn_sky(const Show& show) {
   field_ = StarField(*catalogue_, sky_from_map(show.sky), colours_.view());
   images_ = {};
   images_in_place_ = {};
-  if (tree_) {
+  tree_.reset();
+  if (all_gathered_) {
     tree_.emplace(field_);
   }
   search_field();
@@ -178,10 +178,10 @@ std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Proje
   return images;
 }
 
-bool StarPass::gathers(const StarEye& eye, double pixel) const {
+bool StarPass::gathers(const StarEye& eye, double pixel) {
   // Images are made exact by rays; what is so far off is not found, or found where the shadow is.
   constexpr double most_miss_px = 0.5;
-  return all_gathered_ || (!eye.omni && edge_miss(eye.camera) > most_miss_px * pixel);
+  return all_gathered_ || (!eye.omni && edge_miss_.of(eye.camera) > most_miss_px * pixel);
 }
 
 std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSettings& settings) {

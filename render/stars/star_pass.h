@@ -5,6 +5,7 @@
 
 #include "content/show.h"
 #include "render/effects/diffraction.h"
+#include "render/lens/edge_table.h"
 #include "render/lens/grid_tracer.h"
 #include "render/stars/blackbody_colours.h"
 #include "render/stars/image_joiner.h"
@@ -71,7 +72,7 @@ class StarPass {
                                           PixelMatch match) const;
 
   //! Whether stars are gathered by pixels: where the show asks for it, and where grids have the shadow wrong, and with it what lies beside it.
-  [[nodiscard]] bool gathers(const StarEye& eye, double pixel) const;
+  [[nodiscard]] bool gathers(const StarEye& eye, double pixel);
 
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
   PlacedImages sought_in_place(const StarEye& eye, const StarSettings& settings);
@@ -103,6 +104,7 @@ class StarPass {
   BlackbodyColours colours_;
   std::optional<StarCatalogue> catalogue_;  //!< once the sky has turned
   StarField field_;
+  EdgeMiss edge_miss_;
   bool all_gathered_;                  //!< as the show has it
   std::optional<StarTree> tree_;       //!< where pixels gather stars
   std::optional<PatchSearch> search_;  //!< on a device

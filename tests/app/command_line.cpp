@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "tests/support/child_process.h"
 
@@ -24,7 +25,7 @@ class ReadyProgram {
   [[nodiscard]] std::string called() const { return "ERGODOME_READY=" + name_ + " '" ERGODOME_CALL_PROGRAM "' "; }
 
  private:
-  std::string name_ = "ergodome-tests-" + std::to_string(::getpid());
+  std::string name_ = "ergodome-tests-" + std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
   ChildProcess process_;
 };
 

@@ -56,6 +56,14 @@ TEST_F(FollowedExposure, OfPartsInOneFolderIsThatOfTheWhole) {
   expect_whole("parts");
 }
 
+TEST_F(FollowedExposure, OfPartsThatBeganAnewIsMadeAgainWhereTheFramesBeforeHaveCome) {
+  EXPECT_EQ(run("render fall.toml --backend cpu --out later --frames 5:8"), 0) << output_;
+  EXPECT_EQ(run("render fall.toml --backend cpu --out later --frames 1:4"), 0) << output_;
+  EXPECT_EQ(run("render fall.toml --backend cpu --out later --resume"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("4 frames in later, beside 4 frames that were there"));
+  expect_whole("later");
+}
+
 TEST_F(FollowedExposure, ThatBeginsAnewIsTold) {
   EXPECT_EQ(run("render fall.toml --backend cpu --out middle --frames 5:6"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("begins anew with frame 5"));

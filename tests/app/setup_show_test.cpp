@@ -58,6 +58,52 @@ double worst_pattern_error_deg(const DomeSetup& setup) {
   return worst;
 }
 
+//! How far the directions of a show's master are off, at the most, from where the viewer sees its places where the projector shows them; all of the sky
+//! is turned with the picture about the dome's own axis [deg].
+double worst_show_error_deg(const DomeSetup& setup, double view_tilt_deg) {
+  constexpr int size_px = 1024;
+  Show show;
+  show.view.tilt_deg = view_tilt_deg;
+  fit_to_setup(show, setup);
+  const Projection master = make_projection(show.view, size_px, 0.0);
+  const auto leaned = [](const Vector3<double>& n, double deg) {
+    const double c = std::cos(deg * one_degree);
+    const double s = std::sin(deg * one_degree);
+    return Vector3<double>{n.x, c * n.y + s * n.z, c * n.z - s * n.y};
+  };
+  const double c = std::cos(setup.rotation_deg * one_degree);
+  const double s = std::sin(setup.rotation_deg * one_degree);
+  const ProjectorOptics optics(setup, setup.projectors[0]);
+  double worst = 0.0;
+  int lit = 0;
+  const WarpMesh warp = projector_pictures(setup)[0].warp;
+  for (const WarpNode& node : warp.nodes) {
+    const auto point = optics.dome_point({static_cast<double>(node.x), static_cast<double>(node.y)});
+    if (!node.valid || !point || std::hypot(node.u - 0.5F, node.v - 0.5F) > 0.5F) {
+      continue;
+    }
+    ++lit;
+    const Vector3<double> way = *point - setup.viewer_m;
+    const Vector3<double> own = leaned((1.0 / std::sqrt(dot(way, way))) * way, -setup.tilt_deg);
+    const Vector3<double> seen = leaned({c * own.x + s * own.z, own.y, c * own.z - s * own.x}, view_tilt_deg);
+    const Vector3<double> shown = direction_from_pixel<double>(master, static_cast<double>(node.u) * size_px,
+                                                               static_cast<double>(node.v) * size_px);
+    const Vector3<double> off = seen - (1.0 / std::sqrt(dot(shown, shown))) * shown;
+    worst = std::max(worst, std::sqrt(dot(off, off)) / one_degree);
+  }
+  EXPECT_GT(lit, 50);
+  return worst;
+}
+
+TEST(MasterOfASetup, ShowsTheSkyAsTheViewerSeesItWhereThePictureIsTurnedAndTheDomeLeans) {
+  for (const double rotation_deg : {0.0, 40.0, -70.0}) {
+    DomeSetup setup = leaning_dome(27.0, rotation_deg);
+    setup.viewer_m = {2.0, -1.0, 1.5};
+    EXPECT_LT(worst_show_error_deg(setup, 27.0), 1e-3) << rotation_deg;
+    EXPECT_LT(worst_show_error_deg(setup, 0.0), 1e-3) << rotation_deg;
+  }
+}
+
 TEST(UprightMaster, IsLevelInADomeThatLeans) { EXPECT_LT(worst_pattern_error_deg(leaning_dome(27.0, 0.0)), 1e-3); }
 
 TEST(UprightMaster, IsLevelWhereThePictureIsTurned) {

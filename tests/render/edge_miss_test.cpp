@@ -23,7 +23,13 @@ TEST(EdgeMiss, IsNothingForWhoMovesSlowlyPastTheRain) {
 
 TEST(EdgeMiss, IsSmallBesideHorizonsThatAreNotExtremal) {
   for (const double spin : {0.0, 0.5, 0.9, -0.9}) {
-    EXPECT_LT(miss_of(spin, horizon_radius(spin) + 1e-4), 2e-3) << spin;
+    EXPECT_LT(miss_of(spin, horizon_radius(spin) + 1e-4), 1e-6) << spin;
+  }
+}
+
+TEST(EdgeMiss, IsTinyUpToTheSpinForWhichNobodyAsks) {
+  for (const double above : {1e-5, 1e-3, 1e-2}) {
+    EXPECT_LT(miss_of(0.999, horizon_radius(0.999) + above), 5e-5) << above;
   }
 }
 

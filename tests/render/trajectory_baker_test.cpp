@@ -166,6 +166,22 @@ TEST_F(TrajectoryBaker, TellsThatAGridHasTheShadowBesideAnExtremalHorizonWrong) 
   EXPECT_EQ(result.unmet, 2);
 }
 
+TEST_F(TrajectoryBaker, GivesUpNoMoreOfAnApproachToAnExtremalHorizonThanItsEnd) {
+  Show show = approach();
+  show.spin = 1.0;
+  show.duration_s = 10.0;
+  show.frame_rate_hz = 4.0;
+  show.camera.motion = ObserverMotion::zamo;
+  show.camera.keys[0].r = 6.0;
+  show.camera.keys[1].r = 1.001;
+  BakeSettings how = coarse_settings();
+  how.derivatives = false;
+  how.budget_px = 4.0;
+  const BakeResult result = bake(show, "nearer", how);
+  EXPECT_GT(result.unmet, 0);
+  EXPECT_GT(result.worst_time_s, 7.5);
+}
+
 TEST_F(TrajectoryBaker, StoppedAndResumedAfterEveryGapTheBytesAreTheSame) {
   const Show show = approach();
   bake(show, "whole");

@@ -133,10 +133,10 @@ std::optional<Call> receive_call(int socket) {
   for (std::size_t at = 0; at < texts.size(); at += all.back().size() + 1) {
     all.emplace_back(&texts[at]);
   }
-  if (head.head.words == 0 || all.size() < 1 + head.head.words) {
+  if (head.head.words == 0 || head.head.words >= all.size()) {
     return std::nullopt;
   }
-  const auto words_end = all.begin() + 1 + head.head.words;
+  const auto words_end = all.begin() + 1 + static_cast<std::ptrdiff_t>(head.head.words);
   call.folder = all.front();
   call.words.assign(all.begin() + 1, words_end);
   call.environment.assign(words_end, all.end());

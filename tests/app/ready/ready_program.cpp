@@ -1,11 +1,12 @@
 // The program, with OpenImageIO loaded, waiting for command lines: each runs in a process of its own that is forked off here. To load that
-// library's hundreds takes half a second of a processor, and tests start the program some hundred times.
+// library's hundreds takes half a second of a processor, and tests start the program some five hundred times.
 //   ergodome_ready NAME
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -20,6 +21,11 @@
 namespace ergodome::test {
 
 namespace {
+
+constexpr int no_program = 125;  //!< status where nothing could be run
+
+//! A test that is killed takes with it what it has started, and what that has.
+void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
 //! Ends a worker. What is left to do at exit would wait for threads that loaded libraries have started, and that a fork does not have.
 [[noreturn]] void end(int status) {
@@ -39,7 +45,7 @@ namespace {
     ::putenv(variable.data());
   }
   if (::chdir(call.folder.c_str()) != 0) {
-    end(125);
+    end(no_program);
   }
   std::vector<char*> words;
   words.reserve(call.words.size() + 1);
@@ -59,16 +65,18 @@ void serve(int socket) {
   std::signal(SIGCHLD, SIG_DFL);
   const pid_t worker = ::fork();
   if (worker == 0) {
+    end_with_parent();
     ::close(socket);
     run(*call);
   }
   int status = 0;
-  ::waitpid(worker, &status, 0);
-  send_status(socket, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
+  while (worker > 0 && ::waitpid(worker, &status, 0) < 0 && errno == EINTR) {
+  }
+  send_status(socket, worker < 0 ? no_program : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
 }
 
 int wait_for_calls(const char* name) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  end_with_parent();
   std::signal(SIGCHLD, SIG_IGN);
   const int listening = listen_as(name);
   if (listening < 0) {
@@ -80,10 +88,15 @@ int wait_for_calls(const char* name) {
   std::fflush(stdout);
   while (true) {
     const int socket = ::accept4(listening, nullptr, nullptr, SOCK_CLOEXEC);
+    if (socket < 0 && errno != EINTR && errno != ECONNABORTED) {
+      std::perror(name);
+      return 1;
+    }
     if (socket < 0) {
       continue;
     }
     if (::fork() == 0) {
+      end_with_parent();
       ::close(listening);
       serve(socket);
       ::_exit(0);
