@@ -219,9 +219,7 @@ void FrameWriter::write_movies(int first, int last) const {
 
 void FrameWriter::write_facts(int first, int last) const {
   const Show& show = renderer_.show();
-  const FramePart part = show.stereo.layout == StereoLayout::separate ? FramePart::left : FramePart::whole;
-  const auto face = has_face_files(show.view) ? std::optional(CubeFace{}) : std::nullopt;
-  const auto lies_there = [&](int frame) { return fact_of_image(path_of(frame, part, face), "request") == request_; };
+  const auto lies_there = [&](int frame) { return fact_of_image(first_file_of(frame), "request") == request_; };
   // Long shows are rendered in parts, one beside the other.
   while (first > 0 && lies_there(first - 1)) {
     --first;

@@ -29,8 +29,8 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
 //! table. `to_rain`: from aberration_to_rain().
 double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Aberration& to_rain);
 
-//! The same for eyes in all grids of their places; 0 for spins of 0.999 and less, whose tables hold for all. What the last ones miss by is kept: a camera that turns, or goes round the axis, is asked again for
-//! each picture.
+//! The same for eyes in all grids of their places; 0 for spins of 0.999 and less, whose tables hold for all. What the last ones miss by is kept: a
+//! camera that turns, or goes round the axis, is asked again for each picture.
 class EdgeMiss {
  public:
   double of(const EyeCamera& eye);
