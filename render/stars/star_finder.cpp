@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "kernels/launch/parallel_for.h"
@@ -149,8 +150,16 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
   }
 }
 
+//! Puts what a device has found by chance in order by the distance to the shadow's edge: the rays of neighbours in the kernel's lanes take about as many
+//! steps (three quarters of the time).
+void put_in_order(std::vector<RoughImage>& rough) {
+  std::ranges::sort(rough, [](const RoughImage& a, const RoughImage& b) {
+    return std::tie(a.s, a.star, a.gamma_turns) < std::tie(b.s, b.star, b.gamma_turns);
+  });
+}
+
 //! Seeks images roughly. In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes; a
-//! device finds them in none, and leaves those that need no rays `in_place`.
+//! device leaves those that need no rays `in_place`.
 std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
                          FoundInPlace& in_place) {
   if (device == nullptr) {
@@ -162,8 +171,9 @@ std::vector<Sought> seek(const Search& search, const StarPatches& patches, const
     return parts;
   }
   const StarSettings& settings = search.settings;
-  const PatchSearch::Answer answer =
+  PatchSearch::Answer answer =
       device->search.find(device->patches, {search.phi, settings.view, search.observer, look_of(settings)});
+  put_in_order(answer.rough);
   const std::vector<RoughImage>& rough = answer.rough;
   constexpr std::size_t chunk = 512;
   const std::size_t chunks = (rough.size() + chunk - 1) / chunk;
