@@ -131,6 +131,7 @@ void ergodome::add_cuda_benchmarks() {
   add("all_stars", all_stars, direct, {4096});
   add("all_stars/kept_grid", all_stars, kept, {4096});
   add("all_stars/turning", all_stars, {LensChoice::live, CameraWay::turns}, {4096});
+  add("all_stars/moving", all_stars, live, {4096});
   add("bright_stars_moving", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect),
       {LensChoice::direct, CameraWay::moves}, {1024});
   const Show published = published_show();
@@ -138,6 +139,7 @@ void ergodome::add_cuda_benchmarks() {
   add("published/rays", published, direct, {1920});
   add("published/turning", published, {LensChoice::live, CameraWay::turns}, {1920});
   add("published/standing", published, {LensChoice::live, CameraWay::stands}, {1920});
+  add("published/moving", published, live, {1920});
   add("two_eyes", two_eyes(), direct, {2048});
   for (const char* const name : {"disk", "shells", "planet"}) {
     add(name, built_in(name), direct, {1920});
