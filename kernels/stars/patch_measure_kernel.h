@@ -13,19 +13,16 @@ struct MeasurePatch {
 
   ERGO_HD void operator()(int /*index*/) const {
     Sums sums{T(infinite), T(-infinite), T(0.0F), T(0.0F), T(0.0F), T(0.0F), T(0.0F)};
-    // The middle first: the others are seen from it.
-    const Vector3<T> middle = measure(T(0.5F), T(0.5F), sums);
-    for (int first = 0; first < samples; first += lanes) {
-      T u;
-      T v;
-      for (int i = 0; i < lanes; ++i) {
-        const int sample = first + i < samples ? first + i : samples - 1;
-        const int row = sample / side;
-        set_lane(u, i, static_cast<float>(sample - side * row) / (side - 1));
-        set_lane(v, i, static_cast<float>(row) / (side - 1));
+    // The middle's lot first: all others are seen from it.
+    constexpr int middle_lot = middle_sample / lanes;
+    const Vector3<T> beside = measure_lot(middle_lot, sums);
+    const auto in_middle = [](const T& value) { return T(lane(value, middle_sample - lanes * middle_lot)); };
+    const Vector3<T> middle = {in_middle(beside.x), in_middle(beside.y), in_middle(beside.z)};
+    see_from(middle, beside, sums);
+    for (int lot = 0; lanes * lot < samples; ++lot) {
+      if (lot != middle_lot) {
+        see_from(middle, measure_lot(lot, sums), sums);
       }
-      const Vector3<T> apart = measure(u, v, sums) - middle;
-      sums.chord_square = maximum(sums.chord_square, dot(apart, apart));
     }
     *batch.out = {-greatest(-sums.lowest_sky),
                   greatest(sums.highest_sky),
@@ -42,6 +39,7 @@ struct MeasurePatch {
   static constexpr int lanes = RealTraits<T>::lane_count;
   static constexpr int side = 5;
   static constexpr int samples = side * side;
+  static constexpr int middle_sample = samples / 2;
   static constexpr float infinite = 3e38F;
 
   //! The extremes so far.
@@ -60,6 +58,24 @@ struct MeasurePatch {
       most = maximum(most, lane(value, i));
     }
     return most;
+  }
+
+  //! Takes as many samples as there are lanes; returns the ways to them in the observer's frame.
+  ERGO_HD Vector3<T> measure_lot(int lot, Sums& sums) const {
+    T u;
+    T v;
+    for (int i = 0; i < lanes; ++i) {
+      const int sample = lanes * lot + i < samples ? lanes * lot + i : samples - 1;
+      const int row = sample / side;
+      set_lane(u, i, static_cast<float>(sample - side * row) / (side - 1));
+      set_lane(v, i, static_cast<float>(row) / (side - 1));
+    }
+    return measure(u, v, sums);
+  }
+
+  ERGO_HD static void see_from(const Vector3<T>& middle, const Vector3<T>& ways, Sums& sums) {
+    const Vector3<T> apart = ways - middle;
+    sums.chord_square = maximum(sums.chord_square, dot(apart, apart));
   }
 
   //! Takes samples; returns the way to them in the observer's frame.

@@ -51,9 +51,13 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
 }
 
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
-                         const LensStation& station, const StarSettings& settings) {
-  return {station, field, ImageObserver(eye, station, colours, settings.redshift), settings.faintest,
-          GridExactness{settings.pixel, settings.grid_px * settings.pixel}};
+                         const LensStation& station, const StarSettings& settings, PatchRoom& room) {
+  return {station,
+          field,
+          ImageObserver(eye, station, colours, settings.redshift),
+          settings.faintest,
+          GridExactness{settings.pixel, settings.grid_px * settings.pixel},
+          room};
 }
 
 namespace {

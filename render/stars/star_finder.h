@@ -46,7 +46,12 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
 
 //! Turns a lens grid round for an eye at its place: `station` and what it is for are those of find_star_images.
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
-                         const LensStation& station, const StarSettings& settings);
+                         const LensStation& station, const StarSettings& settings, PatchRoom& room);
+inline StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                                const LensStation& station, const StarSettings& settings) {
+  PatchRoom room;
+  return star_patches(field, colours, eye, station, settings, room);
+}
 
 //! Finds all images of all stars that shine with the asked illuminance.
 //!

@@ -132,7 +132,8 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
       Turned changed = std::move(*found);
       turned_.erase(found);
       changed.faintest = asked.faintest;
-      changed.patches = star_patches(field_, colours_.view(), eye, changed.station, asked);
+      room_.patches = std::move(changed.patches).given_up();
+      changed.patches = star_patches(field_, colours_.view(), eye, changed.station, asked, room_);
       place(changed);
       turned_.insert(turned_.begin(), std::move(changed));
     } else {
@@ -140,14 +141,17 @@ const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSett
     }
     return turned_.front();
   }
-  LensStation station = build_star_station(eye, asked, &tracer_);
-  StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked);
-  Turned turned{eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches), nullptr};
+  std::unique_ptr<PlacedPatches> on_device;
   if (turned_.size() == most_eyes) {
     // A place that is left hands its memory on.
-    turned.on_device = std::move(turned_.back().on_device);
+    room_.patches = std::move(turned_.back().patches).given_up();
+    on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
   }
+  LensStation station = build_star_station(eye, asked, &tracer_);
+  StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked, room_);
+  Turned turned{
+      eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches), std::move(on_device)};
   place(turned);
   turned_.insert(turned_.begin(), std::move(turned));
   return turned_.front();

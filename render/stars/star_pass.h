@@ -115,6 +115,7 @@ class StarPass {
   std::optional<DiffractionSettings> pattern_;  //!< of these spikes
   GridTracer<float> tracer_;
   std::vector<Turned> turned_;  //!< of the last eyes
+  PatchRoom room_;
   KeptStarImages<std::vector<StarImage>> images_;
   KeptStarImages<PlacedImages> images_in_place_;
   std::optional<ImageJoiner> joiner_;  //!< on a device

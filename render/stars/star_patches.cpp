@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
@@ -112,7 +114,7 @@ int longer_axis(const BezierPatch& patch) {
 }  // namespace
 
 StarPatches::StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
-                         const GridExactness& exactness)
+                         const GridExactness& exactness, PatchRoom& room)
     : mended_(station),
       edge_(station.edge),
       chart_(grid_view(station).chart),
@@ -123,8 +125,12 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
   const LensGrid grid = grid_view(station);
   const std::vector<LeafBox> boxes = leaf_boxes(station);
   const int leaves = static_cast<int>(boxes.size());
-  std::vector<std::vector<StarPatch>> parts(static_cast<std::size_t>((leaves + leaves_a_chunk - 1) / leaves_a_chunk));
+  std::vector<std::vector<StarPatch>>& parts = room.parts;
+  parts.resize(static_cast<std::size_t>((leaves + leaves_a_chunk - 1) / leaves_a_chunk));
   parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (int part = begin; part < end; ++part) {
+      parts[static_cast<std::size_t>(part)].clear();
+    }
     for (int leaf = begin * leaves_a_chunk; leaf < std::min(end * leaves_a_chunk, leaves); ++leaf) {
       const LeafBox& box = boxes[static_cast<std::size_t>(leaf)];
       StarPatch patch{};
@@ -139,9 +145,27 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
       add_patch({field, light}, patch, 0, parts[static_cast<std::size_t>(leaf / leaves_a_chunk)]);
     }
   });
-  for (const std::vector<StarPatch>& part : parts) {
-    patches_.insert(patches_.end(), part.begin(), part.end());
+  join(room);
+}
+
+//! All parts' patches, in their order.
+void StarPatches::join(PatchRoom& room) {
+  const std::vector<std::vector<StarPatch>>& parts = room.parts;
+  std::vector<std::size_t> first(parts.size() + 1, 0);
+  std::transform_inclusive_scan(parts.begin(), parts.end(), first.begin() + 1, std::plus(),
+                                [](const std::vector<StarPatch>& part) { return part.size(); });
+  patches_ = std::move(room.patches);
+  if (patches_.capacity() < first.back()) {
+    // What lies in it is of no use.
+    patches_ = {};
   }
+  patches_.resize(first.back());
+  constexpr int parts_a_chunk = 8;
+  parallel_for(static_cast<int>(parts.size()), parts_a_chunk, [&](int begin, int end) {
+    for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
+      std::ranges::copy(parts[part], patches_.begin() + static_cast<std::ptrdiff_t>(first[part]));
+    }
+  });
 }
 
 //! What a leaf's errors at its check points say of the images in it. `error_px`: of its patch.

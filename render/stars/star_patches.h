@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "content/lens_station.h"
@@ -34,6 +35,13 @@ struct GridExactness {
   double fold_error;  //!< next to critical curves, on the camera's sky [rad]
 };
 
+//! Memory for patches, kept from one place to the next: a camera that moves makes them for each picture, and to have the system clear it each time takes a
+//! third as long as to make them.
+struct PatchRoom {
+  std::vector<std::vector<StarPatch>> parts;  //!< of leaves that one thread takes
+  std::vector<StarPatch> patches;             //!< of a place that is left
+};
+
 //! Where the mended grid is nearer than this to the sky, images are where it has them [px].
 inline constexpr float exact_grid_px = 0.008F;
 
@@ -41,13 +49,16 @@ inline constexpr float exact_grid_px = 0.008F;
 class StarPatches {
  public:
   //! For images of at least `faintest` lx: the more stars may have some, the finer. Where `station` was not built to be
-  //! inverted (GridSettings), all of them need rays.
+  //! inverted (GridSettings), all of them need rays. They take the memory of the patches in `room`.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
-              const GridExactness& exactness);
+              const GridExactness& exactness, PatchRoom& room);
   StarPatches(StarPatches&&) = default;
   StarPatches& operator=(StarPatches&&) = default;
 
   [[nodiscard]] const std::vector<StarPatch>& patches() const { return patches_; }
+
+  //! Their memory, for those of another place.
+  [[nodiscard]] std::vector<StarPatch> given_up() && { return std::move(patches_); }
 
   //! Whether the grid is half of a sky that is its own mirror image.
   [[nodiscard]] bool mirrored() const { return mirrored_; }
@@ -71,6 +82,7 @@ class StarPatches {
   };
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
+  void join(PatchRoom& room);
   [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const;
   void tell_error(float error_px, StarPatch& patch) const;
 

@@ -110,6 +110,27 @@ TEST_P(StarImages, DoNotDependOnTheGrid) {
 
 INSTANTIATE_TEST_SUITE_P(Cameras, StarImages, testing::ValuesIn(places));
 
+TEST(StarPatchesOfAPlace, AreTheSameInTheMemoryOfOthers) {
+  const StarField field(brightest(500), glm::dmat3(1.0), colours().view());
+  const StarSettings settings = settings_for(8.0);
+  PatchRoom room;
+  // A place with more of them, and one with fewer.
+  for (const Place& before : {places[2], places[0]}) {
+    const EyeCamera eye = eye_at_place(before);
+    const LensStation station = build_star_station(eye, settings);
+    room.patches = star_patches(field, colours().view(), eye, station, settings, room).given_up();
+    const EyeCamera next = eye_at_place(places[1]);
+    const LensStation there = build_star_station(next, settings);
+    const StarPatches patches = star_patches(field, colours().view(), next, there, settings, room);
+    const StarPatches alone = star_patches(field, colours().view(), next, there, settings);
+    ASSERT_EQ(patches.patches().size(), alone.patches().size());
+    EXPECT_TRUE(std::ranges::equal(patches.patches(), alone.patches(), [](const StarPatch& a, const StarPatch& b) {
+      return a.leaf == b.leaf && a.gamma_turns == b.gamma_turns && a.s == b.s && a.sky.x[5] == b.sky.x[5] &&
+             a.seen_radius == b.seen_radius && a.magnification == b.magnification;
+    }));
+  }
+}
+
 TEST_P(StarImages, OfAViewAreThoseOfTheWholeSkyThatLieInIt) {
   EyeCamera eye = eye_at_place(GetParam());
   const StarField field(brightest(test::sanitized ? 200 : 3000), glm::dmat3(1.0), colours().view());
