@@ -20,6 +20,8 @@ void catch_interrupts() {
   std::signal(SIGTERM, note_signal);
 }
 
+void fail_at_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }
+
 void end_on_interrupts() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);

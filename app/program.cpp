@@ -55,6 +55,7 @@ int run_program(int argc, char** argv) {
   add_edge_command(app);
   add_connect_command(app);
   catch_interrupts();
+  fail_at_file_limits();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "app/playback/audio_file.h"
 #include "content/environment_image.h"
@@ -14,6 +15,7 @@
 #include "render/effects/diffraction.h"
 #include "render/objects/object_horizon.h"
 #include "render/objects/object_meshes.h"
+#include "render/overlay/caption_notes.h"
 #include "render/overlay/overlay_image.h"
 
 namespace ergodome {
@@ -103,6 +105,7 @@ ShowNotes notes_of_files(const Show& show) {
     }
   }
   add_objects_in_horizon(show, notes);
+  std::ranges::copy(notes_of_captions(show), std::back_inserter(notes.unseen));
   return notes;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include "content/animated_show.h"
 #include "content/fall/rain_pose.h"
@@ -12,6 +13,7 @@
 #include "kernels/metric/kerr.h"
 #include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
+#include "render/overlay/caption_notes.h"
 #include "render/overlay/overlay_place.h"
 #include "render/plan/frame_needs.h"
 
@@ -90,6 +92,7 @@ std::vector<std::string> ShowRenderer::notes() const {
        traced_objects_ ? traced_objects_->in_horizon() : std::vector<ObjectInHorizon>{}) {
     notes.push_back(note_of(show_, inside));
   }
+  std::ranges::copy(notes_of_captions(show_), std::back_inserter(notes));
   return notes;
 }
 

@@ -198,7 +198,8 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
     const auto output = writer_of("png");
     const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
-    if (!written) {
+    // A full disk is told by nothing.
+    if (!written || !is_complete_image(partial, width, height)) {
       throw cannot_be_written(path, output.get());
     }
   });

@@ -165,7 +165,28 @@ std::vector<float> rim_about(const Letters& letters, int reach_px) {
   return rim;
 }
 
+bool has_font(const std::string& text) {
+  constexpr CaptionType any{32, 1e5};
+  return pango_layout_get_unknown_glyphs_count(lay_out(text, any).layout.get()) == 0;
+}
+
 }  // namespace
+
+std::string letters_without_font(const std::string& text) {
+  const std::string clean = clean_text(text);
+  std::string missing;
+  // Most texts have all: only others are asked letter by letter.
+  if (clean.empty() || has_font(clean)) {
+    return missing;
+  }
+  for (const gchar* at = clean.c_str(); *at != '\0'; at = g_utf8_next_char(at)) {
+    const std::string letter(at, static_cast<std::size_t>(g_utf8_next_char(at) - at));
+    if (missing.find(letter) == std::string::npos && !has_font(letter)) {
+      missing += letter;
+    }
+  }
+  return missing;
+}
 
 CaptionImage set_caption(const std::string& text, const CaptionType& type) {
   const std::string clean = clean_text(text);
@@ -174,7 +195,6 @@ CaptionImage set_caption(const std::string& text, const CaptionType& type) {
     return caption;
   }
   const Lines lines = lay_out(clean, type);
-  caption.missing_letters = pango_layout_get_unknown_glyphs_count(lines.layout.get());
   const int reach_px = std::max(static_cast<int>(std::lround(rim_reach * type.line_px)), 2);
   const Letters letters = draw_letters(lines.layout.get(), reach_px + 2);
   caption.too_large = letters.too_large;

@@ -1,10 +1,13 @@
 #include "render/overlay/caption_image.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "content/show_reader.h"
+#include "render/overlay/caption_notes.h"
 #include "render/overlay/overlay_image.h"
 #include "tests/support/folder_test.h"
 
@@ -30,7 +33,7 @@ class EveryScriptOfDejaVu : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryScriptOfDejaVu, HasItsLetters) {
   const CaptionImage words = caption(GetParam());
-  EXPECT_EQ(words.missing_letters, 0);
+  EXPECT_EQ(letters_without_font(GetParam()), "");
   EXPECT_GT(ink(words), 0.02 * words.image.width * words.image.height);
 }
 
@@ -45,7 +48,19 @@ TEST(Captions, DrawDifferentLettersDifferently) {
   EXPECT_NE(caption("Ж").image.texels, caption("Ш").image.texels);
 }
 
-TEST(Captions, CountLettersThatNoFontHas) { EXPECT_EQ(caption("a \U0010FFFD b").missing_letters, 1); }
+TEST(Captions, TellLettersThatNoFontHas) {
+  EXPECT_EQ(letters_without_font("a \U0010FFFD b\U0010FFFC \U0010FFFD"), "\U0010FFFD\U0010FFFC");
+}
+
+TEST(NotesOfCaptions, NameTheLettersAndTheLanguageThatHaveNoFont) {
+  const Show show = parse_show(
+      "[[camera.key]]\nr = 20\n[[caption]]\nfrom_s = 0\nto_s = 1\ntext = { en = \"fly\", de = \"a \U0010FFFD\" }\n"
+      "[[caption]]\nfrom_s = 1\nto_s = 2\ntext = { de = \"\U0010FFFD \U0010FFFC\" }\n",
+      "words.toml");
+  const std::vector<std::string> notes = notes_of_captions(show);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], testing::HasSubstr("\U0010FFFD\U0010FFFC of captions in de"));
+}
 
 TEST(Captions, ReplaceWhatIsNotUtf8) {
   const CaptionImage broken = caption("a\xff\xfe\x80z");

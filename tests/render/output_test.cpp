@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <limits>
+#include <random>
 
 #include "kernels/core/error.h"
 #include "render/output/frame_names.h"
@@ -100,6 +101,9 @@ TEST_F(Output, FullDiskIsOneErrorAndLeavesEarlierFramesAlone) {
   setrlimit(RLIMIT_FSIZE, &small);
   EXPECT_THROW(write_picture(folder_ / "second.exr", {ImageFormat::exr}, ramp(512, 512), {}), Error);
   EXPECT_THROW(write_picture(folder_ / "second.png", {ImageFormat::png}, ramp(512, 512), {}), Error);
+  std::vector<std::uint8_t> noise(3 * 64 * 64);
+  std::ranges::generate(noise, std::minstd_rand());
+  EXPECT_THROW(write_png(folder_ / "third.png", noise, 64, 64), Error);
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_TRUE(is_complete_image(folder_ / "first.exr", 64, 32));
   EXPECT_EQ(files(), 1);
