@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "content/animated_show.h"
 #include "kernels/core/angles.h"
@@ -201,7 +202,9 @@ void Diagram::add_connecting_rays(const Moment& moment, std::size_t object, int 
   const Ink ink = diagram_inks::of_image(order);
   int sights = most_sights;
   for (const Vector3<double>& start : ray_starts(moment, object, order, static_cast<std::size_t>(count))) {
-    scene.lines.push_back({light_curve(moment.observer, start, order), ink, ray_width_px});
+    std::vector<Vector3<double>> curve = light_curve(moment.observer, start, order);
+    scene.framed.insert(scene.framed.end(), curve.begin(), curve.end());
+    scene.lines.push_back({std::move(curve), ink, ray_width_px});
     ++scene.ray_count;
     if (sights-- > 0) {
       // Next to the observer it cannot be told from the ray.
@@ -228,6 +231,8 @@ void Diagram::add_traced_rays(const Moment& moment, DiagramScene& scene) const {
                            meets ? ray_width_px : other_ray_width_px});
     ++scene.ray_count;
     if (meets) {
+      // Those that go on to the sky leave the picture.
+      scene.framed.insert(scene.framed.end(), curve.places.begin(), curve.places.end());
       delays[curve.order][curve.object].push_back(curve.delay);
     }
   }

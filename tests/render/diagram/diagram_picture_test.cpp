@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/core/angles.h"
@@ -119,6 +120,31 @@ TEST_F(DiagramPictures, RaysHaveTheColourOfTheirImage) {
 TEST_F(DiagramPictures, ASpinningHoleHasRaysThatMeetTheObjects) {
   draw(small_show(0.9), {{}, 18}, 1280);
   EXPECT_GT(pixels_like(0x00, 0x72, 0xB2), 100);
+}
+
+//! How many places of lines that have the inks of images lie beside a picture that is taller than wide, seen from a direction.
+int places_beside(const DiagramScene& scene, const OutsideDirection& from) {
+  const OutsideCamera camera = outside_camera(from, scene.framed, 0.5, {});
+  int beside = 0;
+  for (const DiagramLine& line : scene.lines) {
+    if (line.ink == diagram_inks::of_image(1) || line.ink == diagram_inks::of_image(2)) {
+      beside += static_cast<int>(std::ranges::count_if(line.places, [&](const Vector3<double>& place) {
+        const Vector3<double> at = camera.in_view(place);
+        return std::abs(at.x) > -at.z * camera.half_width || std::abs(at.y) > -at.z * camera.half_height;
+      }));
+    }
+  }
+  return beside;
+}
+
+TEST(DiagramFrames, HoldTheRaysThatMeetObjects) {
+  for (const double spin : {0.0, 0.9}) {
+    // The second image's rays go round the hole's other side.
+    const DiagramScene scene =
+        Diagram(small_show(spin), {spin == 0.0 ? std::vector<int>{1, 2} : std::vector<int>{}, 60}).at(0.0);
+    EXPECT_EQ(places_beside(scene, {0.5, 0.5, std::nullopt}), 0) << spin;
+    EXPECT_EQ(places_beside(scene, {pi, 0.2, std::nullopt}), 0) << spin;
+  }
 }
 
 TEST_F(DiagramPictures, TheCornersOfThePictureArePaper) {
