@@ -1,9 +1,12 @@
 #include "render/frame/eye_disparity.h"
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "kernels/core/angles.h"
 #include "kernels/geodesic/taylor.h"
+#include "kernels/launch/parallel_for.h"
 #include "kernels/shadow/critical_curve.h"
 #include "render/frame/near_disparity.h"
 
@@ -108,6 +111,39 @@ void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   }
 }
 
+//! Adds the sky of many directions, each followed from the left eye's ray to where the right eye sees the same star.
+void add_sky(const StereoEye& left, const StereoEye& right, std::span<const SeenDirection> directions,
+             DisparityMeter& meter) {
+  std::vector<std::optional<Vector3<double>>> others(directions.size());
+  parallel_for(static_cast<int>(directions.size()), 4, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const Vector3<double>& view = directions[i].view;
+      Vector3<EdgeDual> sky{};
+      Vector3<double> other = view;
+      if (directions[i].looked_for == LookedFor::sky && directions[i].shows_sky() &&
+          look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
+          find_direction(right, values(sky), other)) {
+        others[i] = other;
+      }
+    }
+  });
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (others[i]) {
+      meter.add_of_sheet(directions[i].view, *others[i]);
+    }
+  }
+}
+
+void add_edge(const StereoEye& left, const StereoEye& right, DisparityMeter& meter) {
+  Vector3<double> sides[2][2];
+  edge_sides(left, sides[0]);
+  edge_sides(right, sides[1]);
+  meter.add(sides[0][0], sides[1][0]);
+  meter.add(sides[0][1], sides[1][1]);
+}
+
+bool is_black(const SkySettings& sky) { return sky.stars.empty() && (sky.map == "black" || sky.exposure == 0.0); }
+
 }  // namespace
 
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,
@@ -119,22 +155,14 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
   const StereoEye right(show, pose, 1.0);
   DisparityMeter meter(left, right, projection);
   const std::vector<SeenDirection> directions = seen_directions(show, pose, projection, hiding);
-  for (const SeenDirection& direction : directions) {
-    const Vector3<double>& view = direction.view;
-    Vector3<EdgeDual> sky{};
-    Vector3<double> other = view;
-    if (direction.shows_sky() && look(left, {EdgeDual(view.x), EdgeDual(view.y), EdgeDual(view.z)}, sky) &&
-        find_direction(right, values(sky), other)) {
-      meter.add(view, other);
-    }
+  if (!is_black(show.sky)) {
+    add_sky(left, right, directions, meter);
   }
   add_near_things(show, pose, directions, objects, meter);
-  if (show.stereo.model == StereoModel::physical) {
-    Vector3<double> sides[2][2];
-    edge_sides(left, sides[0]);
-    edge_sides(right, sides[1]);
-    meter.add(sides[0][0], sides[1][0]);
-    meter.add(sides[0][1], sides[1][1]);
+  // A shadow is seen before something.
+  const bool shadow_seen = !is_black(show.sky) || show.disk || !show.shells.empty();
+  if (show.stereo.model == StereoModel::physical && shadow_seen) {
+    add_edge(left, right, meter);
   }
   return meter.result();
 }

@@ -147,7 +147,10 @@ void look(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, S
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding) {
   std::vector<SeenDirection> directions;
-  visit_lattice(projection, [&](const Vector3<double>& view) { directions.push_back({view, {}}); });
+  visit_many(projection, [&](const Vector3<double>& view) { directions.push_back({view, LookedFor::sky, {}}); });
+  visit_lattice(projection, [&](const Vector3<double>& view) {
+    directions.push_back({view, LookedFor::disk_and_shells, {}});
+  });
   if (show.disk || !show.shells.empty() || !hiding.meshes.empty()) {
     const EyeCamera head = eye_camera(show, pose, 0.0);
     parallel_for(static_cast<int>(directions.size()), 4, [&](int begin, int end) {
@@ -163,6 +166,9 @@ void add_near_things(const Show& show, const CameraPose& pose, std::span<const S
                      std::span<const PlacedOutline> objects, DisparityMeter& meter) {
   NearThings things(show, pose, meter);
   for (const SeenDirection& direction : directions) {
+    if (direction.looked_for != LookedFor::disk_and_shells) {
+      continue;
+    }
     for (const NearSight& sight : direction.sights) {
       things.add(sight, direction.view);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,9 +26,29 @@ void visit_lattice(const Projection& projection, Visit&& visit) {
   }
 }
 
+//! The same for many that are spread evenly without symmetries of their own: a lattice along rows meets a ring about its middle in many places at once, or
+//! in none. Roberts' sequence: the powers of the root of x^3 = x + 1, 1.3247.
+template <class Visit>
+void visit_many(const Projection& projection, Visit&& visit) {
+  constexpr int many = 800;
+  constexpr double across = 0.7548776662466927;
+  constexpr double down = 0.5698402909980532;
+  for (int i = 0; i < many; ++i) {
+    const double x = std::fmod(0.5 + i * across, 1.0) * projection.width_px;
+    const double y = std::fmod(0.5 + i * down, 1.0) * projection.height_px;
+    if (image_coverage(projection, x, y) > 0.0) {
+      visit(direction_from_pixel(projection, x, y));
+    }
+  }
+}
+
+//! What is looked for in a direction. Of the sky there are many, as it is stretched without bound beside its caustics.
+enum class LookedFor : std::uint8_t { sky, disk_and_shells };
+
 //! A direction across an image, in the view's axes, and what of disk and shells the head sees there.
 struct SeenDirection {
   Vector3<double> view;
+  LookedFor looked_for;
   std::vector<NearSight> sights;  //!< see near_sights; what objects hide is not among them
   bool ends_at_object = false;
 

@@ -127,12 +127,13 @@ BENCHMARK_CAPTURE(stereo_objects, flat, "flat")->Apply(object_baselines);
 
 //! What the read-out of a pair's disparity takes.
 void stereo_disparity(benchmark::State& state, const char* things, const char* model) {
-  const Show show = parse_show(
+  Show show = parse_show(
       std::string("[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 24\ntheta_deg = 75\n[sky]\nmap = \"black\"\n"
                   "[view]\nprojection = \"pinhole\"\nfov_deg = 70\n") +
           things + "[stereo]\nlayout = \"separate\"\nbaseline = 0.1\nmodel = \"" + model + "\"\n",
       "bench.toml");
   const ShowRenderer renderer(show, Backend::cpu);
+  show.sky.map = "milky_way";  // a black sky is not looked at
   const CameraPose pose = camera_pose(show, 0.0);
   const Projection projection = make_projection(show.view, 1024, 0.0);
   for (auto _ : state) {

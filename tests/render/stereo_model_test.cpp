@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "content/show_reader.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/shadow/critical_curve.h"
@@ -172,6 +173,35 @@ TEST(Disparities, OfConvergingEyesAreShiftedByTheirTurn) {
   EXPECT_LT(apart, -0.25);
   EXPECT_NEAR(turned.least_px, 0.0, 0.02);
   EXPECT_NEAR(turned.greatest_px, -apart, 0.04);
+}
+
+TEST(Disparities, OfTheSkyAreSteadyWhereSingleDirectionsComeNextToTheRing) {
+  const Show show = parse_show(
+      "[hole]\nspin = 0.7\n[camera]\nobserver = \"zamo\"\n[[camera.key]]\nr = 16\ntheta_deg = 84\n"
+      "[view]\nprojection = \"pinhole\"\nfov_deg = 70\naspect = 1.6\n[stereo]\nlayout = \"separate\"\n"
+      "baseline = 0.1\n",
+      "steady.toml");
+  std::vector<double> range_deg;
+  for (int i = 0; i < 16; ++i) {
+    CameraPose pose = camera_pose(show, 0.0);
+    pose.r -= 0.05 * i;
+    pose.theta += 0.001 * i;
+    range_deg.push_back(frame_disparity(show, pose, make_projection(show.view, 1280, 0.0), {}, {}).value().range_deg());
+  }
+  const auto [least, greatest] = std::ranges::minmax(range_deg);
+  EXPECT_LT(greatest, 1.2 * least);
+}
+
+TEST(Disparities, OfASkyThatIsBlackDoNotCount) {
+  Show show = show_of_eyes("baseline = 1\n", "projection = \"pinhole\"\nfov_deg = 100\n");
+  const auto counts = [&] {
+    return frame_disparity(show, camera_pose(show, 0.0), make_projection(show.view, 400, 0.0), {}, {}).has_value();
+  };
+  show.sky.stars = "bright_stars";
+  show.sky.map = "black";
+  EXPECT_TRUE(counts());
+  show.sky.stars.clear();
+  EXPECT_FALSE(counts());
 }
 
 TEST(Convergence, PutsThingsAtItsDistanceInOnePlace) {
