@@ -38,25 +38,34 @@ std::optional<double> number_of(const std::string& text) {
                                                                                              : std::nullopt;
 }
 
-FrameMetadata metadata_of(const Show& show, double time_s, FramePart part, std::optional<CubeFace> face) {
+//! `baseline`: how far the eyes are apart [M].
+FrameMetadata metadata_of(const Show& show, double time_s, double baseline, FramePart part,
+                          std::optional<CubeFace> face) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* parts[] = {"whole", "left", "right"};
   const CameraPose pose = camera_pose(show, time_s);
   const char* const observer = !pose.velocity      ? observers[static_cast<int>(show.camera.motion)]
                                : show.camera.orbit ? "fall"
                                                    : "velocity";
-  return {{"show", show.title},
-          {"time_s", fmt::format("{:.6f}", time_s)},
-          {"spin", fmt::format("{:.12g}", show.spin)},
-          {"r", fmt::format("{:.12g}", pose.r)},
-          {"theta_deg", fmt::format("{:.12g}", pose.theta * radian_deg)},
-          {"observer", observer},
-          {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
-          {"from_outside", show.view.from_outside ? "true" : "false"},
-          {"part", parts[static_cast<int>(part)]},
-          {"face", face ? cube_face_name(*face) : "none"},
-          {"stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]},
-          {"version", ERGODOME_VERSION}};
+  FrameMetadata facts = {{"show", show.title},
+                         {"time_s", fmt::format("{:.6f}", time_s)},
+                         {"spin", fmt::format("{:.12g}", show.spin)},
+                         {"r", fmt::format("{:.12g}", pose.r)},
+                         {"theta_deg", fmt::format("{:.12g}", pose.theta * radian_deg)},
+                         {"observer", observer},
+                         {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
+                         {"from_outside", show.view.from_outside ? "true" : "false"},
+                         {"part", parts[static_cast<int>(part)]},
+                         {"face", face ? cube_face_name(*face) : "none"},
+                         {"stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]},
+                         {"version", ERGODOME_VERSION}};
+  if (eye_count(show.stereo) > 1) {
+    facts.emplace_back("stereo_model", stereo_model_names[static_cast<std::size_t>(show.stereo.model)]);
+    facts.emplace_back("baseline_M", fmt::format("{:.12g}", baseline));
+    facts.emplace_back("convergence_M",
+                       show.stereo.convergence > 0.0 ? fmt::format("{:.12g}", show.stereo.convergence) : "infinity");
+  }
+  return facts;
 }
 
 }  // namespace
@@ -106,13 +115,14 @@ void FrameWriter::write(int frame) {
     tell_missing_legend(image.picture);
     unresolved_ += image.picture.unresolved_pixels;
   }
+  const double baseline = renderer_.narrowed_eyes() ? renderer_.narrowed_eyes()->baseline : show.stereo.baseline;
   const bool views = show.stereo.layout == StereoLayout::multiview;
   for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
     const FrameImage& image = images[i];
     const FramePart part = views ? FramePart::whole : image.part;
     const std::filesystem::path path = path_of(frame, part, image.face);
     enter(path.parent_path());
-    FrameMetadata metadata = metadata_of(show, time_s, part, image.face);
+    FrameMetadata metadata = metadata_of(show, time_s, baseline, part, image.face);
     metadata.emplace_back("request", request_);
     if (followed_stops()) {
       metadata.emplace_back(followed_from_fact, followed_from_);

@@ -9,6 +9,7 @@
 #include "content/animated_show.h"
 #include "content/files/atomic_file.h"
 #include "render/frame/view_projection.h"
+#include "render/lens/eye_distance.h"
 #include "render/output/frame_names.h"
 
 namespace ergodome {
@@ -31,6 +32,28 @@ Facts number_in(const Show& show, const char* path, double unchanging, FrameSpan
     greatest = std::max(greatest, value_in(frame));
   }
   return {{"first", value_in(frames.first)}, {"last", value_in(frames.last)}, {"least", least}, {"greatest", greatest}};
+}
+
+//! How far eyes are apart in these frames: where more does not fit, closer than the show asks [M].
+Facts baselines_in(const Show& show, FrameSpan frames) {
+  const auto value_in = [&](int frame) {
+    const double time_s = frame_time_s(show, frame);
+    const Show now = show_at(show, time_s);
+    return fitting_baseline(now, camera_pose(now, time_s));
+  };
+  const double first = value_in(frames.first);
+  double last = first;
+  double least = first;
+  double greatest = first;
+  for (int frame = frames.first + 1; frame <= frames.last; ++frame) {
+    last = value_in(frame);
+    least = std::min(least, last);
+    greatest = std::max(greatest, last);
+  }
+  if (least == greatest) {
+    return first;
+  }
+  return {{"first", first}, {"last", last}, {"least", least}, {"greatest", greatest}};
 }
 
 void add_view(const Show& show, FrameSpan frames, int size_px, Facts& facts) {
@@ -57,7 +80,11 @@ void add_view(const Show& show, FrameSpan frames, int size_px, Facts& facts) {
 void add_stereo(const Show& show, FrameSpan frames, Facts& facts) {
   facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
   if (show.stereo.layout != StereoLayout::mono) {
-    facts["baseline_M"] = number_in(show, "stereo.baseline", show.stereo.baseline, frames);
+    facts["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];
+    facts["baseline_M"] = baselines_in(show, frames);
+    facts["convergence_M"] = show.stereo.convergence > 0.0
+                                 ? number_in(show, "stereo.convergence", show.stereo.convergence, frames)
+                                 : Facts("infinity");
     facts["eyes_swapped"] = show.stereo.swap_eyes;
   }
 }

@@ -16,7 +16,7 @@ struct FrameSpan {
 
 //! Writes NAME.json and NAME.txt into the folder of a sequence: what a dome's staff must know to play the numbered frames that lie there
 //! (rate, count, size, projection, stereo, colour), as a machine and as a person reads it. Of numbers that change it says what they are in the first and in the last of `frames`, and
-//! the bounds of what they are in all. `size_px`: width of one eye's picture.
+//! the bounds of what they are in all; the distance of the eyes is the one that fitted. `size_px`: width of one eye's picture.
 void write_sequence_facts(const std::filesystem::path& folder, const Show& show, const FrameFormat& format,
                           FrameSpan frames, int size_px);
 

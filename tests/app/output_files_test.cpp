@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +13,7 @@
 #include "app/show_loading.h"
 #include "content/files/whole_file.h"
 #include "render/output/image_reader.h"
+#include "render/output/image_writer.h"
 #include "tests/app/command_line.h"
 #include "tests/support/sanitized.h"
 
@@ -123,7 +125,7 @@ TEST_F(CommandLine, RenderRefusesOptionsThatWouldChangeNothing) {
        some_of({"--setup dome.toml --projection pinhole", "--setup dome.toml --from-outside",
                 "--pattern checker --movie a.mp4", "--pattern checker --frames 1:2", "--pattern checker --view g",
                 "--pattern checker --budget 1px", "--pattern checker --fps 30", "--pattern checker --resume",
-                "--pattern checker --baseline 1"})) {
+                "--pattern checker --baseline 1", "--pattern checker --stereo mono --tint-eyes"})) {
     EXPECT_EQ(run("render small.toml --out o " + options), 2) << options;
     EXPECT_THAT(output_, HasSubstr("changes nothing of")) << options;
   }
@@ -142,6 +144,27 @@ TEST_F(CommandLine, RenderSaysWhereBothEyesSeeTheSame) {
   const auto facts = nlohmann::json::parse(bytes_of("small.json"));
   EXPECT_EQ(facts["baseline_M"], 0.5);
   EXPECT_EQ(facts["files"][1], "R/small_000001.png");
+}
+
+TEST_F(CommandLine, RenderTellsWhichEyesFramesWereMadeFor) {
+  write("near.toml",
+        "duration_s = 0.1\n[hole]\nspin = 0\n[[camera.key]]\nr = 8\n[[camera.key]]\nt_s = 0.06\nr = 3\n[sky]\nmap = "
+        "\"black\"\n[view]\nsize_px = 32\n[stereo]\nlayout = \"separate\"\nmodel = \"flat\"\nbaseline = 5\n"
+        "convergence = 12\n");
+  ASSERT_EQ(run("render near.toml --out o --backend cpu"), 0) << output_;
+  const auto facts = nlohmann::json::parse(read_whole_file(folder_ / "o" / "near.json", 1'000'000, ""));
+  EXPECT_EQ(facts["stereo_model"], "flat");
+  EXPECT_EQ(facts["convergence_M"], 12.0);
+  const auto baseline = facts["baseline_M"];
+  EXPECT_EQ(baseline["first"], 5.0);
+  EXPECT_EQ(baseline["greatest"], 5.0);
+  EXPECT_EQ(baseline["least"], baseline["last"]);
+  // (r - 2) / sqrt(1 - 2 / r) at 3 M, which the camera has come to.
+  EXPECT_NEAR(baseline["last"].get<double>(), std::sqrt(3.0), 1e-3);
+  const fs::path last = folder_ / "o" / "L" / "near_000003.png";
+  EXPECT_NEAR(std::stod(fact_of_image(last, "baseline_M")), baseline["last"].get<double>(), 1e-3);
+  EXPECT_EQ(fact_of_image(last, "stereo_model"), "flat");
+  EXPECT_EQ(fact_of_image(last, "convergence_M"), "12");
 }
 
 TEST_F(CommandLine, RenderWritesCaptionsInALanguage) {
