@@ -13,6 +13,9 @@ namespace {
 constexpr double step = 1.25;
 constexpr double least_baseline = 1e-4;
 constexpr double most_baseline = 100.0;
+//! Where keys begin that come from 0 and from infinity: a step from there is seen.
+constexpr double first_baseline = 0.01;
+constexpr double first_convergence = 3.0;
 constexpr double nearest_convergence = 0.01;
 constexpr double farthest_convergence = 1000.0;
 
@@ -40,18 +43,18 @@ StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const St
   StereoSettings made = stereo;
   switch (action) {
     case KeyAction::baseline_larger:
-      made.baseline = std::clamp(step * stereo.baseline, least_baseline * r, most_baseline * r);
+      made.baseline = stereo.baseline > 0.0 ? std::clamp(step * stereo.baseline, least_baseline * r, most_baseline * r)
+                                            : first_baseline * r;
       break;
     case KeyAction::baseline_smaller:
       made.baseline = stereo.baseline / step < least_baseline * r ? 0.0 : stereo.baseline / step;
       break;
     case KeyAction::baseline_reset:
-      made.baseline = shown.baseline;
-      made.convergence = shown.convergence;
+      made = shown;
       break;
     case KeyAction::convergence_nearer:
       made.convergence = stereo.convergence > 0.0 ? std::max(stereo.convergence / step, nearest_convergence * r)
-                                                  : farthest_convergence * r;
+                                                  : first_convergence * r;
       break;
     case KeyAction::convergence_farther:
       made.convergence = step * stereo.convergence > farthest_convergence * r ? 0.0 : step * stereo.convergence;

@@ -13,8 +13,9 @@ namespace ergodome {
 //! What a key makes of the stereo settings; `shown` are those of the show, `r` is the camera's [M]. Keys that have nothing to do with stereo
 //! change nothing.
 //!
-//! Baseline and convergence go in geometric steps of a quarter. The baseline goes from 0 over r / 10,000 to 100 r, the convergence from
-//! r / 100 to 1,000 r and then to infinity. Layouts are those that a window of one buffer shows.
+//! Baseline and convergence go in geometric steps of a quarter. The baseline goes from r / 10,000, below which it is 0, to 100 r, the convergence from
+//! r / 100 to 1,000 r and then to infinity; from 0 the baseline begins at r / 100, from infinity the convergence at 3 r. Layouts are those that a window of
+//! one buffer shows. KeyAction::baseline_reset makes them those of the show, all of them.
 StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const StereoSettings& shown, double r);
 
 //! The settings in a line: layout, model, baseline, convergence, swapped. In German for "de", else in English.

@@ -165,6 +165,19 @@ TEST_F(PlayerSessionTest, TurnsTheDistanceOfTheEyesUntilItIsReset) {
   EXPECT_DOUBLE_EQ(session.frame().stereo.baseline, shown);
 }
 
+TEST_F(PlayerSessionTest, GoesBackToTheEyesThatTheShowHas) {
+  PlayerSession session = session_on(orbiting_show);
+  session.advance(pressing(KeyAction::pause));
+  const StereoSettings shown = session.frame().stereo;
+  for (const KeyAction key : {KeyAction::swap_eyes, KeyAction::tint_eyes, KeyAction::next_layout, KeyAction::next_model,
+                              KeyAction::convergence_nearer, KeyAction::baseline_larger}) {
+    session.advance(pressing(key));
+  }
+  EXPECT_NE(session.frame().stereo, shown);
+  session.advance(pressing(KeyAction::baseline_reset));
+  EXPECT_EQ(session.frame().stereo, shown);
+}
+
 TEST_F(PlayerSessionTest, TellsItsStatus) {
   PlayerSession session = session_on(orbiting_show);
   run(session, 6.0);

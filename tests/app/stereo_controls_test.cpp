@@ -34,6 +34,22 @@ TEST(StereoControls, ConvergenceGoesToInfinityAndComesBack) {
   EXPECT_EQ(pressed(near, KeyAction::convergence_farther, 100).convergence, 0.0);
 }
 
+TEST(StereoControls, FirstPressesFromNothingAndFromInfinityAreSeen) {
+  StereoSettings stereo = {StereoLayout::rows, StereoModel::physical, 0.0};
+  EXPECT_DOUBLE_EQ(pressed(stereo, KeyAction::baseline_larger, 1).baseline, 0.1);
+  EXPECT_DOUBLE_EQ(pressed(stereo, KeyAction::convergence_nearer, 1).convergence, 30.0);
+}
+
+TEST(StereoControls, GoBackToAllThatTheShowHas) {
+  StereoSettings stereo = {StereoLayout::rows, StereoModel::physical, 0.1};
+  for (const KeyAction key : {KeyAction::swap_eyes, KeyAction::tint_eyes, KeyAction::next_layout, KeyAction::next_model,
+                              KeyAction::convergence_nearer}) {
+    stereo = pressed(stereo, key, 1);
+  }
+  EXPECT_EQ(pressed(stereo, KeyAction::baseline_reset, 1),
+            (StereoSettings{StereoLayout::rows, StereoModel::physical, 0.1}));
+}
+
 TEST(StereoControls, LayoutsComeRoundAndEachIsForAWindow) {
   std::set<StereoLayout> seen;
   StereoSettings stereo;
