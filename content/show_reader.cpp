@@ -50,15 +50,16 @@ void read_stereo(const toml::table& table, const std::string& file, StereoSettin
                      "quad_buffer", "half_side_by_side", "half_top_bottom"}));
   stereo.model = static_cast<StereoModel>(reader.choice("model", 0, {"physical", "flat", "omni"}));
   stereo.baseline = own_number(reader, "baseline", 0.0);
-  if (reader.has("convergence")) {
-    stereo.convergence = own_number(reader, "convergence", 0.0);
-  }
+  stereo.convergence = own_number(reader, "convergence", 0.0);
   if (const toml::table* fade = reader.table("fade")) {
     TomlTable angles(*fade, file, "stereo.fade");
     stereo.fade_from_deg = own_number(angles, "from_deg", stereo.fade_from_deg);
     stereo.fade_to_deg = own_number(angles, "to_deg", stereo.fade_to_deg);
     if (!(stereo.fade_to_deg - stereo.fade_from_deg >= least_fade_deg)) {
-      throw angles.error_at("to_deg", "does not lie above from_deg", "leave the baseline a degree or more to fade in");
+      throw angles.error_at(
+          "to_deg",
+          fmt::format("is {}, less than a degree above from_deg, {}", stereo.fade_to_deg, stereo.fade_from_deg),
+          "leave the baseline a degree or more to fade in");
     }
     angles.refuse_unknown_keys();
   }

@@ -41,6 +41,12 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
+  // An abbreviation is far from its word.
+  constexpr std::size_t least_letters = 3;
+  const auto begins = [&](const std::string& candidate) { return candidate.starts_with(bounded); };
+  if (nearest.empty() && bounded.size() >= least_letters && std::ranges::count_if(words, begins) == 1) {
+    nearest = *std::ranges::find_if(words, begins);
+  }
   return nearest;
 }
 

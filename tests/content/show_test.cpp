@@ -164,7 +164,11 @@ TEST(Show, RefusesWhatCannotBe) {
   EXPECT_THAT(problem_of(minimal + "[stereo]\nbaseline = -1\n"), HasSubstr("stereo.baseline"));
   EXPECT_THAT(problem_of(minimal + "[stereo]\nbaseline = nan\n"), HasSubstr("stereo.baseline"));
   EXPECT_THAT(problem_of(minimal + "[stereo]\nconvergence = 0\n"), HasSubstr("stereo.convergence"));
-  EXPECT_THAT(problem_of(minimal + "[stereo]\nfade = { from_deg = 80, to_deg = 80 }\n"), HasSubstr("to_deg"));
+  EXPECT_THAT(problem_of(minimal + "[stereo]\nfade = { from_deg = 80, to_deg = 80.5 }\n"),
+              HasSubstr("to_deg is 80.5, less than a degree above from_deg, 80"));
+  for (const char* const word : {"convergance", "conv"}) {
+    EXPECT_THAT(problem_of(minimal + "[stereo]\n" + word + " = 14\n"), HasSubstr("did you mean \"convergence\""));
+  }
   EXPECT_THAT(problem_of(minimal + "[effects]\nredshift = 1\n"), HasSubstr("neither true nor false"));
   EXPECT_THAT(problem_of("x = = 1\n"), HasSubstr("show.toml:1"));
   EXPECT_THAT(problem_of("camera = 4\n"), HasSubstr("is not a table"));
