@@ -135,6 +135,13 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
     return {};
   }
   const TrajectoryReader& trajectory = stream->trajectory();
+  if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
+    const bool asked_for = !options.trajectory.empty() || lens_choice(options) == LensChoice::streamed;
+    return asked_for
+               ? std::vector{fmt::format("eyes of the model omni have a camera for each pixel, and use nothing of {}",
+                                         trajectory.path().string())}
+               : std::vector<std::string>();
+  }
   const TrajectoryProvenance& baked = trajectory.provenance();
   const Projection projection = projection_of(show, size_px);
   const int width_px = size_px > 0 ? size_px : show.view.size_px;

@@ -245,6 +245,10 @@ TEST_F(BakeCommand, StreamsTellWhatATrajectoryMisses) {
                                 middle_s)))))
       << "as the bake tells it";
   EXPECT_THAT(notes("bad", 16), testing::IsEmpty()) << "half as many pixels";
+  Show turning = show;
+  turning.stereo = {StereoLayout::separate, StereoModel::omni, 0.1};
+  EXPECT_THAT(stream_notes(open_stream(turning, options, Backend::cpu).get(), turning, options, Backend::cpu, 2048),
+              testing::ElementsAre(HasSubstr("eyes of the model omni")));
   EXPECT_THAT(notes("good", 2048), testing::ElementsAre(HasSubstr((folder_ / "good").string() +
                                                                   " was baked for 4 px in pictures 32 px wide")));
 }
