@@ -12,6 +12,7 @@
 #include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
 #include "app/show_loading.h"
+#include "content/animatable_number.h"
 #include "content/sky_map.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
@@ -146,7 +147,7 @@ void run(const PlanOptions& options) {
   }
   override_view(show, options.projection, options.stereo);
   override_baseline(show, options.baseline);
-  require_two_eyes(show, options.baseline);
+  require_two_eyes(show, "--baseline", options.baseline.has_value());
   require_used_memory(show, options.lens);
   override_objects(show, options.objects);
   require_features(show);
@@ -217,7 +218,7 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
   command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
-      ->check(number_between(0.0, 1e3));
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
   command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))

@@ -20,6 +20,7 @@
 #include "app/progress.h"
 #include "app/show_loading.h"
 #include "app/usage_error.h"
+#include "content/animatable_number.h"
 #include "content/files/atomic_file.h"
 #include "content/files/counted.h"
 #include "kernels/core/error.h"
@@ -75,7 +76,8 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
 //! Throws UsageError where options have no use for this show.
 void require_used_options(const RenderOptions& options, const Show& show) {
   static_cast<void>(follow_method(options.method, options.view, show));
-  require_two_eyes(show, options.baseline);
+  require_two_eyes(show, "--baseline", options.baseline.has_value());
+  require_two_eyes(show, "--tint-eyes", options.tint_eyes);
   require_used_memory(show, options.lens);
   const bool narrated =
       std::ranges::any_of(show.timeline.audio, [](const AudioTrack& track) { return !track.language.empty(); });
@@ -175,6 +177,12 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
   idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
            {"--frames", "--movie", "--fps", "--view", "--method", "--budget", "--check", "--resume", "--baseline",
             "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
+  idle.add("of a test pattern for one eye",
+           [options] {
+             const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
+             return !options->pattern.empty() && mono;
+           },
+           {"--tint-eyes"});
   idle.add("without --format exr", [options] { return options->format != "exr"; }, {"--compression"});
   idle.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
            {"--frames", "--movie", "--format", "--compression", "--alpha", "--resume", "--language"});
@@ -206,7 +214,7 @@ void add_render_command(CLI::App& app) {
   command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
   command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
-      ->check(number_between(0.0, 1e3));
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
   command->add_flag("--tint-eyes", options->tint_eyes, "the left eye's picture reddish, the right one's cyan");
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))

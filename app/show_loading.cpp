@@ -97,10 +97,9 @@ void override_baseline(Show& show, const std::optional<double>& baseline) {
   }
 }
 
-void require_two_eyes(const Show& show, const std::optional<double>& baseline) {
-  if (baseline && eye_count(show.stereo) == 1) {
-    throw UsageError("--baseline", show.name + " is for one eye",
-                     "leave it out, or add for example --stereo side_by_side");
+void require_two_eyes(const Show& show, const std::string& option, bool given) {
+  if (given && eye_count(show.stereo) == 1) {
+    throw UsageError(option, show.name + " is for one eye", "leave it out, or add for example --stereo side_by_side");
   }
 }
 

@@ -25,8 +25,8 @@ void override_view(Show& show, const std::string& projection, const std::string&
 //! Puts a distance of the eyes [M] in place of the show's, and of what changes it with time.
 void override_baseline(Show& show, const std::optional<double>& baseline);
 
-//! Throws UsageError where a distance of the eyes is given for pictures that nothing but one eye sees.
-void require_two_eyes(const Show& show, const std::optional<double>& baseline);
+//! Throws UsageError where `option`, which is about two eyes, is given for pictures that nothing but one eye sees.
+void require_two_eyes(const Show& show, const std::string& option, bool given);
 
 //! Says on the terminal where a show has two eyes that see the same all the time.
 void tell_equal_eyes(const Show& show);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "app/playback/audio_file.h"
+#include "content/animated_show.h"
 #include "content/environment_image.h"
 #include "content/mesh/mesh_reader.h"
 #include "content/show_files.h"
@@ -86,6 +87,25 @@ void add_objects_in_horizon(const Show& show, ShowNotes& notes) {
   }
 }
 
+//! Tells of the first time, of some, at which eyes converge nearer than they are apart.
+void add_crossed_eyes(const Show& show, ShowNotes& notes) {
+  constexpr int times = 33;
+  for (int i = 0; i < times && eye_count(show.stereo) > 1; ++i) {
+    const double time_s = show.duration_s * i / (times - 1);
+    const StereoSettings stereo = show_at(show, time_s).stereo;
+    if (stereo.convergence > 0.0 && stereo.convergence < stereo.baseline) {
+      const Error note(
+          "stereo.convergence",
+          fmt::format("at {:.6g} s eyes {:.4g} M apart converge at {:.4g} M: next to nothing is in both pictures",
+                      time_s, stereo.baseline, stereo.convergence),
+          "let them converge a few times as far away as they are apart, or farther");
+      notes.unseen.emplace_back(
+          show.lines.contains("stereo.convergence") ? named_by(show, "stereo.convergence", note).what() : note.what());
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 ShowNotes notes_of_files(const Show& show) {
@@ -106,6 +126,7 @@ ShowNotes notes_of_files(const Show& show) {
   }
   add_objects_in_horizon(show, notes);
   std::ranges::copy(notes_of_captions(show), std::back_inserter(notes.unseen));
+  add_crossed_eyes(show, notes);
   return notes;
 }
 

@@ -86,6 +86,16 @@ void add_objects(const Show& show, Idle& idle) {
   }
 }
 
+void add_stereo(const Show& show, Idle& idle) {
+  if (eye_count(show.stereo) == 1) {
+    idle.add({"stereo.model", "stereo.baseline", "stereo.convergence", "stereo.fade", "stereo.comfort_deg",
+              "stereo.swap_eyes", "stereo.tint_eyes"},
+             "is for two eyes, and layout = \"mono\" has one until --stereo or a key gives another");
+  } else if (show.stereo.model != StereoModel::omni) {
+    idle.add({"stereo.fade"}, "is for model = \"omni\"");
+  }
+}
+
 }  // namespace
 
 std::vector<IdleLine> idle_lines(const Show& show) {
@@ -99,9 +109,7 @@ std::vector<IdleLine> idle_lines(const Show& show) {
   if (show.disk && show.disk->pattern == DiskPattern::none) {
     idle.add({"disk.contrast", "disk.speed"}, "is for pattern = \"procedural\"");
   }
-  if (show.stereo.model != StereoModel::omni) {
-    idle.add({"stereo.fade"}, "is for model = \"omni\"");
-  }
+  add_stereo(show, idle);
   if (show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * show.camera.fall->least_r) {
     idle.add({"camera.fall.least_r"}, "is for a fall that comes so near to the hole");
   }

@@ -23,6 +23,7 @@
 #include "app/setup_show.h"
 #include "app/show_loading.h"
 #include "app/usage_error.h"
+#include "content/animatable_number.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {
@@ -185,7 +186,7 @@ void add_play_command(CLI::App& app) {
   command->add_option("--stereo", arguments->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
   command->add_option("--baseline", arguments->baseline, "distance of the eyes [M], instead of the show's")
-      ->check(number_between(0.0, 1e3));
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
   command->add_flag("--tint-eyes", arguments->tint_eyes, "the left eye's picture reddish, the right one's cyan");
   IdleOptions idle(*command);
   add_lens_options(*command, arguments->lens, idle);

@@ -55,6 +55,20 @@ TEST_F(CommandLine, InspectTellsWhichFilesOfAShowAreMissing) {
   EXPECT_THAT(line_of("too late"), HasSubstr("AFTER THE END"));
 }
 
+TEST_F(CommandLine, InspectRemarksOnEyesThatConvergeNearerThanTheyAreApart) {
+  const auto inspect = [&](const std::string& convergence) {
+    write("crossed.toml",
+          "[[camera.key]]\nr = 20\n[sky]\nmap = \"black\"\n[stereo]\nlayout = \"rows\"\nbaseline = 1\n"
+          "convergence = " +
+              convergence + "\n");
+    EXPECT_EQ(run("inspect crossed.toml"), 0) << output_;
+  };
+  inspect("0.4");
+  EXPECT_THAT(output_, HasSubstr("eyes 1 M apart converge at 0.4 M"));
+  inspect("5");
+  EXPECT_THAT(output_, Not(HasSubstr("converge at")));
+}
+
 TEST_F(CommandLine, InspectTellsAFolderFromAFileThatIsMissing) {
   write("named.toml",
         "[[camera.key]]\nr = 20\n[sky]\nmap = \"black\"\n[[overlay]]\nimage = \"logo\"\nfrom_s = 0\nto_s = 1\n");

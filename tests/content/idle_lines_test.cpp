@@ -67,6 +67,15 @@ TEST(IdleLines, AreTheFadesOfEyesThatDoNotTurn) {
   EXPECT_THAT(idle_in(fade + "model = \"omni\"\n"), IsEmpty());
 }
 
+TEST(IdleLines, AreThoseOfTwoEyesWhereThereIsOne) {
+  const std::string eyes = "swap_eyes = true\ntint_eyes = true\ncomfort_deg = 2\nbaseline = 1\nconvergence = 9\n";
+  EXPECT_THAT(idle_in("[stereo]\n" + eyes),
+              ElementsAre(idle(2, "stereo.swap_eyes", "mono"), idle(3, "stereo.tint_eyes", "mono"),
+                          idle(4, "stereo.comfort_deg", "mono"), idle(5, "stereo.baseline", "mono"),
+                          idle(6, "stereo.convergence", "mono")));
+  EXPECT_THAT(idle_in("[stereo]\nlayout = \"rows\"\n" + eyes), IsEmpty());
+}
+
 TEST(IdleLines, AreAnimationsToo) {
   EXPECT_THAT(idle_in("[[animate]]\nnumber = \"tone.gamma\"\nkey = [{ t_s = 0, value = 2 }]\n"),
               ElementsAre(idle(1, "animate.tone.gamma", "curve")));
