@@ -181,7 +181,7 @@ TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
 TEST_F(CommandLine, OptionsWithoutAUseForTheShowAreAStatusOfTheirOwn) {
   write("small.toml", small_show);
   for (const char* const options :
-       {"--baseline 0.1", "--tint-eyes", "--stereo mono --tint-eyes", "--stream-memory 64", "--language de",
+       {"--baseline 0.1", "--tint-eyes --size 8", "--tint-eyes --stereo mono", "--stream-memory 64", "--language de",
         "--objects trace", "--check 2", "--budget 1px,2px", "--setup dome.toml --alpha", "--movie film.avi"}) {
     EXPECT_EQ(run(std::string("render small.toml --out f ") + options), 2) << options;
     EXPECT_THAT(output_, HasSubstr(std::string(options, std::string_view(options).find(' ')))) << options;
