@@ -18,6 +18,7 @@
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/playback/midi_time_code.h"
+#include "app/player/numbered_records.h"
 #include "app/player/play_renderers.h"
 #include "app/player/player.h"
 #include "app/setup_show.h"
@@ -87,6 +88,20 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   return show;
 }
 
+//! Of an exhibit's records the oldest go: a show that has the name of one would go with them. Throws UsageError.
+void require_no_record(const std::string& record, const std::string& show) {
+  std::error_code problem;
+  const auto folder = [](const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  };
+  if (!record.empty() && record_number(record, show) &&
+      std::filesystem::equivalent(folder(record), folder(show), problem)) {
+    throw UsageError("--record " + record,
+                     show + " has the name of one of its records, of which the oldest are removed",
+                     "give the show that is to stay another name");
+  }
+}
+
 //! An exhibit keeps its settings and its log, and says nothing on the terminal that nobody sees.
 void use_exhibit(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
@@ -126,6 +141,8 @@ void run(PlayArguments arguments) {
     use_setup(arguments);
   }
   if (arguments.exhibit) {
+    require_no_record(options.record, arguments.show);
+    require_no_record(options.record, arguments.exhibit_options.attract);
     use_exhibit(arguments);
   }
   options.load = [arguments](const std::string& name) { return loaded_show(arguments, name); };

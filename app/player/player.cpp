@@ -65,7 +65,7 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
       pads_(hid_api(options), pad_settings(options)),
       pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
       services_(options.services, show),
-      recording_(options.record) {
+      recording_(options.record, options.exhibit ? RecordingFile::Names::numbered : RecordingFile::Names::one) {
   if (options_.budget) {
     budget_.emplace(*options_.budget);
   }
@@ -99,7 +99,9 @@ void Player::begin(const Show& show, bool free_flight) {
   session_.emplace(show, session_options(options_, free_flight));
   eye_notice_.begin();
   session_->show_times(options_.times_shown);
-  if (recording_.wanted()) {
+  // The attract show is nobody's flight.
+  if (recording_.wanted() && (!exhibit_ || exhibit_->scene() == ExhibitScene::visitor)) {
+    recording_.begin();
     session_->record();
   }
   services_.drive(session_->playback());
@@ -165,7 +167,7 @@ void Player::advance() {
   services_.follow(session_->playback());
   update_texts();
   post_status();
-  keep_recording();
+  keep_recording(RecordingMoment::frame);
 }
 
 void Player::advance_exhibit(PlayerInput& input) {
@@ -192,6 +194,7 @@ void Player::advance_exhibit(PlayerInput& input) {
 
 void Player::change_scene() {
   const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
+  keep_recording(RecordingMoment::end);
   if (renderers_.renews()) {
     // It is read again when its scene is there again.
     services_.forget_version();
@@ -300,9 +303,13 @@ void Player::tell_narrowed_eyes() {
   services_.tell(spdlog::level::warn, note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
 }
 
-void Player::keep_recording() {
+void Player::keep_recording(RecordingMoment moment) {
   try {
-    recording_.keep(*session_);
+    if (moment == RecordingMoment::end) {
+      recording_.save(*session_);
+    } else {
+      recording_.keep(*session_);
+    }
   } catch (const std::exception& problem) {
     services_.tell(spdlog::level::err, problem.what());
   }

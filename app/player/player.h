@@ -33,7 +33,8 @@ struct PlayOptions {
   std::vector<ProjectorPicture> projectors;  //!< of the setup
   bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
   std::string language;
-  std::string record;        //!< a show file that the flight is written to; empty: none
+  std::string
+      record;  //!< a show file that the flight is written to, an exhibit's each to one of its own beside it; empty: none
   std::string controls;      //!< a map of controls; empty: the user's own
   std::string pad_settings;  //!< empty: the user's own
   std::string pad_fixture;   //!< recorded pads in place of those that are plugged in
@@ -85,7 +86,9 @@ class Player {
   [[nodiscard]] std::string help_text(HelpForm form) const;
   void update_texts();
   void post_status();
-  void keep_recording();
+  enum class RecordingMoment { frame, end };
+  //! What cannot be written is told in the log.
+  void keep_recording(RecordingMoment moment);
   void end_in_time();
   void print_statistics() const;
 

@@ -1,5 +1,6 @@
 #include "app/player/recording_file.h"
 
+#include "app/player/numbered_records.h"
 #include "content/files/atomic_file.h"
 #include "content/show_reader.h"
 
@@ -8,8 +9,14 @@ namespace ergodome {
 namespace {
 
 constexpr std::chrono::seconds interval{10};
+constexpr std::size_t most_records = 1000;
 
 }  // namespace
+
+void RecordingFile::begin() {
+  written_.clear();
+  saved_ = {};
+}
 
 void RecordingFile::keep(const PlayerSession& session) {
   if (wanted() && Clock::now() - saved_ > interval) {
@@ -19,8 +26,23 @@ void RecordingFile::keep(const PlayerSession& session) {
 
 void RecordingFile::save(const PlayerSession& session) {
   saved_ = Clock::now();
-  if (const auto flight = wanted() ? session.recorded("Recorded flight") : std::nullopt) {
-    write_text_atomically(path_, to_toml(*flight));
+  const auto flight = wanted() ? session.recorded("Recorded flight") : std::nullopt;
+  if (!flight) {
+    return;
+  }
+  if (!written_.empty()) {
+    write_text_atomically(written_, to_toml(*flight));
+    return;
+  }
+  const std::filesystem::path file = names_ == Names::numbered ? next_record(path_) : path_;
+  std::error_code problem;
+  if (std::filesystem::is_regular_file(file, problem)) {
+    keep_older(file);
+  }
+  write_text_atomically(file, to_toml(*flight));
+  written_ = file;
+  if (names_ == Names::numbered) {
+    remove_oldest_records(path_, most_records);
   }
 }
 

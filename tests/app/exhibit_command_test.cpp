@@ -28,12 +28,13 @@ class ExhibitInAWindow : public test::CommandLine {
 
   int exhibit(const std::string& options) {
     return run_on_display(
-        "play visitor.toml --exhibit --attract attract.toml --no-sound --backend cpu --size 64 " + options,
+        "play visitor.toml --exhibit --attract " + attract_ + " --no-sound --backend cpu --size 64 " + options,
         "XDG_STATE_HOME='" + folder_.string() + "/state' XDG_CONFIG_HOME='" + folder_.string() + "'");
   }
 
   [[nodiscard]] std::string log() const { return text("state/ergodome/ergodome.log"); }
 
+  std::string attract_ = "attract.toml";
   std::string scene_ =
       "[hole]\nspin = 0.5\n[camera]\n[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 64\n";
 };
@@ -42,11 +43,31 @@ TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
   ASSERT_EQ(exhibit("--record flight.toml --for 6 --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml'"), 0)
       << output_;
   EXPECT_THAT(log(), HasSubstr("a visitor has come"));
-  const Show flight = read_show(folder_ / "flight.toml");
+  const Show flight = read_show(folder_ / "flight-0001.toml");
   EXPECT_GT(flight.duration_s, 1.0);
   const CameraPose first = camera_pose(flight, 0.0);
   const CameraPose last = camera_pose(flight, flight.duration_s);
   EXPECT_TRUE(std::abs(last.r - first.r) > 0.01 || std::abs(last.phi - first.phi) > 0.01);
+}
+
+TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
+  write("flight-0001.toml", "of another run");
+  const std::string flies = "--record flight.toml --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml' ";
+  // A visit, the rest of three seconds, another visit, and the attract show again.
+  ASSERT_EQ(exhibit(flies + "--session 1 --for 6.5"), 0) << output_;
+  EXPECT_EQ(text("flight-0001.toml"), "of another run");
+  for (const char* name : {"flight-0002.toml", "flight-0003.toml"}) {
+    EXPECT_NEAR(read_show(folder_ / name).duration_s, 1.0, 0.7) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "flight-0004.toml"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "flight.toml"));
+}
+
+TEST_F(ExhibitInAWindow, RefusesToShowWhatWouldBeRemovedAmongItsRecords) {
+  write("flight-0001.toml", scene_);
+  attract_ = "flight-0001.toml";
+  EXPECT_EQ(exhibit("--record flight.toml"), 2);
+  EXPECT_THAT(output_, HasSubstr("give the show that is to stay another name"));
 }
 
 TEST_F(ExhibitInAWindow, ShowsTheAttractShowWhenNobodyComes) {
