@@ -33,7 +33,8 @@ std::string shown(std::string_view key) { return std::string(key.substr(0, 60));
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
   const std::string_view bounded = word.substr(0, 100);
   std::string nearest;
-  std::size_t least = std::min(bounded.size() / 3 + 3, bounded.size() / 2 + 2);
+  // A word that shares less would be a guess, not a correction.
+  std::size_t least = bounded.size() / 3 + 2;
   for (const std::string& candidate : words) {
     const std::size_t distance = edit_distance(bounded, candidate);
     if (distance < least) {

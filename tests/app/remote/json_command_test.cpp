@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -101,6 +103,19 @@ TEST(StatusJson, IsValidWhateverTheStatusHolds) {
   EXPECT_EQ(read.at("chapters").at(1).at("title"), "The far side");
   for (const char* const key : {"clock", "follows", "sound"}) {
     EXPECT_TRUE(read.contains(key)) << key;
+  }
+}
+
+TEST(JsonCommand, SuggestsAKindThatIsNearAndNoneThatIsFar) {
+  EXPECT_NE(json_refusal(R"({"kind": "vollume"})").find("did you mean \"volume\"?"), std::string::npos);
+  EXPECT_NE(json_refusal(R"({"kind": "clock", "value": 3})").find("WEB.md lists them"), std::string::npos);
+}
+
+TEST(JsonCommand, HasEachKindInItsDocument) {
+  std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../app/remote/WEB.md");
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  for (const CommandRule& rule : command_rules()) {
+    EXPECT_NE(document.find("`" + std::string(rule.name) + "`"), std::string::npos) << rule.name;
   }
 }
 
