@@ -74,6 +74,7 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
     first = exhibit_->show();
     renderers_.prepare(ExhibitScene::visitor, show);
+    services_.watch(show, options_.read_at, options_.load);
     inputs_.set_lock(InputLock::visitors);
     services_.tell(spdlog::level::warn, exhibit_->problem());
   }
@@ -166,6 +167,7 @@ void Player::advance() {
   screen_.set_light(session_->frame().light);
   services_.follow(session_->playback());
   update_texts();
+  services_.look_at_waiting_shows();
   post_status();
   keep_recording(RecordingMoment::frame);
 }

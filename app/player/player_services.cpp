@@ -66,22 +66,14 @@ void PlayerServices::tell_of_the_show(const Show& show) {
   drive(playback);
   PlayerStatus status;
   playback.fill(status);
+  fill(status);
   post(std::move(status));
 }
 
 void PlayerServices::set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {
-  const std::filesystem::path file = file_of(show);
-  reload_ = &watched_.try_emplace(file, file, show, read_at, std::move(load)).first->second;
-  reload_problem_.clear();
+  shows_.run(show, read_at, std::move(load));
   take_version(show);
 }
-
-void PlayerServices::forget_version() {
-  std::erase_if(watched_, [&](const auto& of) { return &of.second == reload_; });
-  reload_ = nullptr;
-}
-
-void PlayerServices::refuse_version(const std::string& problem) { reload_problem_ = problem; }
 
 void PlayerServices::take_version(const Show& show) {
   if (sound_) {
@@ -104,23 +96,36 @@ void PlayerServices::follow(const Playback& playback) {
   }
 }
 
-void PlayerServices::post(PlayerStatus status) {
+void PlayerServices::fill(PlayerStatus& status) const {
   status.sound = sound_ ? sound_->state() : "off";
   if (status.problem.empty()) {
-    status.problem = reload_problem_.empty() && sound_ ? sound_->problem() : reload_problem_;
+    status.problem = shows_.problem();
   }
-  board_.post(std::move(status));
+  if (status.problem.empty() && sound_) {
+    status.problem = sound_->problem();
+  }
 }
 
 std::optional<ShowReload::Result> PlayerServices::reloaded(bool now) {
-  if (!reload_) {
-    return std::nullopt;
+  return now ? shows_.reload() : shows_.poll(steady_time());
+}
+
+void PlayerServices::look_at_waiting_shows() {
+  const auto waiting = shows_.poll_waiting(steady_time());
+  if (!waiting) {
+    return;
   }
-  auto result = now ? std::optional(reload_->reload()) : reload_->poll(steady_time());
-  if (result) {
-    reload_problem_ = result->problem;
+  if (waiting->problem.empty()) {
+    tell(spdlog::level::info, waiting->file + " was saved; it is read again when its scene comes");
+  } else {
+    tell(spdlog::level::err, waiting->problem);
   }
-  return result;
+}
+
+std::string PlayerServices::remote_text() const {
+  const auto web = remote_->web_address();
+  const auto osc = remote_->osc_address();
+  return (web ? "status page at " + web->text() : "no status page") + (osc ? ", OSC at " + osc->text() : "");
 }
 
 void PlayerServices::tell(spdlog::level::level_enum level, const std::string& message) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +10,7 @@
 #include "app/playback/audio_player.h"
 #include "app/playback/midi_clock_input.h"
 #include "app/playback/playback.h"
-#include "app/playback/show_reload.h"
+#include "app/playback/watched_shows.h"
 #include "app/remote/log_ring.h"
 #include "app/remote/remote_control.h"
 
@@ -35,12 +34,16 @@ class PlayerServices {
 
   //! Another show, read at `read_at`: its files are looked at, to be read again when they change.
   void set_show(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);
+  //! The files of a show that waits for its scene are looked at, too.
+  void watch(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {
+    shows_.add(show, read_at, std::move(load));
+  }
   //! Another version of the show is the one that runs now.
   void take_version(const Show& show);
   //! The version that was read last did not come to run: it is to be read again when its show runs again.
-  void forget_version();
+  void forget_version() { shows_.forget_version(); }
   //! Why the version that was read last cannot be the one that runs.
-  void refuse_version(const std::string& problem);
+  void refuse_version(const std::string& problem) { shows_.refuse_version(problem); }
 
   //! Makes the session's clock follow what the options say.
   void drive(Playback& playback) const { playback.follow(clock_); }
@@ -50,14 +53,20 @@ class PlayerServices {
 
   //! Once a frame: sound goes where the show is.
   void follow(const Playback& playback);
-  //! What is wrong with the show's file or with sound is put in where pictures have no problem.
-  void post(PlayerStatus status);
+  //! Writes what is known here: sound, and what is wrong with shows' files or with sound where pictures have no problem.
+  void fill(PlayerStatus& status) const;
+  void post(PlayerStatus status) { board_.post(std::move(status)); }
+
+  //! Where the status page and OSC listen; without the token, so that it may be logged.
+  [[nodiscard]] std::string remote_text() const;
 
   //! What was posted last.
   [[nodiscard]] PlayerStatus status() const { return board_.read(); }
 
   //! A version of the show's file that was saved since the last call, or why there is none; `now` reads it, changed or not.
   [[nodiscard]] std::optional<ShowReload::Result> reloaded(bool now);
+  //! Once a frame: looks at the files of shows that wait, and logs what became of them.
+  void look_at_waiting_shows();
 
   //! Writes a line to the log, unless it is the one that was written last.
   void tell(spdlog::level::level_enum level, const std::string& message);
@@ -69,15 +78,13 @@ class PlayerServices {
   std::shared_ptr<LogRing> ring_;
   std::shared_ptr<spdlog::logger> log_;
   std::string told_;
-  std::string reload_problem_;  //!< why the show's file as it is now is not the one that runs
   CommandQueue queue_;
   StatusBoard board_;
   std::shared_ptr<ExternalClock> clock_;  //!< none: the show's own
   std::unique_ptr<MidiClockInput> midi_;
   std::unique_ptr<AudioPlayer> sound_;
-  std::map<std::filesystem::path, ShowReload> watched_;  //!< every show that has run, by its file
-  ShowReload* reload_ = nullptr;                         //!< of the one that runs
-  std::unique_ptr<RemoteControl> remote_;                //!< last: its threads use what stands above
+  WatchedShows shows_;
+  std::unique_ptr<RemoteControl> remote_;  //!< last: its threads use what stands above
 };
 
 }  // namespace ergodome

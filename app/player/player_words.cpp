@@ -74,6 +74,7 @@ void Player::post_status() {
         {pad.identity->name, pad.identity->connection, pad_snapshot_.time_s - pad.last_input_s < 1.0});
   }
   if (exhibit_) {
+  services_.fill(status);
     exhibit_->keep(status, session_->playback().baseline().has_value());
     tell_supervisor(exhibit_->state_text(status));
   }
