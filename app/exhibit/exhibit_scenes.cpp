@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/navigation/flight_space.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double chord_s = 3.0;
 constexpr double settle_s = 2.0;
+constexpr double retry_s = 10.0;
+const std::string settings_file = "settings.toml";
 
 Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
   Caption caption;
@@ -57,7 +60,7 @@ ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
       exhibit_(options_.times),
       chord_(chord_s) {
   if (!options_.state.empty()) {
-    kept_ = read_kept_settings(options_.state / "settings.toml", problem_);
+    kept_ = read_kept_settings(options_.state / settings_file, damage_);
   }
   noted_ = kept_;
 }
@@ -155,16 +158,31 @@ void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
     noted_ = now;
     changed_s_ = now_s_;
   }
-  if (noted_ == kept_ || options_.state.empty() || now_s_ - changed_s_ < settle_s) {
-    return;
+  if (noted_ == kept_ || options_.state.empty()) {
+    problem_.clear();
+  } else if (now_s_ - changed_s_ >= settle_s && now_s_ - refused_s_ >= retry_s) {
+    write_settings();
   }
+}
+
+void ExhibitScenes::write_settings() {
+  const std::filesystem::path file = options_.state / settings_file;
   try {
-    write_kept_settings(options_.state / "settings.toml", noted_);
+    write_kept_settings(file, noted_);
+    kept_ = noted_;
     problem_.clear();
   } catch (const std::exception& error) {
-    problem_ = error.what();
+    refused_s_ = now_s_;
+    // What writing itself advises is for who chose the file's name.
+    const Error* const own = dynamic_cast<const Error*>(&error);
+    problem_ = Error(file.string(), fmt::format("settings are not kept ({})", own ? own->problem() : error.what()),
+                     "free space on its disk, or let its folder be written to; until then a restart loses them")
+                   .what();
   }
-  kept_ = noted_;
+}
+
+std::string ExhibitScenes::shows_text() const {
+  return fmt::format("{} for visitors, attract show {}", visitor_.name, attract_.name);
 }
 
 }  // namespace ergodome

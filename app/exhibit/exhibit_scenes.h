@@ -42,6 +42,8 @@ class ExhibitScenes {
 
   //! What was set before the last end of the program, as commands; and why there may be none.
   [[nodiscard]] std::vector<TransportCommand> kept_commands() const;
+  [[nodiscard]] const std::string& damage() const { return damage_; }
+  //! Why what is set now would be lost with the program, and what to do; empty where it is kept, or about to be.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
   //! Notes what an operator asks for in this frame: what that sets is kept, while what visitors change by their keys and pads ends with their visit.
@@ -49,13 +51,18 @@ class ExhibitScenes {
   //! What a visitor's reset is for the player: an operator's settings are none of it.
   [[nodiscard]] std::vector<TransportCommand> reset_commands() const;
   //! Takes what was noted since the last call from what is set now, and writes it when it has not changed for a while. A disk that refuses is told in
-  //! problem().
+  //! problem(), and asked again every ten seconds.
   void keep(const PlayerStatus& status, bool baseline_set);
+
+  //! What visitors fly through, and what runs by itself, by the names of the shows.
+  [[nodiscard]] std::string shows_text() const;
 
   //! What the exhibit does, in a sentence for whoever looks after the machine.
   [[nodiscard]] std::string state_text(const PlayerStatus& status) const;
 
  private:
+  void write_settings();
+
   ExhibitOptions options_;
   Show visitor_;
   Show attract_;
@@ -67,6 +74,8 @@ class ExhibitScenes {
   KeptSettings noted_;  //!< now
   std::vector<TransportCommand> asked_;
   double changed_s_ = 0.0;
+  double refused_s_ = -1e300;  //!< by the disk
+  std::string damage_;
   std::string problem_;
 };
 

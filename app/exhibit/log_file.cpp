@@ -1,7 +1,10 @@
 #include "app/exhibit/log_file.h"
 
+#include <fmt/format.h>
 #include <spdlog/sinks/rotating_file_sink.h>
 
+#include <atomic>
+#include <cstdio>
 #include <exception>
 #include <string>
 
@@ -28,8 +31,13 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   }
   auto log = std::make_shared<spdlog::logger>("ergodome", sinks.begin(), sinks.end());
   log->flush_on(spdlog::level::info);
-  // A disk that fills up must not stop a show; whatever sink fails, the others go on.
-  log->set_error_handler([](const std::string&) {});
+  // A disk that fills up must not stop a show; whatever sink fails, the others go on. The log cannot tell of itself.
+  log->set_error_handler([file, told = std::make_shared<std::atomic_flag>()](const std::string& failure) {
+    if (!told->test_and_set()) {
+      fmt::print(stderr, "ergodome: {}: the log cannot be written: {}; free space on its disk\n", file.string(),
+                 failure);
+    }
+  });
   if (!problem.empty()) {
     log->warn("no log file: {}", problem);
   }

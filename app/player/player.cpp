@@ -76,7 +76,7 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     renderers_.prepare(ExhibitScene::visitor, show);
     services_.watch(show, options_.read_at, options_.load);
     inputs_.set_lock(InputLock::visitors);
-    services_.tell(spdlog::level::warn, exhibit_->problem());
+    services_.tell(spdlog::level::warn, exhibit_->damage());
   }
   if (options_.full_screen || exhibit_) {
     screen_.window().hide_cursor();
@@ -90,6 +90,9 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     session_->use_layout(StereoLayout::side_by_side);
   }
   pads_.start();
+  if (exhibit_) {
+    services_.tell(spdlog::level::info, start_text());
+  }
 }
 
 Player::~Player() = default;
@@ -133,6 +136,9 @@ void Player::run() {
   if (!options_.screenshot.empty()) {
     screen_.save_screenshot(options_.screenshot);
   }
+  if (exhibit_) {
+    services_.tell(spdlog::level::info, end_text());
+  }
 }
 
 bool Player::draws_now() {
@@ -161,13 +167,13 @@ void Player::advance() {
   session_->advance(input);
   answer_requests();
   reload(false);
+  services_.look_at_waiting_shows();
   take_renderer();
   tell_notes();
   update_picture();
   screen_.set_light(session_->frame().light);
   services_.follow(session_->playback());
   update_texts();
-  services_.look_at_waiting_shows();
   post_status();
   keep_recording(RecordingMoment::frame);
 }
@@ -178,7 +184,7 @@ void Player::advance_exhibit(PlayerInput& input) {
   }
   const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
   if (exhibit_->left()) {
-    screen_.window().close();
+    end("an operator held the keys or buttons for it");
   }
   if (exhibit_->scene() == ExhibitScene::attract) {
     input.actions.clear();  // the show is nobody's to change
@@ -210,7 +216,7 @@ void Player::answer_requests() {
   for (const KeyAction request : session_->take_requests()) {
     switch (request) {
       case KeyAction::quit:
-        screen_.window().close();
+        end("a key asked for it");
         break;
       case KeyAction::full_screen:
         screen_.window().toggle_full_screen();
@@ -320,8 +326,13 @@ void Player::keep_recording(RecordingMoment moment) {
 void Player::end_in_time() {
   if (options_.for_seconds > 0.0 && first_answer_ &&
       std::chrono::duration<double>(Clock::now() - *first_answer_).count() >= options_.for_seconds) {
-    screen_.window().close();
+    end(fmt::format("the {:g} s of --for are over", options_.for_seconds));
   }
+}
+
+void Player::end(std::string why) {
+  screen_.window().close();
+  why_ended_ = std::move(why);
 }
 
 }  // namespace ergodome

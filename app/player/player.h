@@ -86,10 +86,17 @@ class Player {
   [[nodiscard]] std::string help_text(HelpForm form) const;
   void update_texts();
   void post_status();
+  //! Keeps what an operator has set; why that cannot be is told in the log, and in the status where there is no other problem.
+  void keep_settings(PlayerStatus& status);
   enum class RecordingMoment { frame, end };
   //! What cannot be written is told in the log.
   void keep_recording(RecordingMoment moment);
   void end_in_time();
+  //! Closes the window, and keeps why.
+  void end(std::string why);
+  //! For an exhibit's log: what begins, and why it has ended.
+  [[nodiscard]] std::string start_text() const;
+  [[nodiscard]] std::string end_text() const;
   void print_statistics() const;
 
   PlayOptions options_;
@@ -110,6 +117,7 @@ class Player {
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   RecordingFile recording_;
   std::optional<PlayBudget> budget_;
+  std::string why_ended_;     //!< where the program closed the window itself
   long drawn_pictures_ = -1;  //!< of which the last is in the window
   double drawn_s_ = 0.0;      //!< when the window was drawn
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/exhibit/supervisor.h"
+#include "app/interrupt.h"
 #include "app/lens_options.h"
 #include "app/player/player.h"
 #include "app/player/player_texts.h"
@@ -73,12 +74,35 @@ void Player::post_status() {
     status.pads.push_back(
         {pad.identity->name, pad.identity->connection, pad_snapshot_.time_s - pad.last_input_s < 1.0});
   }
-  if (exhibit_) {
   services_.fill(status);
-    exhibit_->keep(status, session_->playback().baseline().has_value());
+  if (exhibit_) {
+    keep_settings(status);
     tell_supervisor(exhibit_->state_text(status));
   }
   services_.post(std::move(status));
+}
+
+void Player::keep_settings(PlayerStatus& status) {
+  const std::string before = exhibit_->problem();
+  exhibit_->keep(status, session_->playback().baseline().has_value());
+  const std::string& now = exhibit_->problem();
+  if (now != before) {
+    const bool kept = now.empty();
+    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are kept again" : now);
+  }
+  if (status.problem.empty()) {
+    status.problem = now;
+  }
+}
+
+std::string Player::start_text() const {
+  return fmt::format("an exhibit begins: ergodome {}, {}, {}, {}", ERGODOME_VERSION, exhibit_->shows_text(),
+                     renderers_.backend(), services_.remote_text());
+}
+
+std::string Player::end_text() const {
+  const std::string closed = why_ended_.empty() ? "its window was closed" : why_ended_;
+  return "the exhibit ends: " + (interrupted() ? "a signal asked for it" : closed);
 }
 
 void Player::print_statistics() const {

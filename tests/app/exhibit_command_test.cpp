@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "content/camera_path.h"
 #include "content/show_reader.h"
@@ -79,6 +81,25 @@ TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
   ASSERT_EQ(run("bake attract.toml --out attract.trajectory --size 16 --no-derivatives"), 0) << output_;
   ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;
   EXPECT_THAT(log(), HasSubstr("is too coarse for 0.25 px at 64: a ray is followed for each pixel"));
+}
+
+TEST_F(ExhibitInAWindow, LogsWhatBeginsAndWhyItEnds) {
+  ASSERT_EQ(exhibit("--for 0.2 --web 0"), 0) << output_;
+  EXPECT_THAT(log(), HasSubstr("an exhibit begins: ergodome " ERGODOME_VERSION
+                               ", visitor for visitors, attract show attract, cpu ("));
+  EXPECT_THAT(log(), HasSubstr("), status page at 127.0.0.1:"));
+  EXPECT_THAT(log(), HasSubstr("the exhibit ends: the 0.2 s of --for are over"));
+}
+
+TEST_F(ExhibitInAWindow, LogsThatTheVisitorsShowBreaksWhileTheAttractShowRuns) {
+  std::jthread editor([this] {
+    for (int i = 0; i < 600 && log().find("an exhibit begins") == std::string::npos; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    write("visitor.toml", "[hole]\nspin = \n");
+  });
+  ASSERT_EQ(exhibit("--for 4"), 0) << output_;
+  EXPECT_THAT(log(), HasSubstr("visitor.toml:2"));
 }
 
 TEST_F(CommandLine, AnExhibitThatCannotBeginSaysSoInItsLog) {

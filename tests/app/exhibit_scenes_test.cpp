@@ -110,6 +110,29 @@ TEST_F(KeptByAnExhibit, AnOperatorsExposureOutlastsAVisitorsReset) {
               testing::ElementsAre(TransportCommand{Kind::reset, 0.0, {}}, TransportCommand{Kind::exposure, -2.0, {}}));
 }
 
+TEST_F(KeptByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
+  std::filesystem::create_directory(folder_ / "settings.toml");
+  status_.volume = 0.5;
+  exhibit_->note({{Kind::volume, 0.5, {}}});
+  keep_after(1.0);
+  EXPECT_EQ(exhibit_->problem(), "") << "before it was tried";
+  keep_after(3.0);
+  EXPECT_THAT(exhibit_->problem(),
+              testing::AllOf(HasSubstr("settings.toml: settings are not kept"), HasSubstr("free space")));
+}
+
+TEST_F(KeptByAnExhibit, SettingsAreWrittenOnceTheDiskTakesThemAgain) {
+  std::filesystem::create_directory(folder_ / "settings.toml");
+  status_.volume = 0.5;
+  exhibit_->note({{Kind::volume, 0.5, {}}});
+  keep_after(1.0);
+  keep_after(3.0);
+  std::filesystem::remove(folder_ / "settings.toml");
+  keep_after(11.0);
+  EXPECT_EQ(exhibit_->problem(), "");
+  EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.5"));
+}
+
 TEST_F(KeptByAnExhibit, ASentenceSaysWhatItDoes) {
   status_.blackout = true;
   status_.problem = "no lens";

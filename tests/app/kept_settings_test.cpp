@@ -1,7 +1,9 @@
 #include "app/exhibit/kept_settings.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "app/exhibit/log_file.h"
@@ -73,6 +75,17 @@ TEST_F(LogFileTest, GoesOnWithoutAFileWhereNoneCanBeWritten) {
   std::ofstream(folder_ / "file") << "not a folder";
   const auto log = open_log(folder_ / "file" / "ergodome.log", {});
   EXPECT_NO_THROW(log->info("still here"));
+}
+
+TEST_F(LogFileTest, OnAFullDiskIsToldOnceOnTheStandardError) {
+  std::filesystem::create_symlink("/dev/full", folder_ / "ergodome.log");
+  const auto log = open_log(folder_ / "ergodome.log", {});
+  testing::internal::CaptureStderr();
+  log->info("one");
+  log->info("two");
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(told, testing::HasSubstr("ergodome.log: the log cannot be written"));
+  EXPECT_EQ(std::ranges::count(told, '\n'), 1) << told;
 }
 
 }  // namespace
