@@ -34,8 +34,14 @@ Facts number_in(const Show& show, const char* path, double unchanging, FrameSpan
   return {{"first", value_in(frames.first)}, {"last", value_in(frames.last)}, {"least", least}, {"greatest", greatest}};
 }
 
-//! How far eyes are apart in these frames: where more does not fit, closer than the show asks [M].
+//! How far eyes are apart in these frames: where more does not fit, closer than the show asks [M]. Eyes of one model alone fit everywhere; the others are asked
+//! in a few hundred frames of a long sequence, as each may take as long as its lens.
 Facts baselines_in(const Show& show, FrameSpan frames) {
+  if (show.stereo.model == StereoModel::physical) {
+    return number_in(show, "stereo.baseline", show.stereo.baseline, frames);
+  }
+  constexpr int most_asked = 256;
+  const int stride = 1 + (frames.last - frames.first) / most_asked;
   const auto value_in = [&](int frame) {
     const double time_s = frame_time_s(show, frame);
     const Show now = show_at(show, time_s);
@@ -45,7 +51,8 @@ Facts baselines_in(const Show& show, FrameSpan frames) {
   double last = first;
   double least = first;
   double greatest = first;
-  for (int frame = frames.first + 1; frame <= frames.last; ++frame) {
+  for (int frame = frames.first; frame < frames.last;) {
+    frame = std::min(frame + stride, frames.last);
     last = value_in(frame);
     least = std::min(least, last);
     greatest = std::max(greatest, last);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
@@ -12,6 +13,7 @@
 #include "content/mesh/mesh_reader.h"
 #include "content/show_files.h"
 #include "content/stars/star_catalogue.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/effects/diffraction.h"
 #include "render/objects/object_horizon.h"
@@ -96,8 +98,9 @@ void add_crossed_eyes(const Show& show, ShowNotes& notes) {
     if (stereo.convergence > 0.0 && stereo.convergence < stereo.baseline) {
       const Error note(
           "stereo.convergence",
-          fmt::format("at {:.6g} s eyes {:.4g} M apart converge at {:.4g} M: next to nothing is in both pictures",
-                      time_s, stereo.baseline, stereo.convergence),
+          fmt::format("at {:.6g} s eyes {:.4g} M apart converge at {:.4g} M: their pictures are {:.0f} degrees apart",
+                      time_s, stereo.baseline, stereo.convergence,
+                      2.0 * std::atan2(0.5 * stereo.baseline, stereo.convergence) / one_degree),
           "let them converge a few times as far away as they are apart, or farther");
       notes.unseen.emplace_back(
           show.lines.contains("stereo.convergence") ? named_by(show, "stereo.convergence", note).what() : note.what());

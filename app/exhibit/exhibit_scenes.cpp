@@ -16,7 +16,7 @@ namespace {
 constexpr double chord_s = 3.0;
 constexpr double settle_s = 2.0;
 constexpr double retry_s = 10.0;
-const std::string settings_file = "settings.toml";
+const std::string kept_settings_file = "settings.toml";
 
 Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
   Caption caption;
@@ -60,7 +60,7 @@ ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
       exhibit_(options_.times),
       chord_(chord_s) {
   if (!options_.state.empty()) {
-    kept_ = read_kept_settings(options_.state / settings_file, damage_);
+    kept_ = read_kept_settings(options_.state / kept_settings_file, damage_);
   }
   noted_ = kept_;
 }
@@ -166,7 +166,7 @@ void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
 }
 
 void ExhibitScenes::write_settings() {
-  const std::filesystem::path file = options_.state / settings_file;
+  const std::filesystem::path file = options_.state / kept_settings_file;
   try {
     write_kept_settings(file, noted_);
     kept_ = noted_;

@@ -31,11 +31,14 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   }
   auto log = std::make_shared<spdlog::logger>("ergodome", sinks.begin(), sinks.end());
   log->flush_on(spdlog::level::info);
-  // A disk that fills up must not stop a show; whatever sink fails, the others go on. The log cannot tell of itself.
+  // A disk that fills up must not stop a show; whatever sink fails, the others go on. The log cannot tell of itself, and the terminal's file may lie on the same
+  // disk: nothing is thrown where that fails, too.
   log->set_error_handler([file, told = std::make_shared<std::atomic_flag>()](const std::string& failure) {
     if (!told->test_and_set()) {
-      fmt::print(stderr, "ergodome: {}: the log cannot be written: {}; free space on its disk\n", file.string(),
-                 failure);
+      const std::string line = fmt::format(
+          "ergodome: {}: the log cannot be written: {}; see that its disk has space and its folder can be written to\n",
+          file.string(), failure);
+      std::fputs(line.c_str(), stderr);
     }
   });
   if (!problem.empty()) {

@@ -62,6 +62,8 @@ class Playback {
   [[nodiscard]] double exposure_stops() const { return exposure_stops_; }
   //! What was set in place of the show's [M].
   [[nodiscard]] std::optional<double> baseline() const { return baseline_; }
+  //! From now on the show's own holds again.
+  void forget_baseline() { baseline_.reset(); }
   [[nodiscard]] const std::string& language() const { return language_; }
   [[nodiscard]] bool captions() const { return captions_; }
   [[nodiscard]] AudioCue audio_cue() const { return {instant_, volume_, language_}; }

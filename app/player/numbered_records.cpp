@@ -14,9 +14,9 @@ namespace ergodome {
 
 namespace {
 
-//! Of numbers, so that files are in order where their names are.
-constexpr std::size_t fewest_digits = 4;
-constexpr std::size_t most_digits = 9;
+//! Of numbers, as frames have them: files are in order where their names are, and a year or a date is none.
+constexpr std::size_t number_digits = 6;
+constexpr long greatest_number = 999'999;
 
 std::filesystem::path folder_of(const std::filesystem::path& record) {
   return record.has_parent_path() ? record.parent_path() : std::filesystem::path(".");
@@ -50,9 +50,7 @@ std::optional<long> record_number(const std::filesystem::path& record, const std
   }
   const std::string_view digits =
       std::string_view(name).substr(before.size(), name.size() - before.size() - after.size());
-  const bool fits = digits.size() >= fewest_digits && digits.size() <= most_digits &&
-                    std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
-  if (!fits) {
+  if (digits.size() != number_digits || !std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; })) {
     return std::nullopt;
   }
   long number = 0;
@@ -63,8 +61,11 @@ std::optional<long> record_number(const std::filesystem::path& record, const std
 std::filesystem::path next_record(const std::filesystem::path& record) {
   const auto there = records_of(record);
   const long number = there.empty() ? 1 : there.rbegin()->first + 1;
+  if (number > greatest_number) {
+    throw Error(there.rbegin()->second.string(), "has the last number that there is", "record under another name");
+  }
   std::filesystem::path next = record;
-  next.replace_filename(fmt::format("{}-{:04}{}", record.stem().string(), number, record.extension().string()));
+  next.replace_filename(fmt::format("{}-{:06}{}", record.stem().string(), number, record.extension().string()));
   return next;
 }
 

@@ -39,8 +39,11 @@ ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
           options.hide_control};
 }
 
-SessionOptions session_options(const PlayOptions& options, bool free_flight) {
-  return {.free_flight = free_flight, .language = options.language, .one_eye = options.setup.has_value()};
+SessionOptions session_options(const PlayOptions& options, bool free_flight, WindowBuffers buffers) {
+  return {.free_flight = free_flight,
+          .language = options.language,
+          .one_eye = options.setup.has_value(),
+          .plain_window = buffers == WindowBuffers::plain};
 }
 
 std::unique_ptr<HidApi> hid_api(const PlayOptions& options) {
@@ -84,10 +87,8 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
   renderers_.prepare(ExhibitScene::attract, first);
   renderers_.enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
-  if (session_->frame().stereo.layout == StereoLayout::quad_buffer &&
-      screen_.window().buffers() == WindowBuffers::plain) {
+  if (first.stereo.layout == StereoLayout::quad_buffer && screen_.window().buffers() == WindowBuffers::plain) {
     services_.tell(spdlog::level::warn, "this driver has no buffers for each eye; the eyes are side by side");
-    session_->use_layout(StereoLayout::side_by_side);
   }
   pads_.start();
   if (exhibit_) {
@@ -100,7 +101,7 @@ Player::~Player() = default;
 void Player::begin(const Show& show, bool free_flight) {
   // An operator's, which no visitor may end.
   const bool dark = exhibit_ && session_ && session_->playback().dark();
-  session_.emplace(show, session_options(options_, free_flight));
+  session_.emplace(show, session_options(options_, free_flight, screen_.window().buffers()));
   eye_notice_.begin();
   session_->show_times(options_.times_shown);
   // The attract show is nobody's flight.
@@ -129,7 +130,12 @@ void Player::run() {
     end_in_time();
     tell_supervisor_alive(session_->now_s());
   }
-  recording_.save(*session_);
+  if (exhibit_) {
+    // The log has the end, too, where the disk is full.
+    keep_recording(RecordingMoment::end);
+  } else {
+    recording_.save(*session_);
+  }
   if (options_.for_seconds > 0.0) {
     print_statistics();
   }
@@ -312,14 +318,22 @@ void Player::tell_narrowed_eyes() {
 }
 
 void Player::keep_recording(RecordingMoment moment) {
+  bool tried = true;
+  std::string problem;
   try {
     if (moment == RecordingMoment::end) {
       recording_.save(*session_);
     } else {
-      recording_.keep(*session_);
+      tried = recording_.keep(*session_);
     }
-  } catch (const std::exception& problem) {
-    services_.tell(spdlog::level::err, problem.what());
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  // Once: it is tried again and again.
+  if (tried && problem != recording_problem_) {
+    services_.tell(problem.empty() ? spdlog::level::info : spdlog::level::err,
+                   problem.empty() ? "flights are recorded again" : problem);
+    recording_problem_ = problem;
   }
 }
 

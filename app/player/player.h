@@ -116,6 +116,7 @@ class Player {
   FrameTimes frame_times_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   RecordingFile recording_;
+  std::string recording_problem_;  //!< why the last flight could not be written
   std::optional<PlayBudget> budget_;
   std::string why_ended_;     //!< where the program closed the window itself
   long drawn_pictures_ = -1;  //!< of which the last is in the window

@@ -115,6 +115,9 @@ StereoSettings PlayerSession::chosen_stereo() const {
 
 StereoSettings PlayerSession::stereo_now() const {
   StereoSettings stereo = chosen_stereo();
+  if (options_.plain_window && stereo.layout == StereoLayout::quad_buffer) {
+    stereo.layout = StereoLayout::side_by_side;
+  }
   const bool may_be_within = leads_within(show_) || navigator_->pose().velocity_in_rain;
   if (may_be_within && stereo.model == StereoModel::flat) {
     stereo.model = StereoModel::physical;  // flat eyes know nothing of the inside

@@ -216,12 +216,16 @@ void PlayerSession::adjust_stereo(KeyAction action) {
   const StereoSettings before = chosen_stereo();
   const StereoSettings after = adjusted(before, action, show_now_.stereo, frame_.pose.r);
   if (action == KeyAction::baseline_reset) {
-    apply({TransportCommand::Kind::baseline, show_now_.stereo.baseline, {}});
+    // What changes with time changes again.
+    playback_.forget_baseline();
     convergence_.reset();
-  } else if (after.baseline != before.baseline) {
+    stereo_ = show_.stereo;
+    return;
+  }
+  if (after.baseline != before.baseline) {
     apply({TransportCommand::Kind::baseline, after.baseline, {}});
   }
-  if (after.convergence != before.convergence && action != KeyAction::baseline_reset) {
+  if (after.convergence != before.convergence) {
     convergence_ = after.convergence;
   }
   stereo_ = after;

@@ -23,8 +23,9 @@ struct PlayerInput {
 
 struct SessionOptions {
   bool free_flight = false;
-  std::string language;  //!< empty: the show's own
-  bool one_eye = false;  //!< what is shown is the head's picture: eyes cannot be changed
+  std::string language;       //!< empty: the show's own
+  bool one_eye = false;       //!< what is shown is the head's picture: eyes cannot be changed
+  bool plain_window = false;  //!< it has no buffers for each eye: eyes that ask for them are side by side
   TimeSource source = steady_time;
 };
 
@@ -52,7 +53,6 @@ class PlayerSession {
   //! Calls for the picture once more: its renderer is another one.
   void show_again() { begun_ = false; }
   //! A stereo layout in place of the show's.
-  void use_layout(StereoLayout layout) { stereo_.layout = layout; }
 
   //! Shows a line for a while.
   void say(std::string message);

@@ -74,6 +74,9 @@ void Player::post_status() {
     status.pads.push_back(
         {pad.identity->name, pad.identity->connection, pad_snapshot_.time_s - pad.last_input_s < 1.0});
   }
+  if (status.problem.empty()) {
+    status.problem = recording_problem_;
+  }
   services_.fill(status);
   if (exhibit_) {
     keep_settings(status);

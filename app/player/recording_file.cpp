@@ -18,10 +18,12 @@ void RecordingFile::begin() {
   saved_ = {};
 }
 
-void RecordingFile::keep(const PlayerSession& session) {
-  if (wanted() && Clock::now() - saved_ > interval) {
+bool RecordingFile::keep(const PlayerSession& session) {
+  const bool due = wanted() && Clock::now() - saved_ > interval;
+  if (due) {
     save(session);
   }
+  return due;
 }
 
 void RecordingFile::save(const PlayerSession& session) {
@@ -34,6 +36,11 @@ void RecordingFile::save(const PlayerSession& session) {
     write_text_atomically(written_, to_toml(*flight));
     return;
   }
+  if (names_ == Names::numbered) {
+    // First, so that there is room; and what was being written when the program was killed.
+    remove_oldest_records(path_, most_records - 1);
+    remove_abandoned_files(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
+  }
   const std::filesystem::path file = names_ == Names::numbered ? next_record(path_) : path_;
   std::error_code problem;
   if (std::filesystem::is_regular_file(file, problem)) {
@@ -41,9 +48,6 @@ void RecordingFile::save(const PlayerSession& session) {
   }
   write_text_atomically(file, to_toml(*flight));
   written_ = file;
-  if (names_ == Names::numbered) {
-    remove_oldest_records(path_, most_records);
-  }
 }
 
 }  // namespace ergodome

@@ -23,8 +23,8 @@ class RecordingFile {
   //! What comes is another flight.
   void begin();
 
-  //! Once a frame: writes what was flown so far, if that is due. Throws Error where the file cannot be written.
-  void keep(const PlayerSession& session);
+  //! Once a frame: writes what was flown so far, if that is due, and says whether it was. Throws Error where the file cannot be written.
+  bool keep(const PlayerSession& session);
 
   //! Writes it now, where the session records and has flown. Throws Error where the file cannot be written.
   void save(const PlayerSession& session);

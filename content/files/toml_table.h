@@ -58,7 +58,7 @@ class TomlTable {
 //! Parses a TOML file of at most `largest_mib` MiB; `kind` is what such a file is ("a show"). Throws Error with file and line.
 toml::table parse_toml(std::string_view text, const std::string& file, std::size_t largest_mib, std::string_view kind);
 
-//! The word of a list that is closest to `word` by edit distance, or the only one that begins with its three letters or more; empty when there is none.
+//! The word of a list that is closest to `word` by edit distance, or, where it has three letters or more, the only one that begins with them; empty when there is none.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
 }  // namespace ergodome

@@ -101,7 +101,9 @@ std::optional<DisparityMeter::Shift> DisparityMeter::shift_of(const Vector3<doub
   } else if (wraps_around(screen_)) {
     pixels = std::remainder(pixels, screen_.width_px);
   }
-  return Shift{pixels, 60.0 / one_degree * turned};
+  // What is no number cannot be put in order.
+  return std::isfinite(pixels) && std::isfinite(turned) ? std::optional(Shift{pixels, 60.0 / one_degree * turned})
+                                                        : std::nullopt;
 }
 
 void DisparityMeter::add(const Vector3<double>& left, const Vector3<double>& right) {

@@ -142,8 +142,6 @@ void add_edge(const StereoEye& left, const StereoEye& right, DisparityMeter& met
   meter.add(sides[0][1], sides[1][1]);
 }
 
-bool is_black(const SkySettings& sky) { return sky.stars.empty() && (sky.map == "black" || sky.exposure == 0.0); }
-
 }  // namespace
 
 std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pose, const Projection& projection,

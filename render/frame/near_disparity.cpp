@@ -144,10 +144,14 @@ void look(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, S
 
 }  // namespace
 
+bool is_black(const SkySettings& sky) { return sky.stars.empty() && (sky.map == "black" || sky.exposure == 0.0); }
+
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding) {
   std::vector<SeenDirection> directions;
-  visit_many(projection, [&](const Vector3<double>& view) { directions.push_back({view, LookedFor::sky, {}}); });
+  if (!is_black(show.sky)) {
+    visit_many(projection, [&](const Vector3<double>& view) { directions.push_back({view, LookedFor::sky, {}}); });
+  }
   visit_lattice(projection, [&](const Vector3<double>& view) {
     directions.push_back({view, LookedFor::disk_and_shells, {}});
   });

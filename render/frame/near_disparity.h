@@ -27,7 +27,7 @@ void visit_lattice(const Projection& projection, Visit&& visit) {
 }
 
 //! The same for many that are spread evenly without symmetries of their own: a lattice along rows meets a ring about its middle in many places at once, or
-//! in none. Roberts' sequence: the powers of the root of x^3 = x + 1, 1.3247.
+//! in none. Roberts' sequence: steps of the first and second inverse power of the root of x^3 = x + 1, 1.3247.
 template <class Visit>
 void visit_many(const Projection& projection, Visit&& visit) {
   constexpr int many = 800;
@@ -42,7 +42,8 @@ void visit_many(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! What is looked for in a direction. Of the sky there are many, as it is stretched without bound beside its caustics.
+//! What disparities are looked for in a direction; what the head sees there of disk and shells is asked in all, as it hides the sky. For the sky there are many, as it is
+//! stretched without bound beside its caustics.
 enum class LookedFor : std::uint8_t { sky, disk_and_shells };
 
 //! A direction across an image, in the view's axes, and what of disk and shells the head sees there.
@@ -55,7 +56,10 @@ struct SeenDirection {
   [[nodiscard]] bool shows_sky() const { return !ends_at_object && (sights.empty() || !sights.back().opaque); }
 };
 
-//! The directions in which a frame's disparities are looked at. `hiding`: objects that hide what is behind them.
+//! Whether nothing is seen of a sky.
+bool is_black(const SkySettings& sky);
+
+//! The directions in which a frame's disparities are looked at; none for a black sky. `hiding`: objects that hide what is behind them.
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding);
 

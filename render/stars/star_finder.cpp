@@ -157,6 +157,9 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
 //! Puts what a device has found by chance in order by the distance to the shadow's edge: the rays of neighbours in the kernel's lanes take about as many
 //! steps (three quarters of the time).
 void put_in_order(std::vector<RoughImage>& rough) {
+  // What is no number has no place, and no order.
+  std::erase_if(rough,
+                [](const RoughImage& image) { return !std::isfinite(image.s) || !std::isfinite(image.gamma_turns); });
   std::ranges::sort(rough, [](const RoughImage& a, const RoughImage& b) {
     return std::tie(a.s, a.star, a.gamma_turns) < std::tie(b.s, b.star, b.gamma_turns);
   });

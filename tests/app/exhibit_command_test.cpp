@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <chrono>
@@ -45,7 +46,7 @@ TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
   ASSERT_EQ(exhibit("--record flight.toml --for 6 --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml'"), 0)
       << output_;
   EXPECT_THAT(log(), HasSubstr("a visitor has come"));
-  const Show flight = read_show(folder_ / "flight-0001.toml");
+  const Show flight = read_show(folder_ / "flight-000001.toml");
   EXPECT_GT(flight.duration_s, 1.0);
   const CameraPose first = camera_pose(flight, 0.0);
   const CameraPose last = camera_pose(flight, flight.duration_s);
@@ -53,21 +54,30 @@ TEST_F(ExhibitInAWindow, LetsAVisitorFlyWhoTakesThePad) {
 }
 
 TEST_F(ExhibitInAWindow, RecordsEachVisitAndNothingOfTheAttractShow) {
-  write("flight-0001.toml", "of another run");
+  write("flight-000001.toml", "of another run");
   const std::string flies = "--record flight.toml --pad-fixture '" ERGODOME_TEST_DATA_DIR "/hid/flight.toml' ";
   // A visit, the rest of three seconds, another visit, and the attract show again.
   ASSERT_EQ(exhibit(flies + "--session 1 --for 6.5"), 0) << output_;
-  EXPECT_EQ(text("flight-0001.toml"), "of another run");
-  for (const char* name : {"flight-0002.toml", "flight-0003.toml"}) {
-    EXPECT_NEAR(read_show(folder_ / name).duration_s, 1.0, 0.7) << name;
+  EXPECT_EQ(text("flight-000001.toml"), "of another run");
+  // How many visits there are is the machine's pace.
+  const std::string told = log();
+  const std::string visit = "a visitor has come";
+  int visits = 0;
+  for (std::size_t at = told.find(visit); at != std::string::npos; at = told.find(visit, at + 1)) {
+    ++visits;
   }
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "flight-0004.toml"));
+  ASSERT_GE(visits, 2);
+  // The last may not have flown yet.
+  for (int number = 2; number <= visits; ++number) {
+    EXPECT_LT(read_show(folder_ / fmt::format("flight-{:06}.toml", number)).duration_s, 3.0) << number;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / fmt::format("flight-{:06}.toml", 2 + visits)));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "flight.toml"));
 }
 
 TEST_F(ExhibitInAWindow, RefusesToShowWhatWouldBeRemovedAmongItsRecords) {
-  write("flight-0001.toml", scene_);
-  attract_ = "flight-0001.toml";
+  write("flight-000001.toml", scene_);
+  attract_ = "flight-000001.toml";
   EXPECT_EQ(exhibit("--record flight.toml"), 2);
   EXPECT_THAT(output_, HasSubstr("give the show that is to stay another name"));
 }

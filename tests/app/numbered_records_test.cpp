@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "kernels/core/error.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {
@@ -22,38 +23,40 @@ class NumberedRecords : public test::FolderTest {
   }
 };
 
-TEST_F(NumberedRecords, BeginWithOne) { EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-0001.toml"); }
-
-TEST_F(NumberedRecords, HaveNumbersAboveAllThatAreThere) {
-  for (const char* name : {"flight-0002.toml", "flight-0041.toml", "flight-0007.toml"}) {
-    make(name);
-  }
-  EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-0042.toml");
+TEST_F(NumberedRecords, BeginWithOne) {
+  EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-000001.toml");
 }
 
-TEST_F(NumberedRecords, GoOnBeyondFourDigits) {
-  make("flight-9999.toml");
-  EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-10000.toml");
-  make("flight-10000.toml");
-  EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-10001.toml");
+TEST_F(NumberedRecords, HaveNumbersAboveAllThatAreThere) {
+  for (const char* name : {"flight-000002.toml", "flight-000041.toml", "flight-000007.toml"}) {
+    make(name);
+  }
+  EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-000042.toml");
+}
+
+TEST_F(NumberedRecords, EndWhereTheirNumbersDo) {
+  make("flight-999998.toml");
+  EXPECT_EQ(next_record(folder_ / "flight.toml"), folder_ / "flight-999999.toml");
+  make("flight-999999.toml");
+  EXPECT_THROW(next_record(folder_ / "flight.toml"), Error);
 }
 
 TEST_F(NumberedRecords, AreNoFilesOfOtherNames) {
-  for (const char* name : {"flight.toml", "flight-0007.toml.bak", "flight-7.toml", "flight-00x7.toml",
-                           "my-flight-0007.toml", "flight-.toml"}) {
+  for (const char* name : {"flight.toml", "flight-000007.toml.bak", "flight-7.toml", "flight-0000x7.toml",
+                           "flight-2026.toml", "flight-20261128.toml", "my-flight-000007.toml", "flight-.toml"}) {
     EXPECT_EQ(record_number("flight.toml", name), std::nullopt) << name;
   }
-  EXPECT_EQ(record_number("flight.toml", "flight-0007.toml"), 7);
+  EXPECT_EQ(record_number("flight.toml", "flight-000007.toml"), 7);
 }
 
 TEST_F(NumberedRecords, OfTheLeastNumbersGoBeyondALimit) {
   for (const char* name :
-       {"flight-0008.toml", "flight-0009.toml", "flight-10000.toml", "flight.toml", "other-0001.toml"}) {
+       {"flight-000008.toml", "flight-000009.toml", "flight-010000.toml", "flight.toml", "other-0001.toml"}) {
     make(name);
   }
   remove_oldest_records(folder_ / "flight.toml", 2);
   EXPECT_EQ(there(),
-            (std::set<std::string>{"flight-0009.toml", "flight-10000.toml", "flight.toml", "other-0001.toml"}));
+            (std::set<std::string>{"flight-000009.toml", "flight-010000.toml", "flight.toml", "other-0001.toml"}));
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST_F(CommandLine, RenderTellsWhichEyesFramesWereMadeFor) {
   const auto facts = nlohmann::json::parse(read_whole_file(folder_ / "o" / "near.json", 1'000'000, ""));
   EXPECT_EQ(facts["stereo_model"], "flat");
   EXPECT_EQ(facts["convergence_M"], 12.0);
-  const auto baseline = facts["baseline_M"];
+  const auto& baseline = facts["baseline_M"];
   EXPECT_EQ(baseline["first"], 5.0);
   EXPECT_EQ(baseline["greatest"], 5.0);
   EXPECT_EQ(baseline["least"], baseline["last"]);

@@ -178,6 +178,24 @@ TEST_F(PlayerSessionTest, GoesBackToTheEyesThatTheShowHas) {
   EXPECT_EQ(session.frame().stereo, shown);
 }
 
+TEST_F(PlayerSessionTest, LetsADistanceOfTheEyesChangeWithTimeAgainWhenItIsReset) {
+  PlayerSession session = session_on(orbiting_show);
+  session.advance(pressing(KeyAction::baseline_larger));
+  session.advance(pressing(KeyAction::baseline_reset));
+  run(session, 5.0);
+  EXPECT_NEAR(session.frame().stereo.baseline, 0.1 + 0.1 * session.frame().time_s, 1e-6);
+}
+
+TEST_F(PlayerSessionTest, ShowsEyesSideBySideWhereTheWindowHasNoBuffersForThem) {
+  Show show = parse_show(orbiting_show, "orbit.toml");
+  show.stereo.layout = StereoLayout::quad_buffer;
+  PlayerSession session(show, {.plain_window = true});
+  session.advance(pressing(KeyAction::baseline_larger));
+  EXPECT_EQ(session.frame().stereo.layout, StereoLayout::side_by_side);
+  session.advance(pressing(KeyAction::baseline_reset));
+  EXPECT_EQ(session.frame().stereo.layout, StereoLayout::side_by_side);
+}
+
 TEST_F(PlayerSessionTest, TellsItsStatus) {
   PlayerSession session = session_on(orbiting_show);
   run(session, 6.0);

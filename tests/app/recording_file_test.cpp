@@ -42,13 +42,13 @@ TEST_F(RecordedToAFile, KeepsWhatWasThereFromBefore) {
 TEST_F(RecordedToAFile, EachFlightHasAFileOfItsOwn) {
   RecordingFile file(folder_ / "flight.toml", RecordingFile::Names::numbered);
   fly(file);
-  const std::string first = text("flight-0001.toml");
+  const std::string first = text("flight-000001.toml");
   fly(file);
   file.save(session_);
   EXPECT_THAT(first, HasSubstr("Recorded flight"));
-  EXPECT_EQ(text("flight-0001.toml"), first);
-  EXPECT_TRUE(is_there("flight-0002.toml"));
-  EXPECT_FALSE(is_there("flight-0003.toml"));
+  EXPECT_EQ(text("flight-000001.toml"), first);
+  EXPECT_TRUE(is_there("flight-000002.toml"));
+  EXPECT_FALSE(is_there("flight-000003.toml"));
   EXPECT_FALSE(is_there("flight.toml"));
 }
 
