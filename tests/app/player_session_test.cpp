@@ -189,7 +189,9 @@ TEST_F(PlayerSessionTest, LetsADistanceOfTheEyesChangeWithTimeAgainWhenItIsReset
 TEST_F(PlayerSessionTest, ShowsEyesSideBySideWhereTheWindowHasNoBuffersForThem) {
   Show show = parse_show(orbiting_show, "orbit.toml");
   show.stereo.layout = StereoLayout::quad_buffer;
-  PlayerSession session(show, {.plain_window = true});
+  SessionOptions options;
+  options.plain_window = true;
+  PlayerSession session(show, options);
   session.advance(pressing(KeyAction::baseline_larger));
   EXPECT_EQ(session.frame().stereo.layout, StereoLayout::side_by_side);
   session.advance(pressing(KeyAction::baseline_reset));
