@@ -184,40 +184,6 @@ void Player::advance() {
   keep_recording(RecordingMoment::frame);
 }
 
-void Player::advance_exhibit(PlayerInput& input) {
-  if (!exhibit_) {
-    return;
-  }
-  const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
-  if (exhibit_->left()) {
-    end("an operator held the keys or buttons for it");
-  }
-  if (exhibit_->scene() == ExhibitScene::attract) {
-    input.actions.clear();  // the show is nobody's to change
-    input.steering = {};
-  }
-  exhibit_->note(input.commands);
-  if (std::erase(input.actions, KeyAction::reset) > 0) {
-    const std::vector<TransportCommand> reset = exhibit_->reset_commands();
-    input.commands.insert(input.commands.end(), reset.begin(), reset.end());
-  }
-  if (another) {
-    change_scene();
-  }
-}
-
-void Player::change_scene() {
-  const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
-  keep_recording(RecordingMoment::end);
-  if (renderers_.renews()) {
-    // It is read again when its scene is there again.
-    services_.forget_version();
-  }
-  renderers_.enter(exhibit_->scene(), exhibit_->show());
-  begin(exhibit_->show(), visitor);
-  services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
-}
-
 void Player::answer_requests() {
   for (const KeyAction request : session_->take_requests()) {
     switch (request) {

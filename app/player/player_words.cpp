@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/exhibit/supervisor.h"
-#include "app/interrupt.h"
 #include "app/lens_options.h"
 #include "app/player/player.h"
 #include "app/player/player_texts.h"
@@ -83,29 +82,6 @@ void Player::post_status() {
     tell_supervisor(exhibit_->state_text(status));
   }
   services_.post(std::move(status));
-}
-
-void Player::keep_settings(PlayerStatus& status) {
-  const std::string before = exhibit_->problem();
-  exhibit_->keep(status, session_->playback().baseline().has_value());
-  const std::string& now = exhibit_->problem();
-  if (now != before) {
-    const bool kept = now.empty();
-    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are kept again" : now);
-  }
-  if (status.problem.empty()) {
-    status.problem = now;
-  }
-}
-
-std::string Player::start_text() const {
-  return fmt::format("an exhibit begins: ergodome {}, {}, {}, {}", ERGODOME_VERSION, exhibit_->shows_text(),
-                     renderers_.backend(), services_.remote_text());
-}
-
-std::string Player::end_text() const {
-  const std::string closed = why_ended_.empty() ? "its window was closed" : why_ended_;
-  return "the exhibit ends: " + (interrupted() ? "a signal asked for it" : closed);
 }
 
 void Player::print_statistics() const {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "render/frame/disparity_meter.h"
 #include "render/frame/near_sights.h"
+#include "render/lens/spread_point.h"
 #include "render/objects/object_outline.h"
 
 namespace ergodome {
@@ -26,16 +27,14 @@ void visit_lattice(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! The same for many that are spread evenly without symmetries of their own: a lattice along rows meets a ring about its middle in many places at once, or
-//! in none. Roberts' sequence: steps of the first and second inverse power of the root of x^3 = x + 1, 1.3247.
+//! The same for many that are spread evenly without symmetries of their own.
 template <class Visit>
 void visit_many(const Projection& projection, Visit&& visit) {
-  constexpr int many = 800;
-  constexpr double across = 0.7548776662466927;
-  constexpr double down = 0.5698402909980532;
-  for (int i = 0; i < many; ++i) {
-    const double x = std::fmod(0.5 + i * across, 1.0) * projection.width_px;
-    const double y = std::fmod(0.5 + i * down, 1.0) * projection.height_px;
+  constexpr std::size_t many = 800;
+  for (std::size_t i = 0; i < many; ++i) {
+    const SquarePoint at = spread_point(i);
+    const double x = at.x * projection.width_px;
+    const double y = at.y * projection.height_px;
     if (image_coverage(projection, x, y) > 0.0) {
       visit(direction_from_pixel(projection, x, y));
     }
@@ -59,7 +58,7 @@ struct SeenDirection {
 //! Whether nothing is seen of a sky.
 bool is_black(const SkySettings& sky);
 
-//! The directions in which a frame's disparities are looked at; none for a black sky. `hiding`: objects that hide what is behind them.
+//! The directions in which a frame's disparities are looked at; none for the sky where it is black. `hiding`: objects that hide what is behind them.
 std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
                                            const PlacedMeshes& hiding);
 

@@ -7,6 +7,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "kernels/lens/lens_chart.h"
+#include "render/lens/spread_point.h"
 
 namespace ergodome {
 
@@ -30,18 +31,6 @@ double quantile(const std::vector<double>& values, const std::vector<double>& we
     }
   }
   return order.empty() ? 0.0 : values[order.back()];
-}
-
-struct SquarePoint {
-  double x;
-  double y;
-};
-
-//! The n-th of points that fill a square evenly, by multiples of the plastic number's powers. They stand in no rows: one along the ring of a
-//! caustic, on which next to nothing is many pixels, would stand for a whole band.
-SquarePoint spread_point(std::size_t n) {
-  const auto part = [n](double step) { return std::fmod(0.5 + step * static_cast<double>(n), 1.0); };
-  return {part(0.7548776662466927), part(0.5698402909980532)};
 }
 
 //! The area on an observer's screen of a turn times a unit of s, at a place of a chart [px²]: as CheckBlend has it.

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/interrupt.h"
+#include "app/player/player.h"
+
+// What a player does for an exhibit alone.
+namespace ergodome {
+
+void Player::advance_exhibit(PlayerInput& input) {
+  if (!exhibit_) {
+    return;
+  }
+  const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
+  if (exhibit_->left()) {
+    end("an operator held the keys or buttons for it");
+  }
+  if (exhibit_->scene() == ExhibitScene::attract) {
+    input.actions.clear();  // the show is nobody's to change
+    input.steering = {};
+  }
+  exhibit_->note(input.commands);
+  if (std::erase(input.actions, KeyAction::reset) > 0) {
+    const std::vector<TransportCommand> reset = exhibit_->reset_commands();
+    input.commands.insert(input.commands.end(), reset.begin(), reset.end());
+  }
+  if (another) {
+    change_scene();
+  }
+}
+
+void Player::change_scene() {
+  const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
+  keep_recording(RecordingMoment::end);
+  if (renderers_.renews()) {
+    // It is read again when its scene is there again.
+    services_.forget_version();
+  }
+  renderers_.enter(exhibit_->scene(), exhibit_->show());
+  begin(exhibit_->show(), visitor);
+  services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
+}
+
+void Player::keep_settings(PlayerStatus& status) {
+  const std::string before = exhibit_->problem();
+  exhibit_->keep(status, session_->playback().baseline().has_value());
+  const std::string& now = exhibit_->problem();
+  if (now != before) {
+    const bool kept = now.empty();
+    services_.tell(kept ? spdlog::level::info : spdlog::level::err, kept ? "settings are kept again" : now);
+  }
+  if (status.problem.empty()) {
+    status.problem = now;
+  }
+}
+
+std::string Player::start_text() const {
+  return fmt::format("an exhibit begins: ergodome {}, {}, {}, {}", ERGODOME_VERSION, exhibit_->shows_text(),
+                     renderers_.backend(), services_.remote_text());
+}
+
+std::string Player::end_text() const {
+  const std::string closed = why_ended_.empty() ? "its window was closed" : why_ended_;
+  return "the exhibit ends: " + (interrupted() ? "a signal asked for it" : closed);
+}
+
+}  // namespace ergodome
