@@ -284,22 +284,20 @@ void Player::tell_narrowed_eyes() {
 }
 
 void Player::keep_recording(RecordingMoment moment) {
-  bool tried = true;
+  bool written = false;
   std::string problem;
   try {
-    if (moment == RecordingMoment::end) {
-      recording_.save(*session_);
-    } else {
-      tried = recording_.keep(*session_);
-    }
+    written = moment == RecordingMoment::end ? recording_.save(*session_) : recording_.keep(*session_);
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  // Once: it is tried again and again.
-  if (tried && problem != recording_problem_) {
-    services_.tell(problem.empty() ? spdlog::level::info : spdlog::level::err,
-                   problem.empty() ? "flights are recorded again" : problem);
+  // Once: it is tried again and again. Where nothing was flown, nothing is known of the next flight.
+  if (!problem.empty() && problem != recording_problem_) {
+    services_.tell(spdlog::level::err, problem);
     recording_problem_ = problem;
+  } else if (written && !recording_problem_.empty()) {
+    services_.tell(spdlog::level::info, "flights are recorded again");
+    recording_problem_.clear();
   }
 }
 

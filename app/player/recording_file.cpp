@@ -19,22 +19,18 @@ void RecordingFile::begin() {
 }
 
 bool RecordingFile::keep(const PlayerSession& session) {
-  const bool due = wanted() && Clock::now() - saved_ > interval;
-  if (due) {
-    save(session);
-  }
-  return due;
+  return wanted() && Clock::now() - saved_ > interval && save(session);
 }
 
-void RecordingFile::save(const PlayerSession& session) {
+bool RecordingFile::save(const PlayerSession& session) {
   saved_ = Clock::now();
   const auto flight = wanted() ? session.recorded("Recorded flight") : std::nullopt;
   if (!flight) {
-    return;
+    return false;
   }
   if (!written_.empty()) {
     write_text_atomically(written_, to_toml(*flight));
-    return;
+    return true;
   }
   if (names_ == Names::numbered) {
     // First, so that there is room; and what was being written when the program was killed.
@@ -48,6 +44,7 @@ void RecordingFile::save(const PlayerSession& session) {
   }
   write_text_atomically(file, to_toml(*flight));
   written_ = file;
+  return true;
 }
 
 }  // namespace ergodome

@@ -23,11 +23,11 @@ class RecordingFile {
   //! What comes is another flight.
   void begin();
 
-  //! Once a frame: writes what was flown so far, if that is due, and says whether it was. Throws Error where the file cannot be written.
+  //! Once a frame: save(), if that is due.
   bool keep(const PlayerSession& session);
 
-  //! Writes it now, where the session records and has flown. Throws Error where the file cannot be written.
-  void save(const PlayerSession& session);
+  //! Writes what was flown so far, where the session records and has flown, and says whether it was written. Throws Error where the file cannot be.
+  bool save(const PlayerSession& session);
 
  private:
   using Clock = std::chrono::steady_clock;

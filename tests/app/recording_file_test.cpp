@@ -34,7 +34,7 @@ TEST_F(RecordedToAFile, KeepsWhatWasThereFromBefore) {
   std::ofstream(folder_ / "flight.toml") << "another run's";
   RecordingFile file(folder_ / "flight.toml", RecordingFile::Names::one);
   fly(file);
-  file.save(session_);
+  EXPECT_TRUE(file.save(session_));
   EXPECT_EQ(text("flight.toml.bak"), "another run's");
   EXPECT_THAT(text("flight.toml"), HasSubstr("Recorded flight"));
 }
@@ -55,7 +55,7 @@ TEST_F(RecordedToAFile, EachFlightHasAFileOfItsOwn) {
 TEST_F(RecordedToAFile, ASessionThatDoesNotRecordWritesNothing) {
   RecordingFile file(folder_ / "flight.toml", RecordingFile::Names::numbered);
   session_.advance({});
-  file.save(session_);
+  EXPECT_FALSE(file.save(session_));
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
