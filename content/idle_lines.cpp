@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "content/animated_show.h"
 #include "content/fall/free_fall.h"
 
 namespace ergodome {
@@ -51,7 +52,7 @@ void add_sky(const Show& show, Idle& idle) {
   if (show.sky.map == "black") {
     idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "is for a map, and this one is black");
     if (show.sky.stars.empty()) {
-      idle.add({"sky.exposure"}, "is for a map and stars, and there are none");
+      idle.add({"sky.exposure", "sky.spin_axis"}, "is for a map and stars, and there are none");
     }
   } else if (!show.effects.redshift) {
     idle.add({"sky.shift"}, "is for effects.redshift = true");
@@ -86,6 +87,40 @@ void add_objects(const Show& show, Idle& idle) {
   }
 }
 
+void add_shells(const Show& show, Idle& idle) {
+  for (std::size_t i = 0; i < show.shells.size(); ++i) {
+    const ShellSettings& shell = show.shells[i];
+    const std::string of = "shells[" + std::to_string(i) + "].";
+    const auto never = [&](const char* key, double value) {
+      return value <= 0.0 && find_animation(show, of + key) == nullptr;
+    };
+    if (never("line_width_deg", shell.line_width_deg)) {
+      idle.add({of + "line_color", of + "line_opacity", of + "spacing_deg"}, "is for lines, and they have no width");
+    } else if (never("line_opacity", shell.line_opacity)) {
+      idle.add({of + "line_color", of + "line_width_deg", of + "spacing_deg"},
+               "is for lines, and they have no opacity");
+    }
+    if (never("fill_opacity", shell.fill_opacity)) {
+      idle.add({of + "fill_color", of + "texture"}, "is for fill_opacity above 0");
+    }
+  }
+}
+
+void add_view(const Show& show, Idle& idle) {
+  const ViewProjection projection = show.view.projection;
+  if (projection != ViewProjection::dome) {
+    idle.add({"view.tilt_deg"}, "is for projection = \"dome\"");
+  }
+  if (show.view.frustum) {
+    idle.add({"view.aspect", "view.fov_deg"}, "is for a pinhole without frustum");
+  } else if (projection != ViewProjection::pinhole) {
+    idle.add({"view.aspect"}, "is for projection = \"pinhole\"");
+  }
+  if (projection == ViewProjection::equirect || projection == ViewProjection::cube) {
+    idle.add({"view.fov_deg"}, "is for a view that shows a part of the sphere");
+  }
+}
+
 void add_stereo(const Show& show, Idle& idle) {
   if (eye_count(show.stereo) == 1) {
     idle.add({"stereo.model", "stereo.baseline", "stereo.convergence", "stereo.fade", "stereo.comfort_deg",
@@ -116,6 +151,8 @@ std::vector<IdleLine> idle_lines(const Show& show) {
   add_sky(show, idle);
   add_light(show, idle);
   add_objects(show, idle);
+  add_shells(show, idle);
+  add_view(show, idle);
   return idle.in_order();
 }
 

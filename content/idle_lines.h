@@ -14,7 +14,7 @@ struct IdleLine {
   std::string why;  //!< "is for curve = \"gamma\""
 };
 
-//! The lines of a show that belong to a curve, a pattern, a filter or stars that it does not have, in the order of the file. Lines of a show
+//! The lines of a show that belong to a curve, a pattern, a filter, a projection or stars that it does not have, in the order of the file. Lines of a show
 //! that came from no file are none.
 std::vector<IdleLine> idle_lines(const Show& show);
 

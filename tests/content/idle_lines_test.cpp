@@ -56,6 +56,52 @@ TEST(IdleLines, AreWhatConcernsAMapWhereTheSkyIsBlack) {
   EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nstars = \"bright_stars\"\nexposure = 4\n"), IsEmpty());
 }
 
+TEST(IdleLines, AreTheAxisOfASkyThatIsNotThere) {
+  const std::string axis = "spin_axis = { ra_deg = 10, dec_deg = 20 }\n";
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\n" + axis), ElementsAre(idle(3, "sky.spin_axis", "stars")));
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nstars = \"bright_stars\"\n" + axis), IsEmpty());
+  EXPECT_THAT(idle_in("[sky]\n" + axis), IsEmpty());
+}
+
+TEST(IdleLines, AreThoseOfAnotherProjection) {
+  const std::string numbers = "fov_deg = 90\naspect = 2\ntilt_deg = 10\n";
+  EXPECT_THAT(idle_in("[view]\nprojection = \"equirect\"\naspect = 2\ntilt_deg = 10\n"),
+              ElementsAre(idle(3, "view.aspect", "pinhole"), idle(4, "view.tilt_deg", "dome")));
+  EXPECT_THAT(idle_in("[view]\nprojection = \"dome\"\n" + numbers), ElementsAre(idle(4, "view.aspect", "pinhole")));
+  EXPECT_THAT(idle_in("[view]\nprojection = \"cylinder\"\n" + numbers),
+              ElementsAre(idle(4, "view.aspect", "pinhole"), idle(5, "view.tilt_deg", "dome")));
+  EXPECT_THAT(idle_in("[view]\nprojection = \"pinhole\"\n" + numbers), ElementsAre(idle(5, "view.tilt_deg", "dome")));
+}
+
+TEST(IdleLines, AreTheFieldOfViewOfADomeThatIsShownAsASphere) {
+  Show show = parse_show("[view]\nfov_deg = 90\n[camera]\n[[camera.key]]\nr = 30\n", "film.toml");
+  EXPECT_THAT(idle_lines(show), IsEmpty());
+  show.view.projection = ViewProjection::equirect;
+  EXPECT_THAT(idle_lines(show), ElementsAre(idle(2, "view.fov_deg", "part of the sphere")));
+}
+
+TEST(IdleLines, AreTheFieldOfViewBesideAFrustum) {
+  const std::string frustum = "frustum = { left_deg = -30, right_deg = 20, up_deg = 25, down_deg = -10 }\n";
+  EXPECT_THAT(idle_in("[view]\nprojection = \"pinhole\"\nfov_deg = 90\naspect = 2\n" + frustum),
+              ElementsAre(idle(3, "view.fov_deg", "frustum"), idle(4, "view.aspect", "frustum")));
+}
+
+TEST(IdleLines, AreColoursOfAShellThatDoesNotShowThem) {
+  const std::string shell = "[[shells]]\nradius = 10\nline_color = [1, 0, 0]\nfill_color = [1, 0, 0]\n";
+  EXPECT_THAT(idle_in(shell), ElementsAre(idle(4, "shells[0].fill_color", "fill_opacity")));
+  EXPECT_THAT(idle_in(shell + "fill_opacity = 0.5\nline_width_deg = 0\n"),
+              ElementsAre(idle(3, "shells[0].line_color", "width")));
+  EXPECT_THAT(idle_in(shell + "fill_opacity = 0.5\nline_opacity = 0\n"),
+              ElementsAre(idle(3, "shells[0].line_color", "opacity")));
+  EXPECT_THAT(idle_in(shell + "fill_opacity = 0.5\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreNotThoseOfAShellThatComesToShowThem) {
+  EXPECT_THAT(idle_in("duration_s = 9\n[[shells]]\nradius = 10\nfill_color = [1, 0, 0]\n[[animate]]\n"
+                      "number = \"shells[0].fill_opacity\"\nkey = [{ t_s = 0, value = 0 }, { t_s = 9, value = 1 }]\n"),
+              IsEmpty());
+}
+
 TEST(IdleLines, AreTheShiftOfAMapWithoutRedshift) {
   EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n"), ElementsAre(idle(2, "sky.shift", "redshift")));
   EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n[effects]\nredshift = true\n"), IsEmpty());
