@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/environment.h"
 #include "app/interrupt.h"
 #include "app/usage_error.h"
 #include "content/files/toml_table.h"
@@ -57,6 +58,7 @@ int run_program(int argc, char** argv) {
   catch_interrupts();
   fail_at_file_limits();
   try {
+    check_environment();
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
     const std::vector<std::string> words = app.remaining();

@@ -47,10 +47,14 @@ glm::dvec3 grid_colour(double latitude_deg, double longitude_deg, double texel_d
 
 std::filesystem::path built_in_content_folder() {
   namespace fs = std::filesystem;
+  std::error_code problem;
   if (const char* chosen = std::getenv("ERGODOME_CONTENT")) {
+    if (!fs::is_directory(fs::path(chosen) / "maps", problem)) {
+      throw Error(std::string("ERGODOME_CONTENT ") + chosen, "holds no built-in content",
+                  "set it to the project's folder content/, or unset it");
+    }
     return chosen;
   }
-  std::error_code problem;
   const fs::path program = fs::read_symlink("/proc/self/exe", problem).parent_path();
   // Of an installed program, of the checkout that it was built in, and of that one after it was moved (build/PRESET/app).
   const fs::path candidates[] = {program / "../share/ergodome/content", fs::path(ERGODOME_CONTENT_DIR),
