@@ -134,11 +134,25 @@ BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJourna
   });
 }
 
+//! The disk's part of what blending misses by, where the disk's layers are blended: "; the disk by 0.196".
+std::string disk_text(const TrajectoryReader& trajectory) {
+  double worst_px = 0.0;
+  for (const StationEntry& station : trajectory.stations()) {
+    const double error_px = static_cast<double>(station.disk_gap_error_px);
+    if (station.disk_bytes > 0 && error_px <= trajectory.provenance().budget_px) {
+      worst_px = std::max(worst_px, error_px);
+    }
+  }
+  return worst_px > 0.0 ? fmt::format(", the disk by {:.3f}", worst_px) : "";
+}
+
 void say(const fs::path& file, const BakeResult& result, double seconds) {
   const TrajectoryReader trajectory(file);
-  fmt::print("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses by {:.3f} px at most\n", file.string(),
+  const std::string disk = disk_text(trajectory);
+  fmt::print("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses {}by {:.3f} px at most{}\n", file.string(),
              counted(trajectory.stations().size(), "station"), result.built,
-             1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, result.worst_px);
+             1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, disk.empty() ? "" : "the sky ",
+             result.worst_px, disk);
   if (result.live_disk_s > 0.0) {
     fmt::print(
         "the disk's grid is made anew in {:.1f} s of the show, where blending would miss more (next to its plane)\n",
