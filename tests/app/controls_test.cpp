@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
@@ -36,6 +37,26 @@ PadState pad_with(PadAxis axis, float value) {
 
 bool of_keyboard(const Input& input) { return input.kind == Input::Kind::key; }
 bool of_pad(const Input& input) { return input.kind == Input::Kind::pad_button || input.kind == Input::Kind::pad_axis; }
+
+//! The first block of a page that is set apart by spaces.
+std::string first_block_of(const std::string& page) {
+  std::ifstream stream(page);
+  std::string block;
+  for (std::string line; std::getline(stream, line);) {
+    const bool within = line.starts_with("    ") || (line.empty() && !block.empty());
+    if (!within && !block.empty()) {
+      break;
+    }
+    block += within ? line + "\n" : "";
+  }
+  return block;
+}
+
+TEST(Controls, TheirPagesExampleIsRead) {
+  const std::string example = first_block_of(ERGODOME_SOURCE_DIR "/app/navigation/CONTROLS.md");
+  EXPECT_THAT(example, HasSubstr("[steer]"));
+  EXPECT_EQ(error_of(example), "");
+}
 
 TEST(Controls, EveryActionHasAKeyAndThoseOfVisitorsAPadsButton) {
   const Controls controls;
