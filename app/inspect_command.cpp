@@ -158,8 +158,9 @@ nlohmann::json facts_of(const EnvironmentImage& image) {
   }
   const double texels = static_cast<double>(image.width) * image.height;
   return {{"name", image.name},
-          {"width", image.width},
-          {"height", image.height},
+          {"width", image.file_width},
+          {"height", image.file_width / 2},
+          {"read_width", image.width},
           {"repaired_texels", image.repaired_texels},
           {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
@@ -31,24 +33,30 @@ void check_shape(const ImageShape& shape, const std::string& name) {
   }
 }
 
-//! Reads an opened image row by row, adding up blocks of `factor` x `factor` texels.
+//! Where one of `from` texels in a row lies in a row of `to`, no more of them: in the first it has this part, and the rest in the next.
+struct TexelPlace {
+  int first;
+  float part;
+};
+
+TexelPlace texel_place(std::int64_t texel, std::int64_t from, std::int64_t to) {
+  const std::int64_t first = texel * to / from;
+  const std::int64_t inside = std::min(to, (first + 1) * from - texel * to);
+  return {static_cast<int>(first), static_cast<float>(static_cast<double>(inside) / static_cast<double>(to))};
+}
+
+//! Reads an opened image row by row, adding up the texels that fall into each of a smaller one.
 class MapReader {
  public:
   MapReader(ImageInput& input, std::string name, int largest_width)
       : input_(input), name_(std::move(name)), coding_(light_coding(input.shape())) {
     const ImageShape& shape = input.shape();
     check_shape(shape, name_);
-    while (shape.width / factor_ > largest_width && shape.width % (2 * factor_) == 0 &&
-           shape.height % (2 * factor_) == 0) {
-      factor_ *= 2;
-    }
-    if (shape.width / factor_ > largest_width && shape.width > 2 * largest_width) {
-      throw Error(name_, fmt::format("is {} pixels wide, which cannot be halved evenly", shape.width),
-                  fmt::format("scale it to {} pixels", largest_width));
-    }
     image_.name = name_;
-    image_.width = shape.width / factor_;
-    image_.height = shape.height / factor_;
+    image_.file_width = shape.width;
+    // Both of an even width, as the image is twice as wide as high.
+    image_.width = std::min(shape.width, largest_width / 2 * 2);
+    image_.height = image_.width / 2;
     image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
     // Other channels are not looked at.
     read_channels_ = coding_.light_channels();
@@ -100,8 +108,9 @@ class MapReader {
   }
 
   void add_row(const float* row, int y, int width) {
-    const float share = 1.0F / static_cast<float>(factor_ * factor_);
-    float* to = image_.rgb.data() + 3 * static_cast<std::size_t>(y / factor_) * static_cast<std::size_t>(image_.width);
+    const double scale = static_cast<double>(image_.width) / width;
+    const auto whole = static_cast<float>(scale * scale);
+    const TexelPlace down = texel_place(y, width / 2, image_.height);
     for (int x = 0; x < width; ++x) {
       const float* const pixel = row + static_cast<std::ptrdiff_t>(x) * read_channels_;
       float colour[3];
@@ -113,16 +122,30 @@ class MapReader {
         light = std::max(light, 0.0F);
       }
       repaired_ += sound ? 0 : 1;
-      for (int c = 0; c < 3; ++c) {
-        to[3 * (x / factor_) + c] += sound ? colour[c] * share : 0.0F;
+      if (sound) {
+        const TexelPlace across = texel_place(x, width, image_.width);
+        add_texel(across.first, down, colour, whole * across.part);
+        add_texel(across.first + 1, down, colour, whole * (1.0F - across.part));
       }
     }
+  }
+
+  void add_texel(int x, const TexelPlace& down, const float (&colour)[3], float share) {
+    const auto add = [&](int y, float part) {
+      if (part > 0.0F) {
+        float* const to = image_.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * image_.width + x);
+        for (int c = 0; c < 3; ++c) {
+          to[c] += colour[c] * part;
+        }
+      }
+    };
+    add(down.first, share * down.part);
+    add(down.first + 1, share * (1.0F - down.part));
   }
 
   ImageInput& input_;
   std::string name_;
   LightCoding coding_;
-  int factor_ = 1;
   int read_channels_ = 3;  //!< of a pixel
   long repaired_ = 0;
   std::vector<float> tiles_;

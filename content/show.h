@@ -10,6 +10,7 @@
 #include "content/disk.h"
 #include "content/fall/fall_settings.h"
 #include "content/flight_settings.h"
+#include "content/map_layout.h"
 #include "content/objects/object_settings.h"
 #include "content/shells.h"
 #include "content/timeline.h"
@@ -61,6 +62,7 @@ enum class StarMethod { inverse, gather };
 
 struct SkySettings {
   std::string map = "milky_way";  //!< a built-in name, or a path relative to the show
+  MapLayout map_layout;           //!< of a path's map
   std::string stars;              //!< a built-in name, a path, or empty: no stars
   StarMethod star_method = StarMethod::inverse;
   double faintest_mag = 10.0;       //!< images of stars fainter than this, as they are seen, are left out

@@ -11,9 +11,11 @@
 #include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
+#include "content/map_layout_reader.h"
 #include "content/objects/object_reader.h"
 #include "content/own_number.h"
 #include "content/shell_reader.h"
+#include "content/sky_map.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
 
@@ -26,6 +28,13 @@ constexpr std::size_t largest_mib = 16;
 void read_sky(const toml::table& table, const std::string& file, SkySettings& sky) {
   TomlTable reader(table, file, "sky");
   sky.map = reader.text("map", sky.map);
+  if (const toml::table* layout = reader.table("map_layout")) {
+    if (is_built_in_sky(sky.map)) {
+      throw reader.error_at("map_layout", "is for a map of one's own, and map is \"" + sky.map + "\"",
+                            "leave it out, or give the path of an image as map");
+    }
+    sky.map_layout = read_map_layout(*layout, file);
+  }
   sky.stars = reader.text("stars", sky.stars);
   sky.faintest_mag = own_number(reader, "faintest_mag", sky.faintest_mag);
   sky.exposure = own_number(reader, "exposure", sky.exposure);

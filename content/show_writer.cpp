@@ -7,6 +7,7 @@
 #include "content/disk_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
+#include "content/map_layout_reader.h"
 #include "content/objects/object_reader.h"
 #include "content/shell_reader.h"
 #include "content/show_reader.h"
@@ -198,6 +199,9 @@ std::string to_toml(const Show& show) {
                    {"flight", flight_table(show.flight)},
                    {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                    {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  if (show.sky.map_layout != MapLayout{}) {
+    root["sky"].as_table()->insert("map_layout", map_layout_table(show.sky.map_layout));
+  }
   if (show.disk) {
     root.insert("disk", disk_table(*show.disk));
   }

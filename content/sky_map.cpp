@@ -43,6 +43,18 @@ glm::dvec3 grid_colour(double latitude_deg, double longitude_deg, double texel_d
   return glm::mix(colour, latitude_deg > 0.0 ? glm::dvec3(1.0) : glm::dvec3(0.9, 0.05, 0.05), ring);
 }
 
+//! The first texel of each row last.
+void turn_rows_round(EnvironmentImage& image) {
+  const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(image.width);
+  for (auto first = image.rgb.begin(); first != image.rgb.end(); first += row) {
+    auto last = first + row;
+    for (auto left = first; left + 3 < last; left += 3) {
+      last -= 3;
+      std::swap_ranges(left, left + 3, last);
+    }
+  }
+}
+
 }  // namespace
 
 std::filesystem::path built_in_content_folder() {
@@ -85,7 +97,11 @@ EnvironmentImage load_sky_map(const Show& show) {
       throw Error(show.sky.map.empty() ? "\"\"" : path.string(), "is not there",
                   "give a built-in sky (milky_way, grid, black) or the path of an image");
     }
-    return read_environment_image(path);
+    EnvironmentImage image = read_environment_image(path);
+    if (show.sky.map_layout.mirrored) {
+      turn_rows_round(image);
+    }
+    return image;
   });
 }
 
@@ -129,6 +145,10 @@ EnvironmentImage make_grid_sky(int width) {
 }
 
 glm::dmat3 sky_from_map(const SkySettings& sky) {
+  return sky_from_equatorial(sky) * equatorial_from_map(sky.map_layout);
+}
+
+glm::dmat3 sky_from_equatorial(const SkySettings& sky) {
   if (sky.map == "grid") {
     return glm::dmat3(1.0);
   }

@@ -15,7 +15,8 @@ std::filesystem::path built_in_content_folder();
 //! Whether a show's word for its map names no file.
 bool is_built_in_sky(const std::string& name);
 
-//! Loads the sky map of a show: a built-in name ("milky_way", "grid", "black") or a path, relative to the show's folder.
+//! Loads the sky map of a show: a built-in name ("milky_way", "grid", "black") or a path, relative to the show's folder. The rows of a map that its
+//! layout calls mirrored are turned round.
 EnvironmentImage load_sky_map(const Show& show);
 
 //! A sky to judge distortion by: lines every 15° of latitude and longitude, a hue for each quadrant, light in the north and dark in
@@ -25,14 +26,16 @@ EnvironmentImage make_grid_sky(int width);
 //! A sky without any light: stars, or what stands near the hole, are all there is to see.
 EnvironmentImage make_black_sky();
 
-//! Rotation from a map's axes to the hole's sky axes (z = spin axis).
+//! Rotation from equatorial J2000 (x to the vernal equinox, z to the north celestial pole) to the hole's sky axes (z = spin axis).
 //!
-//! Map axes are equatorial J2000 (x to the vernal equinox, z to the north celestial pole); the spin axis points at the given right
-//! ascension and declination, and the sky's x axis lies in the plane of the spin axis and the celestial pole, away from the pole.
-//! The built-in grid is drawn in the hole's own axes and is not turned.
+//! The spin axis points at the given right ascension and declination, and the sky's x axis lies in the plane of the spin axis and the celestial
+//! pole, away from the pole. The built-in grid is drawn in the hole's own axes and is not turned, nor are stars beside it.
+glm::dmat3 sky_from_equatorial(const SkySettings& sky);
+
+//! Rotation from a map's axes to the hole's sky axes: those of equatorial J2000, unless its layout says otherwise.
 glm::dmat3 sky_from_map(const SkySettings& sky);
 
-//! Map axes direction of a map's texel position (u to the right, v down, both 0 to 1): right ascension is 90° at the left edge and
+//! Map axes direction of a map's texel position (u to the right, v down, both 0 to 1): longitude is 90° at the left edge and
 //! falls to the right, as seen from inside the sphere with north up.
 glm::dvec3 direction_from_map(double u, double v);
 

@@ -70,7 +70,7 @@ class StarRace {
   StarRace(const Show& show, const AccuracyMoment& moment)
       : moment_(moment),
         colours_(Backend::cpu),
-        field_(load_stars(show), sky_from_map(moment.show.sky), colours_.view()),
+        field_(load_stars(show), sky_from_equatorial(moment.show.sky), colours_.view()),
         tree_(field_) {
     settings_.pixel = moment.pixel;
     settings_.faintest =

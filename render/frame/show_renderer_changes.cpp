@@ -16,8 +16,9 @@ bool same_turn(const SkySettings& a, const SkySettings& b) {
 
 //! Whether two shows look at one map in one way, so that it need not be read again.
 bool same_map(const Show& a, const Show& b) {
-  return a.folder == b.folder && a.sky.map == b.sky.map && same_turn(a.sky, b.sky) && a.sky.filter == b.sky.filter &&
-         a.sky.shift == b.sky.shift && a.effects.redshift == b.effects.redshift;
+  return a.folder == b.folder && a.sky.map == b.sky.map && a.sky.map_layout == b.sky.map_layout &&
+         same_turn(a.sky, b.sky) && a.sky.filter == b.sky.filter && a.sky.shift == b.sky.shift &&
+         a.effects.redshift == b.effects.redshift;
 }
 
 //! Whether two shows' spikes differ in animatable numbers at the most.

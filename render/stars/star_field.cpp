@@ -28,9 +28,9 @@ constexpr float unknown_colour = 0.3F;
 constexpr float bluest = -0.4F;
 constexpr float reddest = 5.0F;
 
-FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_map, const BlackbodyTable& colours) {
+FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_equatorial, const BlackbodyTable& colours) {
   const Vector3<double> d = equatorial_direction(star.ra_deg, star.dec_deg);
-  const glm::dvec3 turned = sky_from_map * glm::dvec3(d.x, d.y, d.z);
+  const glm::dvec3 turned = sky_from_equatorial * glm::dvec3(d.x, d.y, d.z);
   const float colour = std::isfinite(star.b_v) ? std::clamp(star.b_v, bluest, reddest) : unknown_colour;
   const double temperature_k = star_temperature(static_cast<double>(colour));
   const double illuminance = illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * static_cast<double>(star.v_mag));
@@ -54,11 +54,12 @@ double azimuth_turns(const Vector3<double>& d) {
 
 }  // namespace
 
-StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_map, const BlackbodyTable& colours)
+StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_equatorial,
+                     const BlackbodyTable& colours)
     : gains_(colours) {
   stars_.reserve(catalogue.stars.size());
   for (const CatalogueStar& star : catalogue.stars) {
-    stars_.push_back(field_star(star, sky_from_map, colours));
+    stars_.push_back(field_star(star, sky_from_equatorial, colours));
   }
   std::ranges::stable_sort(stars_, std::ranges::greater(), &FieldStar::illuminance);
   count_classes();

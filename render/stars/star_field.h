@@ -21,9 +21,9 @@ struct StarFloor {
 //! Stars by their place on the sky.
 class StarField {
  public:
-  //! `sky_from_map`: from equatorial J2000 to the hole's sky axes. `colours`, in host memory, tells how large a star of some brightness
+  //! `sky_from_equatorial`: from equatorial J2000 to the hole's sky axes. `colours`, in host memory, tells how large a star of some brightness
   //! is. A star without a colour is taken for white (B-V = 0.3).
-  StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_map, const BlackbodyTable& colours);
+  StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_equatorial, const BlackbodyTable& colours);
 
   [[nodiscard]] const std::vector<FieldStar>& stars() const { return stars_; }
 

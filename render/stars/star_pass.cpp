@@ -68,7 +68,7 @@ bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
 StarPass::StarPass(const Show& show, Backend backend)
     : backend_(backend),
       colours_(Backend::cpu),
-      field_(load_stars(show), sky_from_map(show.sky), colours_.view()),
+      field_(load_stars(show), sky_from_equatorial(show.sky), colours_.view()),
       all_gathered_(show.sky.star_method == StarMethod::gather),
       settings_(star_settings(show)),
       order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {
@@ -96,7 +96,7 @@ void StarPass::turn_sky(const Show& show) {
   if (!catalogue_) {
     catalogue_ = load_stars(show);
   }
-  field_ = StarField(*catalogue_, sky_from_map(show.sky), colours_.view());
+  field_ = StarField(*catalogue_, sky_from_equatorial(show.sky), colours_.view());
   images_ = {};
   images_in_place_ = {};
   tree_.reset();

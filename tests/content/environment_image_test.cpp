@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 
+#include "content/sky_map.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
@@ -111,6 +112,43 @@ TEST_F(EnvironmentImageFile, ThirtyTwoThousandPixelsWideIsAveragedDownToTheRight
   EXPECT_EQ(image.width, 1024);
   EXPECT_EQ(image.height, 512);
   EXPECT_NEAR(image.rgb[1234], 0.5, 1e-5);
+}
+
+TEST_F(EnvironmentImageFile, WiderThanTheLargestIsBroughtDownToIt) {
+  // A map of 20 x 10 to one of 8 x 4: each texel holds two and a half by two and a half.
+  std::vector<float> values;
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 0; x < 20; ++x) {
+      values.insert(values.end(), {static_cast<float>(x), static_cast<float>(y), 1.0F});
+    }
+  }
+  const auto image = read_environment_image(write("20.exr", 20, 10, 3, OIIO::TypeDesc::FLOAT, values), 8);
+  ASSERT_EQ(image.width, 8);
+  ASSERT_EQ(image.height, 4);
+  EXPECT_EQ(image.file_width, 20);
+  for (std::size_t i = 0; i < 32; ++i) {
+    // Of two whole texels and half of the next one, or half of one and the next two.
+    const auto mean = [](std::size_t texel) {
+      const double begin = 2.5 * static_cast<double>(texel);
+      return texel % 2 == 0 ? 0.2 * (2.0 * begin + 2.0 * (begin + 1.0) + (begin + 2.0))
+                            : 0.2 * ((begin - 0.5) + 2.0 * (begin + 0.5) + 2.0 * (begin + 1.5));
+    };
+    EXPECT_NEAR(image.rgb[3 * i], mean(i % 8), 1e-5);
+    EXPECT_NEAR(image.rgb[3 * i + 1], mean(i / 8), 1e-5);
+    EXPECT_NEAR(image.rgb[3 * i + 2], 1.0, 1e-6);
+  }
+}
+
+TEST_F(EnvironmentImageFile, OfAMirroredMapHasTheFirstTexelLast) {
+  std::vector<float> values = constant(16, 8, 3, 0.0F);
+  values[3 * (2 * 16 + 1)] = 1.0F;  // the second texel of the third row is red
+  Show show;
+  show.sky.map = write("mirrored.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values).string();
+  show.sky.map_layout.mirrored = true;
+  const EnvironmentImage image = load_sky_map(show);
+  std::vector<float> turned = constant(16, 8, 3, 0.0F);
+  turned[3 * (2 * 16 + 14)] = 1.0F;
+  EXPECT_EQ(image.rgb, turned);
 }
 
 TEST_F(EnvironmentImageFile, BrokenTexelsAreRepairedAndCounted) {

@@ -134,6 +134,23 @@ TEST(Show, WrongWordNamesTheNearest) {
   EXPECT_THAT(problem_of("[camera]\nobserver = \"geodesik\"\n[[camera.key]]\nr = 10\n"), HasSubstr("\"geodesic\""));
 }
 
+TEST(Show, LaysItsMapOnTheSkyAsItSays) {
+  const std::string sky = minimal + "[sky]\nmap = \"dust.exr\"\n";
+  EXPECT_EQ(parse_show(sky, "show.toml").sky.map_layout, MapLayout{});
+  const Show show = parse_show(sky + "map_layout = { coordinates = \"galactic\", mirrored = true }\n", "show.toml");
+  EXPECT_EQ(show.sky.map_layout, (MapLayout{MapCoordinates::galactic, 0.0, true}));
+  EXPECT_EQ(parse_show(to_toml(show), "show.toml").sky.map_layout, show.sky.map_layout);
+  EXPECT_EQ(parse_show(sky + "map_layout = { middle_deg = 180 }\n", "show.toml").sky.map_layout,
+            (MapLayout{MapCoordinates::equatorial, 180.0, false}));
+}
+
+TEST(Show, LaysNoBuiltInMapOtherwise) {
+  EXPECT_THAT(problem_of(minimal + "[sky]\nmap_layout = { mirrored = true }\n"),
+              AllOf(HasSubstr("show.toml:5"), HasSubstr("sky.map_layout"), HasSubstr("milky_way")));
+  EXPECT_THAT(problem_of(minimal + "[sky]\nmap = \"a.png\"\nmap_layout = { coordinates = \"galaxy\" }\n"),
+              HasSubstr("galactic, ecliptic"));
+}
+
 TEST(Show, LooksAtTheSkyThroughEllipsesUnlessItSaysOtherwise) {
   const Show plain = parse_show(minimal, "show.toml");
   EXPECT_EQ(plain.sky.filter, SkyFilter::ewa);

@@ -70,6 +70,46 @@ TEST(SkyMap, RotationPutsTheSpinAxisOnZAndKeepsTheHandedness) {
   }
 }
 
+glm::dvec3 direction_of(double longitude_deg, double latitude_deg) {
+  return {std::cos(latitude_deg * one_degree) * std::cos(longitude_deg * one_degree),
+          std::cos(latitude_deg * one_degree) * std::sin(longitude_deg * one_degree),
+          std::sin(latitude_deg * one_degree)};
+}
+
+//! How far apart a place on a map in other coordinates and one in J2000 are [arcsec].
+double apart_arcsec(MapCoordinates coordinates, const glm::dvec3& on_map, const glm::dvec3& equatorial) {
+  const glm::dvec3 turned = equatorial_from_map({coordinates, 270.0, false}) * on_map;
+  return glm::length(turned - equatorial) / one_degree * 3600.0;
+}
+
+TEST(MapLayout, GalacticPlacesAreWhereCataloguesHaveThem) {
+  // SIMBAD: Vega, Sirius; and the galaxy's north pole and centre.
+  const auto apart = [](double l, double b, double ra, double dec) {
+    return apart_arcsec(MapCoordinates::galactic, direction_of(l, b), direction_of(ra, dec));
+  };
+  EXPECT_LT(apart(67.4482, 19.2372, 279.23474, 38.78369), 1.0);
+  EXPECT_LT(apart(227.2303, -8.8903, 101.28716, -16.71612), 1.0);
+  EXPECT_LT(apart(0.0, 90.0, 192.85948, 27.12825), 0.1);
+  EXPECT_LT(apart(0.0, 0.0, 266.40500, -28.93617), 0.2);
+}
+
+TEST(MapLayout, EclipticPlacesAreWhereTheSunIs) {
+  const auto apart = [](double longitude, double latitude, double ra, double dec) {
+    return apart_arcsec(MapCoordinates::ecliptic, direction_of(longitude, latitude), direction_of(ra, dec));
+  };
+  EXPECT_LT(apart(0.0, 0.0, 0.0, 0.0), 1e-6);
+  EXPECT_LT(apart(90.0, 0.0, 90.0, 23.4392911), 0.01);
+  EXPECT_LT(apart(0.0, 90.0, 270.0, 66.5607089), 0.01);
+}
+
+TEST(MapLayout, WhatIsInTheMiddleOfThePictureHasTheLongitudeThatItSays) {
+  for (const double middle_deg : {0.0, 90.0, 180.0, 270.0, -33.0}) {
+    const glm::dmat3 turn = equatorial_from_map({MapCoordinates::equatorial, middle_deg, false});
+    EXPECT_LT(glm::length(turn * direction_from_map(0.5, 0.5) - direction_of(middle_deg, 0.0)), 1e-12);
+    EXPECT_LT(glm::length(turn * direction_from_map(0.25, 0.5) - direction_of(middle_deg + 90.0, 0.0)), 1e-12);
+  }
+}
+
 TEST(SkyMap, GridIsBrighterInTheNorthAndHasAHueForEachQuadrant) {
   const EnvironmentImage grid = make_grid_sky(720);
   EXPECT_GT(light_at(grid, 37.0, 37.0), 2.0 * light_at(grid, 37.0, -37.0));
