@@ -16,7 +16,7 @@ namespace ergodome {
 
 //! What a mouse did since the last frame.
 struct MouseState {
-  double right_px = 0.0;  //!< dragged
+  double right_px = 0.0;  //!< dragged: with a button held
   double down_px = 0.0;
   double wheel_steps = 0.0;   //!< upwards
   std::set<int> buttons;      //!< that are held, from 0

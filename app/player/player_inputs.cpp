@@ -50,8 +50,11 @@ void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput
       held_buttons_.erase(event.key);
       break;
     case WindowEvent::Kind::pointer:
-      mouse.right_px += event.dx;
-      mouse.down_px += event.dy;
+      // A pointer that is only passing, or a table that is bumped, steers nothing.
+      if (!mouse.buttons.empty()) {
+        mouse.right_px += event.dx;
+        mouse.down_px += event.dy;
+      }
       break;
     case WindowEvent::Kind::scroll:
       mouse.wheel_steps += event.dy;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "app/player/player_inputs.h"
 
 namespace ergodome {
@@ -97,6 +99,18 @@ TEST(HeldSwitch, BeginsAnewWhenItWasLetGo) {
   chord.advance(6.0, false);
   EXPECT_FALSE(chord.advance(6.5, true));
   EXPECT_FALSE(chord.advance(8.0, true));
+}
+
+TEST(PlayerInputs, APointerSteersWhileAButtonIsHeldAlone) {
+  PlayerInputs inputs(Controls{});
+  const WindowEvent moved{WindowEvent::Kind::pointer, 0, 20.0, 10.0};
+  EXPECT_EQ(inputs.gather(std::array{moved}, {}, 1e-3).steering.amounts, Steering());
+  const WindowEvent pressed{WindowEvent::Kind::button_down, 0, 0.0, 0.0};
+  EXPECT_LT(inputs.gather(std::array{pressed, moved}, {}, 1e-3).steering.amounts.yaw, 0.0);
+  EXPECT_LT(inputs.gather(std::array{moved}, {}, 1e-3).steering.amounts.yaw, 0.0);
+  const WindowEvent released{WindowEvent::Kind::button_up, 0, 0.0, 0.0};
+  static_cast<void>(inputs.gather(std::array{released}, {}, 1e-3));
+  EXPECT_EQ(inputs.gather(std::array{moved}, {}, 1e-3).steering.amounts, Steering());
 }
 
 //! Whether keys that go down one after the other are the operator's chord.
