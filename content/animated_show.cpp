@@ -81,6 +81,13 @@ const Animation* find_animation(const Show& show, std::string_view path) {
   return found != show.timeline.animations.end() ? &*found : nullptr;
 }
 
+bool changes_off_path(const Show& show) {
+  const Timeline& timeline = show.timeline;
+  return !timeline.animations.empty() || !timeline.captions.empty() || !timeline.overlays.empty() ||
+         (show.disk && show.disk->pattern != DiskPattern::none) ||
+         std::ranges::any_of(show.objects, [](const ObjectSettings& object) { return object.orbit.has_value(); });
+}
+
 double spin_at(const Show& show, double time_s) {
   const Animation* const animation = find_animation(show, "hole.spin");
   return animation != nullptr ? value_at(*animation, time_s) : show.spin;

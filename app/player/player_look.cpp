@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/player/player_session.h"
+#include "content/animated_show.h"
 #include "content/fall/rain_pose.h"
 #include "content/key_curve.h"
 
@@ -20,8 +21,8 @@ constexpr double widest_dome_deg = 360.0;
 void PlayerSession::look(double seconds) {
   const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
   const std::string& language = playback_.language();
-  // Off its path only numbers that change tell one time of a show from another.
-  frame_.time_s = flying() && show_.timeline.animations.empty() ? 0.0 : time_s;
+  // Off its path one time of many a show is like another, and a picture that is there need not be made again.
+  frame_.time_s = flying() && !changes_off_path(show_) ? 0.0 : time_s;
   frame_.pose = navigator_->pose();
   if (!flying()) {
     frame_.path_time_s = time_s;

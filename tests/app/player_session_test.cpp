@@ -71,6 +71,22 @@ TEST_F(PlayerSessionTest, FollowsTheShowsPath) {
   EXPECT_EQ(session.frame().path_time_s, session.frame().time_s);
 }
 
+TEST_F(PlayerSessionTest, ShowsInFlightWhatTheShowHasAtThatTime) {
+  const std::string way = "duration_s = 20\n[camera]\n[[camera.key]]\nr = 20\n";
+  const auto time_in_flight_s = [&](const std::string& scene) {
+    PlayerSession session = session_on(way + scene);
+    run(session, 2.0);
+    session.advance(pressing(KeyAction::fly));
+    run(session, 1.0);
+    EXPECT_FALSE(session.frame().path_time_s.has_value());
+    return session.frame().time_s;
+  };
+  EXPECT_NEAR(time_in_flight_s("[[caption]]\nfrom_s = 1\nto_s = 9\ntext = \"Here\"\n"), 3.0, 0.1);
+  EXPECT_NEAR(time_in_flight_s("[disk]\npattern = \"procedural\"\n"), 3.0, 0.1);
+  EXPECT_NEAR(time_in_flight_s("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\norbit = { r = 12 }\n"), 3.0, 0.1);
+  EXPECT_EQ(time_in_flight_s("[disk]\n"), 0.0) << "one picture is like another";
+}
+
 constexpr const char* falling_show = R"(
 duration_s = 20
 [camera]
