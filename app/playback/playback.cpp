@@ -263,7 +263,12 @@ void Playback::fill(PlayerStatus& status) const {
   status.chapter = chapter();
   status.chapters.clear();
   for (const Chapter& chapter : chapters_) {
-    status.chapters.push_back({chapter.time_s, text_in(chapter.title, language_)});
+    ChapterStatus& added = status.chapters.emplace_back();
+    added.time_s = chapter.time_s;
+    added.title = text_in(chapter.title, language_);
+    for (const auto& [tag, title] : chapter.title) {
+      added.titles.push_back(title);
+    }
   }
   status.clock = clock_text();
   status.follows = external_ ? external_->name() : "";

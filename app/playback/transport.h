@@ -93,7 +93,8 @@ struct PadStatus {
 
 struct ChapterStatus {
   double time_s = 0.0;
-  std::string title;
+  std::string title;                //!< in the language that is heard
+  std::vector<std::string> titles;  //!< in all of the show's
 };
 
 //! What the player tells the world, once a frame.

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glib.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "content/files/toml_table.h"
@@ -48,10 +50,16 @@ constexpr std::array rules = {
     CommandRule{Kind::reload, "reload"},
 };
 
-std::string in_lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+//! A text with no difference of upper and lower case, in any letters; what is no UTF-8 stays as it is.
+std::string without_case(const std::string& text) {
+  if (g_utf8_validate(text.data(), static_cast<gssize>(text.size()), nullptr) == FALSE) {
+    return text;
+  }
+  const std::unique_ptr<gchar, decltype(&g_free)> folded(g_utf8_casefold(text.data(), static_cast<gssize>(text.size())),
+                                                         &g_free);
+  const std::unique_ptr<gchar, decltype(&g_free)> composed(g_utf8_normalize(folded.get(), -1, G_NORMALIZE_DEFAULT),
+                                                           &g_free);
+  return composed ? composed.get() : text;
 }
 
 double whole_number(std::string_view place, double number, double least, double greatest) {
@@ -91,32 +99,39 @@ std::string language_of(std::string_view place, const CommandArgument& argument)
   return *tag;
 }
 
-//! The same, where the show has it.
+//! The show's tag for it: the same but for upper and lower case, which tags do not have, or that of the language without its country ("de" for "de-AT").
 std::string spoken_language(std::string_view place, const CommandArgument& argument,
                             const std::vector<std::string>& spoken) {
-  std::string tag = language_of(place, argument);
-  if (std::find(spoken.begin(), spoken.end(), tag) == spoken.end()) {
-    throw Error(std::string(place), fmt::format("the show does not speak \"{}\"", tag),
-                spoken.empty() ? "it has one language" : fmt::format("it speaks {}", fmt::join(spoken, ", ")));
+  const std::string tag = language_of(place, argument);
+  for (const std::string& wanted : {tag, tag.substr(0, tag.find_first_of("-_"))}) {
+    const auto found = std::ranges::find(spoken, without_case(wanted), without_case);
+    if (found != spoken.end()) {
+      return *found;
+    }
   }
-  return tag;
+  throw Error(std::string(place), fmt::format("the show does not speak \"{}\"", tag),
+              spoken.empty() ? "it has one language" : fmt::format("it speaks {}", fmt::join(spoken, ", ")));
 }
 
-//! Index of the chapter with a title: written the same, or else but for upper and lower case.
+//! Index of the chapter with a title: written the same, or else but for upper and lower case; in the language that is heard, or else in another.
 double index_of_title(std::string_view place, const std::string& title, const std::vector<ChapterStatus>& chapters) {
-  const auto same = [&](const auto& change) {
-    return std::find_if(chapters.begin(), chapters.end(),
-                        [&](const ChapterStatus& chapter) { return change(chapter.title) == change(title); });
+  const auto as_it_is = [](const std::string& text) { return text; };
+  const auto find = [&](const auto& change, bool all) {
+    const std::string wanted = change(title);
+    return std::ranges::find_if(chapters, [&](const ChapterStatus& chapter) {
+      return change(chapter.title) == wanted ||
+             (all &&
+              std::ranges::any_of(chapter.titles, [&](const std::string& each) { return change(each) == wanted; }));
+    });
   };
-  auto found = same([](const std::string& text) { return text; });
-  if (found == chapters.end()) {
-    found = same(in_lower_case);
+  for (const auto& found :
+       {find(as_it_is, false), find(as_it_is, true), find(without_case, false), find(without_case, true)}) {
+    if (found != chapters.end()) {
+      return static_cast<double>(found - chapters.begin());
+    }
   }
-  if (found == chapters.end()) {
-    throw Error(std::string(place), "the show has no chapter of that title",
-                chapters.empty() ? "this show has no chapters" : "the first is \"" + chapters.front().title + "\"");
-  }
-  return static_cast<double>(found - chapters.begin());
+  throw Error(std::string(place), "the show has no chapter of that title",
+              chapters.empty() ? "this show has no chapters" : "the first is \"" + chapters.front().title + "\"");
 }
 
 double chapter_index(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {

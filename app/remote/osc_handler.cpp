@@ -177,8 +177,13 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
   }
   // A bundle's time says when its word was right, be that before or after now.
   const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
-  const steady_clock::time_point right_at =
-      after(now.steady, checked_number("clock: time of the bundle", ahead_s, -longest_wait_s, longest_wait_s));
+  if (!(std::abs(ahead_s) <= longest_wait_s)) {
+    throw Error(
+        "clock",
+        fmt::format("the time of the bundle is {:.0f} s {}", std::abs(ahead_s), ahead_s > 0.0 ? "ahead" : "past"),
+        "set the clocks of both machines, or send it without a time");
+  }
+  const steady_clock::time_point right_at = after(now.steady, ahead_s);
   fix.right_at = right_at.time_since_epoch();
   fix.heard = now.steady.time_since_epoch();
   listeners_.clock(fix);

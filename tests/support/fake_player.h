@@ -21,7 +21,9 @@ inline PlayerStatus example_status() {
   status.baseline = 0.1;
   status.languages = {"en", "de"};
   status.language = "en";
-  status.chapters = {{0.0, "Departure"}, {40.0, "The far side"}, {90.0, "Return"}};
+  status.chapters = {{0.0, "Departure", {"Departure", "Aufbruch"}},
+                     {40.0, "The far side", {"The far side", "Drüben, näher"}},
+                     {90.0, "Return", {"Return", "Rückkehr"}}};
   status.chapter = 0;
   status.observer = "geodesic orbit";
   status.lens = "streamed";

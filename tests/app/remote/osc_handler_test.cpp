@@ -18,6 +18,7 @@ using std::chrono::seconds;
 using std::chrono::steady_clock;
 using test::bundle_of;
 using test::packet_of;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -74,6 +75,39 @@ TEST_F(Osc, NumbersOfEveryTypeAreHeeded) {
   EXPECT_THAT(commands_of("/ergodome/loop", "f", 1.0), ElementsAre(TransportCommand{Kind::loop, 1.0, ""}));
   EXPECT_THAT(commands_of("/ergodome/chapter", "s", "Return"), ElementsAre(TransportCommand{Kind::chapter, 2.0, ""}));
   EXPECT_THAT(commands_of("/ergodome/language", "s", "de"), ElementsAre(TransportCommand{Kind::language, 0.0, "de"}));
+}
+
+TEST_F(Osc, ChaptersGoByTheirTitlesInAnyOfTheShowsLanguages) {
+  EXPECT_THAT(commands_of("/ergodome/chapter", "s", "Rückkehr"), ElementsAre(TransportCommand{Kind::chapter, 2.0, ""}));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/chapter", "s", "Retour")), HasSubstr("no chapter of that title"));
+}
+
+TEST_F(Osc, TitlesHaveNoCaseInAnyLetters) {
+  EXPECT_THAT(commands_of("/ergodome/chapter", "s", "THE FAR SIDE"),
+              ElementsAre(TransportCommand{Kind::chapter, 1.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/chapter", "s", "DRÜBEN, NÄHER"),
+              ElementsAre(TransportCommand{Kind::chapter, 1.0, ""}));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/chapter", "s", "dr\xfc")), HasSubstr("no chapter of that title"));
+}
+
+TEST_F(Osc, ATitleOfTheLanguageThatIsHeardComesFirst) {
+  PlayerStatus status = test::example_status();
+  status.chapters[0].titles.emplace_back("Return");
+  board_.post(status);
+  EXPECT_THAT(commands_of("/ergodome/chapter", "s", "Return"), ElementsAre(TransportCommand{Kind::chapter, 2.0, ""}));
+}
+
+TEST_F(Osc, LanguagesGoWithoutTheirCountryAndInAnyCase) {
+  for (const char* tag : {"de", "DE", "de-AT", "de_CH"}) {
+    EXPECT_THAT(commands_of("/ergodome/language", "s", tag), ElementsAre(TransportCommand{Kind::language, 0.0, "de"}));
+  }
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/language", "s", "fr")), HasSubstr("it speaks en, de"));
+}
+
+TEST_F(Osc, AClockFarFromItsBundlesTimeIsRefusedWithARemedy) {
+  EXPECT_THAT(complaint_about(bundle_of(in_seconds(-3600.0), {packet_of("/ergodome/clock", "d", 20.0)})),
+              AllOf(HasSubstr("3600 s past"), HasSubstr("set the clocks of both machines")));
+  EXPECT_THAT(fixes_, IsEmpty());
 }
 
 TEST_F(Osc, ButtonsActWhenPressedAndNotWhenReleased) {
