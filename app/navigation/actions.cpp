@@ -85,8 +85,11 @@ constexpr SteerFacts steering[] = {
     {&Steering::faster, "faster", "LeftShift pad.right_trigger", "faster", "schneller"},
 };
 
-double snapped_speed(double speed) {
-  const double size = std::clamp(std::abs(speed), 1.0 / 16.0, 16.0);
+//! A speed times a factor, between a sixteenth of the usual one and sixteen times it; what a command has made slower or faster than these stays there
+//! rather than go the other way.
+double changed_speed(double speed, double factor) {
+  const double now = std::abs(speed);
+  const double size = std::clamp(factor * now, std::min(now, 1.0 / 16.0), std::max(now, 16.0));
   return std::copysign(size, speed);
 }
 
@@ -111,9 +114,9 @@ std::optional<TransportCommand> transport_command(KeyAction action, const Player
     case step_forward:
       return TransportCommand{Kind::step, 1.0, {}};
     case slower:
-      return TransportCommand{Kind::speed, snapped_speed(0.5 * status.speed), {}};
+      return TransportCommand{Kind::speed, changed_speed(status.speed, 0.5), {}};
     case faster:
-      return TransportCommand{Kind::speed, snapped_speed(2.0 * status.speed), {}};
+      return TransportCommand{Kind::speed, changed_speed(status.speed, 2.0), {}};
     case usual_speed:
       return TransportCommand{Kind::speed, 1.0, {}};
     case reverse:

@@ -246,6 +246,19 @@ TEST(TransportKeys, ComeFromActionsAndWhatIsRunning) {
   EXPECT_EQ(transport_command(KeyAction::help, status), std::nullopt);
 }
 
+TEST(TransportKeys, NeverTurnSlowerIntoFaster) {
+  PlayerStatus status;
+  const auto after = [&](KeyAction action, double speed) {
+    status.speed = speed;
+    return transport_command(action, status)->value;
+  };
+  EXPECT_EQ(after(KeyAction::slower, 0.001), 0.001);
+  EXPECT_EQ(after(KeyAction::faster, 0.001), 0.002);
+  EXPECT_EQ(after(KeyAction::faster, 100.0), 100.0);
+  EXPECT_EQ(after(KeyAction::slower, -100.0), -50.0);
+  EXPECT_EQ(after(KeyAction::slower, 0.0625), 0.0625);
+}
+
 class ControlsFile : public test::FolderTest {};
 
 TEST_F(ControlsFile, IsWrittenOnceAndReadFromTheUsersFolder) {
