@@ -135,6 +135,9 @@ void run(PlayArguments arguments) {
   }
   PlayOptions& options = arguments.options;
   require_other_png("--screenshot", options.screenshot, {arguments.show, arguments.setup});
+  if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".toml") {
+    throw UsageError("--record " + options.record, "is no name of a show", "let it end in .toml");
+  }
   require_output_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
   options.free_flight = options.free_flight || arguments.show.empty();
   if (!arguments.setup.empty()) {
@@ -221,6 +224,8 @@ void add_play_command(CLI::App& app) {
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
   command->add_flag("--times", arguments->options.times_shown,
                     "show the frame time and the lens in the picture (key I)");
+  command->add_flag("--quiet", arguments->options.quiet,
+                    "nothing is said in the picture but what keys ask for (F1, I); the log and the status page say it");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");
   command
       ->add_option("--for", arguments->options.for_seconds, "end by itself this many seconds after the first picture")

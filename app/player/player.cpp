@@ -136,7 +136,7 @@ void Player::run() {
   } else {
     recording_.save(*session_);
   }
-  if (options_.for_seconds > 0.0) {
+  if (options_.for_seconds) {
     print_statistics();
   }
   if (!options_.screenshot.empty()) {
@@ -302,9 +302,9 @@ void Player::keep_recording(RecordingMoment moment) {
 }
 
 void Player::end_in_time() {
-  if (options_.for_seconds > 0.0 && first_answer_ &&
-      std::chrono::duration<double>(Clock::now() - *first_answer_).count() >= options_.for_seconds) {
-    end(fmt::format("the {:g} s of --for are over", options_.for_seconds));
+  if (options_.for_seconds && first_answer_ &&
+      std::chrono::duration<double>(Clock::now() - *first_answer_).count() >= *options_.for_seconds) {
+    end(fmt::format("the {:g} s of --for are over", *options_.for_seconds));
   }
 }
 

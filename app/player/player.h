@@ -25,11 +25,12 @@ namespace ergodome {
 struct PlayOptions {
   bool full_screen = false;
   bool free_flight = false;
-  int size_px = 1024;                        //!< width of one eye's image when the picture stands still
-  double for_seconds = 0.0;                  //!< ends by itself this long after the first picture; 0: when it is closed
-  bool times_shown = false;                  //!< writes the frame time and the lens over the picture
-  std::string screenshot;                    //!< what the window showed last, as a PNG; empty: none
-  std::optional<DomeSetup> setup;            //!< of a dome whose projectors show the pictures, too
+  int size_px = 1024;                 //!< width of one eye's image when the picture stands still
+  bool quiet = false;                 //!< says nothing on the screen but what keys ask for
+  std::optional<double> for_seconds;  //!< ends by itself this long after the first picture; absent: when it is closed
+  bool times_shown = false;           //!< writes the frame time and the lens over the picture
+  std::string screenshot;             //!< what the window showed last, as a PNG; empty: none
+  std::optional<DomeSetup> setup;     //!< of a dome whose projectors show the pictures, too
   std::vector<ProjectorPicture> projectors;  //!< of the setup
   bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
   std::string language;

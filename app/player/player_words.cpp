@@ -42,6 +42,13 @@ std::string Player::help_text(HelpForm form) const {
 }
 
 void Player::update_texts() {
+  if (session_->playback().dark()) {
+    // A blackout is dark, for whoever sits before it.
+    for (const PanelPlace place : {PanelPlace::top_left, PanelPlace::bottom_middle, PanelPlace::middle}) {
+      screen_.set_text(place, "");
+    }
+    return;
+  }
   std::string times;
   if (session_->times_shown()) {
     times =
@@ -51,8 +58,8 @@ void Player::update_texts() {
   screen_.set_text(PanelPlace::top_left, times);
   // What visitors are to read stands there too, and comes first. Of the attract show there is nothing to be told to whoever passes by, nor of a flight
   // whose pictures are yet to come: those that are to be seen are still the attract show's.
-  const bool quiet =
-      !words_.empty() || (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !renderers_.current()));
+  const bool quiet = options_.quiet || !words_.empty() ||
+                     (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !renderers_.current()));
   screen_.set_text(PanelPlace::bottom_middle, quiet ? "" : session_->caption());
   screen_.set_text(PanelPlace::middle, session_->help_shown() ? help_text(HelpForm::cells) : "");
 }

@@ -68,5 +68,14 @@ TEST_F(CommandLine, PlayHoldsABudgetAndTellsWhatBecameOfIt) {
   EXPECT_THAT(output_, HasSubstr("settings changed "));
 }
 
+TEST_F(CommandLine, PlayForNoSecondsEndsAfterItsFirstPicture) {
+  if (!has_display()) {
+    GTEST_SKIP() << "no virtual display here (xvfb-run)";
+  }
+  write("small.toml", budget_show);
+  ASSERT_EQ(run_on_display("play small.toml --size 64 --backend cpu --no-sound --for 0", ""), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(" after the first in 0.0 s"));
+}
+
 }  // namespace
 }  // namespace ergodome

@@ -113,6 +113,7 @@ TEST_F(CommandLine, OutputsAreNoFilesThatAreRead) {
   }
   EXPECT_EQ(run("inspect small.toml --picture small.toml"), 2);
   EXPECT_EQ(run("play small.toml --screenshot small.toml"), 2);
+  EXPECT_EQ(run("play small.toml --record rays.csv"), 2);
   EXPECT_EQ(read_whole_file(folder_ / "small.toml", 10'000, ""), tiny_show);
   EXPECT_EQ(read_whole_file(folder_ / "rays.csv", 10'000, ""), rays);
 }
