@@ -21,6 +21,7 @@
 #include "app/usage_error.h"
 #include "app/write_all.h"
 #include "content/files/atomic_file.h"
+#include "content/frame_rate.h"
 #include "kernels/core/error.h"
 #include "render/output/image_reader.h"
 
@@ -236,7 +237,9 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
     words.insert(words.end(), more.begin(), more.end());
   };
   const std::string size = fmt::format("{}x{}", width_px, height_px);
-  const std::string rate = fmt::format("{:.10g}", movie.frame_rate_hz);
+  const FrameRate exact = frame_rate_of(movie.frame_rate_hz);
+  const std::string rate = exact.seconds == 1001 ? fmt::format("{}/{}", exact.frames, exact.seconds)
+                                                 : fmt::format("{:.10g}", movie.frame_rate_hz);
   const std::string pixels =
       std::string(movie.alpha ? "rgba64" : "rgb48") + (std::endian::native == std::endian::little ? "le" : "be");
   add({"-f", "rawvideo", "-pix_fmt", pixels.c_str(), "-s", size.c_str(), "-framerate", rate.c_str(), "-i", "pipe:0"});

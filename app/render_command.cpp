@@ -226,8 +226,8 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::IsMember(exr_compression_names()));
   command->add_flag("--alpha", options->alpha,
                     "a fourth channel: what the image covers, a dome's circle for instance, with the hole's shadow");
-  command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's")
-      ->check(number_between(0.1, 1000.0));
+  command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's: 24, 29.97, 30000/1001")
+      ->transform(frame_rate_between(0.1, 1000.0));
   command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv")
       ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")

@@ -11,6 +11,7 @@
 #include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
 #include "content/flight_reader.h"
+#include "content/frame_rate.h"
 #include "content/map_layout_reader.h"
 #include "content/objects/object_reader.h"
 #include "content/own_number.h"
@@ -160,7 +161,7 @@ Show parse_show(std::string_view text, const std::string& file) {
   TomlTable root(parsed, file, "");
   show.title = root.text("title", show.name);
   show.duration_s = root.number("duration_s", 0.0, 0.0, 1e9);
-  show.frame_rate_hz = root.number("frame_rate_hz", 30.0, 0.001, 1000.0);
+  show.frame_rate_hz = exact_rate_hz(root.number("frame_rate_hz", 30.0, 0.001, 1000.0));
   read_parts(root, file, show);
   root.refuse_unknown_keys();
   return show;

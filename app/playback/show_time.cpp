@@ -30,21 +30,6 @@ ShowTime show_time(double seconds) {
 
 double seconds_of(std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1e9; }
 
-FrameRate frame_rate_of(double frames_per_second) {
-  for (const std::int64_t whole : {24, 30, 48, 60, 120}) {
-    const double slowed = static_cast<double>(whole) * 1000.0 / 1001.0;
-    if (std::abs(frames_per_second - slowed) < 2e-6 * slowed) {
-      return {whole * 1000, 1001};
-    }
-  }
-  const double within = std::isnan(frames_per_second) ? 30.0 : std::clamp(frames_per_second, 0.001, 1000.0);
-  const double whole = std::round(within);
-  if (whole == within) {
-    return {static_cast<std::int64_t>(whole), 1};
-  }
-  return {std::llround(within * 1e6), 1'000'000};
-}
-
 std::int64_t frame_at(ShowTime time, FrameRate rate) {
   return static_cast<std::int64_t>(
       floor_quotient(Wide{time.count()} * rate.frames, Wide{rate.seconds} * nanoseconds_a_second));

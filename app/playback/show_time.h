@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "content/frame_rate.h"
+
 namespace ergodome {
 
 //! Time of a show from its start. Whole nanoseconds: as exact after 1e9 s as at the start, where a double knows 1e-7 s.
@@ -21,17 +23,6 @@ ShowTime show_time(double seconds);
 
 //! The nearest double.
 double seconds_of(std::chrono::nanoseconds time);
-
-//! Frames in so many seconds: 30 in 1, 30000 in 1001.
-struct FrameRate {
-  std::int64_t frames = 30;
-  std::int64_t seconds = 1;
-
-  bool operator==(const FrameRate&) const = default;
-};
-
-//! The rate that a number stands for, to 1e-6 Hz; 23.976, 29.97, 47.952, 59.94 and 119.88 are 1000/1001 of whole ones.
-FrameRate frame_rate_of(double frames_per_second);
 
 //! The frame that is shown at a time, counted from 0.
 std::int64_t frame_at(ShowTime time, FrameRate rate);

@@ -132,6 +132,24 @@ std::string sound_with_a_step() {
   return wave;
 }
 
+TEST_F(RenderAMovie, IsGivenTelevisionsRatesAsFractions) {
+  install_recorder();
+  for (const char* rate : {"29.97", "30000/1001", "29.9703"}) {
+    fs::remove(folder_ / "words");
+    ASSERT_EQ(run(std::string("render small.toml --out f --frames 1:1 --movie film.mkv --backend cpu --fps ") + rate),
+              0)
+        << output_;
+    EXPECT_THAT(words(), HasSubstr("-framerate 30000/1001 ")) << rate;
+  }
+}
+
+TEST_F(CommandLine, FrameRatesThatAreNoneAreRefused) {
+  for (const char* rate : {"30/", "/1001", "1/0", "30:1", "24000/1"}) {
+    EXPECT_EQ(run(std::string("render once-around --fps ") + rate), 2) << rate;
+    EXPECT_THAT(output_, HasSubstr("nor a fraction as 30000/1001")) << rate;
+  }
+}
+
 TEST_F(RenderAMovie, HasTheShowsSoundInStepWithItsPictures) {
   write("step.wav", sound_with_a_step());
   write("loud.toml", std::string(movie_show) + "[[audio]]\nfile = \"step.wav\"\nfrom_s = 0\n");

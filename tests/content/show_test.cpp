@@ -122,6 +122,11 @@ TEST(Show, EveryBuiltInShowReadsAndCanBeDrawn) {
   EXPECT_GE(shows, 4);
 }
 
+TEST(Show, CountsTelevisionsFramesByTheirExactRate) {
+  const Show show = parse_show("duration_s = 4000\nframe_rate_hz = 29.97\n[[camera.key]]\nr = 8\n", "a.toml");
+  EXPECT_NEAR(frame_time_s(show, 30'000 * 3), 1001.0 * 3, 1e-9);
+}
+
 TEST(Show, UnknownKeyNamesTheNearestTheFileAndTheLine) {
   EXPECT_THAT(problem_of(minimal + "[veiw]\n"),
               AllOf(HasSubstr("show.toml:4"), HasSubstr("veiw"), HasSubstr("\"view\"")));
