@@ -18,6 +18,11 @@ bool has_language(const std::vector<std::string>& languages, const std::string& 
   return std::ranges::find(languages, language) != languages.end();
 }
 
+//! What a show speaks to who asked for a language that it has not.
+std::string spoken_instead(const std::vector<std::string>& languages) {
+  return has_language(languages, "en") ? "en" : languages.front();
+}
+
 }  // namespace
 
 Soundtrack soundtrack_of(const Show& show) { return {show.timeline.audio, show.folder, show.duration_s}; }
@@ -27,7 +32,8 @@ std::string language_note(const std::string& show, const Timeline& heard, const 
   if (language.empty() || spoken.empty() || has_language(spoken, language) || has_language(spoken, wider(language))) {
     return "";
   }
-  return fmt::format("{} does not speak \"{}\"; it speaks {}", show, language, fmt::join(spoken, ", "));
+  return fmt::format("{} does not speak \"{}\"; it speaks {}; showing {}", show, language, fmt::join(spoken, ", "),
+                     spoken_instead(spoken));
 }
 
 Playback::Playback(const Show& show, PlaybackSettings settings)
@@ -47,9 +53,7 @@ void Playback::set_show(const Show& show) {
   chapters_ = show.timeline.chapters;
   languages_ = languages(show.timeline);
   if (!has_language(languages_, language_) && !languages_.empty()) {
-    language_ = has_language(languages_, wider(language_)) ? wider(language_)
-                : has_language(languages_, "en")           ? "en"
-                                                           : languages_.front();
+    language_ = has_language(languages_, wider(language_)) ? wider(language_) : spoken_instead(languages_);
   }
   clock_.set_show(show.duration_s, show.frame_rate_hz);
 }

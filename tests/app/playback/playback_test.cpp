@@ -249,6 +249,7 @@ TEST(PlaybackLanguage, APersonsChoiceComesFirstAndItsWiderLanguageNext) {
 TEST(PlaybackLanguage, IsToldWhereTheShowDoesNotSpeakIt) {
   const Timeline heard = show_with_chapters().timeline;
   EXPECT_THAT(language_note("tour", heard, "pl"), testing::StartsWith("tour does not speak \"pl\"; it speaks "));
+  EXPECT_THAT(language_note("tour", heard, "pl"), testing::EndsWith("; showing en"));
   for (const char* known : {"", "fr", "de-CH"}) {
     EXPECT_EQ(language_note("tour", heard, known), "") << known;
   }
