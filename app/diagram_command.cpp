@@ -194,7 +194,8 @@ void add_diagram_command(CLI::App& app) {
   command->add_option("show", options->show, "show with objects (.toml, or the name of a built-in one)")->required();
   command->add_option("--out", options->out, "picture to write (.png); with --frames: folder for them")->required();
   CLI::Option* at = command->add_option("--at", options->time_s, "time of the show [s]")->capture_default_str();
-  command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1: a picture for each of these frames")
+  command
+      ->add_option("--frames", options->frames, std::string("a picture for each of these frames: ") + frame_range_words)
       ->excludes(at);
   command->add_option("--from", options->from,
                       "AZIMUTH,ELEVATION[,DISTANCE] to look from, degrees and M (default: beside the observer, all in "

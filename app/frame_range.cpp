@@ -22,7 +22,11 @@ std::pair<int, int> frame_range(const std::string& text, int count) {
     } catch (const std::exception&) {
       used = 0;
     }
-    if (used != part.size() || value < 1 || value > count) {
+    if (used != part.size()) {
+      throw UsageError("--frames " + text, fmt::format("\"{}\" is no number of a frame", part),
+                       fmt::format("write FIRST:LAST, for instance 1:{}", count));
+    }
+    if (value < 1 || value > count) {
       throw UsageError("--frames " + text, fmt::format("\"{}\" is not a frame of this show", part),
                        fmt::format("choose from 1:{}", count));
     }

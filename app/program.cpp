@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/commands.h"
@@ -31,6 +32,18 @@ int refuse_word(const CLI::App& app, const std::string& word) {
   return 2;
 }
 
+//! What the parser has to say, in plain words where it has none: of an option that is given twice.
+std::string parser_message(const CLI::Error& problem) {
+  constexpr std::string_view too_often = ": At Most 1 required but received ";
+  const std::string said = problem.what();
+  const std::size_t at = said.find(too_often);
+  if (at == std::string::npos) {
+    return "ergodome: " + said + "; try --help\n";
+  }
+  return "ergodome: " + said.substr(0, at) + ": is given " + said.substr(at + too_often.size()) +
+         " times; give it once\n";
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
@@ -38,9 +51,7 @@ int run_program(int argc, char** argv) {
   CLI::App app("Ergodome shows what a spinning black hole does to the sky around it.", "ergodome");
   app.set_version_flag("--version", "ergodome " ERGODOME_VERSION);
   app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& problem) {
-    return std::string("ergodome: ") + problem.what() + "; try --help\n";
-  });
+  app.failure_message([](const CLI::App*, const CLI::Error& problem) { return parser_message(problem); });
   add_play_command(app);
   add_render_command(app);
   add_bake_command(app);

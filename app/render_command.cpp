@@ -202,7 +202,7 @@ void add_render_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a display");
   command->add_option("show", options->show, "show file (.toml), or the name of a built-in show");
   command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
-  command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1 (default: all)");
+  command->add_option("--frames", options->frames, std::string(frame_range_words) + " (default: all)");
   command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
   command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
       ->check(CLI::IsMember(object_method_names()));

@@ -155,6 +155,19 @@ TEST_F(CommandLine, RenderWritesAFileForEachFaceOfACube) {
   EXPECT_THAT(output_, HasSubstr("1 frame in"));
 }
 
+TEST_F(CommandLine, SaysHowRangesOfFramesAreWritten) {
+  write("small.toml", small_show);
+  for (const char* range : {"1-3", "1:3:2", "first"}) {
+    EXPECT_EQ(run(std::string("render small.toml --frames ") + range), 2) << range;
+    EXPECT_THAT(output_, HasSubstr("write FIRST:LAST")) << range;
+  }
+}
+
+TEST_F(CommandLine, SaysThatAnOptionIsGivenTwice) {
+  EXPECT_EQ(run("render once-around --frames 1 --frames 2"), 2);
+  EXPECT_EQ(output_, "ergodome: --frames: is given 2 times; give it once\n");
+}
+
 TEST_F(CommandLine, RenderRefusesWhatCannotBeAndSaysWhy) {
   write("small.toml", small_show);
   EXPECT_EQ(run("render small.toml --frames 9:12"), 2);
