@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "app/backend_choice.h"
+#include "app/frame_facts.h"
 #include "app/movie.h"
 #include "app/movie_plan.h"
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
 #include "content/files/counted.h"
-#include "kernels/core/angles.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
 #include "render/output/image_writer.h"
@@ -38,36 +38,6 @@ std::optional<double> number_of(const std::string& text) {
                                                                                              : std::nullopt;
 }
 
-//! `baseline`: how far the eyes are apart [M].
-FrameMetadata metadata_of(const Show& show, double time_s, double baseline, FramePart part,
-                          std::optional<CubeFace> face) {
-  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
-  constexpr const char* parts[] = {"whole", "left", "right"};
-  const CameraPose pose = camera_pose(show, time_s);
-  const char* const observer = !pose.velocity      ? observers[static_cast<int>(show.camera.motion)]
-                               : show.camera.orbit ? "fall"
-                                                   : "velocity";
-  FrameMetadata facts = {{"show", show.title},
-                         {"time_s", fmt::format("{:.6f}", time_s)},
-                         {"spin", fmt::format("{:.12g}", show.spin)},
-                         {"r", fmt::format("{:.12g}", pose.r)},
-                         {"theta_deg", fmt::format("{:.12g}", pose.theta * radian_deg)},
-                         {"observer", observer},
-                         {"projection", projection_names()[static_cast<std::size_t>(show.view.projection)]},
-                         {"from_outside", show.view.from_outside ? "true" : "false"},
-                         {"part", parts[static_cast<int>(part)]},
-                         {"face", face ? cube_face_name(*face) : "none"},
-                         {"stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]},
-                         {"version", ERGODOME_VERSION}};
-  if (eye_count(show.stereo) > 1) {
-    facts.emplace_back("stereo_model", stereo_model_names[static_cast<std::size_t>(show.stereo.model)]);
-    facts.emplace_back("baseline_M", fmt::format("{:.12g}", baseline));
-    facts.emplace_back("convergence_M",
-                       show.stereo.convergence > 0.0 ? fmt::format("{:.12g}", show.stereo.convergence) : "infinity");
-  }
-  return facts;
-}
-
 }  // namespace
 
 FrameFormat format_of(const RenderOptions& options) {
@@ -84,6 +54,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
       stream_(open_stream(show, options.lens, backend_)),
       renderer_(show, backend_, lens_choice(options.lens), stream_),
       request_(std::move(request)) {
+  format_.rate = frame_rate_of(show.frame_rate_hz);
   renderer_.overlays().set_language(options.language);
   if (setup) {
     const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
@@ -122,7 +93,7 @@ void FrameWriter::write(int frame) {
     const FramePart part = views ? FramePart::whole : image.part;
     const std::filesystem::path path = path_of(frame, part, image.face);
     enter(path.parent_path());
-    FrameMetadata metadata = metadata_of(show, time_s, baseline, part, image.face);
+    FrameMetadata metadata = frame_facts(show, {frame, baseline, part, image.face, choice_.mode});
     metadata.emplace_back("request", request_);
     if (followed_stops()) {
       metadata.emplace_back(followed_from_fact, followed_from_);

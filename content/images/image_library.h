@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -65,6 +66,7 @@ struct ImagePlan {
   std::vector<std::pair<std::string, std::string>> texts;  //!< facts by OpenImageIO's names
   std::vector<std::pair<std::string, int>> numbers;
   std::vector<float> chromaticities;  //!< of red, green, blue and white, or none
+  std::vector<std::pair<std::string, std::array<int, 2>>> ratios{};
 };
 
 //! A file that is being written; as ImageInput.

@@ -171,6 +171,9 @@ OIIO::ImageSpec spec_of(const ImagePlan& plan) {
   for (const auto& [name, number] : plan.numbers) {
     spec.attribute(name, number);
   }
+  for (const auto& [name, ratio] : plan.ratios) {
+    spec.attribute(name, OIIO::TypeRational, ratio.data());
+  }
   if (!plan.chromaticities.empty()) {
     spec.attribute("chromaticities",
                    OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, static_cast<int>(plan.chromaticities.size())),

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "content/frame_rate.h"
 
 namespace ergodome {
 
@@ -16,6 +19,7 @@ struct FrameFormat {
   ImageFormat image = ImageFormat::png;
   ExrCompression compression = ExrCompression::zip;  //!< of EXR alone
   bool alpha = false;                                //!< a fourth channel: how much of a pixel the image covers
+  std::optional<FrameRate> rate{};                   //!< that an EXR tells of its sequence
 };
 
 //! The words for ImageFormat and for ExrCompression, in their order.

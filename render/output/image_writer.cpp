@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -69,6 +70,12 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
     plan.texts.emplace_back("compression", compressions[static_cast<int>(format.compression)]);
     plan.texts.emplace_back("oiio:ColorSpace", "Linear");
     plan.chromaticities.assign(std::begin(rec709), std::end(rec709));
+    if (format.rate) {
+      const std::int64_t common = std::gcd(format.rate->frames, format.rate->seconds);
+      plan.ratios.push_back(
+          {"FramesPerSecond",
+           {static_cast<int>(format.rate->frames / common), static_cast<int>(format.rate->seconds / common)}});
+    }
     return plan;
   }
   plan.texts.emplace_back("oiio:ColorSpace", "sRGB");

@@ -72,6 +72,15 @@ TEST_F(FrameFiles, ExrIsPackedAsAsked) {
   EXPECT_EQ(spec_of(written({ImageFormat::exr, ExrCompression::dwaa})).get_string_attribute("compression"), "dwaa");
 }
 
+TEST_F(FrameFiles, ExrTellsTheRateOfItsSequenceAsAFraction) {
+  FrameFormat format{ImageFormat::exr};
+  format.rate = frame_rate_of(29.97);
+  const OIIO::ImageSpec spec = spec_of(written(format));
+  const OIIO::ParamValue* const rate = spec.find_attribute("FramesPerSecond", OIIO::TypeRational);
+  ASSERT_NE(rate, nullptr);
+  EXPECT_EQ(rate->get_string(), "30000/1001");
+}
+
 TEST_F(FrameFiles, AlphaIsTheCoverageAndLightIsTimesIt) {
   const auto input = OIIO::ImageInput::open(written({ImageFormat::exr, ExrCompression::none, true}).string());
   ASSERT_EQ(input->spec().nchannels, 4);
