@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
+#include "app/show_loading.h"
 #include "calibration/mpcdi_reader.h"
 #include "content/fingerprint.h"
 #include "content/mesh/mesh_files.h"
 #include "content/show_files.h"
 #include "content/show_reader.h"
+#include "render/overlay/overlay_place.h"
 
 namespace ergodome {
 
@@ -50,14 +53,53 @@ std::string states_of_files(const RenderOptions& options, const Show& show, cons
   return states;
 }
 
+//! Whether pictures may hang on how long the show is: falls are followed to its end, budgets are measured all over it, and a trajectory is left alone where it
+//! is not as long.
+bool length_counts(const RenderOptions& options, const Show& show) {
+  std::error_code problem;
+  return show.camera.fall || !options.budget.empty() || !options.lens.trajectory.empty() ||
+         std::filesystem::exists(fs::path(show.folder) / (show.name + ".trajectory"), problem);
+}
+
+//! The show without what its pictures do not show, or not all of them.
+Show drawn_part(const RenderOptions& options, Show show) {
+  show.timeline.captions.clear();
+  show.timeline.chapters.clear();
+  show.timeline.audio.clear();
+  if (!length_counts(options, show)) {
+    show.duration_s = 0.0;
+  }
+  return show;
+}
+
 }  // namespace
 
-std::string frame_request(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
-  const std::string written = fmt::format("{} {} {} {} {} {} {}", options.format, options.compression, options.alpha,
-                                          options.size_px, options.view, options.method, options.language);
+FrameRequests::FrameRequests(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup)
+    : language_(options.language) {
+  const std::string written = fmt::format("{} {} {} {} {} {}", options.format, options.compression, options.alpha,
+                                          options.size_px, options.view, options.method);
   const std::string light = fmt::format("{} {}", options.lens.lens, fmt::join(options.budget, " "));
-  return fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", ERGODOME_VERSION, to_toml(show),
-                                 setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup)));
+  of_all_ =
+      fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", ERGODOME_VERSION, to_toml(drawn_part(options, show)),
+                              setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup)));
+  // Heat maps have none.
+  if (view_mode(options.view) == ViewMode::sky) {
+    captions_ = show.timeline.captions;
+  }
+}
+
+std::string FrameRequests::at(double time_s) const {
+  std::string seen = of_all_;
+  for (const Caption& caption : captions_) {
+    const double opacity = presence_at(caption.presence, time_s);
+    const std::string& text = text_in(caption.text, language_);
+    if (opacity > 0.0 && !text.empty()) {
+      seen += fmt::format("\n{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", opacity, caption.place.azimuth_deg,
+                          caption.place.elevation_deg, caption.place.roll_deg, caption.letter_deg, caption.width_deg,
+                          fmt::join(caption.color, " "), text);
+    }
+  }
+  return seen == of_all_ ? of_all_ : fingerprint(seen);
 }
 
 }  // namespace ergodome

@@ -45,7 +45,7 @@ FrameFormat format_of(const RenderOptions& options) {
 }
 
 FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup,
-                         std::string request)
+                         FrameRequests requests)
     : options_(options),
       format_(format_of(options)),
       choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show),
@@ -53,7 +53,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
       backend_(choose_backend(options.backend)),
       stream_(open_stream(show, options.lens, backend_)),
       renderer_(show, backend_, lens_choice(options.lens), stream_),
-      request_(std::move(request)) {
+      requests_(std::move(requests)) {
   format_.rate = frame_rate_of(show.frame_rate_hz);
   renderer_.overlays().set_language(options.language);
   if (setup) {
@@ -77,6 +77,7 @@ void FrameWriter::write(int frame) {
     ++resumed_;
     return;
   }
+  renewed_ += options_.resume && was_asked_otherwise(frame) ? 1 : 0;
   const double time_s = frame_time_s(show, frame);
   go_on_exposing(frame);
   std::vector<FrameImage> images = renderer_.render(time_s, choice_);
@@ -94,7 +95,7 @@ void FrameWriter::write(int frame) {
     const std::filesystem::path path = path_of(frame, part, image.face);
     enter(path.parent_path());
     FrameMetadata metadata = frame_facts(show, {frame, baseline, part, image.face, choice_.mode});
-    metadata.emplace_back("request", request_);
+    metadata.emplace_back("request", request_of(frame));
     if (followed_stops()) {
       metadata.emplace_back(followed_from_fact, followed_from_);
       metadata.emplace_back(followed_stops_fact, stops_text(*followed_stops()));
@@ -127,9 +128,8 @@ std::filesystem::path FrameWriter::first_file_of(int frame) const {
 }
 
 std::string FrameWriter::stops_before(int frame) const {
-  const std::filesystem::path before = frame > 0 ? first_file_of(frame - 1) : std::filesystem::path();
-  const bool alike = frame > 0 && fact_of_image(before, "request") == request_;
-  const std::string stops = alike ? fact_of_image(before, followed_stops_fact) : "";
+  const bool alike = frame > 0 && was_asked_alike(frame - 1);
+  const std::string stops = alike ? fact_of_image(first_file_of(frame - 1), followed_stops_fact) : "";
   return number_of(stops) ? stops : anew;
 }
 
@@ -200,15 +200,25 @@ void FrameWriter::write_movies(int first, int last) const {
 
 void FrameWriter::write_facts(int first, int last) const {
   const Show& show = renderer_.show();
-  const auto lies_there = [&](int frame) { return fact_of_image(first_file_of(frame), "request") == request_; };
   // Long shows are rendered in parts, one beside the other.
-  while (first > 0 && lies_there(first - 1)) {
+  while (first > 0 && was_asked_alike(first - 1)) {
     --first;
   }
-  while (last + 1 < frame_count(show) && lies_there(last + 1)) {
+  while (last + 1 < frame_count(show) && was_asked_alike(last + 1)) {
     ++last;
   }
   write_sequence_facts(options_.out, show, format_, {first, last}, eye_width_px());
+}
+
+std::string FrameWriter::request_of(int frame) const { return requests_.at(frame_time_s(renderer_.show(), frame)); }
+
+bool FrameWriter::was_asked_alike(int frame) const {
+  return fact_of_image(first_file_of(frame), "request") == request_of(frame);
+}
+
+bool FrameWriter::was_asked_otherwise(int frame) const {
+  const std::string request = fact_of_image(first_file_of(frame), "request");
+  return !request.empty() && request != request_of(frame);
 }
 
 int FrameWriter::eye_width_px() const { return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px; }
@@ -233,16 +243,17 @@ bool FrameWriter::is_there(int frame) const {
 bool FrameWriter::is_there(int frame, FramePart part) const {
   const Show& show = renderer_.show();
   if (projectors_) {
-    return projectors_->are_there(path_of(frame, part, std::nullopt), request_);
+    return projectors_->are_there(path_of(frame, part, std::nullopt), request_of(frame));
   }
   const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
   const bool faces = has_face_files(show.view);
   const ImageSize size =
       layout_size(show.stereo.layout, {faces ? eye.width_px / cube_faces : eye.width_px, eye.height_px});
   const int parts = show.stereo.layout == StereoLayout::multiview ? 2 : 1;
+  const std::string request = request_of(frame);
   const auto complete = [&](std::optional<CubeFace> face) {
     const std::filesystem::path path = path_of(frame, part, face);
-    return fact_of_image(path, "request") == request_ && is_complete_image(path, size.width, size.height, parts);
+    return fact_of_image(path, "request") == request && is_complete_image(path, size.width, size.height, parts);
   };
   if (!faces) {
     return complete(std::nullopt);

@@ -7,42 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "app/lens_options.h"
+#include "app/frame_request.h"
 #include "app/movie_sound.h"
+#include "app/render_options.h"
 #include "app/setup_show.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/frame_format.h"
 
 namespace ergodome {
-
-//! What a person asks of `render`.
-struct RenderOptions {
-  std::string show;
-  std::string out = "frames";
-  std::string frames;
-  int size_px = 0;
-  std::string projection;
-  std::string objects;
-  std::string stereo;
-  std::optional<double> baseline;
-  bool tint_eyes = false;
-  bool from_outside = false;
-  std::string backend = "auto";
-  std::string format = "png";
-  std::string compression;
-  bool alpha = false;
-  double frame_rate_hz = 0.0;
-  std::string movie;
-  std::string view = "sky";
-  std::string method;
-  std::string setup;
-  std::string language;  //!< of captions, by its tag
-  LensOptions lens;
-  bool resume = false;
-  std::string pattern;
-  std::vector<std::string> budget;  //!< words of --budget
-  int checked_moments = 0;          //!< at which the budget is checked, in place of writing frames; 0: none
-};
 
 //! The format of the files that are asked for. Throws Error for a compression that the format has not.
 FrameFormat format_of(const RenderOptions& options);
@@ -50,9 +22,10 @@ FrameFormat format_of(const RenderOptions& options);
 //! Renders and writes the frames of one run.
 class FrameWriter {
  public:
-  //! `setup`: the dome whose projectors' frames are written instead of the master's; `request`: see frame_request. The options have to outlive the writer.
+  //! `setup`: the dome whose projectors' frames are written instead of the master's; `requests`: what each frame's file says that it was asked for as. The
+  //! options have to outlive the writer.
   FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup,
-              std::string request);
+              FrameRequests requests);
 
   //! Renders and writes a frame, counted from 0; with --resume only where none is there that was asked for alike.
   void write(int frame);
@@ -66,6 +39,8 @@ class FrameWriter {
   [[nodiscard]] int written() const { return written_; }
   //! Frames that were there, and were not made again.
   [[nodiscard]] int resumed() const { return resumed_; }
+  //! With --resume: frames that were there and were made again, as they had been asked for otherwise.
+  [[nodiscard]] int renewed() const { return renewed_; }
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
@@ -89,6 +64,11 @@ class FrameWriter {
   [[nodiscard]] std::unique_ptr<MovieSound> sound_of(int first, int last) const;
   [[nodiscard]] bool is_there(int frame) const;
   [[nodiscard]] bool is_there(int frame, FramePart part) const;
+  //! What a frame is asked for as, and whether one of its files says so.
+  [[nodiscard]] std::string request_of(int frame) const;
+  [[nodiscard]] bool was_asked_alike(int frame) const;
+  //! Whether a frame of the show lies there that was asked for otherwise.
+  [[nodiscard]] bool was_asked_otherwise(int frame) const;
 
   const RenderOptions& options_;
   FrameFormat format_;
@@ -96,13 +76,14 @@ class FrameWriter {
   Backend backend_;
   std::shared_ptr<StationStream> stream_;  //!< none: no trajectory
   ShowRenderer renderer_;
-  std::string request_;
+  FrameRequests requests_;
   std::optional<ProjectorFrames> projectors_;
   int written_ = 0;
   int exposed_ = -1;            //!< the frame that exposure goes on to
   std::string followed_from_;   //!< its stops, as a file has them
   bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
+  int renewed_ = 0;
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there
   long unresolved_ = 0;
   bool told_no_legend_ = false;

@@ -107,6 +107,15 @@ int write_patterns(const RenderOptions& options, const Show& show, const std::op
   return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
 }
 
+void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
+  const int there = writer.resumed();
+  const std::string again =
+      writer.renewed() > 0 ? fmt::format(" ({} again, asked for otherwise before)", writer.renewed()) : "";
+  fmt::print(
+      "{} in {}{}{}\n", counted(writer.written(), "frame"), options.out, again,
+      there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
+}
+
 void write_frames(const RenderOptions& options, FrameWriter& writer, int first, int last) {
   Progress progress("rendering", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
@@ -119,10 +128,7 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   if (options.setup.empty()) {
     writer.write_facts(first, last);
   }
-  const int there = writer.resumed();
-  fmt::print(
-      "{} in {}{}\n", counted(writer.written(), "frame"), options.out,
-      there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
+  tell_frames(options, writer);
 }
 
 void run(RenderOptions options) {
@@ -145,7 +151,7 @@ void run(RenderOptions options) {
   tell_language(options, show);
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   // What a budget leaves open is chosen by times that are others in each run.
-  const std::string request = frame_request(options, show, setup);
+  const FrameRequests requests(options, show, setup);
   if (!use_render_budget(options, show, setup)) {
     return;
   }
@@ -154,7 +160,7 @@ void run(RenderOptions options) {
     // Before the frames, which may need the room.
     remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
   }
-  FrameWriter writer(options, show, setup, request);
+  FrameWriter writer(options, show, setup, requests);
   write_frames(options, writer, first, last);
   if (!options.movie.empty()) {
     writer.write_movies(first, last);

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "app/frame_request.h"
-#include "app/show_loading.h"
 #include "content/files/whole_file.h"
 #include "render/output/image_reader.h"
 #include "render/output/image_writer.h"
@@ -55,36 +53,6 @@ TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
   fs::last_write_time(folder_ / "sky.ppm", fs::last_write_time(folder_ / "sky.ppm") + std::chrono::seconds(2));
   ASSERT_EQ(run(render), 0);
   EXPECT_THAT(output_, HasSubstr("0 frames in")) << "it holds what it held";
-}
-
-TEST_F(CommandLine, RequestsOfFramesHangOnWhatFilesHoldNotOnTheirTimes) {
-  write("small.toml", tiny_show);
-  const auto request = [&] { return frame_request({}, load_show((folder_ / "small.toml").string()), std::nullopt); };
-  const std::string before = request();
-  const fs::path file = folder_ / "sky.ppm";
-  const fs::file_time_type time = fs::last_write_time(file);
-  fs::last_write_time(file, time + std::chrono::seconds(2));
-  EXPECT_EQ(request(), before);
-  std::string sky = text("sky.ppm");
-  sky.back() = static_cast<char>(sky.back() ^ 1);
-  write("sky.ppm", sky);
-  fs::last_write_time(file, time);
-  EXPECT_NE(request(), before);
-}
-
-TEST_F(CommandLine, RequestsOfFramesHangOnWhatMeshesName) {
-  write("ship.obj", "mtllib ship.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  write("ship.mtl", "newmtl hull\nmap_Kd -s 2 2 1 hull plates.png\n");
-  write("hull plates.png", "rust");
-  write("small.toml", tiny_show + "[[objects]]\nmesh = \"ship.obj\"\nmethod = \"trace\"\nposition = [5, 0, 0]\n");
-  const auto request = [&] { return frame_request({}, load_show((folder_ / "small.toml").string()), std::nullopt); };
-  const std::string rusty = request();
-  EXPECT_EQ(request(), rusty);
-  write("hull plates.png", "lead");
-  const std::string leaden = request();
-  EXPECT_NE(leaden, rusty) << "a picture that the materials name";
-  write("ship.mtl", "newmtl hull\nKd 1 0 0\n");
-  EXPECT_NE(request(), leaden) << "the materials";
 }
 
 TEST_F(CommandLine, RenderResumesFramesWhoseBudgetLeavesThingsOpen) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/lens_options.h"
+
+namespace ergodome {
+
+//! What a person asks of `render`.
+struct RenderOptions {
+  std::string show;
+  std::string out = "frames";
+  std::string frames;
+  int size_px = 0;
+  std::string projection;
+  std::string objects;
+  std::string stereo;
+  std::optional<double> baseline;
+  bool tint_eyes = false;
+  bool from_outside = false;
+  std::string backend = "auto";
+  std::string format = "png";
+  std::string compression;
+  bool alpha = false;
+  double frame_rate_hz = 0.0;
+  std::string movie;
+  std::string view = "sky";
+  std::string method;
+  std::string setup;
+  std::string language;  //!< of captions, by its tag
+  LensOptions lens;
+  bool resume = false;
+  std::string pattern;
+  std::vector<std::string> budget;  //!< words of --budget
+  int checked_moments = 0;          //!< at which the budget is checked, in place of writing frames; 0: none
+};
+
+}  // namespace ergodome
