@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "app/backend_choice.h"
+#include "app/disk_room.h"
 #include "app/frame_facts.h"
 #include "app/movie.h"
 #include "app/movie_plan.h"
+#include "app/numbered_frames.h"
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
@@ -22,6 +25,8 @@
 namespace ergodome {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 //! What a frame's file says of exposure that follows the light: the stops that it was shown with [1].
 constexpr const char* followed_stops_fact = "followed_stops";
@@ -37,6 +42,9 @@ std::optional<double> number_of(const std::string& text) {
   return problem == std::errc() && end == text.data() + text.size() && std::isfinite(number) ? std::optional(number)
                                                                                              : std::nullopt;
 }
+
+//! Frames beside a run's that are looked at: on a disk of another machine each takes some milliseconds.
+constexpr std::size_t most_asked_otherwise = 4096;
 
 }  // namespace
 
@@ -89,6 +97,7 @@ void FrameWriter::write(int frame) {
   }
   const double baseline = renderer_.narrowed_eyes() ? renderer_.narrowed_eyes()->baseline : show.stereo.baseline;
   const bool views = show.stereo.layout == StereoLayout::multiview;
+  frame_bytes_ = 0;
   for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
     const FrameImage& image = images[i];
     const FramePart part = views ? FramePart::whole : image.part;
@@ -107,6 +116,11 @@ void FrameWriter::write(int frame) {
     } else {
       write_picture(path, format_, image.picture, metadata);
     }
+    for (const fs::path& file : projectors_ ? projectors_->paths_of(path) : std::vector<fs::path>{path}) {
+      std::error_code problem;
+      const std::uintmax_t bytes = fs::file_size(file, problem);
+      frame_bytes_ += problem ? 0 : bytes;
+    }
   }
   if (followed_stops()) {
     followed_from_ = stops_text(*followed_stops());
@@ -124,7 +138,7 @@ std::filesystem::path FrameWriter::first_file_of(int frame) const {
   const FramePart part = show.stereo.layout == StereoLayout::separate ? FramePart::left : FramePart::whole;
   const auto face = has_face_files(show.view) ? std::optional(CubeFace{}) : std::nullopt;
   const std::filesystem::path path = path_of(frame, part, face);
-  return projectors_ ? projectors_->first_of(path) : path;
+  return projectors_ ? projectors_->paths_of(path).front() : path;
 }
 
 std::string FrameWriter::stops_before(int frame) const {
@@ -219,6 +233,36 @@ bool FrameWriter::was_asked_alike(int frame) const {
 bool FrameWriter::was_asked_otherwise(int frame) const {
   const std::string request = fact_of_image(first_file_of(frame), "request");
   return !request.empty() && request != request_of(frame);
+}
+
+std::vector<int> FrameWriter::lying_there() const {
+  const bool separate = renderer_.show().stereo.layout == StereoLayout::separate;
+  return numbered_frames(fs::path(options_.out) / eye_folder(separate ? FramePart::left : FramePart::whole),
+                         renderer_.show().name, [&](int frame) { return first_file_of(frame); });
+}
+
+std::vector<int> FrameWriter::asked_otherwise(int first, int last) const {
+  std::vector<int> frames = lying_there();
+  std::erase_if(frames, [&](int frame) { return frame >= first && frame <= last; });
+  frames.resize(std::min(frames.size(), most_asked_otherwise));
+  const int count = frame_count(renderer_.show());
+  std::erase_if(frames, [&](int frame) { return frame < count && !was_asked_otherwise(frame); });
+  return frames;
+}
+
+void FrameWriter::tell_room(int next, int last) {
+  if (written_ == 0 || std::exchange(told_room_, true)) {
+    return;
+  }
+  // What is there already is written over.
+  const auto there = std::ranges::count_if(lying_there(), [&](int frame) { return frame >= next && frame <= last; });
+  const auto missing = static_cast<std::uintmax_t>(last + 1 - next - there);
+  std::error_code problem;
+  const fs::space_info space = fs::space(options_.out, problem);
+  const std::string note = problem ? "" : room_note(options_.out, frame_bytes_ * missing, space.available);
+  if (!note.empty()) {
+    tell_on_terminal(note);
+  }
 }
 
 int FrameWriter::eye_width_px() const { return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -41,6 +42,11 @@ class FrameWriter {
   [[nodiscard]] int resumed() const { return resumed_; }
   //! With --resume: frames that were there and were made again, as they had been asked for otherwise.
   [[nodiscard]] int renewed() const { return renewed_; }
+  //! Numbers, from 0, of frames that lie there before `first` and after `last` and were asked for otherwise, or are beyond the show's end; of many some thousands
+  //! are looked at.
+  [[nodiscard]] std::vector<int> asked_otherwise(int first, int last) const;
+  //! Says once, when the first frame was written, that the disk has no room for those from `next` to `last` that are not there.
+  void tell_room(int next, int last);
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
@@ -69,6 +75,8 @@ class FrameWriter {
   [[nodiscard]] bool was_asked_alike(int frame) const;
   //! Whether a frame of the show lies there that was asked for otherwise.
   [[nodiscard]] bool was_asked_otherwise(int frame) const;
+  //! Numbers of the frames of this name that lie there.
+  [[nodiscard]] std::vector<int> lying_there() const;
 
   const RenderOptions& options_;
   FrameFormat format_;
@@ -84,6 +92,8 @@ class FrameWriter {
   bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
   int renewed_ = 0;
+  std::uintmax_t frame_bytes_ = 0;           //!< of the files of the frame that was written last
+  bool told_room_ = false;                   //!< that the disk has no room, or that it was looked at
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there
   long unresolved_ = 0;
   bool told_no_legend_ = false;

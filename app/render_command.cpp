@@ -15,6 +15,7 @@
 #include "app/interrupt.h"
 #include "app/movie_plan.h"
 #include "app/number_check.h"
+#include "app/numbered_frames.h"
 #include "app/pattern_frames.h"
 #include "app/playback/playback.h"
 #include "app/progress.h"
@@ -107,6 +108,13 @@ int write_patterns(const RenderOptions& options, const Show& show, const std::op
   return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
 }
 
+//! The sheet of facts of the frames first to last, if these are any and are the master's.
+void write_facts(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
+  if (options.setup.empty() && last >= first) {
+    writer.write_facts(first, last);
+  }
+}
+
 void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
   const int there = writer.resumed();
   const std::string again =
@@ -120,15 +128,20 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   Progress progress("rendering", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {
+      // The sheet of an earlier run may tell of other frames.
+      write_facts(options, writer, first, frame - 1);
       throw Error("render", fmt::format("stopped after {}", counted(writer.written(), "frame")), "go on with --resume");
     }
     writer.write(frame);
+    writer.tell_room(frame + 1, last);
     progress.advance_to(frame - first + 1);
   }
-  if (options.setup.empty()) {
-    writer.write_facts(first, last);
-  }
+  write_facts(options, writer, first, last);
   tell_frames(options, writer);
+  if (const std::vector<int> others = writer.asked_otherwise(first, last); !others.empty()) {
+    fmt::print("{} there {} asked for otherwise ({})\n", counted(others.size(), "frame"),
+               others.size() == 1 ? "was" : "were", frame_ranges(others));
+  }
 }
 
 void run(RenderOptions options) {

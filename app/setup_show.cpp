@@ -126,8 +126,12 @@ int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup)
   return static_cast<int>(names.size() * (parts.size() * patterns.size() + (all ? 1 : 0)));
 }
 
-std::filesystem::path ProjectorFrames::first_of(const std::filesystem::path& frame) const {
-  return path_of(frame, rasters_.front());
+std::vector<std::filesystem::path> ProjectorFrames::paths_of(const std::filesystem::path& frame) const {
+  std::vector<std::filesystem::path> paths;
+  for (const Raster& raster : rasters_) {
+    paths.push_back(path_of(frame, raster));
+  }
+  return paths;
 }
 
 bool ProjectorFrames::are_there(const std::filesystem::path& frame, const std::string& request) const {

@@ -30,8 +30,8 @@ class ProjectorFrames {
   //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes FOLDER/NAME_000001_PROJECTOR.png).
   void write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata = {});
 
-  //! One of these files.
-  [[nodiscard]] std::filesystem::path first_of(const std::filesystem::path& frame) const;
+  //! These files.
+  [[nodiscard]] std::vector<std::filesystem::path> paths_of(const std::filesystem::path& frame) const;
 
   //! Whether all of these files are there and complete, and were asked for alike (FrameMetadata's "request").
   [[nodiscard]] bool are_there(const std::filesystem::path& frame, const std::string& request) const;
