@@ -24,7 +24,8 @@ ImageShape shape_of(const OIIO::ImageSpec& spec) {
   shape.height = spec.height;
   shape.depth = spec.depth;
   shape.channels = spec.nchannels;
-  shape.alpha_channel = spec.alpha_channel;
+  // The reader of GIF counts its four channels from 1.
+  shape.alpha_channel = std::min(spec.alpha_channel, spec.nchannels - 1);
   shape.sample_bytes = static_cast<int>(spec.format.size());
   shape.encoded = !spec.format.is_floating_point() && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
   shape.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;

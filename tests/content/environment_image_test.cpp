@@ -62,6 +62,12 @@ TEST_F(EnvironmentImageFile, FloatingPointIsLinear) {
   }
 }
 
+TEST_F(EnvironmentImageFile, AGifHasTheLightOfItsGrey) {
+  const auto image =
+      read_environment_image(write("grey.gif", 16, 8, 3, OIIO::TypeDesc::UINT8, constant(16, 8, 3, 100.0F / 255.0F)));
+  EXPECT_THAT(image.rgb, testing::Each(testing::FloatNear(0.1274F, 1e-3F)));  // sRGB 100
+}
+
 TEST_F(EnvironmentImageFile, GreyBecomesColourAndLightTimesAlphaStays) {
   const auto grey = read_environment_image(write("grey.exr", 8, 4, 1, OIIO::TypeDesc::HALF, constant(8, 4, 1, 2.0F)));
   EXPECT_EQ(grey.rgb[0], 2.0F);
