@@ -14,7 +14,7 @@
 // need no image. So it lies behind these interfaces in a library of its own, which the first call of image_library() loads.
 namespace ergodome {
 
-//! How a file's image lies there.
+//! How a file's image is shown: turned as the file says (Orientation of TIFF and Exif), and in OpenEXR's display window, black where that has no pixels.
 struct ImageShape {
   int width = 0;
   int height = 0;

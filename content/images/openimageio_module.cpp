@@ -11,6 +11,7 @@
 #include "content/images/image_library.h"
 #include "content/images/jpeg_end.h"
 #include "content/images/png_chunks.h"
+#include "content/images/shown_pixels.h"
 
 namespace ergodome {
 
@@ -18,10 +19,10 @@ namespace {
 
 constexpr const char* font = "DejaVuSans";
 
-ImageShape shape_of(const OIIO::ImageSpec& spec) {
+ImageShape shape_of(const OIIO::ImageSpec& spec, const ShownLayout& layout) {
   ImageShape shape;
-  shape.width = spec.width;
-  shape.height = spec.height;
+  shape.width = layout.width();
+  shape.height = layout.height();
   shape.depth = spec.depth;
   shape.channels = spec.nchannels;
   // The reader of GIF counts its four channels from 1.
@@ -29,7 +30,8 @@ ImageShape shape_of(const OIIO::ImageSpec& spec) {
   shape.sample_bytes = static_cast<int>(spec.format.size());
   shape.encoded = !spec.format.is_floating_point() && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
   shape.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
-  shape.tiled = spec.tile_width > 0;
+  // What is not plain is put together as a whole, whatever its tiles are.
+  shape.tiled = spec.tile_width > 0 && layout.is_plain();
   return shape;
 }
 
@@ -76,38 +78,43 @@ class Input final : public ImageInput {
     }
     input_ = OIIO::ImageInput::open(name, asked.separate_alpha ? &wishes : nullptr, memory);
     if (input_) {
-      shape_ = shape_of(input_->spec());
+      take_shape();
     }
   }
 
   [[nodiscard]] bool is_open() const { return input_ != nullptr; }
   [[nodiscard]] bool is_jpeg() const { return std::string_view(input_->format_name()) == "jpeg"; }
+  [[nodiscard]] bool is_too_large() const { return !layout_.is_plain() && !layout_.is_bounded(); }
   [[nodiscard]] const ImageShape& shape() const override { return shape_; }
 
   bool go_to_part(int part) override {
     const bool found = input_->seek_subimage(part, 0);
     if (found) {
-      shape_ = shape_of(input_->spec());
+      take_shape();
       part_ = part;
     }
-    return found;
+    return found && !is_too_large();
   }
 
   bool read_rows(int begin, int end, int channels, float* to) override {
     if (!is_whole()) {
       return false;
     }
+    if (!layout_.is_plain()) {
+      const bool put = shown_channels_ == channels || read_in_place(*input_, part_, layout_, channels, shown_);
+      shown_channels_ = put ? channels : 0;
+      const auto row = static_cast<std::ptrdiff_t>(shape_.width) * channels;
+      if (put) {
+        std::copy(shown_.begin() + begin * row, shown_.begin() + end * row, to);
+      }
+      return put;
+    }
     const int top = input_->spec().y;
     return input_->read_scanlines(part_, 0, top + begin, top + end, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
   }
 
-  bool read_all(int channels, float* to) override {
-    return is_whole() && input_->read_image(part_, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
-  }
-
-  bool read_all(int channels, std::uint16_t* to) override {
-    return is_whole() && input_->read_image(part_, 0, 0, channels, OIIO::TypeDesc::UINT16, to);
-  }
+  bool read_all(int channels, float* to) override { return read_shown(channels, to); }
+  bool read_all(int channels, std::uint16_t* to) override { return read_shown(channels, to); }
 
   bool read_through() override {
     if (!is_whole()) {
@@ -143,12 +150,40 @@ class Input final : public ImageInput {
     return torn_->empty();
   }
 
+  void take_shape() {
+    layout_ = shown_layout(*input_);
+    shape_ = shape_of(input_->spec(), layout_);
+    shown_channels_ = 0;
+  }
+
+  static OIIO::TypeDesc type_of_number(float /*number*/) { return OIIO::TypeDesc::FLOAT; }
+  static OIIO::TypeDesc type_of_number(std::uint16_t /*number*/) { return OIIO::TypeDesc::UINT16; }
+
+  template <class Number>
+  bool read_shown(int channels, Number* to) {
+    if (!is_whole()) {
+      return false;
+    }
+    if (layout_.is_plain()) {
+      return input_->read_image(part_, 0, 0, channels, type_of_number(Number{}), to);
+    }
+    std::vector<Number> shown;
+    const bool put = read_in_place(*input_, part_, layout_, channels, shown);
+    if (put) {
+      std::ranges::copy(shown, to);
+    }
+    return put;
+  }
+
   std::string name_;
   std::optional<std::span<const std::byte>> bytes_;
   std::optional<std::string> torn_;  //!< what is wrong with a PNG, once that is known; empty where nothing is
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;
   ImageShape shape_;
+  ShownLayout layout_;
+  std::vector<float> shown_;  //!< the picture, of a file whose rows are not its
+  int shown_channels_ = 0;    //!< that it has
   int part_ = 0;
 };
 
@@ -248,6 +283,10 @@ class Library final : public ImageLibrary {
     }
     if (input->is_jpeg() && !has_jpeg_end(bytes_of(name, wishes))) {
       problem = "it is torn, and breaks off before its end";
+      return nullptr;
+    }
+    if (input->is_too_large()) {
+      problem = "it shows more than 16384 x 8192 pixels, turned, or in another window than they fill";
       return nullptr;
     }
     return input;

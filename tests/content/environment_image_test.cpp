@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numeric>
 
 #include "content/sky_map.h"
 #include "tests/support/errors.h"
@@ -66,6 +67,44 @@ TEST_F(EnvironmentImageFile, AGifHasTheLightOfItsGrey) {
   const auto image =
       read_environment_image(write("grey.gif", 16, 8, 3, OIIO::TypeDesc::UINT8, constant(16, 8, 3, 100.0F / 255.0F)));
   EXPECT_THAT(image.rgb, testing::Each(testing::FloatNear(0.1274F, 1e-3F)));  // sRGB 100
+}
+
+TEST_F(EnvironmentImageFile, AnExrIsPutIntoItsDisplayWindow) {
+  // Pixels from (-2, 3) of a window of 16 x 8 that begins at (1, 1): what is left of it is cut off, what is not filled black.
+  OIIO::ImageSpec spec(10, 4, 1, OIIO::TypeDesc::FLOAT);
+  spec.x = -2;
+  spec.y = 3;
+  spec.full_x = 1;
+  spec.full_y = 1;
+  spec.full_width = 16;
+  spec.full_height = 8;
+  const fs::path path = folder_ / "window.exr";
+  const auto output = OIIO::ImageOutput::create(path.string());
+  ASSERT_TRUE(output->open(path.string(), spec));
+  std::vector<float> values(40);
+  std::iota(values.begin(), values.end(), 1.0F);
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+  const auto image = read_environment_image(path);
+  ASSERT_EQ(image.width, 16);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const bool filled = x < 7 && y >= 2 && y < 6;
+      const auto expected = static_cast<float>(filled ? 1 + (y - 2) * 10 + x + 3 : 0);
+      EXPECT_EQ(image.rgb[static_cast<std::size_t>(3 * (16 * y + x))], expected) << x << ", " << y;
+    }
+  }
+}
+
+TEST_F(EnvironmentImageFile, AnExrOfAnImmenseWindowIsRefused) {
+  OIIO::ImageSpec spec(16, 8, 1, OIIO::TypeDesc::FLOAT);
+  spec.full_width = 60'000;
+  spec.full_height = 30'000;
+  const fs::path path = folder_ / "immense.exr";
+  const auto output = OIIO::ImageOutput::create(path.string());
+  ASSERT_TRUE(output->open(path.string(), spec));
+  const std::vector<float> values(128, 1.0F);
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+  EXPECT_THAT(problem_of(path), HasSubstr("more than 16384 x 8192 pixels"));
 }
 
 TEST_F(EnvironmentImageFile, GreyBecomesColourAndLightTimesAlphaStays) {

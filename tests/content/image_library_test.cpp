@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <span>
 #include <utility>
@@ -134,6 +136,32 @@ TEST_F(ImageLibraryFiles, ReadsRowsPartsAndWholeImagesAsTheyWereWritten) {
   EXPECT_EQ(all, right);
   EXPECT_TRUE(input->read_through());
   EXPECT_FALSE(input->go_to_part(2));
+}
+
+TEST_F(ImageLibraryFiles, TurnsPixelsAsTheFileTells) {
+  // What is shown of rows 012 and 345 by the orientations of TIFF and Exif, from 1 on.
+  const char* const shown[] = {"012345", "210543", "543210", "345012", "031425", "304152", "524130", "251403"};
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    std::vector<unsigned char> bytes;
+    std::string problem;
+    const auto output = image_library().create("tiff", &bytes, problem);
+    const ImagePlan plan[] = {{3, 2, 1, ImageSample::whole_8, {}, {{"Orientation", orientation}}, {}}};
+    const std::uint8_t pixels[] = {0, 1, 2, 3, 4, 5};
+    ASSERT_TRUE(output && output->open("turned.tif", plan) && output->write(pixels) && output->close()) << problem;
+    const auto input = image_library().open("turned.tif", {std::as_bytes(std::span(bytes))}, problem);
+    ASSERT_NE(input, nullptr) << problem;
+    const int width = orientation > 4 ? 2 : 3;
+    EXPECT_EQ(input->shape().width, width);
+    float all[6];
+    ASSERT_TRUE(input->read_all(1, all));
+    std::string text;
+    std::ranges::transform(all, std::back_inserter(text),
+                           [](float value) { return static_cast<char>('0' + std::lround(255.0F * value)); });
+    EXPECT_EQ(text, shown[orientation - 1]) << orientation;
+    float row[3];
+    ASSERT_TRUE(input->read_rows(1, 2, 1, row));
+    EXPECT_TRUE(std::equal(row, row + width, all + width)) << orientation;
+  }
 }
 
 TEST(ImageLibrary, KnowsNoFormatOfThatName) {

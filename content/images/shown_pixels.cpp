@@ -1,0 +1,66 @@
+#include "content/images/shown_pixels.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace ergodome {
+
+namespace {
+
+template <class Number>
+bool read_numbers_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+                           OIIO::TypeDesc type, std::vector<Number>& shown) {
+  const OIIO::ImageSpec spec = input.spec();
+  const auto numbers = static_cast<std::size_t>(channels);
+  // Rows of tiles are dear: each decodes its tiles.
+  const bool tiled = spec.tile_width > 0;
+  const int rows_at_once = tiled ? spec.height : std::min(spec.height, 64);
+  std::vector<Number> rows(numbers * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(rows_at_once));
+  for (int begin = 0; begin < spec.height; begin += rows_at_once) {
+    const int end = std::min(begin + rows_at_once, spec.height);
+    const bool read =
+        tiled ? input.read_image(part, 0, 0, channels, type, rows.data())
+              : input.read_scanlines(part, 0, spec.y + begin, spec.y + end, 0, 0, channels, type, rows.data());
+    if (!read) {
+      return false;
+    }
+    if (begin == 0) {
+      // Not earlier: a torn file may tell of any size.
+      shown.assign(numbers * static_cast<std::size_t>(layout.width()) * static_cast<std::size_t>(layout.height()),
+                   Number{});
+    }
+    put_rows(layout, begin, end, channels, rows.data(), shown.data());
+  }
+  return true;
+}
+
+}  // namespace
+
+ShownLayout shown_layout(const OIIO::ImageInput& input) {
+  const OIIO::ImageSpec& spec = input.spec();
+  ShownLayout layout;
+  layout.data_width = layout.window_width = spec.width;
+  layout.data_height = layout.window_height = spec.height;
+  // Other formats only tell where on a page an image lies, some of them in inches.
+  if (std::string_view(input.format_name()) == "openexr") {
+    layout.data_left = static_cast<long>(spec.x) - spec.full_x;
+    layout.data_top = static_cast<long>(spec.y) - spec.full_y;
+    layout.window_width = spec.full_width;
+    layout.window_height = spec.full_height;
+  }
+  const int orientation = spec.get_int_attribute("Orientation", 1);
+  layout.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
+  return layout;
+}
+
+bool read_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+                   std::vector<float>& shown) {
+  return read_numbers_in_place(input, part, layout, channels, OIIO::TypeDesc::FLOAT, shown);
+}
+
+bool read_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+                   std::vector<std::uint16_t>& shown) {
+  return read_numbers_in_place(input, part, layout, channels, OIIO::TypeDesc::UINT16, shown);
+}
+
+}  // namespace ergodome
