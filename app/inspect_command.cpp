@@ -157,12 +157,19 @@ nlohmann::json facts_of(const EnvironmentImage& image) {
     sum[i % 3] += image.rgb[i];
   }
   const double texels = static_cast<double>(image.width) * image.height;
-  return {{"name", image.name},
-          {"width", image.file_width},
-          {"height", image.file_width / 2},
-          {"read_width", image.width},
-          {"repaired_texels", image.repaired_texels},
-          {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
+  nlohmann::json facts = {{"name", image.name},
+                          {"width", image.file_width},
+                          {"height", image.file_width / 2},
+                          {"read_width", image.width},
+                          {"repaired_texels", image.repaired.all()},
+                          {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
+  if (image.repaired.all() > 0) {
+    facts["repaired"] = repair_text(image.repaired);
+    facts["too_bright"] = image.repaired.too_bright;
+    facts["below_zero"] = image.repaired.below_zero;
+    facts["not_a_number"] = image.repaired.not_numbers;
+  }
+  return facts;
 }
 
 //! The lens grid that a picture of the show would be read from, at the show's budget and size.

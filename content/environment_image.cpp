@@ -16,8 +16,6 @@ namespace {
 
 constexpr int narrowest = 8;
 constexpr int widest = 65'536;
-//! Light brighter than this is a broken texel; half floats end at 65504, and the sun in any unit stays far below.
-constexpr float brightest = 1e9F;
 
 void check_shape(const ImageShape& shape, const std::string& name) {
   if (shape.width < narrowest || shape.width > widest || shape.depth > 1) {
@@ -79,10 +77,9 @@ class MapReader {
             y, shape.width);
       }
     }
-    if (repaired_ == static_cast<long>(shape.width) * shape.height) {
-      throw Error(name_, "holds no finite light at all", "save it again");
+    if (image_.repaired.not_numbers == static_cast<long>(shape.width) * shape.height) {
+      throw Error(name_, "holds no light that is a number", "save it again");
     }
-    image_.repaired_texels = static_cast<int>(std::min(repaired_, 2'000'000'000L));
     return std::move(image_);
   }
 
@@ -115,18 +112,10 @@ class MapReader {
       const float* const pixel = row + static_cast<std::ptrdiff_t>(x) * read_channels_;
       float colour[3];
       coding_.put_light(pixel, colour);
-      bool sound = true;
-      for (float& light : colour) {
-        sound = sound && light >= -brightest && light <= brightest;  // false for NaN
-        // What filters and changes of gamut leave below zero is no light; the other colours are.
-        light = std::max(light, 0.0F);
-      }
-      repaired_ += sound ? 0 : 1;
-      if (sound) {
-        const TexelPlace across = texel_place(x, width, image_.width);
-        add_texel(across.first, down, colour, whole * across.part);
-        add_texel(across.first + 1, down, colour, whole * (1.0F - across.part));
-      }
+      repair(colour);
+      const TexelPlace across = texel_place(x, width, image_.width);
+      add_texel(across.first, down, colour, whole * across.part);
+      add_texel(across.first + 1, down, colour, whole * (1.0F - across.part));
     }
   }
 
@@ -143,11 +132,27 @@ class MapReader {
     add(down.first + 1, share * (1.0F - down.part));
   }
 
+  //! Makes light of a texel, and counts it where it was none.
+  void repair(float (&colour)[3]) {
+    if (std::ranges::all_of(colour, [](float light) { return light >= 0.0F && light <= brightest_texel; })) {
+      return;
+    }
+    if (std::ranges::any_of(colour, [](float light) { return std::isnan(light); })) {
+      ++image_.repaired.not_numbers;
+      std::ranges::fill(colour, 0.0F);
+    } else if (std::ranges::max(colour) > brightest_texel) {
+      ++image_.repaired.too_bright;
+    } else {
+      ++image_.repaired.below_zero;
+    }
+    // A colour below zero is no light; the others are.
+    std::ranges::transform(colour, colour, [](float light) { return std::clamp(light, 0.0F, brightest_texel); });
+  }
+
   ImageInput& input_;
   std::string name_;
   LightCoding coding_;
   int read_channels_ = 3;  //!< of a pixel
-  long repaired_ = 0;
   std::vector<float> tiles_;
   EnvironmentImage image_;
 };

@@ -24,7 +24,7 @@ glm::dmat3 shell_from_map() {
   return glm::transpose(glm::dmat3(middle, quarter, glm::dvec3(0.0, 0.0, 1.0)));
 }
 
-std::unique_ptr<SkyCube> load_texture(const Show& show, std::size_t shell, Backend backend) {
+std::unique_ptr<SkyCube> load_texture(const Show& show, std::size_t shell, Backend backend, RepairedTexels& repaired) {
   const std::string& texture = show.shells[shell].texture;
   if (texture.empty()) {
     return nullptr;
@@ -38,6 +38,7 @@ std::unique_ptr<SkyCube> load_texture(const Show& show, std::size_t shell, Backe
     }
     return read_environment_image(path);
   });
+  repaired = image.repaired;
   return std::make_unique<SkyCube>(backend, image, shell_from_map(), nullptr, "shell texture");
 }
 
@@ -63,7 +64,7 @@ ShellLook look_of(const ShellSettings& shell, const SkyCube* texture) {
 ShellPass::ShellPass(const Show& show, Backend backend)
     : u_(backend, show.shells.size(), "shells"), looks_(backend, show.shells.size(), "shells") {
   for (std::size_t i = 0; i < show.shells.size(); ++i) {
-    textures_.push_back(load_texture(show, i, backend));
+    textures_.push_back(load_texture(show, i, backend, repaired_.emplace_back()));
   }
   set_numbers(show);
 }

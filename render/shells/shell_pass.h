@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "content/repaired_texels.h"
 #include "content/show.h"
 #include "kernels/shells/shell_look.h"
 #include "render/backend/buffer.h"
@@ -25,11 +26,15 @@ class ShellPass {
   //! The radius of the outermost of these; 0 where there is none [M].
   [[nodiscard]] double outermost_r() const;
 
+  //! Of each shell's texture.
+  [[nodiscard]] const std::vector<RepairedTexels>& repaired() const { return repaired_; }
+
   //! Memory that a shell takes, beside its texture.
   static constexpr long shell_bytes = static_cast<long>(sizeof(float) + sizeof(ShellLook));
 
  private:
   std::vector<ShellSettings> shells_;
+  std::vector<RepairedTexels> repaired_;
   bool shifted_ = false;
   std::vector<std::unique_ptr<SkyCube>> textures_;  //!< one a shell, or none
   Buffer<float> u_;

@@ -34,6 +34,7 @@ void ShowSky::turn(const Show& show, Backend backend) {
 }
 
 void ShowSky::lay_out(const EnvironmentImage& image, const Show& show, Backend backend, const TemperatureFit* fit) {
+  repaired_ = image.repaired;
   const glm::dmat3 turn = sky_from_map(show.sky);
   if (show.sky.filter == SkyFilter::polygon) {
     polygons_ = std::make_unique<PolygonFilter>(image, turn, fit);

@@ -25,6 +25,9 @@ class ShowSky {
   //! For SkyFilter::polygon a single texel a face, the mean.
   [[nodiscard]] const SkyCube& cube() const { return *cube_; }
 
+  //! Of the map's file.
+  [[nodiscard]] const RepairedTexels& repaired() const { return repaired_; }
+
   //! nullptr but for SkyFilter::polygon.
   [[nodiscard]] const PolygonFilter* polygons() const { return polygons_.get(); }
 
@@ -38,6 +41,7 @@ class ShowSky {
   void lay_out(const EnvironmentImage& image, const Show& show, Backend backend, const TemperatureFit* fit);
 
   SkyShift shift_;
+  RepairedTexels repaired_;
   std::optional<EnvironmentImage> image_;  //!< once it has turned
   std::optional<TemperatureFit> fit_;      //!< the same
   std::unique_ptr<BlackbodyColours> colours_;

@@ -201,10 +201,22 @@ TEST_F(EnvironmentImageFile, BrokenTexelsAreRepairedAndCounted) {
   values[0] = std::numeric_limits<float>::quiet_NaN();
   values[7] = std::numeric_limits<float>::infinity();
   const auto image = read_environment_image(write("nan.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));
-  EXPECT_EQ(image.repaired_texels, 2);
+  EXPECT_EQ(image.repaired.not_numbers, 1);
+  EXPECT_EQ(image.repaired.too_bright, 1);
+  EXPECT_TRUE(image.repaired.are_a_mistake());
   for (const float value : image.rgb) {
     EXPECT_TRUE(std::isfinite(value) && value >= 0.0F);
   }
+}
+
+TEST_F(EnvironmentImageFile, LightThatIsTooBrightIsAsBrightAsCanBe) {
+  std::vector<float> values = constant(16, 8, 3, 1.0F);
+  values[3] = 1e30F;
+  values[7] = std::numeric_limits<float>::infinity();
+  const auto image = read_environment_image(write("bright.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));
+  EXPECT_EQ(image.rgb[3], brightest_texel);
+  EXPECT_EQ(image.rgb[4], 1.0F);
+  EXPECT_EQ(image.rgb[7], brightest_texel);
 }
 
 TEST_F(EnvironmentImageFile, ColoursBelowZeroAreNoLightAndTheOthersStay) {
@@ -212,7 +224,8 @@ TEST_F(EnvironmentImageFile, ColoursBelowZeroAreNoLightAndTheOthersStay) {
   std::vector<float> values = constant(16, 8, 3, 1.0F);
   values[10] = -3.0F;
   const auto image = read_environment_image(write("below.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT, values));
-  EXPECT_EQ(image.repaired_texels, 0);
+  EXPECT_EQ(image.repaired.below_zero, 1);
+  EXPECT_FALSE(image.repaired.are_a_mistake());
   EXPECT_EQ(image.rgb[9], 1.0F);
   EXPECT_EQ(image.rgb[10], 0.0F);
   EXPECT_EQ(image.rgb[11], 1.0F);
@@ -221,7 +234,7 @@ TEST_F(EnvironmentImageFile, ColoursBelowZeroAreNoLightAndTheOthersStay) {
 TEST_F(EnvironmentImageFile, WithoutAnySoundTexelIsAnError) {
   EXPECT_THAT(problem_of(write("all-nan.exr", 16, 8, 3, OIIO::TypeDesc::FLOAT,
                                constant(16, 8, 3, std::numeric_limits<float>::quiet_NaN()))),
-              HasSubstr("no finite light"));
+              HasSubstr("no light that is a number"));
 }
 
 TEST_F(EnvironmentImageFile, OfAnotherShapeIsAnError) {
