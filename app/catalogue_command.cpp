@@ -24,15 +24,15 @@ struct CatalogueOptions {
 void print_summary(const StarCatalogue& catalogue) {
   const auto& stars = catalogue.stars;
   const auto colourless = std::ranges::count_if(stars, [](const CatalogueStar& star) { return std::isnan(star.b_v); });
-  fmt::print("{}: {}, {} without a colour, {} left out\n", catalogue.name, counted(stars.size(), "star"), colourless,
-             counted(catalogue.left_out, "row"));
+  fmt::print("{}: {}, {} without a colour, {}\n", catalogue.name, counted(stars.size(), "star"), colourless,
+             text_of(catalogue.left_out));
   if (!stars.empty()) {
     fmt::print("V {:.2f} to {:.2f}; the brightest:\n  number   RA [deg]  Dec [deg]       V     B-V\n",
                stars.front().v_mag, stars.back().v_mag);
   }
   for (const CatalogueStar& star : std::span(stars).first(std::min<std::size_t>(stars.size(), 5))) {
-    fmt::print("{:8} {:10.4f} {:10.4f} {:7.2f} {:7.3f}\n", star.number, star.ra_deg, star.dec_deg, star.v_mag,
-               star.b_v);
+    fmt::print("{:8} {:10.4f} {:10.4f} {:7.2f} {:>7}\n", star.number, star.ra_deg, star.dec_deg, star.v_mag,
+               std::isnan(star.b_v) ? "-" : fmt::format("{:.3f}", star.b_v));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "content/files/counted.h"
 #include "content/show_files.h"
@@ -59,12 +60,37 @@ StarCatalogue load_stars(const Show& show) {
                   "give a built-in catalogue (bright_stars, all_stars) or the path of one");
     }
     StarCatalogue read = read_stars(path);
-    if (read.stars.empty() && read.left_out > 0) {
-      throw Error(path.string(), fmt::format("has no star in {}", counted(read.left_out, "row")),
+    if (read.stars.empty() && !read.left_out.empty()) {
+      throw Error(path.string(), fmt::format("has no star: {}", text_of(read.left_out)),
                   "stars have a right ascension, a declination and a magnitude; the sun is none");
     }
     return read;
   });
+}
+
+std::size_t count_of(const std::vector<RowsLeftOut>& left_out) {
+  return std::accumulate(left_out.begin(), left_out.end(), std::size_t{0},
+                         [](std::size_t sum, const RowsLeftOut& rows) { return sum + rows.count; });
+}
+
+std::string text_of(const std::vector<RowsLeftOut>& left_out) {
+  std::string text = counted(count_of(left_out), "row") + " left out";
+  for (const RowsLeftOut& rows : left_out) {
+    text += fmt::format("{} {} {} ({}line {})", &rows == &left_out.front() ? ":" : ",", rows.count, rows.why,
+                        rows.count > 1 ? "first in " : "", rows.first_line);
+  }
+  return text;
+}
+
+bool lacks_stars(const std::vector<RowsLeftOut>& left_out) {
+  return std::ranges::any_of(left_out, [](const RowsLeftOut& rows) { return !rows.meant; });
+}
+
+std::string note_of_left_out(const Show& show, const std::vector<RowsLeftOut>& left_out) {
+  return named_by(show, "sky.stars",
+                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "has " + text_of(left_out),
+                        "complete these rows, or take them out"))
+      .what();
 }
 
 std::string note_of_no_stars(const Show& show) {

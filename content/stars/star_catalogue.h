@@ -19,12 +19,29 @@ struct CatalogueStar {
   float b_v = 0.0F;  //!< B-V [mag]
 };
 
+//! Rows of a table of which no star was made, for one reason.
+struct RowsLeftOut {
+  std::string why;  //!< "without a magnitude"
+  std::size_t count = 0;
+  std::size_t first_line = 0;  //!< of the file
+  bool meant = false;          //!< the Sun's, which is no star of the sky
+};
+
 //! Stars, brightest first.
 struct StarCatalogue {
   std::string name;
   std::vector<CatalogueStar> stars;
-  std::size_t left_out = 0;  //!< rows without a place or a magnitude
+  std::vector<RowsLeftOut> left_out;
 };
+
+//! How many rows they are in all.
+std::size_t count_of(const std::vector<RowsLeftOut>& left_out);
+
+//! In words: "3 rows left out: 2 without a place (first in line 7), 1 without a magnitude (line 9)".
+std::string text_of(const std::vector<RowsLeftOut>& left_out);
+
+//! Whether other rows are left out than those that are meant to be.
+bool lacks_stars(const std::vector<RowsLeftOut>& left_out);
 
 //! Puts the brightest first; stars of equal magnitude stay in their order.
 void sort_by_brightness(std::vector<CatalogueStar>& stars);
@@ -41,6 +58,9 @@ StarCatalogue load_stars(const Show& show);
 
 //! A sentence for the person whose show names a catalogue that holds no star.
 std::string note_of_no_stars(const Show& show);
+
+//! The same where rows of it were left out.
+std::string note_of_left_out(const Show& show, const std::vector<RowsLeftOut>& left_out);
 
 //! Reads a catalogue from a file of either kind: this project's own (star_file.h), or a table of text (star_table.h).
 StarCatalogue read_stars(const std::filesystem::path& path);

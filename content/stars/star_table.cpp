@@ -24,6 +24,9 @@ constexpr std::size_t chunk_bytes = 1U << 18U;
 
 enum Column { ra_deg, ra_hours, dec_deg, magnitude, colour, catalogue_number, distance, column_count };
 
+//! Magnitude of what is so near that it is the Sun, for which catalogues have a distance of 0.
+constexpr double brightest_but_the_sun = -20.0;
+
 //! What a problem calls a column.
 constexpr const char* column_words[column_count] = {"a right ascension", "a right ascension", "a declination",
                                                     "a magnitude",       "a colour",          "a catalogue's number",
@@ -33,21 +36,36 @@ constexpr const char* column_words[column_count] = {"a right ascension", "a righ
 constexpr double most_colour = 20.0;
 
 //! Names under which catalogues have a column, in capitals or not; HYG: ra in hours, dec, mag, ci.
+constexpr std::pair<std::string_view, Column> column_names[] = {
+    {"ra_deg", ra_deg}, {"radeg", ra_deg},    {"ra", ra_hours},          {"dec_deg", dec_deg},     {"dedeg", dec_deg},
+    {"dec", dec_deg},   {"v_mag", magnitude}, {"vmag", magnitude},       {"mag", magnitude},       {"b_v", colour},
+    {"b-v", colour},    {"ci", colour},       {"hip", catalogue_number}, {"id", catalogue_number}, {"dist", distance}};
+
+//! All of them, by what they hold, for who has named none of a kind.
+constexpr const char* all_column_names =
+    "right ascension: ra_deg or RAdeg in degrees, ra in hours; declination: dec_deg, DEdeg or dec; magnitude: v_mag, "
+    "Vmag or mag; where they are known, colour: b_v, B-V or ci; number: hip or id; distance: dist";
+
 std::optional<Column> column_named(std::string_view name) {
-  constexpr std::pair<std::string_view, Column> names[] = {
-      {"ra_deg", ra_deg},        {"radeg", ra_deg},        {"ra", ra_hours},     {"dec_deg", dec_deg},
-      {"dedeg", dec_deg},        {"dec", dec_deg},         {"v_mag", magnitude}, {"vmag", magnitude},
-      {"mag", magnitude},        {"b_v", colour},          {"b-v", colour},      {"ci", colour},
-      {"hip", catalogue_number}, {"id", catalogue_number}, {"dist", distance}};
   const auto same = [](char known, char given) {
     return known == (given >= 'A' && given <= 'Z' ? static_cast<char>(given - 'A' + 'a') : given);
   };
-  for (const auto& [known, column] : names) {
+  for (const auto& [known, column] : column_names) {
     if (std::ranges::equal(known, name, same)) {
       return column;
     }
   }
   return std::nullopt;
+}
+
+//! Text as a terminal shows it: bytes that it would not are told by their numbers.
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20U || c == '\x7F';
+    shown += control ? fmt::format("\\x{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
+  }
+  return shown;
 }
 
 //! Takes cells and rows from the parser. It must not throw through the parser's frames: the first problem is kept.
@@ -58,6 +76,9 @@ class TableBuilder {
   void take_cell(std::string_view cell) {
     if (problem_) {
       return;
+    }
+    if (cell.find('\n') != std::string_view::npos) {
+      count_lines(cell);
     }
     if (in_header_) {
       name_column(cell);
@@ -75,7 +96,8 @@ class TableBuilder {
     if (!problem_ && cell_ > 0) {
       in_header_ ? end_header() : end_star();
     }
-    line_ += end != '\r' ? 1 : 0;
+    line_ += lines_in_row_ + (end != '\r' ? 1 : 0);
+    lines_in_row_ = 0;
     cell_ = 0;
     values_.fill(std::numeric_limits<double>::quiet_NaN());
   }
@@ -103,6 +125,26 @@ class TableBuilder {
   }
 
  private:
+  //! Counts the lines that a cell in quotes ends. A quote that is closed in another row swallows one with each of them, which the commas tell: in a name there
+  //! may well be an end of a line, but not as many commas as in a row.
+  void count_lines(std::string_view cell) {
+    const auto lines = static_cast<std::size_t>(std::ranges::count(cell, '\n'));
+    const auto commas = static_cast<std::size_t>(std::ranges::count(cell, ','));
+    if (!in_header_ && named_ > 1 && commas >= (named_ - 1) * lines) {
+      leave_out({"within quotes that go on into the next line", lines, line_ + lines_in_row_, false});
+    }
+    lines_in_row_ += lines;
+  }
+
+  void leave_out(const RowsLeftOut& rows) {
+    const auto known = std::ranges::find(catalogue_.left_out, rows.why, &RowsLeftOut::why);
+    if (known == catalogue_.left_out.end()) {
+      catalogue_.left_out.push_back(rows);
+    } else {
+      known->count += rows.count;
+    }
+  }
+
   void name_column(std::string_view cell) {
     if (cell_ == 0 && cell.starts_with("\xEF\xBB\xBF")) {
       cell.remove_prefix(3);
@@ -118,7 +160,9 @@ class TableBuilder {
       }
       has_[*column] = true;
     }
-    semicolons_ = semicolons_ || cell.find(';') != std::string_view::npos;
+    for (const char separator : {';', '\t'}) {
+      separator_ = cell.find(separator) != std::string_view::npos ? separator : separator_;
+    }
     if (columns_.size() < 4096) {
       columns_.push_back(column);
     }
@@ -128,12 +172,20 @@ class TableBuilder {
     in_header_ = false;
     named_ = cell_;
     values_.fill(std::numeric_limits<double>::quiet_NaN());
-    if (!(has_[ra_deg] || has_[ra_hours]) || !has_[dec_deg] || !has_[magnitude]) {
-      fail(
-          "does not name the columns of a star catalogue",
-          semicolons_
-              ? "separate cells by commas in place of semicolons"
-              : "name them in the first line: ra_deg (or ra, in hours), dec_deg (or dec), v_mag (or mag), b_v (or ci)");
+    std::string missing;
+    const auto require = [&](bool there, Column column) {
+      if (!there) {
+        missing += fmt::format("{}{}", missing.empty() ? "" : ", ", column_words[column]);
+      }
+    };
+    require(has_[ra_deg] || has_[ra_hours], ra_deg);
+    require(has_[dec_deg], dec_deg);
+    require(has_[magnitude], magnitude);
+    if (!missing.empty()) {
+      fail(fmt::format("names no column for {}", missing),
+           separator_ == ';'    ? "separate cells by commas in place of semicolons"
+           : separator_ == '\t' ? "separate cells by commas in place of tabs"
+                                : fmt::format("name them in the first line, in capitals or not; {}", all_column_names));
     }
   }
 
@@ -147,12 +199,15 @@ class TableBuilder {
     if (cell.empty()) {
       return;
     }
+    if (cell.find('\n') != std::string_view::npos) {
+      return fail(fmt::format("has a cell of more than one line where {} should be", column_words[column]),
+                  "close its quotes");
+    }
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size()) {
-      fail(fmt::format("has \"{}\" where {} should be", cell.substr(0, 40), column_words[column]),
-           "write a number, or nothing");
-      return;
+      return fail(fmt::format("has \"{}\" where {} should be", printable(cell.substr(0, 40)), column_words[column]),
+                  "write a number, or nothing");
     }
     values_[column] = value;
   }
@@ -161,10 +216,15 @@ class TableBuilder {
     const double ra = has_[ra_deg] ? values_[ra_deg] : 15.0 * values_[ra_hours];
     const double dec = values_[dec_deg];
     const double v_mag = values_[magnitude];
-    const bool sun = has_[distance] && values_[distance] == 0.0;
-    if (!std::isfinite(ra) || !std::isfinite(dec) || !std::isfinite(v_mag) || sun) {
-      ++catalogue_.left_out;
-      return;
+    if (!std::isfinite(ra) || !std::isfinite(dec)) {
+      return leave_out({"without a place", 1, line_, false});
+    }
+    if (!std::isfinite(v_mag)) {
+      return leave_out({"without a magnitude", 1, line_, false});
+    }
+    // Other stars have a distance of 0 where it is not known.
+    if (has_[distance] && values_[distance] == 0.0 && v_mag < brightest_but_the_sun) {
+      return leave_out({"of the Sun", 1, line_, true});
     }
     if (std::abs(dec) > 90.0 || std::abs(ra) > 360.0) {
       return fail(fmt::format("has a star at right ascension {} deg, declination {} deg", ra, dec),
@@ -185,11 +245,12 @@ class TableBuilder {
   }
 
   std::string file_;
-  std::size_t line_ = 1;
+  std::size_t line_ = 1;          //!< where the row begins
+  std::size_t lines_in_row_ = 0;  //!< that cells of it have ended
   std::size_t cell_ = 0;
   std::size_t named_ = 0;  //!< columns of the header
   bool in_header_ = true;
-  bool semicolons_ = false;  //!< in the header
+  char separator_ = ',';  //!< that the header seems to have
   std::vector<std::optional<Column>> columns_;
   std::array<bool, column_count> has_{};
   std::array<double, column_count> values_{};
@@ -219,7 +280,13 @@ class CsvParser {
     }
   }
 
-  void finish(TableBuilder& table) { csv_fini(&parser_, &take_cell, &end_row, &table); }
+  void finish(TableBuilder& table) {
+    // Strict at the end alone: a quote within a cell that has none about it is no mistake.
+    csv_set_opts(&parser_, CSV_REPALL_NL | CSV_STRICT | CSV_STRICT_FINI);
+    if (csv_fini(&parser_, &take_cell, &end_row, &table) != 0) {
+      table.fail("has a quote that is not closed before the file ends", "close it");
+    }
+  }
 
  private:
   static void take_cell(void* cell, std::size_t length, void* table) {

@@ -65,10 +65,13 @@ bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
 
 }  // namespace
 
-StarPass::StarPass(const Show& show, Backend backend)
+StarPass::StarPass(const Show& show, Backend backend) : StarPass(show, backend, load_stars(show)) {}
+
+StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catalogue)
     : backend_(backend),
       colours_(Backend::cpu),
-      field_(load_stars(show), sky_from_equatorial(show.sky), colours_.view()),
+      left_out_(catalogue.left_out),
+      field_(catalogue, sky_from_equatorial(show.sky), colours_.view()),
       all_gathered_(show.sky.star_method == StarMethod::gather),
       settings_(star_settings(show)),
       order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {

@@ -43,6 +43,9 @@ class StarPass {
   //! Whether the catalogue holds no star.
   [[nodiscard]] bool empty() const { return field_.stars().empty(); }
 
+  //! Rows of the catalogue's file of which no star was made.
+  [[nodiscard]] const std::vector<RowsLeftOut>& left_out() const { return left_out_; }
+
   //! Takes the numbers of a show that differs from the first in these alone (content/animatable_number.h), and not in its sky's turn.
   void set_numbers(const Show& show);
 
@@ -67,6 +70,8 @@ class StarPass {
             float* rgba) const;
 
  private:
+  StarPass(const Show& show, Backend backend, const StarCatalogue& catalogue);
+
   //! What is asked of a search for a picture.
   [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
                                           PixelMatch match) const;
@@ -103,6 +108,7 @@ class StarPass {
   Backend backend_;
   BlackbodyColours colours_;
   std::optional<StarCatalogue> catalogue_;  //!< once the sky has turned
+  std::vector<RowsLeftOut> left_out_;
   StarField field_;
   EdgeMiss edge_miss_;
   bool all_gathered_;                  //!< as the show has it

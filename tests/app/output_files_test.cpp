@@ -170,7 +170,7 @@ TEST_F(CommandLine, TellsFilesOfAnotherKind) {
 TEST_F(CommandLine, TellsACatalogueWithoutAStar) {
   write("stars.csv", "ra,dec,mag\n1,2,\n");
   EXPECT_EQ(run("catalogue stars.csv"), 1);
-  EXPECT_THAT(output_, HasSubstr("stars.csv: has no star in 1 row"));
+  EXPECT_THAT(output_, HasSubstr("stars.csv: has no star: 1 row left out"));
 }
 
 TEST_F(CommandLine, TellsOptionsThatWantAnother) {

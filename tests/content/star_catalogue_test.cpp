@@ -19,6 +19,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 StarCatalogue parsed_stars(const std::string& text) {
   std::istringstream stream(text);
@@ -87,15 +88,39 @@ TEST(StarTable, ReadsHygWithHoursQuotesAndTheSunLeftOut) {
       "0,,\"Sol\",0.0,0.0,0.0,-26.7,0.656\r\n"
       "32263,32349,\"Sirius, the \"\"dog\"\"\",6.752481,-16.716116,2.6371,-1.44,0.009\r\n");
   ASSERT_EQ(read.stars.size(), 1U);
-  EXPECT_EQ(read.left_out, 1U);
+  EXPECT_EQ(text_of(read.left_out), "1 row left out: 1 of the Sun (line 2)");
+  EXPECT_FALSE(lacks_stars(read.left_out));
   EXPECT_NEAR(read.stars[0].ra_deg, 101.2872, 1e-4);
   EXPECT_EQ(read.stars[0].number, 32263U);
 }
 
-TEST(StarTable, RowsWithoutPlaceOrMagnitudeAreCounted) {
-  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag\n1,2,nan\n,2,3\n1,inf,3\n1,2\n1,2,3\n");
+TEST(StarTable, RowsWithoutPlaceOrMagnitudeAreCountedByCauseWithTheFirstLine) {
+  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag\n1,2,3\n1,2,nan\n,2,3\n1,inf,3\n1,2\n,2,3\n");
   EXPECT_EQ(read.stars.size(), 1U);
-  EXPECT_EQ(read.left_out, 4U);
+  EXPECT_EQ(text_of(read.left_out),
+            "5 rows left out: 2 without a magnitude (first in line 3), 3 without a place (first in line 4)");
+  EXPECT_TRUE(lacks_stars(read.left_out));
+}
+
+TEST(StarTable, AStarWithoutADistanceIsNotTheSun) {
+  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag,dist\n37.9,89.2,1.98,0\n0,0,-26.7,0\n");
+  ASSERT_EQ(read.stars.size(), 1U);
+  EXPECT_EQ(read.stars[0].v_mag, 1.98F);
+}
+
+TEST(StarTable, StarsThatAQuoteSwallowsAreCounted) {
+  for (const char* const text : {"ra_deg,dec_deg,v_mag,name\n1,2,3,\"Sirius\n4,5,6,\"Vega\"\n7,8,9,Mira\n",
+                                 "name,ra_deg,dec_deg,v_mag\n\"Sirius,1,2,3\n\"Vega\",4,5,6\nMira,7,8,9\n"}) {
+    const StarCatalogue read = parsed_stars(text);
+    EXPECT_EQ(read.stars.size(), 2U) << text;
+    EXPECT_EQ(text_of(read.left_out), "1 row left out: 1 within quotes that go on into the next line (line 2)") << text;
+  }
+}
+
+TEST(StarTable, AnEndOfALineWithinANameIsNoMistakeAndIsCountedAsALine) {
+  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag,name\n1,2,3,\"Sir,\nius\"\n4,5,,x\n");
+  EXPECT_EQ(read.stars.size(), 1U);
+  EXPECT_EQ(text_of(read.left_out), "1 row left out: 1 without a magnitude (line 4)");
 }
 
 TEST(StarTable, HeaderAloneIsACatalogueWithoutStars) {
@@ -108,8 +133,21 @@ TEST(StarTable, ByteOrderMarkAndMissingLastNewlineDoNoHarm) {
 
 TEST(StarTable, EmptyFileIsAnError) { EXPECT_THAT(catalogue_problem(""), HasSubstr("stars.csv: is empty")); }
 
-TEST(StarTable, MissingColumnIsNamed) {
-  EXPECT_THAT(catalogue_problem("ra_deg,mag\n1,2\n"), AllOf(HasSubstr("stars.csv:1"), HasSubstr("dec_deg")));
+TEST(StarTable, MissingColumnIsToldWithAllNames) {
+  EXPECT_THAT(catalogue_problem("ra_deg,mag\n1,2\n"),
+              AllOf(HasSubstr("stars.csv:1: names no column for a declination; "), HasSubstr("dec_deg, DEdeg or dec"),
+                    HasSubstr("b_v, B-V or ci")));
+}
+
+TEST(StarTable, BytesThatATerminalDoesNotShowAreToldByTheirNumbers) {
+  EXPECT_THAT(catalogue_problem(std::string("ra_deg,dec_deg,v_mag\n\0\0,2,3\n", 29)),
+              HasSubstr("has \"\\x00\\x00\" where a right ascension should be"));
+}
+
+TEST(StarTable, ANumberOfMoreThanOneLineIsAnErrorInOneLine) {
+  const std::string problem = catalogue_problem("ra_deg,dec_deg,v_mag\n1,\"2\n3\",4\n");
+  EXPECT_THAT(problem, AllOf(HasSubstr("stars.csv:2"), HasSubstr("more than one line where a declination should be")));
+  EXPECT_THAT(problem, Not(HasSubstr("\n")));
 }
 
 TEST(StarTable, TextForANumberIsAnErrorWithItsLine) {
@@ -136,6 +174,10 @@ TEST(StarTable, SemicolonsAreNamedWhereNoColumnIs) {
               AllOf(HasSubstr("stars.csv:1"), HasSubstr("semicolons")));
 }
 
+TEST(StarTable, TabsAreNamedWhereNoColumnIs) {
+  EXPECT_THAT(catalogue_problem("ra_deg\tdec_deg\tv_mag\n1\t2\t3\n"), HasSubstr("in place of tabs"));
+}
+
 TEST(StarTable, ColourThatNoStarHasIsNotKnown) {
   const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag,b_v\n1,2,3,99\n1,2,4,-99\n");
   ASSERT_EQ(read.stars.size(), 2U);
@@ -152,6 +194,11 @@ TEST(StarTable, MagnitudeOfNoStarIsAnError) {
 
 TEST(StarTable, UnclosedQuoteDoesNotSwallowTheFile) {
   EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,2,\"" + std::string(400'000, 'x')), HasSubstr("64 KiB"));
+}
+
+TEST(StarTable, AQuoteThatIsOpenAtTheEndIsAnErrorWithItsLine) {
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag,name\n1,2,3,Mira\n1,2,3,\"Sirius\n4,5,6,Vega\n"),
+              HasSubstr("stars.csv:3: has a quote that is not closed"));
 }
 
 class StarFile : public test::FolderTest {
