@@ -3,13 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "content/files/counted.h"
+#include "content/sky_map.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -19,7 +22,17 @@ struct CatalogueOptions {
   std::string stars;
   std::string out;
   float faintest = 60.0F;
+  bool replace = false;
 };
+
+//! Throws Error where the output is there and no catalogue of the project's own form: a person's table, or a show.
+void require_star_file(const CatalogueOptions& options) {
+  std::error_code problem;
+  if (!options.replace && std::filesystem::exists(options.out, problem) && !is_star_file(options.out)) {
+    throw Error("--out " + options.out, "is there, and is no catalogue in the project's own form",
+                "choose another name, or add --replace to lose what is there");
+  }
+}
 
 void print_summary(const StarCatalogue& catalogue) {
   const auto& stars = catalogue.stars;
@@ -38,6 +51,10 @@ void print_summary(const StarCatalogue& catalogue) {
 
 void run(const CatalogueOptions& options) {
   require_output_file("--out", options.out, {options.stars});
+  if (is_built_in_catalogue(options.stars)) {
+    require_other_file("--out", options.out, {built_in_content_folder() / "stars" / "hipparcos.stars"});
+  }
+  require_star_file(options);
   Show show;
   show.sky.stars = options.stars;
   StarCatalogue catalogue = load_stars(show);
@@ -63,9 +80,11 @@ void add_catalogue_command(CLI::App& app) {
       ->add_option("stars", options->stars,
                    "bright_stars, all_stars, or a file: a table (.csv) or the project's own form")
       ->required();
-  command->add_option("--out", options->out, "file to write, in the project's own form");
+  CLI::Option* const out = command->add_option("--out", options->out, "file to write, in the project's own form");
   command->add_option("--faintest", options->faintest, "leave out what is fainter than this V magnitude")
       ->check(number_between(-30.0, 60.0));
+  command->add_flag("--replace", options->replace, "write over a file of --out that is not in the project's own form")
+      ->needs(out);
   command->callback([options] { run(*options); });
 }
 

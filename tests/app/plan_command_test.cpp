@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "content/files/whole_file.h"
 #include "tests/app/command_line.h"
 
 namespace ergodome {
@@ -88,6 +89,15 @@ TEST_F(CommandLine, CatalogueReadsATableAndSaysWhatItLeftOut) {
   ASSERT_EQ(run("catalogue own.csv"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("2 stars, 1 without a colour, 1 row left out: 1 without a place (line 4)"));
   EXPECT_THAT(output_, testing::ContainsRegex("4\\.00       -\n"));
+}
+
+TEST_F(CommandLine, CatalogueWritesOverNothingButACatalogueOfItsOwn) {
+  write("precious.toml", "duration_s = 1\n");
+  EXPECT_EQ(run("catalogue bright_stars --faintest 2 --out precious.toml"), 1);
+  EXPECT_THAT(output_, HasSubstr("--out precious.toml: is there, and is no catalogue"));
+  EXPECT_EQ(read_whole_file(folder_ / "precious.toml", 1000, ""), "duration_s = 1\n");
+  EXPECT_EQ(run("catalogue bright_stars --faintest 2 --out precious.toml --replace"), 0) << output_;
+  EXPECT_EQ(run("catalogue bright_stars --faintest 1 --out precious.toml"), 0) << output_;
 }
 
 TEST_F(CommandLine, CatalogueRefusesWhatItCannotRead) {
