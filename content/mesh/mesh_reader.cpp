@@ -17,6 +17,7 @@
 
 #include "content/files/counted.h"
 #include "content/files/whole_file.h"
+#include "content/mesh/mesh_normals.h"
 #include "content/mesh/named_file.h"
 #include "content/mesh/whole_mesh.h"
 #include "kernels/core/error.h"
@@ -268,6 +269,7 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
     throw Error(place, fmt::format("cannot be read: {}", problem.what()), wanted_meshes);
   }
   drop_degenerate_triangles(mesh);
+  mend_normals(mesh);
   if (mesh.indices.empty()) {
     throw Error(place,
                 mesh.dropped_triangles > 0

@@ -63,6 +63,30 @@ TEST(MeshReader, SaysWhatIsWrongWithTheFileAndWhatToDo) {
   }
 }
 
+TEST(MeshReader, NormalsThatAreNoneAreThoseOfTheFaces) {
+  for (const char* const normal : {"0 0 0", "nan nan nan", "inf 0 0"}) {
+    const std::string text = std::string("v 0 0 0\nv 2 0 0\nv 0 2 0\nvn ") + normal + "\nf 1//1 2//1 3//1\n";
+    const TriangleMesh mesh = parse_mesh(text, MeshFormat::obj, "mesh.obj");
+    for (const std::uint32_t index : mesh.indices) {
+      EXPECT_THAT(mesh.vertices[index].normal, testing::ElementsAre(0.0F, 0.0F, 1.0F)) << normal;
+    }
+  }
+}
+
+TEST(MeshReader, NormalsThatAreGivenStayBesideThoseThatAreNone) {
+  const TriangleMesh mesh =
+      parse_mesh("v 0 0 0\nv 2 0 0\nv 0 2 0\nvn 0 0 0\nvn 1 0 0\nf 1//1 2//2 3//1\n", MeshFormat::obj, "mesh.obj");
+  int given = 0;
+  for (const std::uint32_t index : mesh.indices) {
+    const SurfaceVertex& vertex = mesh.vertices[index];
+    const bool second = vertex.position[0] > 1.0F;
+    given += second ? 1 : 0;
+    EXPECT_EQ(vertex.normal[0], second ? 1.0F : 0.0F);
+    EXPECT_EQ(vertex.normal[2], second ? 0.0F : 1.0F);
+  }
+  EXPECT_EQ(given, 1);
+}
+
 TEST(MeshReader, SaysThatAnObjBreaksOffWithinAFace) {
   const std::string whole = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4";
   EXPECT_EQ(parse_mesh(whole, MeshFormat::obj, "mesh.obj").triangle_count(), 2) << "the last line needs no end";
