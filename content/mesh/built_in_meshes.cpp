@@ -38,7 +38,7 @@ void add_grid(TriangleMesh& mesh, int columns, int rows, const Point& point) {
 //! Ends a part: all indices since the last one.
 void end_part(TriangleMesh& mesh, const std::array<float, 3>& color) {
   const std::uint32_t first = mesh.parts.empty() ? 0 : mesh.parts.back().first_index + mesh.parts.back().index_count;
-  mesh.parts.push_back({first, static_cast<std::uint32_t>(mesh.indices.size()) - first, color, {}});
+  mesh.parts.push_back({first, static_cast<std::uint32_t>(mesh.indices.size()) - first, color, {}, false});
 }
 
 Vector3<double> round_axis(double u) { return {std::cos(2.0 * pi * u), std::sin(2.0 * pi * u), 0.0}; }

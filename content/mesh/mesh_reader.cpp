@@ -17,6 +17,7 @@
 
 #include "content/files/counted.h"
 #include "content/files/whole_file.h"
+#include "content/mesh/material_names.h"
 #include "content/mesh/mesh_normals.h"
 #include "content/mesh/named_file.h"
 #include "content/mesh/whole_mesh.h"
@@ -146,11 +147,14 @@ MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& pl
     return part;
   }
   const aiMaterial& material = *scene.mMaterials[mesh.mMaterialIndex];
-  aiColor4D color;
+  aiColor4D color(1.0F, 1.0F, 1.0F, 1.0F);
   if (material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
     const auto light = [](ai_real value) { return std::clamp(value, 0.0F, 1.0F); };
     part.color = {light(color.r), light(color.g), light(color.b)};
   }
+  float opacity = 1.0F;
+  material.Get(AI_MATKEY_OPACITY, opacity);
+  part.transparent = opacity < 1.0F || color.a < 1.0F;
   aiString image;
   if (material.GetTexture(aiTextureType_DIFFUSE, 0, &image) != aiReturn_SUCCESS) {
     return part;
@@ -182,6 +186,23 @@ SurfaceVertex vertex_of(const aiMesh& mesh, unsigned i) {
   return {{p.x, p.y, p.z}, {n.x, n.y, n.z}, {t.x, t.y}};
 }
 
+void remark(TriangleMesh& mesh, const std::string& sentence) {
+  if (std::ranges::find(mesh.remarks, sentence) == mesh.remarks.end()) {
+    mesh.remarks.push_back(sentence);
+  }
+}
+
+//! Remarks on what of a part is not drawn as its file has it.
+void remark_on(const MeshPart& part, const aiMesh& from, TriangleMesh& mesh) {
+  if (part.transparent) {
+    remark(mesh, "has transparent materials, which are drawn opaque");
+  }
+  if (!part.image.empty() && !from.HasTextureCoords(0)) {
+    remark(mesh, fmt::format("has triangles without texture coordinates, all of which show one corner of {}",
+                             std::filesystem::path(part.image.name).filename().string()));
+  }
+}
+
 //! Adds one of the importer's meshes: one part.
 void add_part(const aiScene& scene, const aiMesh& from, const std::string& place, const std::filesystem::path& folder,
               TriangleMesh& mesh) {
@@ -209,6 +230,7 @@ void add_part(const aiScene& scene, const aiMesh& from, const std::string& place
     }
   }
   part.index_count = static_cast<std::uint32_t>(mesh.indices.size()) - part.first_index;
+  remark_on(part, from, mesh);
   mesh.parts.push_back(std::move(part));
 }
 
@@ -267,6 +289,11 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
     throw;
   } catch (const std::exception& problem) {
     throw Error(place, fmt::format("cannot be read: {}", problem.what()), wanted_meshes);
+  }
+  for (const std::string& name :
+       format == MeshFormat::obj && !folder.empty() ? missing_materials(bytes, folder) : std::vector<std::string>{}) {
+    remark(mesh,
+           fmt::format("uses the material \"{}\", which no file that it names has: its triangles are grey", name));
   }
   drop_degenerate_triangles(mesh);
   mend_normals(mesh);

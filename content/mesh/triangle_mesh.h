@@ -25,6 +25,7 @@ struct MeshPart {
   std::uint32_t index_count = 0;
   std::array<float, 3> color = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies the image
   MeshImage image;
+  bool transparent = false;  //!< its file says so; it is drawn opaque
 };
 
 //! A surface of triangles, in a unit and about a middle of its own. Their corners run counterclockwise as seen from outside.
@@ -33,6 +34,7 @@ struct TriangleMesh {
   std::vector<std::uint32_t> indices;  //!< three a triangle
   std::vector<MeshPart> parts;         //!< all indices, in their order
   long dropped_triangles = 0;          //!< left out, because they have no area
+  std::vector<std::string> remarks;    //!< sentences about what of its file is not drawn as its maker may think
 
   [[nodiscard]] long triangle_count() const { return static_cast<long>(indices.size() / 3); }
   [[nodiscard]] long bytes() const {

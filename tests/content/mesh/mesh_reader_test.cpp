@@ -113,6 +113,29 @@ TEST_F(MeshFilesOnDisk, AnObjHasTheColoursAndImagesOfItsMaterials) {
   EXPECT_TRUE(mesh.parts[1].image.empty());
 }
 
+TEST_F(MeshFilesOnDisk, RemarksOnAMaterialThatItsFilesDoNotHave) {
+  write("a.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
+  write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\nusemtl  cold one \nf 3 2 1\n");
+  EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
+              testing::ElementsAre(testing::HasSubstr("uses the material \"cold one\"")));
+}
+
+TEST_F(MeshFilesOnDisk, RemarksOnAPictureWithoutPlacesOnIt) {
+  write("a.mtl", "newmtl warm\nmap_Kd skin.png\n");
+  write("skin.png", "");
+  write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\n");
+  EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
+              testing::ElementsAre(testing::HasSubstr("all of which show one corner of skin.png")));
+}
+
+TEST_F(MeshFilesOnDisk, RemarksOnMaterialsThatAreTransparent) {
+  write("a.mtl", "newmtl glass\nKd 1 1 1\nd 0.3\nnewmtl steel\nKd 1 1 1\nd 1\n");
+  write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl glass\nf 1 2 3\n");
+  write("b.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl steel\nf 1 2 3\n");
+  EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks, testing::ElementsAre(testing::HasSubstr("drawn opaque")));
+  EXPECT_THAT(read_mesh(folder_ / "b.obj").remarks, testing::IsEmpty());
+}
+
 TEST_F(MeshFilesOnDisk, AGltfIsReadWithItsBufferAndWhereItsNodeStands) {
   const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   std::ofstream(folder_ / "b.bin", std::ios::binary).write(reinterpret_cast<const char*>(corners), sizeof corners);
