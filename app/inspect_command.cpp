@@ -12,6 +12,7 @@
 #include "app/idle_line_facts.h"
 #include "app/idle_options.h"
 #include "app/inspect_fall.h"
+#include "app/inspect_kinds.h"
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
@@ -239,15 +240,7 @@ void run(const InspectOptions& options) {
     require_finished_trajectory(file);
     return run_for_trajectory(options);
   }
-  if (file.extension() == ".mpcdi") {
-    throw Error(options.file, "is a calibration",
-                fmt::format("make a setup of it, and inspect that: ergodome convert {} dome.toml", options.file));
-  }
-  if (file.extension() == ".data" || file.extension() == ".pfm") {
-    throw Error(options.file, "is a warp mesh",
-                fmt::format("name it in a dome setup, as a projector's warp = \"{}\", and inspect that",
-                            file.filename().string()));
-  }
+  require_inspectable(file);
   if (is_dome_setup(options.file)) {
     const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
     if (options.json) {

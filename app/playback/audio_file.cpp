@@ -50,6 +50,8 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
   if (!file_) {
     std::string why = sf_strerror(nullptr);
     why.erase(why.find_last_not_of(" .\n") + 1);
+    // So its reader of MP3 says of whatever it does not know; the file is there.
+    why = why.starts_with("File does not exist") ? "it holds no sound" : why;
     throw Error(path.string(), fmt::format("is no sound file that can be read ({})", why), remedy);
   }
   if (info.channels < 1 || info.channels > most_channels) {

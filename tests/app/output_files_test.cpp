@@ -167,6 +167,18 @@ TEST_F(CommandLine, TellsFilesOfAnotherKind) {
   EXPECT_THAT(output_, HasSubstr("a.toml: is no text"));
 }
 
+TEST_F(CommandLine, InspectTellsWhatLooksIntoAFileThatIsNoShow) {
+  write("stars.csv", "ra,dec,mag\n1,2,3\n");
+  write("ship.obj", "v 0 0 0\n");
+  write("words.mp3", "no sound");
+  for (const auto& [file, remedy] :
+       {std::pair("stars.csv", "ergodome catalogue stars.csv"), std::pair("ship.obj", "mesh = \"ship.obj\""),
+        std::pair("words.mp3", "file = \"words.mp3\" of a table [[audio]]")}) {
+    EXPECT_EQ(run(std::string("inspect ") + file), 1) << file;
+    EXPECT_THAT(output_, HasSubstr(remedy));
+  }
+}
+
 TEST_F(CommandLine, TellsACatalogueWithoutAStar) {
   write("stars.csv", "ra,dec,mag\n1,2,\n");
   EXPECT_EQ(run("catalogue stars.csv"), 1);
