@@ -16,11 +16,13 @@
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
+#include "app/mesh_facts.h"
 #include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
 #include "app/show_loading.h"
 #include "app/show_notes.h"
+#include "app/star_facts.h"
 #include "content/animated_show.h"
 #include "content/camera_path.h"
 #include "content/environment_image.h"
@@ -83,6 +85,11 @@ nlohmann::json facts_of(const Show& show) {
   facts["timeline"] = facts_of_timeline(show, notes.unusable);
   facts["idle"] = facts_of_idle_lines(show);
   facts["notes"] = notes.unseen;
+  facts["maps"] = notes.repaired;
+  facts["meshes"] = facts_of_meshes(show, notes.meshes);
+  if (notes.stars) {
+    facts["stars"] = facts_of_stars(show, notes);
+  }
   if (const auto narrowed = narrowed_path(show)) {
     facts["narrowed_eyes"] = facts_of(*narrowed);
     facts["narrowed_eyes"]["note"] = note_of(show, *narrowed);
@@ -102,13 +109,26 @@ nlohmann::json facts_of(const Show& show) {
   return facts;
 }
 
+void print_sentences(const char* heading, const nlohmann::json& sentences) {
+  if (!sentences.empty()) {
+    fmt::print("\n{}\n", heading);
+  }
+  for (const auto& sentence : sentences) {
+    fmt::print("  {}\n", sentence.get<std::string>());
+  }
+}
+
 void print_facts(const nlohmann::json& facts) {
   for (const auto& [name, value] : facts.items()) {
     // These have lines of their own.
-    constexpr std::array apart = {"keys", "fall", "grid", "timeline", "idle", "notes", "narrowed_eyes"};
+    constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
+                                  "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
     if (std::ranges::find(apart, name) == apart.end()) {
       fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
+  }
+  if (facts.contains("stars")) {
+    print_stars(facts["stars"]);
   }
   if (facts.contains("keys")) {
     fmt::print("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
@@ -131,12 +151,9 @@ void print_facts(const nlohmann::json& facts) {
   if (facts.contains("narrowed_eyes")) {
     fmt::print("\neyes closer than asked\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
   }
-  if (facts.contains("notes") && !facts["notes"].empty()) {
-    fmt::print("\nnot to be seen\n");
-    for (const auto& note : facts["notes"]) {
-      fmt::print("  {}\n", note.get<std::string>());
-    }
-  }
+  print_sentences("not to be seen", facts.value("notes", nlohmann::json::array()));
+  print_sentences("maps", facts.value("maps", nlohmann::json::array()));
+  print_meshes(facts.value("meshes", nlohmann::json::array()));
 }
 
 void print_grid(const nlohmann::json& grid) {

@@ -27,30 +27,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Pictures on a mesh that its frames need.
-void read_images(const TriangleMesh& mesh) {
-  for (const MeshPart& part : mesh.parts) {
-    if (!part.image.empty()) {
-      static_cast<void>(read_mesh_image(part.image));
-    }
+void take_stars(const Show& show, ShowNotes& notes) {
+  const StarCatalogue catalogue = load_stars(show);
+  notes.stars = catalogue.stars.size();
+  notes.left_out = catalogue.left_out;
+  if (catalogue.stars.empty()) {
+    notes.unseen.push_back(note_of_no_stars(show));
   }
 }
 
 //! Reads a file as the show's frames need it, by the kind of its key; throws Error where they could not.
 void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
   if (file.key == "sky.stars") {
-    if (load_stars(show).stars.empty()) {
-      notes.unseen.push_back(note_of_no_stars(show));
-    }
+    take_stars(show, notes);
     return;
   }
   read_named(show, file.key, file.name, [&](const fs::path& path) {
     if (file.key == "sky.map" || file.key.ends_with(".texture")) {
-      static_cast<void>(read_environment_image(path));
+      const RepairedTexels repaired = read_environment_image(path).repaired;
+      if (repaired.are_a_mistake()) {
+        notes.repaired.push_back(note_of_repair(show, file.key, file.name, repaired));
+      }
     } else if (file.key.ends_with(".pattern")) {
       static_cast<void>(load_diffraction_pattern(path));
     } else if (file.key.ends_with(".mesh")) {
-      read_images(read_mesh(path));
+      notes.meshes.push_back(facts_of_mesh(file.name, read_mesh(path)));
     } else if (file.key.ends_with(".image")) {
       static_cast<void>(read_overlay_image(path));
     }
@@ -113,6 +114,9 @@ void add_crossed_eyes(const Show& show, ShowNotes& notes) {
 
 ShowNotes notes_of_files(const Show& show) {
   ShowNotes notes;
+  if (is_built_in_catalogue(show.sky.stars)) {
+    take_stars(show, notes);
+  }
   // A logo that comes ten times is read once.
   std::map<std::string, std::string> known;
   for (const NamedFile& file : files_of_show(show)) {

@@ -9,6 +9,7 @@
 
 #include "content/animated_show.h"
 #include "content/fall/rain_pose.h"
+#include "content/repaired_texels.h"
 #include "kernels/core/error.h"
 #include "kernels/metric/kerr.h"
 #include "render/frame/image_alpha.h"
@@ -87,6 +88,18 @@ std::vector<std::string> ShowRenderer::notes() const {
   std::vector<std::string> notes;
   if (stars_ && stars_->empty()) {
     notes.push_back(note_of_no_stars(show_));
+  }
+  if (stars_ && lacks_stars(stars_->left_out())) {
+    notes.push_back(note_of_left_out(show_, stars_->left_out()));
+  }
+  if (sky_.repaired().are_a_mistake()) {
+    notes.push_back(note_of_repair(show_, "sky.map", show_.sky.map, sky_.repaired()));
+  }
+  for (std::size_t i = 0; shells_ && i < shells_->repaired().size(); ++i) {
+    if (shells_->repaired()[i].are_a_mistake()) {
+      notes.push_back(
+          note_of_repair(show_, fmt::format("shells[{}].texture", i), show_.shells[i].texture, shells_->repaired()[i]));
+    }
   }
   for (const ObjectInHorizon& inside :
        traced_objects_ ? traced_objects_->in_horizon() : std::vector<ObjectInHorizon>{}) {

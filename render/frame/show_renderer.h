@@ -62,7 +62,7 @@ class ShowRenderer {
   ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
                std::shared_ptr<StationStream> stream = nullptr);
 
-  //! Sentences about what the show names and nobody will see: a catalogue without stars, traced objects within the horizon, letters without a font.
+  //! Sentences about what the show names and nobody will see: a catalogue without stars, rows of it that are left out, maps' texels that are no light, traced objects within the horizon, letters without a font.
   [[nodiscard]] std::vector<std::string> notes() const;
 
   //! Gives the show's numbers the values of a show time, for all pictures until the next call; render() does it by itself. What has not

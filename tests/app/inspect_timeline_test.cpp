@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/app/command_line.h"
 
@@ -153,6 +155,35 @@ TEST_F(CommandLine, InspectTellsOfACatalogueWithoutStars) {
   write("none.csv", "ra_deg,dec_deg,v_mag\n");
   ASSERT_EQ(run("inspect dark.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("none.csv: holds no stars (sky.stars, dark.toml:5); name another catalogue"));
+}
+
+TEST_F(CommandLine, ShowsTellOfTexelsOfTheirMapThatAreNoLight) {
+  write("bright.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"sky.pfm\"\n[view]\nsize_px = 16\n");
+  std::vector<float> light(std::size_t{3} * 16 * 8, 0.5F);
+  light[5] = 1e20F;
+  light[30] = -1.0F;
+  write("sky.pfm", "PF\n16 8\n-1.0\n" + std::string(reinterpret_cast<const char*>(light.data()), 4 * light.size()));
+  const std::string told =
+      "sky.pfm: has 1 texel brighter than 1e+09, now that bright, 1 texel with a colour below 0, now 0 (sky.map, "
+      "bright.toml:4)";
+  ASSERT_EQ(run("inspect bright.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(told));
+  ASSERT_EQ(run("render bright.toml --out o --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(told));
+}
+
+TEST_F(CommandLine, InspectTellsTheSizeOfMeshesAndRemarksOnThem) {
+  write("ship.toml",
+        "[[camera.key]]\nr = 20\n[sky]\nmap = \"black\"\n[view]\nsize_px = 16\n[[objects]]\nmesh = \"ship.obj\"\n"
+        "method = \"trace\"\nsize = 0.5\nposition = [12, 0, 0]\n");
+  write("ship.obj", "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nusemtl steel\nf 1 2 3 4\nf 1 1 2\n");
+  ASSERT_EQ(run("inspect ship.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("2 triangles, 1 without area left out, 1 x 2 x 0 M before it is turned\n"
+                                 "    uses the material \"steel\""));
+  ASSERT_EQ(run("inspect ship.toml --json"), 0) << output_;
+  const auto mesh = nlohmann::json::parse(output_)["meshes"][0];
+  EXPECT_EQ(mesh["triangles"], 2);
+  EXPECT_EQ(mesh["extent_M"][1], 2.0);
 }
 
 TEST_F(CommandLine, InspectTellsOfASoundFileThatCannotBePlayed) {

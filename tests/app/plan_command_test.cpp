@@ -100,6 +100,20 @@ TEST_F(CommandLine, CatalogueWritesOverNothingButACatalogueOfItsOwn) {
   EXPECT_EQ(run("catalogue bright_stars --faintest 1 --out precious.toml"), 0) << output_;
 }
 
+TEST_F(CommandLine, ShowsTellWhichRowsOfTheirCatalogueAreLeftOut) {
+  write("own.csv", "ra_deg,dec,mag\n1,20,3\n2,-10,\n");
+  write("own.toml", "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\nstars = \"own.csv\"\n[view]\nsize_px = 16\n");
+  const std::string told = "1 row left out: 1 without a magnitude (line 3)";
+  ASSERT_EQ(run("inspect own.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("own.csv: 1 star, " + told));
+  ASSERT_EQ(run("inspect own.toml --json"), 0) << output_;
+  const auto stars = json_in(output_)["stars"];
+  EXPECT_EQ(stars["count"], 1);
+  EXPECT_EQ(stars["left_out"][0]["first_line"], 3);
+  ASSERT_EQ(run("render own.toml --out o --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("own.csv: has " + told));
+}
+
 TEST_F(CommandLine, CatalogueRefusesWhatItCannotRead) {
   write("torn.csv", "ra,dec\n1,2\n");
   for (const char* words : {"catalogue", "catalogue nothing.csv", "catalogue torn.csv", "catalogue /dev/null",
