@@ -134,7 +134,7 @@ BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJourna
   });
 }
 
-//! The disk's part of what blending misses by, where the disk's layers are blended: "; the disk by 0.196".
+//! The disk's part of what blending misses by, where the disk's layers are blended: ", the disk by 0.196".
 std::string disk_text(const TrajectoryReader& trajectory) {
   double worst_px = 0.0;
   for (const StationEntry& station : trajectory.stations()) {

@@ -2,7 +2,7 @@
 
 namespace ergodome {
 
-//! Throws UsageError where an environment variable of the program (COMMANDS.md lists them) has a value that it does not have, or that this processor does not.
+//! Throws UsageError where ERGODOME_INSTRUCTION_SET or ERGODOME_THREADS has a value that says nothing, or that this processor does not have. An empty one counts as not set.
 void check_environment();
 
 }  // namespace ergodome

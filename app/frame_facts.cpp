@@ -49,9 +49,8 @@ void add_angles(const ViewSettings& view, FrameMetadata& facts) {
 }
 
 void add_tone(const ToneSettings& tone, FrameMetadata& facts) {
-  constexpr const char* tone_curves[] = {"shoulder", "reinhard", "filmic", "gamma"};
   facts.emplace_back("exposure_stops", number_text(tone.exposure_stops));
-  facts.emplace_back("tone_curve", tone_curves[static_cast<int>(tone.curve)]);
+  facts.emplace_back("tone_curve", tone_curve_names[static_cast<std::size_t>(tone.curve)]);
   if (tone.curve == ToneCurve::reinhard) {
     facts.emplace_back("tone_white", number_text(tone.white));
   } else if (tone.curve == ToneCurve::gamma) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -251,7 +252,10 @@ std::vector<int> FrameWriter::asked_otherwise(int first, int last) const {
 }
 
 void FrameWriter::tell_room(int next, int last) {
-  if (written_ == 0 || std::exchange(told_room_, true)) {
+  largest_bytes_ = std::max(largest_bytes_, frame_bytes_);
+  // Again and again, ever more seldom: the first frames of many a show are black, and small.
+  if (told_room_ || !std::has_single_bit(static_cast<unsigned>(written_)) ||
+      std::exchange(looked_at_room_after_, written_) == written_) {
     return;
   }
   // What is there already is written over.
@@ -259,9 +263,10 @@ void FrameWriter::tell_room(int next, int last) {
   const auto missing = static_cast<std::uintmax_t>(last + 1 - next - there);
   std::error_code problem;
   const fs::space_info space = fs::space(options_.out, problem);
-  const std::string note = problem ? "" : room_note(options_.out, frame_bytes_ * missing, space.available);
+  const std::string note = problem ? "" : room_note(options_.out, largest_bytes_ * missing, space.available);
   if (!note.empty()) {
     tell_on_terminal(note);
+    told_room_ = true;
   }
 }
 

@@ -45,7 +45,7 @@ class FrameWriter {
   //! Numbers, from 0, of frames that lie there before `first` and after `last` and were asked for otherwise, or are beyond the show's end; of many some thousands
   //! are looked at.
   [[nodiscard]] std::vector<int> asked_otherwise(int first, int last) const;
-  //! Says once, when the first frame was written, that the disk has no room for those from `next` to `last` that are not there.
+  //! Says once, after one of the first frames, that the disk has no room for those from `next` to `last` that are not there.
   void tell_room(int next, int last);
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
@@ -93,7 +93,9 @@ class FrameWriter {
   int resumed_ = 0;
   int renewed_ = 0;
   std::uintmax_t frame_bytes_ = 0;           //!< of the files of the frame that was written last
-  bool told_room_ = false;                   //!< that the disk has no room, or that it was looked at
+  std::uintmax_t largest_bytes_ = 0;         //!< of the largest frame so far
+  int looked_at_room_after_ = 0;             //!< frames that were written
+  bool told_room_ = false;                   //!< that the disk has no room
   std::set<std::filesystem::path> cleared_;  //!< folders of frames, without what killed programs have left there
   long unresolved_ = 0;
   bool told_no_legend_ = false;

@@ -124,13 +124,24 @@ void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
       there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
 }
 
+//! Ends a run that somebody has stopped.
+[[noreturn]] void stop(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
+  std::string unwritten;
+  try {
+    // The sheet of an earlier run may tell of other frames.
+    write_facts(options, writer, first, last);
+  } catch (const Error& problem) {
+    unwritten = fmt::format(" (and {})", problem.what());
+  }
+  throw Error("render", fmt::format("stopped after {}{}", counted(writer.written(), "frame"), unwritten),
+              "go on with --resume");
+}
+
 void write_frames(const RenderOptions& options, FrameWriter& writer, int first, int last) {
   Progress progress("rendering", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {
-      // The sheet of an earlier run may tell of other frames.
-      write_facts(options, writer, first, frame - 1);
-      throw Error("render", fmt::format("stopped after {}", counted(writer.written(), "frame")), "go on with --resume");
+      stop(options, writer, first, frame - 1);
     }
     writer.write(frame);
     writer.tell_room(frame + 1, last);

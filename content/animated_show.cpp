@@ -81,11 +81,10 @@ const Animation* find_animation(const Show& show, std::string_view path) {
   return found != show.timeline.animations.end() ? &*found : nullptr;
 }
 
-bool changes_off_path(const Show& show) {
-  const Timeline& timeline = show.timeline;
-  return !timeline.animations.empty() || !timeline.captions.empty() || !timeline.overlays.empty() ||
-         (show.disk && show.disk->pattern != DiskPattern::none) ||
-         std::ranges::any_of(show.objects, [](const ObjectSettings& object) { return object.orbit.has_value(); });
+bool changes_by_itself(const Show& show) {
+  const auto moves = [](const ObjectSettings& object) { return object.orbit || !object.way[0].keys.empty(); };
+  return !show.timeline.animations.empty() || (show.disk && show.disk->pattern != DiskPattern::none) ||
+         std::ranges::any_of(show.objects, moves);
 }
 
 double spin_at(const Show& show, double time_s) {

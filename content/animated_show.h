@@ -20,9 +20,9 @@ Show show_at(Show show, double time_s);
 //! The animation of a number, or nullptr.
 const Animation* find_animation(const Show& show, std::string_view path);
 
-//! Whether pictures from one place may differ from one time of the show to another: by numbers that change, captions and overlays, clouds of a disk, objects on
-//! orbits.
-bool changes_off_path(const Show& show);
+//! Whether the scene may differ from one time of the show to another, wherever the camera is: by numbers that change, clouds of a disk, objects that move. Captions
+//! and overlays are not the scene's.
+bool changes_by_itself(const Show& show);
 
 //! The hole's spin at a show time.
 double spin_at(const Show& show, double time_s);

@@ -59,7 +59,8 @@ void read_effects(const toml::table& table, const std::string& file, EffectSetti
 
 void read_tone(const toml::table& table, const std::string& file, ToneSettings& tone) {
   TomlTable reader(table, file, "tone");
-  tone.curve = static_cast<ToneCurve>(reader.choice("curve", 0, {"shoulder", "reinhard", "filmic", "gamma"}));
+  tone.curve = static_cast<ToneCurve>(
+      reader.choice("curve", 0, {tone_curve_names[0], tone_curve_names[1], tone_curve_names[2], tone_curve_names[3]}));
   tone.exposure_stops = own_number(reader, "exposure_stops", 0.0);
   tone.white = own_number(reader, "white", tone.white);
   tone.gamma = own_number(reader, "gamma", tone.gamma);

@@ -146,7 +146,9 @@ class MapReader {
       ++image_.repaired.below_zero;
     }
     // A colour below zero is no light; the others are.
-    std::ranges::transform(colour, colour, [](float light) { return std::clamp(light, 0.0F, brightest_texel); });
+    std::ranges::transform(colour, colour, [](float light) {
+      return std::isinf(light) && light > 0.0F ? infinite_texel : std::clamp(light, 0.0F, brightest_texel);
+    });
   }
 
   ImageInput& input_;

@@ -57,6 +57,9 @@ void add_sky(const Show& show, Idle& idle) {
   } else if (!show.effects.redshift) {
     idle.add({"sky.shift"}, "is for effects.redshift = true");
   }
+  if (show.sky.map == "grid") {
+    idle.add({"sky.spin_axis"}, "is for another map: the grid is drawn in the hole's own axes");
+  }
   if (show.sky.stars.empty()) {
     idle.add({"stars.method", "sky.faintest_mag", "effects.magnification", "effects.psf", "effects.trails",
               "effects.diffraction"},

@@ -17,7 +17,7 @@ std::string repair_text(const RepairedTexels& texels) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counted(count, "texel"), what);
     }
   };
-  add(texels.too_bright, fmt::format("brighter than {:g}, now that bright", brightest_texel));
+  add(texels.too_bright, fmt::format("infinite or brighter than {:g}, now bounded", brightest_texel));
   add(texels.below_zero, "with a colour below 0, now 0");
   add(texels.not_numbers, "with a colour that is no number, now black");
   return text;

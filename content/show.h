@@ -209,6 +209,9 @@ struct AutoExposureSettings {
   double adapt_s = 1.0;  //!< time in which all but 1/e of a change is followed
 };
 
+//! Of ToneCurve (kernels/image/tone_curve.h), in its order.
+inline constexpr std::array tone_curve_names = {"shoulder", "reinhard", "filmic", "gamma"};
+
 struct ToneSettings {
   ToneCurve curve = ToneCurve::shoulder;
   double exposure_stops = 0.0;

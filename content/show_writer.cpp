@@ -142,8 +142,7 @@ toml::table view_of(const ViewSettings& view) {
 }
 
 toml::table tone_of(const ToneSettings& tone) {
-  constexpr const char* curves[] = {"shoulder", "reinhard", "filmic", "gamma"};
-  toml::table table{{"curve", curves[static_cast<int>(tone.curve)]},
+  toml::table table{{"curve", tone_curve_names[static_cast<std::size_t>(tone.curve)]},
                     {"exposure_stops", tone.exposure_stops},
                     {"white", tone.white},
                     {"gamma", tone.gamma}};

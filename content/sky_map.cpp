@@ -60,7 +60,7 @@ void turn_rows_round(EnvironmentImage& image) {
 std::filesystem::path built_in_content_folder() {
   namespace fs = std::filesystem;
   std::error_code problem;
-  if (const char* chosen = std::getenv("ERGODOME_CONTENT")) {
+  if (const char* const chosen = std::getenv("ERGODOME_CONTENT"); chosen != nullptr && *chosen != '\0') {
     if (!fs::is_directory(fs::path(chosen) / "maps", problem)) {
       throw Error(std::string("ERGODOME_CONTENT ") + chosen, "holds no built-in content",
                   "set it to the project's folder content/, or unset it");

@@ -88,8 +88,11 @@ constexpr SteerFacts steering[] = {
 //! A speed times a factor, between a sixteenth of the usual one and sixteen times it; what a command has made slower or faster than these stays there
 //! rather than go the other way.
 double changed_speed(double speed, double factor) {
+  constexpr double least = 1.0 / 16.0;
+  constexpr double most = 16.0;
   const double now = std::abs(speed);
-  const double size = std::clamp(factor * now, std::min(now, 1.0 / 16.0), std::max(now, 16.0));
+  const double from = now == 0.0 && factor > 1.0 ? 0.5 * least : now;
+  const double size = std::clamp(factor * from, std::min(from, least), std::max(from, most));
   return std::copysign(size, speed);
 }
 

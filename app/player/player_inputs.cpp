@@ -51,7 +51,7 @@ void PlayerInputs::take(const WindowEvent& event, MouseState& mouse, PlayerInput
       break;
     case WindowEvent::Kind::pointer:
       // A pointer that is only passing, or a table that is bumped, steers nothing.
-      if (!mouse.buttons.empty()) {
+      if (!held_buttons_.empty()) {
         mouse.right_px += event.dx;
         mouse.down_px += event.dy;
       }

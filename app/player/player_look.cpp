@@ -6,6 +6,7 @@
 #include "content/animated_show.h"
 #include "content/fall/rain_pose.h"
 #include "content/key_curve.h"
+#include "render/overlay/overlay_place.h"
 
 namespace ergodome {
 
@@ -18,11 +19,19 @@ constexpr double widest_dome_deg = 360.0;
 
 }  // namespace
 
+bool PlayerSession::has_words_at(double time_s) const {
+  const auto is_there = [&](const auto& word) { return presence_at(word.presence, time_s) > 0.0; };
+  const Timeline& timeline = show_.timeline;
+  return (playback_.captions() && std::ranges::any_of(timeline.captions, is_there)) ||
+         std::ranges::any_of(timeline.overlays, is_there);
+}
+
 void PlayerSession::look(double seconds) {
   const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
   const std::string& language = playback_.language();
   // Off its path one time of many a show is like another, and a picture that is there need not be made again.
-  frame_.time_s = flying() && !changes_off_path(show_) ? 0.0 : time_s;
+  const bool alike = flying() && !changes_by_itself(show_) && !has_words_at(time_s) && !has_words_at(frame_.time_s);
+  frame_.time_s = alike ? frame_.time_s : time_s;
   frame_.pose = navigator_->pose();
   if (!flying()) {
     frame_.path_time_s = time_s;

@@ -85,6 +85,8 @@ class PlayerSession {
   void tell_of_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
   void look(double seconds);
+  //! Whether a caption that is to be seen, or an overlay, is there at a time of the show.
+  [[nodiscard]] bool has_words_at(double time_s) const;
   //! Chooses who looks, and at what velocity, from where the camera is at a time of the show.
   void observe(double seconds, double time_s);
   //! How the camera itself moves, where that decides who looks; `in_zamo` is its pose.

@@ -57,9 +57,9 @@ std::string without_case(const std::string& text) {
   }
   const std::unique_ptr<gchar, decltype(&g_free)> folded(g_utf8_casefold(text.data(), static_cast<gssize>(text.size())),
                                                          &g_free);
-  const std::unique_ptr<gchar, decltype(&g_free)> composed(g_utf8_normalize(folded.get(), -1, G_NORMALIZE_DEFAULT),
-                                                           &g_free);
-  return composed ? composed.get() : text;
+  const std::unique_ptr<gchar, decltype(&g_free)> normalized(g_utf8_normalize(folded.get(), -1, G_NORMALIZE_DEFAULT),
+                                                             &g_free);
+  return normalized ? normalized.get() : text;
 }
 
 double whole_number(std::string_view place, double number, double least, double greatest) {
@@ -99,12 +99,19 @@ std::string language_of(std::string_view place, const CommandArgument& argument)
   return *tag;
 }
 
-//! The show's tag for it: the same but for upper and lower case, which tags do not have, or that of the language without its country ("de" for "de-AT").
+//! A tag as BCP 47 compares it: without case, its parts joined by dashes.
+std::string plain_tag(std::string tag) {
+  std::ranges::replace(tag, '_', '-');
+  return without_case(tag);
+}
+
+//! The show's tag for it, or for the language without its last parts ("de" for "de-AT").
 std::string spoken_language(std::string_view place, const CommandArgument& argument,
                             const std::vector<std::string>& spoken) {
   const std::string tag = language_of(place, argument);
-  for (const std::string& wanted : {tag, tag.substr(0, tag.find_first_of("-_"))}) {
-    const auto found = std::ranges::find(spoken, without_case(wanted), without_case);
+  for (std::string wanted = plain_tag(tag); !wanted.empty();
+       wanted.resize(wanted.find('-') == std::string::npos ? 0 : wanted.rfind('-'))) {
+    const auto found = std::ranges::find(spoken, wanted, plain_tag);
     if (found != spoken.end()) {
       return *found;
     }

@@ -12,6 +12,7 @@ namespace {
 //! What is near the hole, before a black sky.
 Show near_things_alone(Show show) {
   show.sky.map = "grid";
+  show.sky.map_layout = {};
   show.sky.filter = SkyFilter::point;
   show.sky.exposure = 0.0;
   show.sky.stars.clear();

@@ -70,6 +70,10 @@ Window::Window(int width, int height, const std::string& title, bool full_screen
     events_of(window).push_back(
         {action == GLFW_PRESS ? WindowEvent::Kind::button_down : WindowEvent::Kind::button_up, button, 0.0, 0.0});
   });
+  // Where it is; events() makes ways of these places.
+  glfwSetCursorPosCallback(state_->window, [](GLFWwindow* window, double x, double y) {
+    events_of(window).push_back({WindowEvent::Kind::pointer, 0, x, y});
+  });
   glfwSetScrollCallback(state_->window, [](GLFWwindow* window, double dx, double dy) {
     events_of(window).push_back({WindowEvent::Kind::scroll, 0, dx, dy});
   });
@@ -85,15 +89,17 @@ Window::~Window() {
 
 std::vector<WindowEvent> Window::events(double seconds) {
   glfwWaitEventsTimeout(seconds);
-  double x = 0.0;
-  double y = 0.0;
-  glfwGetCursorPos(state_->window, &x, &y);
-  if (state_->pointer && *state_->pointer != std::pair(x, y)) {
-    state_->events.push_back({WindowEvent::Kind::pointer, 0, x - state_->pointer->first, y - state_->pointer->second});
-  }
-  state_->pointer = {x, y};
   std::vector<WindowEvent> since;
   since.swap(state_->events);
+  for (WindowEvent& event : since) {
+    if (event.kind == WindowEvent::Kind::pointer) {
+      const std::pair place(event.dx, event.dy);
+      const auto [x, y] = state_->pointer.value_or(place);
+      event.dx -= x;
+      event.dy -= y;
+      state_->pointer = place;
+    }
+  }
   return since;
 }
 

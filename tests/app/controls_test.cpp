@@ -257,6 +257,7 @@ TEST(TransportKeys, NeverTurnSlowerIntoFaster) {
   EXPECT_EQ(after(KeyAction::faster, 100.0), 100.0);
   EXPECT_EQ(after(KeyAction::slower, -100.0), -50.0);
   EXPECT_EQ(after(KeyAction::slower, 0.0625), 0.0625);
+  EXPECT_EQ(after(KeyAction::faster, 0.0), 0.0625);
 }
 
 class ControlsFile : public test::FolderTest {};

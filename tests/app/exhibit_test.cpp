@@ -109,8 +109,8 @@ TEST(PlayerInputs, APointerSteersWhileAButtonIsHeldAlone) {
   EXPECT_LT(inputs.gather(std::array{pressed, moved}, {}, 1e-3).steering.amounts.yaw, 0.0);
   EXPECT_LT(inputs.gather(std::array{moved}, {}, 1e-3).steering.amounts.yaw, 0.0);
   const WindowEvent released{WindowEvent::Kind::button_up, 0, 0.0, 0.0};
-  static_cast<void>(inputs.gather(std::array{released}, {}, 1e-3));
-  EXPECT_EQ(inputs.gather(std::array{moved}, {}, 1e-3).steering.amounts, Steering());
+  EXPECT_EQ(inputs.gather(std::array{released, moved}, {}, 1e-3).steering.amounts, Steering());
+  EXPECT_EQ(inputs.gather(std::array{moved, pressed}, {}, 1e-3).steering.amounts, Steering()) << "came before it";
 }
 
 //! Whether keys that go down one after the other are the operator's chord.

@@ -164,7 +164,8 @@ TEST_F(CommandLine, ShowsTellOfTexelsOfTheirMapThatAreNoLight) {
   light[30] = -1.0F;
   write("sky.pfm", "PF\n16 8\n-1.0\n" + std::string(reinterpret_cast<const char*>(light.data()), 4 * light.size()));
   const std::string told =
-      "sky.pfm: has 1 texel brighter than 1e+09, now that bright, 1 texel with a colour below 0, now 0 (sky.map, "
+      "sky.pfm: has 1 texel infinite or brighter than 1e+09, now bounded, 1 texel with a colour below 0, now 0 "
+      "(sky.map, "
       "bright.toml:4)";
   ASSERT_EQ(run("inspect bright.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr(told));

@@ -84,7 +84,12 @@ TEST_F(PlayerSessionTest, ShowsInFlightWhatTheShowHasAtThatTime) {
   EXPECT_NEAR(time_in_flight_s("[[caption]]\nfrom_s = 1\nto_s = 9\ntext = \"Here\"\n"), 3.0, 0.1);
   EXPECT_NEAR(time_in_flight_s("[disk]\npattern = \"procedural\"\n"), 3.0, 0.1);
   EXPECT_NEAR(time_in_flight_s("[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\norbit = { r = 12 }\n"), 3.0, 0.1);
-  EXPECT_EQ(time_in_flight_s("[disk]\n"), 0.0) << "one picture is like another";
+  EXPECT_NEAR(time_in_flight_s(
+                  "[[objects]]\nshape = \"sphere\"\nmethod = \"trace\"\nkey = [{ t_s = 0, position = [12, 0, 0] }, "
+                  "{ t_s = 9, position = [0, 12, 0] }]\n"),
+              3.0, 0.1);
+  EXPECT_NEAR(time_in_flight_s("[disk]\n[[caption]]\nfrom_s = 9\nto_s = 19\ntext = \"Later\"\n"), 2.0, 0.1)
+      << "one picture is like another";
 }
 
 constexpr const char* falling_show = R"(

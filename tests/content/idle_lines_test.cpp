@@ -61,6 +61,7 @@ TEST(IdleLines, AreTheAxisOfASkyThatIsNotThere) {
   EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\n" + axis), ElementsAre(idle(3, "sky.spin_axis", "stars")));
   EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nstars = \"bright_stars\"\n" + axis), IsEmpty());
   EXPECT_THAT(idle_in("[sky]\n" + axis), IsEmpty());
+  EXPECT_THAT(idle_in("[sky]\nmap = \"grid\"\n" + axis), ElementsAre(idle(3, "sky.spin_axis", "own axes")));
 }
 
 TEST(IdleLines, AreThoseOfAnotherProjection) {

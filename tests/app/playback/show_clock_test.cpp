@@ -29,6 +29,7 @@ TEST(FrameRate, TelevisionsRatesAreThousandAndFirstParts) {
   EXPECT_EQ(frame_rate_of(29.97), (FrameRate{30000, 1001}));
   EXPECT_EQ(frame_rate_of(23.976), (FrameRate{24000, 1001}));
   EXPECT_EQ(frame_rate_of(59.94), (FrameRate{60000, 1001}));
+  EXPECT_EQ(frame_rate_of(23.98), (FrameRate{24000, 1001}));
   EXPECT_EQ(frame_rate_of(59.9395), (FrameRate{60000, 1001}));
   EXPECT_EQ(frame_rate_of(60.0), (FrameRate{60, 1}));
   EXPECT_EQ(frame_rate_of(12.5), (FrameRate{12'500'000, 1'000'000}));

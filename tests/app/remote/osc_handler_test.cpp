@@ -102,6 +102,13 @@ TEST_F(Osc, LanguagesGoWithoutTheirCountryAndInAnyCase) {
     EXPECT_THAT(commands_of("/ergodome/language", "s", tag), ElementsAre(TransportCommand{Kind::language, 0.0, "de"}));
   }
   EXPECT_THAT(complaint_about(packet_of("/ergodome/language", "s", "fr")), HasSubstr("it speaks en, de"));
+  PlayerStatus status = test::example_status();
+  status.languages = {"pt", "pt-BR", "zh-Hant"};
+  board_.post(status);
+  EXPECT_THAT(commands_of("/ergodome/language", "s", "pt_br"),
+              ElementsAre(TransportCommand{Kind::language, 0.0, "pt-BR"}));
+  EXPECT_THAT(commands_of("/ergodome/language", "s", "zh-Hant-TW"),
+              ElementsAre(TransportCommand{Kind::language, 0.0, "zh-Hant"}));
 }
 
 TEST_F(Osc, AClockFarFromItsBundlesTimeIsRefusedWithARemedy) {
