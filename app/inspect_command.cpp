@@ -16,6 +16,7 @@
 #include "app/inspect_setup.h"
 #include "app/inspect_timeline.h"
 #include "app/inspect_trajectory.h"
+#include "app/json_text.h"
 #include "app/mesh_facts.h"
 #include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
@@ -224,7 +225,7 @@ void run_for_trajectory(const InspectOptions& options) {
     inspect_grid(station_of_trajectory(options.file, options.time_s), facts["budget_px"].get<double>(), options, facts);
   }
   if (options.json) {
-    fmt::print("{}\n", facts.dump(2));
+    fmt::print("{}\n", json_text(facts));
   } else {
     print_trajectory(facts);
     if (facts.contains("grid")) {
@@ -261,7 +262,7 @@ void run(const InspectOptions& options) {
   if (is_dome_setup(options.file)) {
     const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
     if (options.json) {
-      fmt::print("{}\n", facts.dump(2));
+      fmt::print("{}\n", json_text(facts));
     } else {
       print_setup(facts);
     }
@@ -283,7 +284,7 @@ void run(const InspectOptions& options) {
     }
   }
   if (options.json) {
-    fmt::print("{}\n", facts.dump(2));
+    fmt::print("{}\n", json_text(facts));
   } else {
     print_facts(facts);
     if (facts.contains("grid")) {

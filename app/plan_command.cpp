@@ -8,6 +8,7 @@
 #include "app/backend_choice.h"
 #include "app/commands.h"
 #include "app/idle_line_facts.h"
+#include "app/json_text.h"
 #include "app/lens_options.h"
 #include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
@@ -192,7 +193,7 @@ void run(const PlanOptions& options) {
       plan["measured"]["next"][name] = json_of(count);
     }
   }
-  fmt::print("{}\n", plan.dump(2));
+  fmt::print("{}\n", json_text(plan));
 }
 
 }  // namespace

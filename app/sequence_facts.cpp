@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/json_text.h"
 #include "app/show_loading.h"
 #include "content/animated_show.h"
 #include "content/files/atomic_file.h"
@@ -154,7 +155,7 @@ void write_sequence_facts(const std::filesystem::path& folder, const Show& show,
   for (const auto& [name, value] : facts.items()) {
     text += fmt::format("{}: {}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
   }
-  write_text_atomically(folder / (show.name + ".json"), facts.dump(2) + "\n");
+  write_text_atomically(folder / (show.name + ".json"), json_text(facts) + "\n");
   write_text_atomically(folder / (show.name + ".txt"), text);
 }
 

@@ -115,7 +115,11 @@ void add_crossed_eyes(const Show& show, ShowNotes& notes) {
 ShowNotes notes_of_files(const Show& show) {
   ShowNotes notes;
   if (is_built_in_catalogue(show.sky.stars)) {
-    take_stars(show, notes);
+    try {
+      take_stars(show, notes);
+    } catch (const Error& problem) {
+      notes.unusable["sky.stars"] = problem.what();
+    }
   }
   // A logo that comes ten times is read once.
   std::map<std::string, std::string> known;

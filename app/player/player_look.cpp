@@ -26,12 +26,12 @@ bool PlayerSession::has_words_at(double time_s) const {
          std::ranges::any_of(timeline.overlays, is_there);
 }
 
-void PlayerSession::look(double seconds) {
+void PlayerSession::look(double seconds, double shown_time_s) {
   const double time_s = show_.duration_s > 0.0 ? seconds_of(playback_.instant().time) : 0.0;
   const std::string& language = playback_.language();
   // Off its path one time of many a show is like another, and a picture that is there need not be made again.
-  const bool alike = flying() && !changes_by_itself(show_) && !has_words_at(time_s) && !has_words_at(frame_.time_s);
-  frame_.time_s = alike ? frame_.time_s : time_s;
+  const bool alike = flying() && !changes_by_itself(show_) && !has_words_at(time_s) && !has_words_at(shown_time_s);
+  frame_.time_s = alike ? shown_time_s : time_s;
   frame_.pose = navigator_->pose();
   if (!flying()) {
     frame_.path_time_s = time_s;

@@ -55,7 +55,7 @@ PlayerSession::PlayerSession(const Show& show, SessionOptions options)
   if (options_.free_flight) {
     navigator_->leave_path();
   }
-  look(0.0);
+  look(0.0, 0.0);
 }
 
 void PlayerSession::set_show(const Show& show) {
@@ -94,7 +94,7 @@ void PlayerSession::advance(const PlayerInput& input) {
   navigate(input, seconds);
   tell_of_replaced_eyes();
   const PlayerFrame before = std::exchange(frame_, {});
-  look(seconds);
+  look(seconds, before.time_s);
   changed_ = !begun_ || !same_picture(before, frame_);
   begun_ = true;
   if (recorder_) {

@@ -84,7 +84,8 @@ class PlayerSession {
   void adjust_stereo(KeyAction action);
   void tell_of_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
-  void look(double seconds);
+  //! `shown_time_s`: the time of the show that the frame before had.
+  void look(double seconds, double shown_time_s);
   //! Whether a caption that is to be seen, or an overlay, is there at a time of the show.
   [[nodiscard]] bool has_words_at(double time_s) const;
   //! Chooses who looks, and at what velocity, from where the camera is at a time of the show.

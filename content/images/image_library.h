@@ -125,6 +125,7 @@ class ImageLibrary {
     std::optional<std::span<const std::byte>>
         bytes;                    //!< of the file, which is not on a disk then; they outlive what is opened
     bool separate_alpha = false;  //!< whole numbers shall not be multiplied by alpha before they are decoded
+    bool as_stored = false;       //!< an image shall not be turned upright
   };
 
   //! Opens an image; its name's ending tells the format of bytes. None where it cannot be read: `problem` says why.

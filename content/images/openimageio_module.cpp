@@ -66,6 +66,7 @@ class Input final : public ImageInput {
   Input(const std::string& name, const ImageLibrary::Wishes& asked)
       : name_(name),
         bytes_(asked.bytes),
+        as_stored_(asked.as_stored),
         memory_(asked.bytes ? asked.bytes->data() : nullptr, asked.bytes ? asked.bytes->size() : 0) {
     OIIO::Filesystem::IOProxy* const memory = asked.bytes ? &memory_ : nullptr;
     OIIO::ImageSpec wishes;
@@ -152,6 +153,7 @@ class Input final : public ImageInput {
 
   void take_shape() {
     layout_ = shown_layout(*input_);
+    layout_.orientation = as_stored_ ? 1 : layout_.orientation;
     shape_ = shape_of(input_->spec(), layout_);
     shown_channels_ = 0;
   }
@@ -177,6 +179,7 @@ class Input final : public ImageInput {
 
   std::string name_;
   std::optional<std::span<const std::byte>> bytes_;
+  bool as_stored_;
   std::optional<std::string> torn_;  //!< what is wrong with a PNG, once that is known; empty where nothing is
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;

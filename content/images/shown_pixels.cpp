@@ -12,14 +12,15 @@ bool read_numbers_in_place(OIIO::ImageInput& input, int part, const ShownLayout&
                            OIIO::TypeDesc type, std::vector<Number>& shown) {
   const OIIO::ImageSpec spec = input.spec();
   const auto numbers = static_cast<std::size_t>(channels);
-  // Rows of tiles are dear: each decodes its tiles.
+  // Of tiles a row of them at a time.
   const bool tiled = spec.tile_width > 0;
-  const int rows_at_once = tiled ? spec.height : std::min(spec.height, 64);
+  const int rows_at_once = std::min(spec.height, tiled ? spec.tile_height : 64);
   std::vector<Number> rows(numbers * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(rows_at_once));
   for (int begin = 0; begin < spec.height; begin += rows_at_once) {
     const int end = std::min(begin + rows_at_once, spec.height);
     const bool read =
-        tiled ? input.read_image(part, 0, 0, channels, type, rows.data())
+        tiled ? input.read_tiles(part, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, spec.z,
+                                 spec.z + spec.depth, 0, channels, type, rows.data())
               : input.read_scanlines(part, 0, spec.y + begin, spec.y + end, 0, 0, channels, type, rows.data());
     if (!read) {
       return false;
@@ -48,7 +49,9 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
     layout.window_width = spec.full_width;
     layout.window_height = spec.full_height;
   }
-  const int orientation = spec.get_int_attribute("Orientation", 1);
+  // Of TIFF the library turns some by itself (YCbCr, CIELAB) and tells of it all the same, and of Radiance HDR it counts otherwise.
+  const std::string_view format = input.format_name();
+  const int orientation = format == "tiff" || format == "hdr" ? 1 : spec.get_int_attribute("Orientation", 1);
   layout.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
   return layout;
 }

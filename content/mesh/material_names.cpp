@@ -1,10 +1,10 @@
 #include "content/mesh/material_names.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
+#include "content/files/whole_file.h"
+#include "content/mesh/mesh_reader.h"
 #include "content/mesh/named_file.h"
 
 namespace ergodome {
@@ -33,12 +33,16 @@ void for_each_named(std::string_view text, std::string_view word, const Body& bo
 }  // namespace
 
 std::vector<std::string> missing_materials(std::string_view obj, const std::filesystem::path& folder) {
+  std::set<std::string> libraries;
+  for_each_named(obj, "mtllib", [&](const std::string& library) { libraries.insert(library); });
   std::set<std::string> known;
-  for_each_named(obj, "mtllib", [&](const std::string& library) {
-    std::ifstream file(file_of_mesh(folder, library), std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for_each_named(text, "newmtl", [&](const std::string& name) { known.insert(name); });
-  });
+  for (const std::string& library : libraries) {
+    const std::filesystem::path file = file_of_mesh(folder, library);
+    if (!file.empty()) {
+      const std::string text = read_whole_file(file, largest_mesh_bytes, "simplify the mesh");
+      for_each_named(text, "newmtl", [&](const std::string& name) { known.insert(name); });
+    }
+  }
   std::vector<std::string> missing;
   for_each_named(obj, "usemtl", [&](const std::string& name) {
     if (known.insert(name).second) {

@@ -37,20 +37,29 @@ void mend_normals(TriangleMesh& mesh) {
   if (!any) {
     return;
   }
-  std::vector<Vector3<double>> sums(mesh.vertices.size(), Vector3<double>{0.0, 0.0, 0.0});
+  constexpr Vector3<double> none{0.0, 0.0, 0.0};
+  std::vector<Vector3<double>> sums(mesh.vertices.size(), none);
+  // Of the first face at each corner: faces that are there twice, wound both ways, add up to nothing.
+  std::vector<Vector3<double>> firsts(mesh.vertices.size(), none);
   for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
     const Vector3<double> area = area_of(mesh, first);
     for (std::size_t i = first; i < first + 3; ++i) {
-      sums[mesh.indices[i]] = sums[mesh.indices[i]] + area;
+      Vector3<double>& sum = sums[mesh.indices[i]];
+      Vector3<double>& of_first = firsts[mesh.indices[i]];
+      sum = sum + area;
+      of_first = dot(of_first, of_first) > 0.0 ? of_first : area;
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const double length = std::sqrt(dot(sums[i], sums[i]));
+    constexpr double least_part = 1e-12;
+    const bool cancelled = dot(sums[i], sums[i]) <= least_part * dot(firsts[i], firsts[i]);
+    const Vector3<double>& sum = cancelled ? firsts[i] : sums[i];
+    const double length = std::sqrt(dot(sum, sum));
     if (wanting[i] && length > 0.0) {
       float(&normal)[3] = mesh.vertices[i].normal;
-      normal[0] = static_cast<float>(sums[i].x / length);
-      normal[1] = static_cast<float>(sums[i].y / length);
-      normal[2] = static_cast<float>(sums[i].z / length);
+      normal[0] = static_cast<float>(sum.x / length);
+      normal[1] = static_cast<float>(sum.y / length);
+      normal[2] = static_cast<float>(sum.z / length);
     }
   }
 }

@@ -1,10 +1,12 @@
 #include "content/mesh/mesh_reader.h"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <assimp/IOStream.hpp>
@@ -16,6 +18,7 @@
 #include <memory>
 
 #include "content/files/counted.h"
+#include "content/files/printable.h"
 #include "content/files/whole_file.h"
 #include "content/mesh/material_names.h"
 #include "content/mesh/mesh_normals.h"
@@ -124,14 +127,16 @@ MeshFormat format_of(const std::filesystem::path& path) {
 }
 
 //! An image that the importer has found in the file itself: a PNG, a JPEG, or what else its kind says.
-MeshImage image_inside(const aiTexture& from, const std::string& place) {
+MeshImage image_inside(const aiTexture& from, int index, const std::string& place) {
   const std::string_view kind(from.achFormatHint, strnlen(from.achFormatHint, sizeof from.achFormatHint));
   const bool coded = from.mHeight == 0 && from.mWidth > 0 && from.pcData != nullptr;
   if (!coded || kind.empty() || !std::ranges::all_of(kind, [](unsigned char c) { return std::isalnum(c) != 0; })) {
     throw Error(place, "has an image inside the file that is neither PNG nor JPEG", "export it with such images");
   }
   // The importer counts bytes here.
-  return {fmt::format("{}, its image {}.{}", place, from.mFilename.C_Str(), kind),
+  // Few of a glTF have names.
+  const std::string name = from.mFilename.length > 0 ? from.mFilename.C_Str() : std::to_string(index);
+  return {fmt::format("{}, its image {}.{}", place, name, kind),
           std::make_shared<const std::string>(reinterpret_cast<const char*>(from.pcData), from.mWidth), ""};
 }
 
@@ -154,13 +159,16 @@ MeshPart part_of(const aiScene& scene, const aiMesh& mesh, const std::string& pl
   }
   float opacity = 1.0F;
   material.Get(AI_MATKEY_OPACITY, opacity);
-  part.transparent = opacity < 1.0F || color.a < 1.0F;
+  aiString alpha_mode;
+  const bool ignored = material.Get(AI_MATKEY_GLTF_ALPHAMODE, alpha_mode) == aiReturn_SUCCESS &&
+                       std::string_view(alpha_mode.C_Str()) == "OPAQUE";
+  part.transparent = !ignored && (opacity < 1.0F || color.a < 1.0F);
   aiString image;
   if (material.GetTexture(aiTextureType_DIFFUSE, 0, &image) != aiReturn_SUCCESS) {
     return part;
   }
-  if (const aiTexture* const inside = scene.GetEmbeddedTexture(image.C_Str())) {
-    part.image = image_inside(*inside, place);
+  if (const auto [inside, index] = scene.GetEmbeddedTextureAndIndex(image.C_Str()); inside != nullptr) {
+    part.image = image_inside(*inside, index, place);
     return part;
   }
   const std::filesystem::path named = std::filesystem::path(image.C_Str()).lexically_normal();
@@ -190,6 +198,19 @@ void remark(TriangleMesh& mesh, const std::string& sentence) {
   if (std::ranges::find(mesh.remarks, sentence) == mesh.remarks.end()) {
     mesh.remarks.push_back(sentence);
   }
+}
+
+//! Remarks on materials that no file of an OBJ's has, of which it may name very many.
+void remark_on_materials(std::vector<std::string> missing, TriangleMesh& mesh) {
+  constexpr std::size_t most_named = 5;
+  if (missing.empty()) {
+    return;
+  }
+  const std::size_t more = missing.size() - std::min(missing.size(), most_named);
+  missing.resize(missing.size() - more);
+  mesh.remarks.push_back(fmt::format(
+      "uses materials that no file which it names has (\"{}\"{}): their triangles are grey",
+      printable(fmt::format("{}", fmt::join(missing, "\", \""))), more > 0 ? fmt::format(" and {} more", more) : ""));
 }
 
 //! Remarks on what of a part is not drawn as its file has it.
@@ -290,10 +311,8 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
   } catch (const std::exception& problem) {
     throw Error(place, fmt::format("cannot be read: {}", problem.what()), wanted_meshes);
   }
-  for (const std::string& name :
-       format == MeshFormat::obj && !folder.empty() ? missing_materials(bytes, folder) : std::vector<std::string>{}) {
-    remark(mesh,
-           fmt::format("uses the material \"{}\", which no file that it names has: its triangles are grey", name));
+  if (format == MeshFormat::obj && !folder.empty()) {
+    remark_on_materials(missing_materials(bytes, folder), mesh);
   }
   drop_degenerate_triangles(mesh);
   mend_normals(mesh);

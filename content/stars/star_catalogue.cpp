@@ -87,8 +87,10 @@ bool lacks_stars(const std::vector<RowsLeftOut>& left_out) {
 }
 
 std::string note_of_left_out(const Show& show, const std::vector<RowsLeftOut>& left_out) {
+  std::vector<RowsLeftOut> lost = left_out;
+  std::erase_if(lost, [](const RowsLeftOut& rows) { return rows.meant; });
   return named_by(show, "sky.stars",
-                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "has " + text_of(left_out),
+                  Error((std::filesystem::path(show.folder) / show.sky.stars).string(), "has " + text_of(lost),
                         "complete these rows, or take them out"))
       .what();
 }

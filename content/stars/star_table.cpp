@@ -12,6 +12,7 @@
 #include <optional>
 #include <string_view>
 
+#include "content/files/printable.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -56,16 +57,6 @@ std::optional<Column> column_named(std::string_view name) {
     }
   }
   return std::nullopt;
-}
-
-//! Text as a terminal shows it: bytes that it would not are told by their numbers.
-std::string printable(std::string_view text) {
-  std::string shown;
-  for (const char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20U || c == '\x7F';
-    shown += control ? fmt::format("\\x{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
-  }
-  return shown;
 }
 
 //! Takes cells and rows from the parser. It must not throw through the parser's frames: the first problem is kept.

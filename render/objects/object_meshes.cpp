@@ -54,10 +54,10 @@ ObjectMeshes load_meshes(const Show& show) {
 
 OverlayImage read_mesh_image(const MeshImage& image) {
   if (image.bytes) {
-    return read_overlay_image(*image.bytes, image.name);
+    return read_stored_image(*image.bytes, image.name);
   }
   try {
-    return read_overlay_image(image.name);
+    return read_stored_image(image.name);
   } catch (const Error& error) {
     throw Error(error.place(), fmt::format("{} (a picture on {})", error.problem(), image.mesh), error.remedy());
   }

@@ -118,11 +118,12 @@ void put_pixel(const LightCoding& coding, const float* from, std::uint16_t* to) 
   to[3] = whole_number(coding.alpha_of(from));
 }
 
-//! `bytes`: of the file, if it is not on a disk.
-std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path,
-                                           const std::optional<std::span<const std::byte>>& bytes = std::nullopt) {
+const ImageLibrary::Wishes upright = {.bytes = std::nullopt, .separate_alpha = true, .as_stored = false};
+const ImageLibrary::Wishes as_stored = {.bytes = std::nullopt, .separate_alpha = true, .as_stored = true};
+
+std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path, const ImageLibrary::Wishes& wishes) {
   std::string problem;
-  auto input = image_library().open(path.string(), {bytes, true}, problem);
+  auto input = image_library().open(path.string(), wishes, problem);
   if (!input) {
     throw unreadable_overlay(path, problem);
   }
@@ -187,17 +188,24 @@ OverlayImage make_overlay_image(int width, int height, const std::vector<float>&
 }
 
 OverlaySize overlay_image_size(const std::filesystem::path& path) {
-  const auto input = opened_overlay(path);
+  const auto input = opened_overlay(path, upright);
   return {input->shape().width, input->shape().height};
 }
 
 OverlayImage read_overlay_image(const std::filesystem::path& path) {
-  const auto input = opened_overlay(path);
+  const auto input = opened_overlay(path, upright);
   return read_opened_overlay(*input, path);
 }
 
-OverlayImage read_overlay_image(std::string_view bytes, const std::string& name) {
-  const auto input = opened_overlay(name, std::as_bytes(std::span(bytes)));
+OverlayImage read_stored_image(const std::filesystem::path& path) {
+  const auto input = opened_overlay(path, as_stored);
+  return read_opened_overlay(*input, path);
+}
+
+OverlayImage read_stored_image(std::string_view bytes, const std::string& name) {
+  ImageLibrary::Wishes wishes = as_stored;
+  wishes.bytes = std::as_bytes(std::span(bytes));
+  const auto input = opened_overlay(name, wishes);
   return read_opened_overlay(*input, name);
 }
 

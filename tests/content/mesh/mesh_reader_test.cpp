@@ -8,6 +8,7 @@
 #include <map>
 
 #include "content/mesh/mesh_files.h"
+#include "content/mesh/mesh_normals.h"
 #include "content/mesh/named_file.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
@@ -117,7 +118,7 @@ TEST_F(MeshFilesOnDisk, RemarksOnAMaterialThatItsFilesDoNotHave) {
   write("a.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
   write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\nusemtl  cold one \nf 3 2 1\n");
   EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
-              testing::ElementsAre(testing::HasSubstr("uses the material \"cold one\"")));
+              testing::ElementsAre(testing::HasSubstr("no file which it names has (\"cold one\")")));
 }
 
 TEST_F(MeshFilesOnDisk, RemarksOnAPictureWithoutPlacesOnIt) {
@@ -176,6 +177,40 @@ TEST(MeshReader, KeepsTheBytesOfAnImageInsideTheFile) {
   ASSERT_TRUE(viewed.parts.front().image.bytes);
   EXPECT_EQ(viewed.parts.front().image.bytes->size(), 16U);
   EXPECT_THAT(viewed.parts.front().image.name, testing::EndsWith(".jpg"));
+}
+
+//! A text with one part of it, which is there, in another's place.
+std::string with(std::string text, const std::string& part, const std::string& other) {
+  return text.replace(text.find(part), part.size(), other);
+}
+
+TEST(MeshReader, TellsImagesInsideTheFileApartThatHaveNoNames) {
+  const std::string image = R"({"uri":"data:image/png;base64,aGVsbG8="})";
+  std::string text = with(gltf_with_image(image + "," + image), R"("textures":[{"source":0}])",
+                          R"("textures":[{"source":0},{"source":1}])");
+  text = with(text, R"("material":0}])", R"("material":0},{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":1}])");
+  text = with(text, R"("materials":[)", R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}},)");
+  const TriangleMesh mesh = parse_mesh(text, MeshFormat::gltf, "a.gltf");
+  ASSERT_EQ(mesh.parts.size(), 2U);
+  EXPECT_NE(mesh.parts[0].image.name, mesh.parts[1].image.name);
+}
+
+TEST(MeshReader, HeedsTheAlphaOfAGltfMaterialOnlyWhereItsModeDoes) {
+  const std::string text = with(gltf_with_image(R"({"uri":"data:image/png;base64,aGVsbG8="})"),
+                                R"("baseColorTexture":{"index":0}}})", R"("baseColorFactor":[1,1,1,0.25]}})");
+  EXPECT_THAT(parse_mesh(text, MeshFormat::gltf, "a.gltf").remarks, testing::IsEmpty());
+  EXPECT_THAT(parse_mesh(with(text, "0.25]}}", R"(0.25]},"alphaMode":"BLEND"})"), MeshFormat::gltf, "a.gltf").remarks,
+              testing::ElementsAre(testing::HasSubstr("drawn opaque")));
+}
+
+TEST(MeshNormals, AreTheFirstFacesWhereFacesCancelOut) {
+  TriangleMesh mesh;
+  mesh.vertices = {{{0, 0, 0}, {0, 0, 0}, {0, 0}}, {{1, 0, 0}, {0, 0, 0}, {0, 0}}, {{0, 1, 0}, {0, 0, 0}, {0, 0}}};
+  mesh.indices = {0, 1, 2, 0, 2, 1};
+  mend_normals(mesh);
+  for (const SurfaceVertex& vertex : mesh.vertices) {
+    EXPECT_THAT(vertex.normal, testing::ElementsAre(0.0F, 0.0F, 1.0F));
+  }
 }
 
 TEST(MeshReader, RefusesAnImageInsideTheFileOfNoKnownKind) {
