@@ -18,7 +18,11 @@ const ImageLibrary& load() {
     throw Error(file, std::string("cannot be loaded: ") + (reason != nullptr ? reason : "it is another file"),
                 "run app/setup and build again");
   }
-  return *reinterpret_cast<const ImageLibrary* (*)()>(entry)();
+  const ImageLibrary* const library = reinterpret_cast<const ImageLibrary* (*)(std::uint64_t)>(entry)(image_interface);
+  if (library == nullptr) {
+    throw Error(file, "is of another build than the program", "build all of it, or install it again");
+  }
+  return *library;
 }
 
 }  // namespace

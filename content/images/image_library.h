@@ -150,7 +150,12 @@ class ImageLibrary {
   virtual std::vector<float> transform(const float* cells, int side, std::string& problem) const = 0;
 };
 
-//! OpenImageIO. Throws Error where it cannot be loaded.
+//! Differs between builds whose module and program do not hand over the same.
+inline constexpr std::uint64_t image_interface = (std::uint64_t{sizeof(ImagePlan)} << 40U) |
+                                                 (std::uint64_t{sizeof(ImageShape)} << 20U) |
+                                                 std::uint64_t{sizeof(ImageLibrary::Wishes)};
+
+//! OpenImageIO. Throws Error where it cannot be loaded, or is another build's.
 const ImageLibrary& image_library();
 
 }  // namespace ergodome

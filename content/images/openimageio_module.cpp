@@ -152,7 +152,7 @@ class Library final : public ImageLibrary {
 
 }  // namespace ergodome
 
-extern "C" const ergodome::ImageLibrary* ergodome_openimageio() {
+extern "C" const ergodome::ImageLibrary* ergodome_openimageio(std::uint64_t interface) {
   static const ergodome::Library library;
-  return &library;
+  return interface == ergodome::image_interface ? &library : nullptr;
 }
