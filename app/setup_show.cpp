@@ -128,6 +128,7 @@ int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup)
 
 std::vector<std::filesystem::path> ProjectorFrames::paths_of(const std::filesystem::path& frame) const {
   std::vector<std::filesystem::path> paths;
+  paths.reserve(rasters_.size());
   for (const Raster& raster : rasters_) {
     paths.push_back(path_of(frame, raster));
   }
