@@ -10,7 +10,7 @@ namespace {
 
 ergodome::PlayerStatus show_with_chapters() {
   ergodome::PlayerStatus status;
-  status.chapters = {{0.0, "one"}, {1.0, "two"}};
+  status.chapters = {{0.0, "one", {"one", "eins"}}, {1.0, "two", {"two", "zwei"}}};
   return status;
 }
 
