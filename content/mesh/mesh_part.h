@@ -1,14 +1,13 @@
 #pragma once
 
+#include <assimp/scene.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "content/mesh/triangle_mesh.h"
 #include "kernels/core/error.h"
-
-struct aiMesh;
-struct aiScene;
 
 // What the importer of meshes has found, as far as it is drawn, and what of it is not.
 namespace ergodome {
