@@ -56,6 +56,10 @@ class MapReader {
     image_.width = std::min(shape.width, largest_width / 2 * 2);
     image_.height = image_.width / 2;
     image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
+    columns_.reserve(static_cast<std::size_t>(shape.width));
+    for (int x = 0; x < shape.width; ++x) {
+      columns_.push_back(texel_place(x, shape.width, image_.width));
+    }
     // Other channels are not looked at.
     read_channels_ = coding_.light_channels();
   }
@@ -113,9 +117,11 @@ class MapReader {
       float colour[3];
       coding_.put_light(pixel, colour);
       repair(colour);
-      const TexelPlace across = texel_place(x, width, image_.width);
+      const TexelPlace& across = columns_[static_cast<std::size_t>(x)];
       add_texel(across.first, down, colour, whole * across.part);
-      add_texel(across.first + 1, down, colour, whole * (1.0F - across.part));
+      if (across.part < 1.0F) {
+        add_texel(across.first + 1, down, colour, whole * (1.0F - across.part));
+      }
     }
   }
 
@@ -154,7 +160,8 @@ class MapReader {
   ImageInput& input_;
   std::string name_;
   LightCoding coding_;
-  int read_channels_ = 3;  //!< of a pixel
+  int read_channels_ = 3;            //!< of a pixel
+  std::vector<TexelPlace> columns_;  //!< where texels of a row fall
   std::vector<float> tiles_;
   EnvironmentImage image_;
 };
