@@ -8,6 +8,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/core/vector3.h"
+#include "kernels/shadow/shadow_chart.h"
 
 namespace ergodome {
 

@@ -1,5 +1,7 @@
 #include "render/output/image_writer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <numeric>
@@ -261,8 +263,8 @@ std::string fact_of_image(const std::filesystem::path& path, const std::string& 
     return own;
   }
   // TIFF has all of them in its description, a line each.
-  const std::string description = "\n" + input->text("ImageDescription");
-  const std::string before = "\n" + name + "=";
+  const std::string description = fmt::format("\n{}", input->text("ImageDescription"));
+  const std::string before = fmt::format("\n{}=", name);
   const std::size_t at = description.find(before);
   if (at == std::string::npos) {
     return {};

@@ -184,11 +184,11 @@ PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Questi
 }
 
 std::vector<SeenImage> PatchSearch::fetched(const FoundInPlace& found) const {
-  std::vector<SeenImage> images(static_cast<std::size_t>(found.count));
+  std::vector<SeenImage> seen(static_cast<std::size_t>(found.count));
   if (found.count > 0) {
-    copy_to_host(backend_, images.data(), found.images, images.size());
+    copy_to_host(backend_, seen.data(), found.images, seen.size());
   }
-  return images;
+  return seen;
 }
 
 }  // namespace ergodome
