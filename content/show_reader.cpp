@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "content/camera_reader.h"
 #include "content/disk_reader.h"
 #include "content/effects_reader.h"
 #include "content/fall/fall_reader.h"
 #include "content/files/toml_table.h"
+#include "content/files/whole_file.h"
 #include "content/flight_reader.h"
 #include "content/frame_rate.h"
 #include "content/map_layout_reader.h"
@@ -136,9 +134,13 @@ void note_tables(const toml::array& tables, const std::string& path, std::map<st
   }
 }
 
-//! Notes where each key of a table stands.
+//! Notes where each key of a table stands. What lies beyond a number of keys that no valid show has is left out.
 void note_lines(const toml::table& table, const std::string& path, std::map<std::string, int>& lines) {
+  constexpr std::size_t most_lines = 100'000;
   for (const auto& [key, node] : table) {
+    if (lines.size() >= most_lines) {
+      return;
+    }
     const std::string own = path.empty() ? std::string(key.str()) : fmt::format("{}.{}", path, key.str());
     lines[own] = static_cast<int>(node.source().begin.line);
     if (const toml::table* below = node.as_table()) {
@@ -172,16 +174,7 @@ Show read_show(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", "give the path of a show (.toml)");
   }
-  if (std::filesystem::file_size(path, problem) > (largest_mib << 20U) || problem) {
-    throw Error(path.string(), "is larger than 16 MiB", "a show is a short text file");
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (!file) {
-    throw Error(path.string(), "cannot be read", "check its permissions");
-  }
-  return parse_show(text.str(), path.string());
+  return parse_show(read_whole_file(path, largest_mib << 20U, "a show is a short text file"), path.string());
 }
 
 }  // namespace ergodome

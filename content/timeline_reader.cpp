@@ -41,11 +41,9 @@ bool is_language_tag(std::string_view tag) {
 
 //! Words that people are to read. TOML itself has seen to it that they are UTF-8.
 std::string read_words(TomlTable& table, std::string_view key) {
-  std::string words = table.text(key, "");
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 ? c != '\n' : c == 0x7F; };
-  if (words.empty() || std::ranges::any_of(words, is_control)) {
-    throw table.error_at(key, words.empty() ? "is empty" : "holds a control character",
-                         "write letters; only a line break (\\n) may be among them");
+  std::string words = table.lines(key, "");
+  if (words.empty()) {
+    throw table.error_at(key, "is empty", "write a text");
   }
   return words;
 }

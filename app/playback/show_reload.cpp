@@ -89,18 +89,33 @@ ShowReload::ShowReload(std::filesystem::path file, const Show& running, FileWatc
 }
 
 std::optional<ShowReload::Result> ShowReload::poll(MonotonicTime now) {
-  return watch_.changed(now) ? std::optional(reload()) : std::nullopt;
+  if (reading_.valid()) {
+    const bool ready = reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    return ready ? std::optional(take()) : std::nullopt;
+  }
+  if (watch_.changed(now) || requested_) {
+    begin();
+  }
+  return std::nullopt;
 }
 
-ShowReload::Result ShowReload::reload() {
-  Result result;
-  const auto read_at = std::chrono::system_clock::now();
-  try {
-    require_version(file_);
-    result.show = load_(file_);
-    watch_.watch(files_of(file_, *result.show), read_at);
-  } catch (const std::exception& problem) {
-    result.problem = problem.what();
+void ShowReload::begin() {
+  requested_ = false;
+  read_at_ = std::chrono::system_clock::now();
+  reading_ = std::async(std::launch::async, [file = file_, load = load_]() -> Result {
+    try {
+      require_version(file);
+      return {load(file), ""};
+    } catch (const std::exception& problem) {
+      return {std::nullopt, problem.what()};
+    }
+  });
+}
+
+ShowReload::Result ShowReload::take() {
+  Result result = reading_.get();
+  if (result.show) {
+    watch_.watch(files_of(file_, *result.show), read_at_);
   }
   return result;
 }

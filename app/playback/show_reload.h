@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,30 +65,40 @@ class FileWatch {
   std::optional<MonotonicTime> looked_at_;
 };
 
-//! Reads a running show again when its file, or one of the files it names, has been saved.
+//! Reads a running show again after its file, or one of the files it names, has been saved. It reads on a thread of its own:
+//! the player goes on drawing, however long a file takes.
 class ShowReload {
  public:
   using Loader = std::function<Show(const std::filesystem::path&)>;
 
-  //! What came of reading: a show to take over, or why the running one stays.
+  //! A show to take over, or why the running one stays.
   struct Result {
     std::optional<Show> show;
     std::string problem;
   };
 
-  //! `running` is the show as it was read from `file` at `read_at`. `load` reads and checks a file, and throws where a show cannot be shown.
+  //! `running` is the show as it was read from `file` at `read_at`. `load` reads and checks a file, on another thread, and
+  //! throws where the show cannot be played.
   ShowReload(std::filesystem::path file, const Show& running, FileWatch::WallTime read_at, Loader load,
              FileWatch::Settings settings = {});
 
-  //! Once a frame. Nothing where nothing has changed; each broken version is told once.
+  //! Returns what was read since the last call; call it once a frame. Each broken version is reported once.
   std::optional<Result> poll(MonotonicTime now);
-  //! Reads it now, changed or not.
-  Result reload();
+  //! Reads the show again, whether it changed or not; poll() returns the result.
+  void request() { requested_ = true; }
+  //! Whether a version is being read now.
+  [[nodiscard]] bool is_reading() const { return reading_.valid(); }
 
  private:
+  void begin();
+  Result take();
+
   std::filesystem::path file_;
   Loader load_;
   FileWatch watch_;
+  bool requested_ = false;
+  FileWatch::WallTime read_at_;
+  std::future<Result> reading_;
 };
 
 //! The file that a show was read from.

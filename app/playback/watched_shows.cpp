@@ -27,11 +27,16 @@ std::optional<ShowReload::Result> WatchedShows::poll(MonotonicTime now) {
   if (running_ == nullptr) {
     return std::nullopt;
   }
-  return std::exchange(running_->unread, false) ? reload() : note(running_->reload.poll(now));
+  if (std::exchange(running_->unread, false)) {
+    running_->reload.request();
+  }
+  return note(running_->reload.poll(now));
 }
 
-std::optional<ShowReload::Result> WatchedShows::reload() {
-  return running_ != nullptr ? note(running_->reload.reload()) : std::nullopt;
+void WatchedShows::request() {
+  if (running_ != nullptr) {
+    running_->reload.request();
+  }
 }
 
 std::optional<WatchedShows::Waiting> WatchedShows::poll_waiting(MonotonicTime now) {

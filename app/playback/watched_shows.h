@@ -22,8 +22,8 @@ class WatchedShows {
 
   //! A version of the one that runs which was saved since the last call, or while it waited; or why there is none.
   [[nodiscard]] std::optional<ShowReload::Result> poll(MonotonicTime now);
-  //! Reads the one that runs now, changed or not; nothing where none runs.
-  [[nodiscard]] std::optional<ShowReload::Result> reload();
+  //! Reads the running show again, whether it changed or not; poll() returns the result.
+  void request();
 
   //! What became of a show that waits: it can be read, and will be when it runs, or why it cannot.
   struct Waiting {

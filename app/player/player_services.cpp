@@ -54,6 +54,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
     listeners.clock = [clock = clock_](const ClockFix& fix) { clock->post(fix); };
   }
   remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, std::move(listeners));
+  tell(spdlog::level::warn, remote_->warning());
   for (const std::string& line : remote_->greeting()) {
     // For the person who started the show; it may hold the token, so it goes to no log.
     fmt::print("{}\n", line);
@@ -107,7 +108,10 @@ void PlayerServices::fill(PlayerStatus& status) const {
 }
 
 std::optional<ShowReload::Result> PlayerServices::reloaded(bool now) {
-  return now ? shows_.reload() : shows_.poll(steady_time());
+  if (now) {
+    shows_.request();
+  }
+  return shows_.poll(steady_time());
 }
 
 void PlayerServices::look_at_waiting_shows() {

@@ -46,6 +46,40 @@ bool HttpStream::receive(Instant deadline) {
   }
 }
 
+HttpStream::Head HttpStream::poll_head() {
+  std::array<char, 4096> part;
+  while (buffer_.find(head_end) == std::string::npos) {
+    const ssize_t size = ::recv(socket_.get(), part.data(), part.size(), MSG_DONTWAIT);
+    if (size < 0 && errno == EINTR) {
+      continue;
+    }
+    if (size <= 0) {
+      const bool more = size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
+      return more ? Head::incomplete : Head::failed;
+    }
+    buffer_.append(part.data(), static_cast<std::size_t>(size));
+    if (buffer_.size() > most_head_bytes + part.size()) {
+      return Head::failed;
+    }
+  }
+  return Head::complete;
+}
+
+std::string_view HttpStream::head() const {
+  const std::size_t end = buffer_.find(head_end);
+  return end == std::string::npos ? std::string_view() : std::string_view(buffer_).substr(0, end + head_end.size());
+}
+
+void HttpStream::refuse(std::string_view answer) {
+  static_cast<void>(::send(socket_.get(), answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+  ::shutdown(socket_.get(), SHUT_WR);
+  // Bytes that are left unread would make the system cut the answer off.
+  std::array<char, 4096> rest;
+  for (int i = 0; i < 4 && ::recv(socket_.get(), rest.data(), rest.size(), MSG_DONTWAIT) > 0; ++i) {
+  }
+  close();
+}
+
 bool HttpStream::read_head(std::chrono::milliseconds idle_time) {
   buffer_.erase(0, position_);
   position_ = 0;

@@ -3,6 +3,7 @@
 #include <httplib.h>
 
 #include <string>
+#include <string_view>
 
 #include "app/remote/net_address.h"
 #include "app/remote/stop_signal.h"
@@ -22,6 +23,16 @@ class HttpStream : public httplib::Stream {
   //! The socket must be non-blocking.
   HttpStream(Descriptor socket, const NetAddress& peer, const StopSignal& stop)
       : socket_(std::move(socket)), peer_(peer), stop_(stop) {}
+
+  enum class Head { incomplete, complete, failed };
+
+  //! Reads what has arrived of the first request's head, without waiting.
+  Head poll_head();
+  //! Returns the head that poll_head() found complete, as it was sent.
+  [[nodiscard]] std::string_view head() const;
+  //! Sends a short answer without waiting, and ends the connection.
+  void refuse(std::string_view answer);
+  void close() { socket_.reset(); }
 
   //! Waits for the next request, as long as an idle connection may be kept, and reads its head. False where there is none, or none that is
   //! worth an answer.

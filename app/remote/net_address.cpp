@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <memory>
 
@@ -52,6 +53,21 @@ std::optional<NetAddress> NetAddress::parse(const std::string& host, int port) {
   std::memcpy(&address.storage_, found->ai_addr, found->ai_addrlen);
   address.size_ = found->ai_addrlen;
   return address;
+}
+
+std::optional<NetAddress> NetAddress::parse(const std::string& host_and_port) {
+  const std::size_t colon = host_and_port.rfind(':');
+  std::string host = host_and_port.substr(0, colon);
+  if (host.starts_with('[') && host.ends_with(']')) {
+    host = host.substr(1, host.size() - 2);
+  } else if (host.find(':') != std::string::npos) {
+    return std::nullopt;
+  }
+  const std::string digits = colon == std::string::npos ? "" : host_and_port.substr(colon + 1);
+  int port = 0;
+  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  const bool whole = problem == std::errc() && end == digits.data() + digits.size();
+  return whole ? parse(host, port) : std::nullopt;
 }
 
 NetAddress NetAddress::of(const sockaddr_storage& address, socklen_t size) {

@@ -17,6 +17,8 @@ class NetAddress {
   //! From digits alone ("127.0.0.1", "::1"): names are not looked up, because that waits for other machines. Empty where the
   //! text is none.
   static std::optional<NetAddress> parse(const std::string& host, int port);
+  //! The same from HOST:PORT, an IPv6 host in brackets.
+  static std::optional<NetAddress> parse(const std::string& host_and_port);
   static NetAddress of(const sockaddr_storage& address, socklen_t size);
 
   [[nodiscard]] const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage_); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
 
 #include "app/remote/command_rules.h"
 #include "kernels/core/error.h"
@@ -18,7 +19,7 @@ using std::chrono::steady_clock;
 constexpr std::string_view root = "/ergodome/";
 constexpr std::size_t longest_quote = 60;
 //! What OSC has beside commands.
-constexpr std::array<std::string_view, 4> own_words = {"clock", "subscribe", "unsubscribe", "ping"};
+constexpr std::array<std::string_view, 5> own_words = {"clock", "subscribe", "nonce", "unsubscribe", "ping"};
 
 //! A name that came from outside, fit to be shown: short, and nothing but letters that can be read.
 std::string quotable(const std::string& text) {
@@ -96,11 +97,19 @@ double number_at(const OscMessage& message, std::size_t index, std::string_view 
 std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, const NetAddress& from,
                                              const OscInstant& now) {
   std::vector<OscDatagram> answers;
+  // A packet may come from somewhere else than it says: unasked, no address receives more bytes than that sent.
+  std::size_t bytes_left = subscribers_.is_trusted(from) ? std::numeric_limits<std::size_t>::max() : packet.size();
+  const auto answer = [&](const NetAddress& to, const OscOutput& message) {
+    std::vector<char> bytes = osc_packet({&message, 1});
+    if (bytes.size() <= bytes_left) {
+      bytes_left -= bytes.size();
+      answers.push_back({to, std::move(bytes)});
+    }
+  };
   const auto complain = [&](const std::string& address, const Error& error) {
     if (complaints_.allows(now.steady)) {
       warn(from, error.what(), now.steady);
-      const OscOutput complaint = {"/ergodome/error", {quotable(address), std::string(error.what())}};
-      answers.push_back({from, osc_packet({&complaint, 1})});
+      answer(from, {"/ergodome/error", {quotable(address), std::string(error.what())}});
     }
   };
   std::vector<OscMessage> messages;
@@ -111,8 +120,8 @@ std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, 
   }
   for (const OscMessage& message : messages) {
     try {
-      if (const std::optional<OscOutput> answer = heed(message, from, now)) {
-        answers.push_back({from, osc_packet({&*answer, 1})});
+      if (const std::optional<Answer> reply = heed(message, from, now)) {
+        answer(reply->to, reply->message);
       }
     } catch (const Error& error) {
       complain(message.address, error);
@@ -121,15 +130,18 @@ std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, 
   return answers;
 }
 
-std::optional<OscOutput> OscHandler::heed(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
+std::optional<OscHandler::Answer> OscHandler::heed(const OscMessage& message, const NetAddress& from,
+                                                   const OscInstant& now) {
   if (message.address == "/ergodome/clock") {
     follow_clock(message, now);
   } else if (message.address == "/ergodome/subscribe") {
-    subscribe(message, from, now);
+    return subscribe(message, from, now);
+  } else if (message.address == "/ergodome/nonce") {
+    confirm(message, from, now);
   } else if (message.address == "/ergodome/unsubscribe") {
     unsubscribe(message, from);
   } else if (message.address == "/ergodome/ping") {
-    return OscOutput{"/ergodome/pong", {}};
+    return Answer{from, {"/ergodome/pong", {}}};
   } else {
     command(message, now);
   }
@@ -208,7 +220,6 @@ NetAddress subscriber_address(const OscMessage& message, const NetAddress& from)
   if (!wanted || wanted->family() != from.family()) {
     throw Error("subscribe", "the host is not an address in digits", "send one such as \"192.168.1.20\"");
   }
-  // Else anyone could have this machine send to anyone.
   if (wanted->host() != from.host() && !from.is_loopback()) {
     throw Error("subscribe", "only this machine may subscribe others",
                 "send the message from where feedback is wanted");
@@ -218,28 +229,34 @@ NetAddress subscriber_address(const OscMessage& message, const NetAddress& from)
 
 }  // namespace
 
-void OscHandler::subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
+std::optional<OscHandler::Answer> OscHandler::subscribe(const OscMessage& message, const NetAddress& from,
+                                                        const OscInstant& now) {
   const NetAddress to = subscriber_address(message, from);
-  const steady_clock::time_point until = now.steady + subscription;
-  const auto known = std::find_if(subscribers_.begin(), subscribers_.end(),
-                                  [&](const Subscriber& subscriber) { return subscriber.to == to; });
-  if (known != subscribers_.end()) {
-    known->until = until;
-    return;
+  if (!subscribers_.is_trusted(from)) {
+    return Answer{to, {"/ergodome/nonce", {OscInteger{subscribers_.nonce(to, now.steady)}}}};
   }
-  if (subscribers_.size() >= most_subscribers) {
-    throw Error("subscribe", fmt::format("there are {} subscribers already", most_subscribers),
-                "end another one with /ergodome/unsubscribe, or wait until it expires");
+  next_feedback_ = subscribers_.empty() ? now.steady : next_feedback_;
+  subscribers_.add(to, now.steady);
+  return std::nullopt;
+}
+
+void OscHandler::confirm(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
+  expect_at_most(message, 2);
+  const double nonce = number_at(message, 0, "nonce", 1, 0xFFFFFF);
+  const NetAddress to =
+      message.arguments.size() < 2
+          ? from
+          : from.with_port(static_cast<int>(number_at(message, 1, "nonce: port", 1, 65'535)));
+  if (!subscribers_.is_nonce(nonce, to, now.steady)) {
+    throw Error("nonce", "is not the number that was sent to " + to.text(),
+                "send /ergodome/subscribe again, and the number that comes back within a minute");
   }
-  if (subscribers_.empty()) {
-    next_feedback_ = now.steady;
-  }
-  subscribers_.push_back({to, until});
+  next_feedback_ = subscribers_.empty() ? now.steady : next_feedback_;
+  subscribers_.add(to, now.steady);
 }
 
 void OscHandler::unsubscribe(const OscMessage& message, const NetAddress& from) {
-  const NetAddress to = subscriber_address(message, from);
-  std::erase_if(subscribers_, [&](const Subscriber& subscriber) { return subscriber.to == to; });
+  subscribers_.remove(subscriber_address(message, from));
 }
 
 std::vector<OscDatagram> OscHandler::tick(steady_clock::time_point now) {
@@ -247,12 +264,12 @@ std::vector<OscDatagram> OscHandler::tick(steady_clock::time_point now) {
     commands_.push(std::move(waiting_.front().command));
     waiting_.erase(waiting_.begin());
   }
-  std::erase_if(subscribers_, [&](const Subscriber& subscriber) { return subscriber.until <= now; });
+  subscribers_.remove_expired(now);
   std::vector<OscDatagram> feedback;
   if (!subscribers_.empty() && next_feedback_ <= now) {
     const std::vector<char> packet = osc_packet(osc_status(board_.read()));
-    for (const Subscriber& subscriber : subscribers_) {
-      feedback.push_back({subscriber.to, packet});
+    for (const NetAddress& to : subscribers_.addresses()) {
+      feedback.push_back({to, packet});
     }
     // After a long stall the feedback goes on from now instead of catching up.
     next_feedback_ = std::max(next_feedback_ + feedback_interval, now);

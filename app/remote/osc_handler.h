@@ -10,6 +10,7 @@
 #include "app/playback/transport.h"
 #include "app/remote/net_address.h"
 #include "app/remote/osc_message.h"
+#include "app/remote/osc_subscribers.h"
 #include "app/remote/rate_limit.h"
 
 namespace ergodome {
@@ -38,15 +39,16 @@ struct OscDatagram {
 class OscHandler {
  public:
   static constexpr std::size_t most_waiting = 256;
-  static constexpr std::size_t most_subscribers = 16;
   static constexpr double longest_wait_s = 60.0;
-  static constexpr std::chrono::seconds subscription{30};
   static constexpr std::chrono::milliseconds feedback_interval{100};
 
-  OscHandler(CommandQueue& commands, const StatusBoard& board, OscListeners listeners)
-      : commands_(commands), board_(board), listeners_(std::move(listeners)) {}
+  //! `listed` receive feedback without asking.
+  OscHandler(CommandQueue& commands, const StatusBoard& board, OscListeners listeners,
+             std::vector<NetAddress> listed = {})
+      : commands_(commands), board_(board), listeners_(std::move(listeners)), subscribers_(std::move(listed)) {}
 
-  //! Does what a packet says and gives the answers to it. Never throws for a packet's sake.
+  //! Does what a packet says and returns the answers. To hosts that are not trusted, these are never longer than the packet.
+  //! Never throws because of a packet.
   std::vector<OscDatagram> receive(std::span<const std::byte> packet, const NetAddress& from, const OscInstant& now);
 
   //! Does what has come due: commands of bundles, feedback for subscribers.
@@ -60,23 +62,24 @@ class OscHandler {
     std::chrono::steady_clock::time_point due;
     TransportCommand command;
   };
-  struct Subscriber {
+  struct Answer {
     NetAddress to;
-    std::chrono::steady_clock::time_point until;
+    OscOutput message;
   };
 
-  std::optional<OscOutput> heed(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  std::optional<Answer> heed(const OscMessage& message, const NetAddress& from, const OscInstant& now);
   void warn(const NetAddress& from, const std::string& problem, std::chrono::steady_clock::time_point now);
   void command(const OscMessage& message, const OscInstant& now);
   void follow_clock(const OscMessage& message, const OscInstant& now);
-  void subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  std::optional<Answer> subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  void confirm(const OscMessage& message, const NetAddress& from, const OscInstant& now);
   void unsubscribe(const OscMessage& message, const NetAddress& from);
 
   CommandQueue& commands_;
   const StatusBoard& board_;
   OscListeners listeners_;
   std::vector<Waiting> waiting_;  // in order of time
-  std::vector<Subscriber> subscribers_;
+  OscSubscribers subscribers_;
   std::chrono::steady_clock::time_point next_feedback_;
   RateLimit complaints_{10.0, 10.0};
   RateLimit warnings_{1.0, 10.0};  // fewer: the log's other lines are to stay in sight

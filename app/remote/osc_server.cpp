@@ -16,8 +16,9 @@ OscInstant now() { return {std::chrono::steady_clock::now(), osc_now()}; }
 }  // namespace
 
 OscServer::OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board,
-                     OscListeners listeners)
-    : handler_(commands, board, std::move(listeners)), socket_(bound_socket(SOCK_DGRAM, address, "OSC", "--osc")) {
+                     OscListeners listeners, std::vector<NetAddress> subscribers)
+    : handler_(commands, board, std::move(listeners), std::move(subscribers)),
+      socket_(bound_socket(SOCK_DGRAM, address, "OSC", "--osc")) {
   thread_ = std::thread([this] { serve(); });
 }
 
@@ -60,7 +61,7 @@ void OscServer::receive_some() {
 
 void OscServer::send(const std::vector<OscDatagram>& datagrams) {
   for (const OscDatagram& datagram : datagrams) {
-    // Lost where the network is full: the next feedback says the same anew.
+    // Where the network is full the packet is lost; the next feedback repeats it.
     ::sendto(socket_.get(), datagram.bytes.data(), datagram.bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
              datagram.to.get(), datagram.to.size());
   }

@@ -12,8 +12,9 @@ namespace ergodome {
 //! liblo reads and writes the messages; the socket is ours, because liblo 0.31 listens at every address of the machine, whatever it is told.
 class OscServer {
  public:
-  //! Throws Error where the address cannot be had.
-  OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board, OscListeners listeners);
+  //! `subscribers` receive feedback without asking. Throws Error where the address cannot be had.
+  OscServer(const NetAddress& address, CommandQueue& commands, const StatusBoard& board, OscListeners listeners,
+            std::vector<NetAddress> subscribers = {});
   ~OscServer();
   OscServer(const OscServer&) = delete;
   OscServer& operator=(const OscServer&) = delete;

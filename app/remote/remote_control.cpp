@@ -25,6 +25,24 @@ NetAddress address_of(const std::string& host, int port, const std::string& opti
   return *address;
 }
 
+//! The addresses that --osc-subscriber names, for a socket at `bound`.
+std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAddress& bound) {
+  std::vector<NetAddress> subscribers;
+  for (const std::string& text : options.osc_subscribers) {
+    const std::optional<NetAddress> address = NetAddress::parse(text);
+    if (!address || address->port() == 0) {
+      throw UsageError("--osc-subscriber", fmt::format("'{}' is not an address with a port", text),
+                       "give one in digits, such as 192.168.1.20:9001 or [fd00::7]:9001");
+    }
+    if (address->family() != bound.family() || (bound.is_loopback() && !address->is_loopback())) {
+      throw UsageError("--osc-subscriber", fmt::format("{} cannot be reached from {}", text, bound.host()),
+                       "listen at 0.0.0.0, or at an address of this machine in the same network (--osc-bind)");
+    }
+    subscribers.push_back(*address);
+  }
+  return subscribers;
+}
+
 //! The token that others have to give; none is needed where nobody else can reach the page.
 std::string token_of(const RemoteOptions& options, const NetAddress& address) {
   if (!options.web_token.empty()) {
@@ -74,6 +92,11 @@ void add_remote_options(CLI::App& command, RemoteOptions& options) {
       .add_option("--osc-bind", options.osc_bind, "address that OSC listens at; whoever reaches it controls the show")
       ->needs(osc)
       ->capture_default_str();
+  command
+      .add_option("--osc-subscriber", options.osc_subscribers,
+                  "HOST:PORT that receives feedback without asking; may be repeated")
+      ->needs(osc)
+      ->allow_extra_args(false);
 }
 
 RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& commands, const StatusBoard& board,
@@ -81,11 +104,13 @@ RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& command
   if (options.web_port) {
     const NetAddress address = address_of(options.web_bind, *options.web_port, "--web-bind");
     token_ = token_of(options, address);
+    warning_ = options.web_token_file.empty() ? "" : web_token_exposure(options.web_token_file);
     web_ = std::make_unique<WebServer>(address, token_, commands, board, std::move(log));
   }
   if (options.osc_port) {
     const NetAddress address = address_of(options.osc_bind, *options.osc_port, "--osc-bind");
-    osc_ = std::make_unique<OscServer>(address, commands, board, std::move(listeners));
+    osc_ = std::make_unique<OscServer>(address, commands, board, std::move(listeners),
+                                       subscribers_of(options, address));
   }
 }
 

@@ -26,9 +26,10 @@ struct RemoteOptions {
   std::string web_token_file;
   std::optional<int> osc_port;
   std::string osc_bind = "127.0.0.1";
+  std::vector<std::string> osc_subscribers;  //!< HOST:PORT
 };
 
-//! Adds --web, --web-bind, --web-token, --web-token-file, --osc and --osc-bind to a command.
+//! Adds --web, --web-bind, --web-token, --web-token-file, --osc, --osc-bind and --osc-subscriber to a command.
 void add_remote_options(CLI::App& command, RemoteOptions& options);
 
 //! The status page and the OSC server of a running show: commands go into the queue, the status is read from the board. Both have threads of
@@ -47,11 +48,15 @@ class RemoteControl {
   //! once and never logged.
   [[nodiscard]] std::vector<std::string> greeting() const;
 
+  //! Something about the options that endangers the show, with its remedy; empty where there is nothing.
+  [[nodiscard]] const std::string& warning() const { return warning_; }
+
   [[nodiscard]] std::optional<NetAddress> web_address() const;
   [[nodiscard]] std::optional<NetAddress> osc_address() const;
 
  private:
   std::string token_;
+  std::string warning_;
   std::unique_ptr<WebServer> web_;
   std::unique_ptr<OscServer> osc_;
 };

@@ -4,7 +4,6 @@
 #include <sys/eventfd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <string>
@@ -39,11 +38,15 @@ void StopSignal::raise() {
 bool StopSignal::is_raised() const { return sleep_until(std::chrono::steady_clock::time_point::min()); }
 
 StopSignal::Wake StopSignal::wait(int socket, short events, std::chrono::steady_clock::time_point deadline) const {
-  std::array<pollfd, 2> polled = {{{event_.get(), POLLIN, 0}, {socket, events, 0}}};
+  return wait({{socket, events, 0}}, deadline);
+}
+
+StopSignal::Wake StopSignal::wait(std::vector<pollfd> sockets, std::chrono::steady_clock::time_point deadline) const {
+  sockets.push_back({event_.get(), POLLIN, 0});
   while (true) {
     const int wait_ms = milliseconds_until(deadline);
-    const int ready = ::poll(polled.data(), polled.size(), wait_ms);
-    if (polled[0].revents != 0) {
+    const int ready = ::poll(sockets.data(), sockets.size(), wait_ms);
+    if (sockets.back().revents != 0) {
       return Wake::stopped;
     }
     if (ready > 0) {
@@ -59,8 +62,7 @@ StopSignal::Wake StopSignal::wait(int socket, short events, std::chrono::steady_
 }
 
 bool StopSignal::sleep_until(std::chrono::steady_clock::time_point deadline) const {
-  // poll ignores a negative descriptor.
-  return wait(-1, 0, deadline) == Wake::stopped;
+  return wait({}, deadline) == Wake::stopped;
 }
 
 }  // namespace ergodome

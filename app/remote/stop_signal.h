@@ -2,8 +2,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <vector>
 
 #include "app/remote/descriptor.h"
+
+struct pollfd;
 
 namespace ergodome {
 
@@ -20,6 +23,8 @@ class StopSignal {
 
   //! Waits until a socket has one of poll's `events` (or an error), the signal is raised, or the deadline has passed.
   [[nodiscard]] Wake wait(int socket, short events, std::chrono::steady_clock::time_point deadline) const;
+  //! The same for any of several sockets.
+  [[nodiscard]] Wake wait(std::vector<pollfd> sockets, std::chrono::steady_clock::time_point deadline) const;
   //! Waits for the signal or the deadline alone; true where it was raised.
   [[nodiscard]] bool sleep_until(std::chrono::steady_clock::time_point deadline) const;
 

@@ -11,6 +11,7 @@ namespace ergodome {
 struct WebAsker {
   NetAddress peer;
   bool changes_something = false;  //!< anything but GET
+  bool for_programs = false;       //!< a path below /api/
   std::string host;                //!< header Host
   std::string origin;              //!< header Origin; empty where there is none
   std::string fetch_site;          //!< header Sec-Fetch-Site
@@ -41,6 +42,9 @@ class WebGuard {
 
   [[nodiscard]] WebVerdict judge(const WebAsker& asker) const;
 
+  //! Whether the head of a request (request line and headers, as they were sent) carries the token in any of its places.
+  [[nodiscard]] bool has_token(std::string_view head) const;
+
   //! Header Set-Cookie that keeps the token.
   [[nodiscard]] std::string set_cookie() const;
 
@@ -51,6 +55,15 @@ class WebGuard {
   std::string token_;
   std::string machine_;
 };
+
+//! What a browser shows in place of the page, where it has no valid token.
+inline constexpr std::string_view no_token_text =
+    "Ergodome: this page needs its access token; open the address with ?token=... that the player printed at its start.\n";
+
+//! The whole answer (401) to a request without the token; `head` is that of the request.
+std::string no_token_answer(std::string_view head);
+//! The whole answer (503) where all threads are busy.
+std::string busy_answer();
 
 //! Whether two texts are the same, in a time that tells nothing of where they differ.
 bool same_in_constant_time(std::string_view a, std::string_view b);

@@ -18,9 +18,6 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds idle_time{5000};
 constexpr int most_requests_a_connection = 200;
-//! What a wrong token costs who gave it.
-constexpr std::chrono::milliseconds wrong_token_time{200};
-
 const char* const json_type = "application/json; charset=utf-8";
 const char* const html_type = "text/html; charset=utf-8";
 
@@ -51,6 +48,7 @@ WebAsker asker_of(const httplib::Request& request) {
   // Digits that came from the system: they can be read.
   asker.peer = NetAddress::parse(request.remote_addr, request.remote_port).value_or(NetAddress());
   asker.changes_something = request.method != "GET" && request.method != "HEAD";
+  asker.for_programs = request.path.starts_with("/api/");
   asker.host = request.get_header_value("Host");
   asker.origin = request.get_header_value("Origin");
   asker.fetch_site = request.get_header_value("Sec-Fetch-Site");
@@ -88,9 +86,9 @@ std::uint64_t line_before(const httplib::Request& request) {
 
 }  // namespace
 
-WebPages::WebPages(WebGuard guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
+WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
                    const StopSignal& stop)
-    : guard_(std::move(guard)), commands_(commands), board_(board), log_(std::move(log)), stop_(stop) {
+    : guard_(guard), commands_(commands), board_(board), log_(std::move(log)), stop_(stop) {
   // httplib writes long answers only while it has a listening socket; ours is elsewhere, and the stop signal ends them.
   svr_sock_ = 0;
   keep_alive_timeout_sec_ = idle_time.count() / 1000;
@@ -106,7 +104,8 @@ WebPages::WebPages(WebGuard guard, CommandQueue& commands, const StatusBoard& bo
   });
   Get("/api/log",
       [this](const httplib::Request& request, httplib::Response& response) { send_log(request, response); });
-  Get("/api/events", [this](const httplib::Request&, httplib::Response& response) { send_events(response); });
+  Get("/api/events",
+      [this](const httplib::Request& request, httplib::Response& response) { send_events(request, response); });
   Post("/api/command",
        [this](const httplib::Request& request, httplib::Response& response) { take_command(request, response); });
 }
@@ -132,9 +131,8 @@ WebPages::HandlerResponse WebPages::let_in(const httplib::Request& request, http
       response.status = 200;
       break;
     case WebVerdict::no_token:
-      // The delay ends with the server; whether it does is the same to this answer.
-      static_cast<void>(stop_.sleep_until(steady_clock::now() + wrong_token_time));
       response.status = 401;
+      response.set_content(std::string(no_token_text), "text/plain; charset=utf-8");
       break;
     case WebVerdict::wrong_site:
       response.status = 403;
@@ -187,9 +185,10 @@ void WebPages::send_log(const httplib::Request& request, httplib::Response& resp
   }
 }
 
-void WebPages::send_events(httplib::Response& response) {
-  if (event_streams_.fetch_add(1) >= most_event_streams) {
-    --event_streams_;
+void WebPages::send_events(const httplib::Request& request, httplib::Response& response) {
+  std::atomic<int>& streams = asker_of(request).peer.is_loopback() ? local_streams_ : outside_streams_;
+  if (streams.fetch_add(1) >= most_event_streams) {
+    --streams;
     response.status = 503;
     return;
   }
@@ -202,7 +201,7 @@ void WebPages::send_events(httplib::Response& response) {
     }
     return sink.write(events.data(), events.size()) && !stop_.sleep_until(steady_clock::now() + event_interval);
   };
-  response.set_chunked_content_provider("text/event-stream", provide, [this](bool) { --event_streams_; });
+  response.set_chunked_content_provider("text/event-stream", provide, [&streams](bool) { --streams; });
 }
 
 }  // namespace ergodome

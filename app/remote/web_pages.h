@@ -18,10 +18,11 @@ namespace ergodome {
 //! What the status page's server answers (WEB.md): httplib parses and writes, connections come from outside.
 class WebPages : private httplib::Server {
  public:
-  static constexpr int most_event_streams = 16;
+  static constexpr int most_event_streams = 12;  //!< of this machine, and as many of others
   static constexpr std::chrono::milliseconds event_interval{100};
 
-  WebPages(WebGuard guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
+  //! `guard` and `stop` must outlive this.
+  WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
            const StopSignal& stop);
 
   //! Answers the requests of a connection until it ends, or the stop signal is raised.
@@ -32,14 +33,15 @@ class WebPages : private httplib::Server {
   void add_files();
   void take_command(const httplib::Request& request, httplib::Response& response);
   void send_log(const httplib::Request& request, httplib::Response& response) const;
-  void send_events(httplib::Response& response);
+  void send_events(const httplib::Request& request, httplib::Response& response);
 
-  WebGuard guard_;
+  const WebGuard& guard_;
   CommandQueue& commands_;
   const StatusBoard& board_;
   std::shared_ptr<const LogRing> log_;
   const StopSignal& stop_;
-  std::atomic<int> event_streams_ = 0;
+  std::atomic<int> local_streams_ = 0;
+  std::atomic<int> outside_streams_ = 0;
   std::mutex rate_mutex_;
   RateLimit command_rate_{100.0, 200.0};
 };

@@ -4,9 +4,9 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <functional>
 #include <system_error>
 
 #include "app/remote/web_pages.h"
@@ -18,14 +18,20 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int backlog = 16;
+//! Connections that the system keeps until they are accepted: more than a crowd of clients opens between two turns of the
+//! accepting thread.
+constexpr int backlog = 512;
+//! Connections that are accepted before those that wait have their turn.
+constexpr int accepted_at_once = 32;
 
 }  // namespace
 
 WebServer::WebServer(const NetAddress& address, const std::string& token, CommandQueue& commands,
                      const StatusBoard& board, std::shared_ptr<const LogRing> log)
-    : pages_(std::make_unique<WebPages>(WebGuard(token), commands, board, std::move(log), stop_)),
-      socket_(bound_socket(SOCK_STREAM, address, "status page", "--web")) {
+    : guard_(token),
+      pages_(std::make_unique<WebPages>(guard_, commands, board, std::move(log), stop_)),
+      socket_(bound_socket(SOCK_STREAM, address, "status page", "--web")),
+      lobby_(guard_) {
   // Two sockets may be bound to one port as long as neither listens.
   if (::listen(socket_.get(), backlog) != 0) {
     throw Error("status page", "cannot listen at " + address.text() + ": " + std::strerror(errno),
@@ -37,75 +43,79 @@ WebServer::WebServer(const NetAddress& address, const std::string& token, Comman
 WebServer::~WebServer() {
   stop_.raise();
   thread_.join();
-  for (Connection& connection : connections_) {
-    if (connection.thread.joinable()) {
-      connection.thread.join();
+  for (const std::span<Connection> connections : {std::span(local_connections_), std::span(outside_connections_)}) {
+    for (Connection& connection : connections) {
+      if (connection.thread.joinable()) {
+        connection.thread.join();
+      }
     }
   }
 }
 
 void WebServer::accept_all() {
   while (true) {
-    switch (stop_.wait(socket_.get(), POLLIN, steady_clock::now() + std::chrono::seconds(30))) {
-      case StopSignal::Wake::stopped:
-        return;
-      case StopSignal::Wake::ready:
-        accept_one();
-        break;
-      case StopSignal::Wake::timeout:
-        break;
+    std::vector<pollfd> sockets = {{socket_.get(), POLLIN, 0}};
+    lobby_.add_sockets(sockets);
+    const auto deadline = lobby_.next_deadline(steady_clock::now() + std::chrono::seconds(30));
+    if (stop_.wait(std::move(sockets), deadline) == StopSignal::Wake::stopped) {
+      return;
+    }
+    accept_some();
+    for (std::unique_ptr<HttpStream>& stream : lobby_.admit(steady_clock::now())) {
+      begin_to_serve(std::move(stream));
     }
   }
 }
 
-void WebServer::accept_one() {
-  sockaddr_storage from = {};
-  socklen_t size = sizeof from;
-  Descriptor socket(::accept4(socket_.get(), reinterpret_cast<sockaddr*>(&from), &size, SOCK_CLOEXEC | SOCK_NONBLOCK));
-  if (!socket.is_open()) {
-    // Out of descriptors, perhaps: without a pause this thread would spin.
-    static_cast<void>(stop_.sleep_until(steady_clock::now() + std::chrono::milliseconds(10)));
+void WebServer::accept_some() {
+  for (int i = 0; i < accepted_at_once; ++i) {
+    sockaddr_storage from = {};
+    socklen_t size = sizeof from;
+    Descriptor socket(
+        ::accept4(socket_.get(), reinterpret_cast<sockaddr*>(&from), &size, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (!socket.is_open()) {
+      if (errno != EAGAIN && errno != EWOULDBLOCK) {
+        // Out of descriptors, perhaps: without a pause this thread would spin.
+        static_cast<void>(stop_.sleep_until(steady_clock::now() + std::chrono::milliseconds(10)));
+      }
+      return;
+    }
+    const int on = 1;
+    ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    lobby_.enter(std::make_unique<HttpStream>(std::move(socket), NetAddress::of(from, size), stop_),
+                 steady_clock::now());
+  }
+}
+
+void WebServer::begin_to_serve(std::unique_ptr<HttpStream> stream) {
+  Connection* const connection = free_connection(stream->peer().is_loopback() ? std::span(local_connections_)
+                                                                              : std::span(outside_connections_));
+  if (connection == nullptr) {
+    stream->refuse(busy_answer());
     return;
   }
-  const int on = 1;
-  ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  const NetAddress peer = NetAddress::of(from, size);
-  Connection* const place = free_place(peer.host());
-  if (place == nullptr) {
-    return;
-  }
-  place->host = peer.host();
-  place->done = false;
+  connection->done = false;
   try {
-    place->thread = std::thread(&WebServer::serve, this, std::ref(*place), std::move(socket), peer);
+    connection->thread = std::thread([this, connection, stream = std::move(stream)] {
+      pages_->serve(*stream);
+      stream->close();
+      connection->done = true;
+    });
   } catch (const std::system_error&) {
     // The system has no thread left: the client may try again.
-    place->done = true;
+    connection->done = true;
   }
 }
 
-void WebServer::serve(Connection& connection, Descriptor socket, const NetAddress& peer) {
-  {
-    HttpStream stream(std::move(socket), peer, stop_);
-    pages_->serve(stream);
+WebServer::Connection* WebServer::free_connection(std::span<Connection> connections) {
+  const auto free = std::ranges::find_if(connections, [](const Connection& each) { return each.done.load(); });
+  if (free == connections.end()) {
+    return nullptr;
   }
-  connection.done = true;
-}
-
-WebServer::Connection* WebServer::free_place(const std::string& host) {
-  Connection* place = nullptr;
-  int of_this_host = 0;
-  for (Connection& connection : connections_) {
-    if (!connection.done) {
-      of_this_host += connection.host == host ? 1 : 0;
-      continue;
-    }
-    if (connection.thread.joinable()) {
-      connection.thread.join();
-    }
-    place = &connection;
+  if (free->thread.joinable()) {
+    free->thread.join();
   }
-  return of_this_host < most_connections_of_one ? place : nullptr;
+  return &*free;
 }
 
 }  // namespace ergodome

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -10,16 +11,21 @@
 #include "app/remote/log_ring.h"
 #include "app/remote/net_address.h"
 #include "app/remote/stop_signal.h"
+#include "app/remote/web_guard.h"
+#include "app/remote/web_lobby.h"
 
 namespace ergodome {
 
 class WebPages;
 
-//! The status page's server: a thread that accepts connections, and one for each of them, of which there are few.
+//! The status page's server: one thread accepts connections and waits for their first requests, a few more answer them.
+//!
+//! Half of the answering threads are for this machine, the other half for clients that have the token: neither can keep out
+//! the other.
 class WebServer {
  public:
-  static constexpr std::size_t most_connections = 32;
-  static constexpr int most_connections_of_one = 12;  //!< host
+  static constexpr std::size_t most_local_connections = 16;
+  static constexpr std::size_t most_outside_connections = 16;
 
   //! An empty token lets nobody in but from loopback. Throws Error where the address cannot be had.
   WebServer(const NetAddress& address, const std::string& token, CommandQueue& commands, const StatusBoard& board,
@@ -32,22 +38,24 @@ class WebServer {
   [[nodiscard]] NetAddress address() const { return local_address(socket_.get()); }
 
  private:
-  //! A connection's thread; its place is free again when it is done.
+  //! A thread that answers one connection; it can be used again when it is done.
   struct Connection {
     std::thread thread;
     std::atomic<bool> done = true;
-    std::string host;
   };
 
   void accept_all();
-  void accept_one();
-  void serve(Connection& connection, Descriptor socket, const NetAddress& peer);
-  Connection* free_place(const std::string& host);
+  void accept_some();
+  void begin_to_serve(std::unique_ptr<HttpStream> stream);
+  static Connection* free_connection(std::span<Connection> connections);
 
   StopSignal stop_;
+  WebGuard guard_;
   std::unique_ptr<WebPages> pages_;
   Descriptor socket_;
-  std::array<Connection, most_connections> connections_;
+  WebLobby lobby_;
+  std::array<Connection, most_local_connections> local_connections_;
+  std::array<Connection, most_outside_connections> outside_connections_;
   std::thread thread_;
 };
 

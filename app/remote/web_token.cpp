@@ -73,4 +73,15 @@ std::string web_token_in(const std::filesystem::path& file) {
   return checked_web_token(token, file.string());
 }
 
+std::string web_token_exposure(const std::filesystem::path& file) {
+  using std::filesystem::perms;
+  std::error_code problem;
+  const perms found = std::filesystem::status(file, problem).permissions();
+  const bool exposed = !problem && (found & (perms::group_all | perms::others_all)) != perms::none;
+  return exposed ? Error(file.string(), "other users of this machine can read the token",
+                         "run chmod 600 " + file.string() + ", and replace the token if others may have read it")
+                       .what()
+                 : "";
+}
+
 }  // namespace ergodome

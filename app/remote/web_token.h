@@ -14,4 +14,7 @@ std::string checked_web_token(const std::string& token, const std::string& place
 //! The token in a file; where there is none, one is made and written there for the owner's eyes alone (mode 0600).
 std::string web_token_in(const std::filesystem::path& file);
 
+//! Returns what is wrong with the permissions of a token's file, and the remedy: empty where only its owner may read it.
+std::string web_token_exposure(const std::filesystem::path& file);
+
 }  // namespace ergodome

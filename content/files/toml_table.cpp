@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "content/files/printable.h"
+#include "content/files/toml_bounds.h"
+
 namespace ergodome {
 
 namespace {
@@ -25,8 +28,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-//! A key as a message shows it: of bounded length, whatever the file holds.
-std::string shown(std::string_view key) { return std::string(key.substr(0, 60)); }
+//! Returns a key or word as messages show it: of bounded length, whatever the file holds.
+std::string shown(std::string_view key) { return printable(key.substr(0, 60)); }
 
 }  // namespace
 
@@ -131,13 +134,24 @@ bool TomlTable::boolean(std::string_view key, bool otherwise) {
 }
 
 std::string TomlTable::text(std::string_view key, const std::string& otherwise) {
+  std::string line = lines(key, otherwise);
+  if (line.find('\n') != std::string::npos) {
+    throw error_at(key, "holds a line break", "write it in one line");
+  }
+  return line;
+}
+
+std::string TomlTable::lines(std::string_view key, const std::string& otherwise) {
   const toml::node* at = node(key);
   if (at == nullptr) {
     return otherwise;
   }
   const auto value = at->value_exact<std::string>();
-  if (!value || value->size() > 4096 || value->find('\0') != std::string::npos) {
+  if (!value || value->size() > 4096) {
     throw error_at(key, "is not a text", "write it in quotes, at most 4096 bytes");
+  }
+  if (find_control(*value) != std::string::npos) {
+    throw error_at(key, "holds a control character", "remove it");
   }
   return *value;
 }
@@ -205,11 +219,13 @@ toml::table parse_toml(std::string_view text, const std::string& file, std::size
   if (text.substr(0, 4096).find('\0') != std::string_view::npos) {
     throw Error(file, "is no text", fmt::format("{} is a text file (.toml)", kind));
   }
+  require_bounded_toml(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& problem) {
-    throw Error(fmt::format("{}:{}", file, problem.source().begin.line), std::string(problem.description()),
-                "mend the TOML there");
+    constexpr std::size_t longest_description = 300;
+    throw Error(fmt::format("{}:{}", file, problem.source().begin.line),
+                printable(problem.description().substr(0, longest_description)), "correct the TOML there");
   }
 }
 

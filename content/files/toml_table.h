@@ -27,7 +27,10 @@ class TomlTable {
                               double greatest);
   int integer(std::string_view key, int otherwise, int least, int greatest);
   bool boolean(std::string_view key, bool otherwise);
+  //! One line without control characters, of at most 4096 bytes.
   std::string text(std::string_view key, const std::string& otherwise);
+  //! The same, but line breaks are allowed.
+  std::string lines(std::string_view key, const std::string& otherwise);
 
   //! One of the given words; returns its place in the list.
   int choice(std::string_view key, int otherwise, std::initializer_list<std::string_view> words);
@@ -55,7 +58,8 @@ class TomlTable {
   std::set<std::string, std::less<>> known_;
 };
 
-//! Parses a TOML file of at most `largest_mib` MiB; `kind` is what such a file is ("a show"). Throws Error with file and line.
+//! Parses a TOML file of at most `largest_mib` MiB and within the limits of toml_bounds.h; `kind` is what such a file is ("a
+//! show"). Throws Error with file and line.
 toml::table parse_toml(std::string_view text, const std::string& file, std::size_t largest_mib, std::string_view kind);
 
 //! The word of a list that is closest to `word` by edit distance, or, where it has three letters or more, the only one that begins with them; empty when there is none.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <future>
+#include <thread>
 
 #include "content/show_reader.h"
 #include "tests/support/folder_test.h"
@@ -40,12 +42,22 @@ class HotReload : public test::FolderTest {
   std::optional<ShowReload::Result> run(std::chrono::nanoseconds time = 1s) {
     std::optional<ShowReload::Result> last;
     for (const MonotonicTime end = now_ + time; now_ < end; now_ += 16ms) {
-      if (auto result = reload_->poll(now_)) {
+      if (auto result = poll()) {
         ++results_;
         last = std::move(result);
       }
     }
     return last;
+  }
+
+  //! One frame; where it begins to read a file, the frame lasts until the file is read.
+  std::optional<ShowReload::Result> poll() {
+    auto result = reload_->poll(now_);
+    while (!result && reload_->is_reading()) {
+      std::this_thread::sleep_for(1ms);
+      result = reload_->poll(now_);
+    }
+    return result;
   }
 
   MonotonicTime now_ = 100s;
@@ -156,13 +168,33 @@ TEST_F(HotReload, AFileTheShowNamesIsWatchedEvenBeforeItIsThere) {
   EXPECT_TRUE(result && result->show);
 }
 
-TEST_F(HotReload, AskedForItReadsAtOnce) {
+TEST_F(HotReload, ReadsAtOnceOnRequest) {
   write("show.toml", second_version);
-  const ShowReload::Result result = reload_->reload();
-  ASSERT_TRUE(result.show);
-  EXPECT_EQ(result.show->title, "Second");
+  reload_->request();
+  const auto result = poll();
+  ASSERT_TRUE(result && result->show);
+  EXPECT_EQ(result->show->title, "Second");
   std::filesystem::remove(folder_ / "show.toml");
-  EXPECT_THAT(reload_->reload().problem, testing::HasSubstr("is not a file"));
+  reload_->request();
+  const auto gone = poll();
+  ASSERT_TRUE(gone);
+  EXPECT_THAT(gone->problem, testing::HasSubstr("is not a file"));
+}
+
+TEST_F(HotReload, DoesNotWaitForAFileThatTakesLongToRead) {
+  std::promise<void> read;
+  reload_.emplace(folder_ / "show.toml", read_show(folder_ / "show.toml"), std::chrono::system_clock::now(),
+                  [ready = read.get_future().share()](const std::filesystem::path& file) {
+                    ready.wait();
+                    return read_show(file);
+                  });
+  reload_->request();
+  EXPECT_FALSE(reload_->poll(now_));
+  EXPECT_TRUE(reload_->is_reading());
+  EXPECT_FALSE(reload_->poll(now_));
+  read.set_value();
+  const auto result = poll();
+  EXPECT_TRUE(result && result->show);
 }
 
 TEST_F(HotReload, FilesOfAShowAreThoseItNames) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "content/show_reader.h"
 #include "tests/support/folder_test.h"
 
@@ -42,6 +44,8 @@ class WatchedShowsTest : public test::FolderTest {
   void frames() {
     for (int i = 0; i < 300; ++i) {
       now_ += milliseconds(10);
+      // Shows are read on threads of their own.
+      std::this_thread::sleep_for(milliseconds(1));
       if (auto result = shows_.poll(now_)) {
         version_ = std::move(result);
       }

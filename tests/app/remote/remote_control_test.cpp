@@ -86,6 +86,19 @@ TEST_F(RemoteControlTest, RefusesAddressesThatAreNoneOrNotHere) {
   EXPECT_THROW(parsed({"--web", "65536"}), CLI::Error);
 }
 
+TEST_F(RemoteControlTest, ChecksSubscribersOfTheCommandLine) {
+  const auto with = [](const std::string& subscriber, const std::string& bind) {
+    return parsed({"--osc", "0", "--osc-bind", bind, "--osc-subscriber", subscriber});
+  };
+  EXPECT_EQ(refusal(with("192.0.2.7:9001", "0.0.0.0")), "");
+  EXPECT_EQ(refusal(with("127.0.0.1:9001", "127.0.0.1")), "");
+  for (const char* const wrong : {"192.0.2.7", "192.0.2.7:", "192.0.2.7:0", "host:9001", "fd00::7:9001", "192.0.2.7:9001x"}) {
+    EXPECT_THAT(refusal(with(wrong, "0.0.0.0")), HasSubstr("not an address with a port")) << wrong;
+  }
+  EXPECT_THAT(refusal(with("192.0.2.7:9001", "127.0.0.1")), HasSubstr("cannot be reached"));
+  EXPECT_THAT(refusal(with("[fd00::7]:9001", "0.0.0.0")), HasSubstr("cannot be reached"));
+}
+
 TEST_F(RemoteControlTest, AFloodOfOscLeavesTheQueueBounded) {
   const auto remote = started(parsed({"--osc", "0"}));
   const Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));

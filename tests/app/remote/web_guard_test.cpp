@@ -133,6 +133,31 @@ TEST_F(WebToken, IsMadeOnceInAFileThatOnlyItsOwnerReads) {
   EXPECT_EQ(facts.st_mode & 0777U, 0600U);
 }
 
+TEST_F(WebToken, ReportsAFileThatOthersCanRead) {
+  const std::filesystem::path file = folder_ / "token";
+  web_token_in(file);
+  EXPECT_EQ(web_token_exposure(file), "");
+  for (const auto mode : {0640, 0604, 0660}) {
+    ::chmod(file.c_str(), static_cast<mode_t>(mode));
+    EXPECT_NE(web_token_exposure(file).find("run chmod 600"), std::string::npos) << mode;
+  }
+}
+
+TEST(WebGuard, FindsTheTokenInAnyPlaceOfAHead) {
+  const WebGuard guard(guard_token);
+  const std::string get = "GET /api/status HTTP/1.1\r\nHost: x\r\n";
+  EXPECT_TRUE(guard.has_token("GET /?token=" + guard_token + " HTTP/1.1\r\nHost: x\r\n\r\n"));
+  EXPECT_TRUE(guard.has_token("GET /?a=b&token=" + guard_token + "&c HTTP/1.1\r\n\r\n"));
+  EXPECT_TRUE(guard.has_token(get + "COOKIE:  a=b; ergodome_token=" + guard_token + "\r\n\r\n"));
+  EXPECT_TRUE(guard.has_token(get + "authorization: Bearer " + guard_token + "\r\n\r\n"));
+  EXPECT_FALSE(guard.has_token(get + "\r\n"));
+  EXPECT_FALSE(guard.has_token(""));
+  EXPECT_FALSE(guard.has_token("GET /?token=" + guard_token + "0 HTTP/1.1\r\n\r\n"));
+  EXPECT_FALSE(guard.has_token(get + "X-Authorization: Bearer " + guard_token + "\r\n\r\n"));
+  EXPECT_FALSE(guard.has_token(get + "X: ?token=" + guard_token + " \r\n\r\n"));
+  EXPECT_FALSE(WebGuard("").has_token("GET /?token= HTTP/1.1\r\n\r\n"));
+}
+
 TEST_F(WebToken, IsRefusedWhenItIsShortOrNeedsEscapes) {
   const auto refusal = [](const std::string& text) { return test::error_of([&] { checked_web_token(text, "t"); }); };
   EXPECT_NE(refusal("secret"), "");

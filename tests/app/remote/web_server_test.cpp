@@ -93,6 +93,15 @@ TEST_F(OnLoopback, OtherSitesAreRefused) {
   EXPECT_TRUE(commands_.take_all().empty());
 }
 
+TEST_F(OnLoopback, StreamsAreNotForOtherSites) {
+  for (const char* site : {"cross-site", "same-site"}) {
+    EXPECT_EQ(client().Get("/api/events", {{"Sec-Fetch-Site", site}})->status, 403) << site;
+    EXPECT_EQ(client().Get("/api/status", {{"Sec-Fetch-Site", site}})->status, 403) << site;
+    EXPECT_EQ(client().Get("/", {{"Sec-Fetch-Site", site}})->status, 200) << "a link may lead to the page";
+  }
+  EXPECT_EQ(client().Get("/api/status", {{"Sec-Fetch-Site", "same-origin"}})->status, 200);
+}
+
 TEST_F(OnLoopback, ThePageIsWholeAndNamesNothingOutside) {
   const auto page = client().Get("/");
   ASSERT_TRUE(page);
@@ -200,7 +209,7 @@ TEST_F(OnLoopback, GarbageDoesNotEndTheServer) {
 
 TEST_F(OnLoopback, ClientsThatSendNothingDoNotKeepOthersOut) {
   std::list<RawClient> silent;
-  for (std::size_t i = 0; i < 2 * WebServer::most_connections; ++i) {
+  for (std::size_t i = 0; i < 2 * WebLobby::most_waiting; ++i) {
     silent.emplace_back(address()).send("GET / HT");
   }
   // Their time to send a head runs out.
@@ -247,7 +256,7 @@ TEST_F(FromOutside, NothingIsShownWithoutTheToken) {
     const auto answer = client().Get(path);
     ASSERT_TRUE(answer) << path;
     EXPECT_EQ(answer->status, 401) << path;
-    EXPECT_EQ(answer->body, "") << path;
+    EXPECT_EQ(answer->body, no_token_text) << path;
     EXPECT_FALSE(answer->has_header("Set-Cookie")) << path;
   }
   EXPECT_EQ(client().Post("/api/command", R"({"kind": "play"})", json_type)->status, 401);
