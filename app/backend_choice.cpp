@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -23,7 +24,7 @@ Backend choose_backend(const std::string& word) {
   static bool said = false;
   if (!said) {
     said = true;
-    fmt::print(stderr, "ergodome: no GPU ({}); working on {}\n", reason, describe(Backend::cpu));
+    print_note("no GPU ({}); working on {}", reason, describe(Backend::cpu));
   }
   return Backend::cpu;
 }

@@ -20,6 +20,7 @@
 #include "app/show_loading.h"
 #include "content/animated_show.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
@@ -149,23 +150,23 @@ std::string disk_text(const TrajectoryReader& trajectory) {
 void say(const fs::path& file, const BakeResult& result, double seconds) {
   const TrajectoryReader trajectory(file);
   const std::string disk = disk_text(trajectory);
-  fmt::print("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses {}by {:.3f} px at most{}\n", file.string(),
-             counted(trajectory.stations().size(), "station"), result.built,
-             1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, disk.empty() ? "" : "the sky ",
-             result.worst_px, disk);
+  print_out("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses {}by {:.3f} px at most{}\n", file.string(),
+            counted(trajectory.stations().size(), "station"), result.built,
+            1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, disk.empty() ? "" : "the sky ",
+            result.worst_px, disk);
   if (result.live_disk_s > 0.0) {
-    fmt::print(
+    print_out(
         "the disk's grid is made anew in {:.1f} s of the show, where blending would miss more (next to its plane)\n",
         result.live_disk_s);
   }
   if (result.unmet > 0) {
     const double budget_px = trajectory.provenance().budget_px;
-    fmt::print(stderr,
-               "ergodome: {} of {} between stations {} over the budget of {} px, the worst with {:.3f} px at {:.2f} s; "
-               "pictures there get live grids ({:.3g} s of the show)\n",
-               result.unmet, counted(static_cast<long>(trajectory.stations().size()) - 1, "gap"),
-               result.unmet == 1 ? "stays" : "stay", budget_px, result.worst_px, result.worst_time_s,
-               missed_gaps(trajectory.stations(), budget_px).seconds);
+    print_note(
+        "{} of {} between stations {} over the budget of {} px, the worst with {:.3f} px at {:.2f} s; "
+        "pictures there get live grids ({:.3g} s of the show)",
+        result.unmet, counted(static_cast<long>(trajectory.stations().size()) - 1, "gap"),
+        result.unmet == 1 ? "stays" : "stay", budget_px, result.worst_px, result.worst_time_s,
+        missed_gaps(trajectory.stations(), budget_px).seconds);
   }
 }
 
@@ -187,7 +188,7 @@ void run(const BakeOptions& options) {
   std::vector<fs::path> journals = {journal_path(options, settings)};
   const std::vector<fs::path> parts = whole ? beside(out, name + ".part-", "") : std::vector<fs::path>{};
   if (parts.empty() && !fs::exists(journals.front()) && is_baked(out, provenance)) {
-    fmt::print("{}: is baked already\n", out.string());
+    print_out("{}: is baked already\n", out.string());
     return;
   }
   TrajectoryJournal journal(journals.front(), provenance);
@@ -197,15 +198,12 @@ void run(const BakeOptions& options) {
   }
   const BakeResult result = bake(show, settings, journal);
   if (!whole) {
-    fmt::print("{}: part {} of {} is baked ({}); bake without --part joins the parts\n", journals.front().string(),
-               settings.part, settings.parts, counted(journal.station_count(), "station"));
+    print_out("{}: part {} of {} is baked ({}); bake without --part joins the parts\n", journals.front().string(),
+              settings.part, settings.parts, counted(journal.station_count(), "station"));
     return;
   }
-  // What a bake that was killed while it sealed has left.
-  const fs::path sealed = behind_links(out);
-  for (const fs::path& partial : beside(sealed, ".partial-", "-" + sealed.filename().string())) {
-    fs::remove(partial);
-  }
+  // A bake that was killed while it sealed has left a partial file.
+  remove_abandoned_files(fs::absolute(behind_links(out)).parent_path());
   journal.seal(out, result.times_s);
   for (const fs::path& done : journals) {
     fs::remove(done);

@@ -27,6 +27,7 @@
 #include "calibration/projector_picture.h"
 #include "calibration/setup_conversion.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 #include "render/patterns/setup_picture.h"
 
@@ -89,14 +90,13 @@ void tell_lit_parts(const std::vector<ProjectorPicture>& pictures) {
   const std::vector<double> lit = lit_parts(pictures);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const ProjectorPicture& picture = pictures[i];
-    fmt::print("{}: {} x {} nodes, {:.1f} % of the dome\n", picture.name, picture.warp.columns, picture.warp.rows,
-               100.0 * lit[i]);
+    print_out("{}: {} x {} nodes, {:.1f} % of the dome\n", picture.name, picture.warp.columns, picture.warp.rows,
+              100.0 * lit[i]);
     if (lit[i] < 0.005) {
-      fmt::print(stderr, "ergodome: {} lights next to nothing of the dome: check position_m, yaw_deg and pitch_deg\n",
-                 picture.name);
+      print_note("{} lights next to nothing of the dome: check position_m, yaw_deg and pitch_deg", picture.name);
     }
   }
-  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
+  print_out("{:.1f} % of the dome is lit by none\n", 100.0 * lit.back());
 }
 
 std::vector<ComputedProjector> compute(const CalibrateOptions& options, const DomeSetup& setup) {
@@ -106,7 +106,7 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
   for (const ProjectorSetup& projector : setup.projectors) {
     projectors.emplace_back(setup, projector);
     if (projectors.back().outside()) {
-      fmt::print(stderr, "ergodome: {}{}\n", projector.name, outside_note);
+      print_note("{}{}", projector.name, outside_note);
     }
   }
   const DomeBlend blend(projectors, screen, options.blend);
@@ -152,12 +152,12 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   setup.folder = out;
   const std::filesystem::path file = out / std::filesystem::path(options.setup).filename();
   write_dome_setup(file, setup);
-  fmt::print("written to {}\n", file.string());
+  print_out("written to {}\n", file.string());
   if (!options.mpcdi.empty()) {
     const auto now = fmt::gmtime(std::time(nullptr));
     const Mpcdi mpcdi = mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now));
     write_mpcdi(options.mpcdi, mpcdi);
-    fmt::print("written to {}{}\n", options.mpcdi, tilt_note(setup, mpcdi));
+    print_out("written to {}{}\n", options.mpcdi, tilt_note(setup, mpcdi));
   }
 }
 

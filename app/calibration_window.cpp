@@ -11,6 +11,7 @@
 #include "app/saved_calibration.h"
 #include "app/setup_show.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 #include "render/output/image_writer.h"
 #include "render/patterns/test_pattern.h"
@@ -65,7 +66,7 @@ void CalibrationWindow::run() {
     projectors_.save_screenshots(options_.screenshot, plain_names(state_.setup()));
   }
   if (state_.unsaved()) {
-    fmt::print("changes were not saved\n");
+    print_out("changes were not saved\n");
   }
 }
 
@@ -117,7 +118,7 @@ void CalibrationWindow::save() {
       projectors_.replace(i, pictures_.pictures()[i]);
     }
     told_refusal_.clear();
-    fmt::print("{}\n", message_);
+    print_out("{}\n", message_);
   } catch (const Error& problem) {
     // What was adjusted is still there, and can be saved once the reason is gone.
     message_ = std::string("cannot be saved: ") + problem.what();
@@ -128,7 +129,7 @@ void CalibrationWindow::save() {
 
 void CalibrationWindow::tell_refusal(const std::string& problem) {
   if (std::exchange(told_refusal_, problem) != problem) {
-    fmt::print(stderr, "ergodome: cannot be saved: {}\n", problem);
+    print_note("cannot be saved: {}", problem);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/sky_map.h"
 #include "content/stars/star_catalogue.h"
@@ -37,15 +38,15 @@ void require_star_file(const CatalogueOptions& options) {
 void print_summary(const StarCatalogue& catalogue) {
   const auto& stars = catalogue.stars;
   const auto colourless = std::ranges::count_if(stars, [](const CatalogueStar& star) { return std::isnan(star.b_v); });
-  fmt::print("{}: {}, {} without a colour, {}\n", catalogue.name, counted(stars.size(), "star"), colourless,
-             text_of(catalogue.left_out));
+  print_out("{}: {}, {} without a colour, {}\n", catalogue.name, counted(stars.size(), "star"), colourless,
+            text_of(catalogue.left_out));
   if (!stars.empty()) {
-    fmt::print("V {:.2f} to {:.2f}; the brightest:\n  number   RA [deg]  Dec [deg]       V     B-V\n",
-               stars.front().v_mag, stars.back().v_mag);
+    print_out("V {:.2f} to {:.2f}; the brightest:\n  number   RA [deg]  Dec [deg]       V     B-V\n",
+              stars.front().v_mag, stars.back().v_mag);
   }
   for (const CatalogueStar& star : std::span(stars).first(std::min<std::size_t>(stars.size(), 5))) {
-    fmt::print("{:8} {:10.4f} {:10.4f} {:7.2f} {:>7}\n", star.number, star.ra_deg, star.dec_deg, star.v_mag,
-               std::isnan(star.b_v) ? "-" : fmt::format("{:.3f}", star.b_v));
+    print_out("{:8} {:10.4f} {:10.4f} {:7.2f} {:>7}\n", star.number, star.ra_deg, star.dec_deg, star.v_mag,
+              std::isnan(star.b_v) ? "-" : fmt::format("{:.3f}", star.b_v));
   }
 }
 
@@ -62,11 +63,11 @@ void run(const CatalogueOptions& options) {
       std::erase_if(catalogue.stars, [&](const CatalogueStar& star) { return star.v_mag > options.faintest; });
   print_summary(catalogue);
   if (fainter > 0) {
-    fmt::print("{} fainter than V {} left out\n", fainter, options.faintest);
+    print_out("{} fainter than V {} left out\n", fainter, options.faintest);
   }
   if (!options.out.empty()) {
     write_star_file(catalogue, options.out);
-    fmt::print("written to {}: {} bytes\n", options.out, std::filesystem::file_size(options.out));
+    print_out("written to {}: {} bytes\n", options.out, std::filesystem::file_size(options.out));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "app/output_file.h"
 #include "app/progress.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/pair_table.h"
 #include "kernels/core/error.h"
@@ -97,9 +98,9 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
       const SeenPoint point = look_up_connection(table.view(), r_observer, rows[i].r, rows[i].angle);
       answers[i] = {point.xi, point.travel_time};
     }
-    fmt::print("r_obs {:.9g}: a table of {} x {} an order, {}, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n",
-               r_observer, settings.rows, settings.columns, counted(settings.orders, "order"), settings.r_nearest,
-               settings.r_farthest, table.view().grid.fan_rows * fan_columns(table.view().grid), time.count());
+    print_out("r_obs {:.9g}: a table of {} x {} an order, {}, r {:.9g} to {:.9g}, from {} rays, {:.1f} ms\n",
+              r_observer, settings.rows, settings.columns, counted(settings.orders, "order"), settings.r_nearest,
+              settings.r_farthest, table.view().grid.fan_rows * fan_columns(table.view().grid), time.count());
     progress.advance_to(++done);
   }
   return answers;

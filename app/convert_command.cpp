@@ -23,6 +23,7 @@
 #include "calibration/setup_conversion.h"
 #include "calibration/warp_conversion.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -65,7 +66,7 @@ void convert_setup(const ConvertOptions& options, const DomeSetup& setup) {
   if (kind_of(to) == FileKind::folder) {
     const std::filesystem::path name = std::filesystem::path(options.from).stem().string() + ".toml";
     const bool not_level = setup.tilt_deg != 0.0 && setup.rotation_deg != 0.0;
-    fmt::print(
+    print_out(
         "written to {}{}\n", write_projector_folder(to, name, setup, projector_pictures(setup)).string(),
         not_level ? "; its meshes have rotation_deg in them: test patterns are level with the old setup alone" : "");
     return;
@@ -73,7 +74,7 @@ void convert_setup(const ConvertOptions& options, const DomeSetup& setup) {
   const auto now = fmt::gmtime(std::time(nullptr));
   const Mpcdi mpcdi = mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now));
   write_mpcdi(to, mpcdi);
-  fmt::print("written to {}{}\n", to.string(), tilt_note(setup, mpcdi));
+  print_out("written to {}{}\n", to.string(), tilt_note(setup, mpcdi));
 }
 
 void convert_mpcdi(const ConvertOptions& options) {
@@ -81,7 +82,7 @@ void convert_mpcdi(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
   const Mpcdi mpcdi = read_mpcdi(from);
   for (const std::string& what : mpcdi.left_out) {
-    fmt::print(stderr, "ergodome: {}: passed over {}\n", from.string(), what);
+    print_note("{}: passed over {}", from.string(), what);
   }
   const std::filesystem::path folder = kind_of(to) == FileKind::folder ? from.parent_path() : to.parent_path();
   const std::filesystem::path beside = folder.empty() ? "." : folder;
@@ -92,7 +93,7 @@ void convert_mpcdi(const ConvertOptions& options) {
   }
   write_dome_setup(to, setup);
   const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
-  fmt::print(
+  print_out(
       "written to {}; MPCDI tells neither the dome's radius, taken as {:g} m, nor the viewer's place, nor how the dome "
       "leans: {}\n",
       to.string(), options.radius_m,
@@ -128,10 +129,10 @@ void tell_lost_intensities(const ConvertOptions& options, const WarpMesh& mesh) 
     most = node.valid ? std::max(most, node.intensity) : most;
   }
   if (least < 1.0F || most > 1.0F) {
-    fmt::print(stderr,
-               "ergodome: {}: a .pfm holds no intensities, and {} has some from {:.3g} to {:.3g}; who needs them names "
-               "{} as a warp in a setup, and makes MPCDI or a folder of that\n",
-               options.to, options.from, least, most, options.from);
+    print_note(
+        "{}: a .pfm holds no intensities, and {} has some from {:.3g} to {:.3g}; who needs them names "
+        "{} as a warp in a setup, and makes MPCDI or a folder of that",
+        options.to, options.from, least, most, options.from);
   }
 }
 
@@ -141,7 +142,7 @@ void write_map(const ConvertOptions& options, const WarpMesh& mesh) {
   const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
   write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
   const bool chosen = options.size == own_size && mesh.topology == MeshTopology::polar;
-  fmt::print(
+  print_out(
       "written to {}{}\n", options.to,
       chosen ? fmt::format(
                    ", with {} x {} samples, as a polar mesh has no columns and rows of a raster; --size takes others",
@@ -150,17 +151,26 @@ void write_map(const ConvertOptions& options, const WarpMesh& mesh) {
   tell_lost_intensities(options, mesh);
 }
 
+FloatMap read_map(const std::filesystem::path& file) {
+  FloatMap map = read_float_map(file, RowOrder::bottom_up);
+  const std::size_t samples = map.samples.size() / 3;
+  if (const std::size_t unknown = samples - known_samples(map); unknown > 0) {
+    print_note("{}: {} of {} samples are unknown (not finite); nothing is drawn there", file.string(), unknown, samples);
+  }
+  return map;
+}
+
 void convert_mesh(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
   const WarpMesh mesh =
       kind_of(from) == FileKind::bourke
           ? read_bourke_mesh(from, options.aspect)
-          : with_rim(warp_from_map(read_float_map(from, RowOrder::bottom_up), TextureDirection::downwards));
+          : with_rim(warp_from_map(read_map(from), TextureDirection::downwards));
   if (kind_of(options.to) == FileKind::map) {
     return write_map(options, mesh);
   }
   write_text_atomically(options.to, to_bourke_mesh(mesh, options.aspect));
-  fmt::print("written to {}\n", options.to);
+  print_out("written to {}\n", options.to);
 }
 
 void run(const ConvertOptions& options) {

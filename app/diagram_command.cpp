@@ -14,6 +14,7 @@
 #include "app/usage_error.h"
 #include "content/camera_path.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -129,10 +130,10 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
       picture.camera_for(outside_direction_of(options, show, options.time_s), scene.framed, scene.legend.size());
   const DiagramImage image = picture.draw(scene, camera);
   write_png(out, image.rgb, image.width_px, image.height_px);
-  fmt::print("{}: {} x {} pixels, {}\n", options.out, image.width_px, image.height_px,
-             counted(scene.ray_count, "light ray"));
+  print_out("{}: {} x {} pixels, {}\n", options.out, image.width_px, image.height_px,
+            counted(scene.ray_count, "light ray"));
   for (const LegendLine& line : scene.legend) {
-    fmt::print("  {}\n", line.text);
+    print_out("  {}\n", line.text);
   }
 }
 
@@ -168,7 +169,7 @@ void draw_film(const DiagramOptions& options, const Show& show, const Diagram& d
     write_png(path, image.rgb, image.width_px, image.height_px);
     progress.advance_to(frame - first + 1);
   }
-  fmt::print("{} in {}\n", counted(last - first + 1, "frame"), options.out);
+  print_out("{} in {}\n", counted(last - first + 1, "frame"), options.out);
 }
 
 void run_diagram(const DiagramOptions& options) {

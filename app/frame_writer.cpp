@@ -17,6 +17,7 @@
 #include "app/sequence_facts.h"
 #include "app/show_loading.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "render/output/color_bar.h"
 #include "render/output/frame_names.h"
@@ -70,7 +71,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
     projectors_.emplace(*setup, pictures,
                         backend_ == Backend::cuda ? ProjectorDrawer::cuda : ProjectorDrawer::automatic);
     choice_.size_px = choice_.size_px > 0 ? choice_.size_px : enough_master_px(pictures);
-    fmt::print("domemasters of {} for {}\n", counted(choice_.size_px, "pixel"), counted(pictures.size(), "projector"));
+    print_out("domemasters of {} for {}\n", counted(choice_.size_px, "pixel"), counted(pictures.size(), "projector"));
   }
   for (const std::string& note : renderer_.notes()) {
     tell_on_terminal(note);
@@ -209,7 +210,7 @@ void FrameWriter::write_movies(int first, int last) const {
       movie.pictures.push_back(path_of(frame, part, std::nullopt));
     }
     write_movie(movie);
-    fmt::print("written to {}\n", movie.file.string());
+    print_out("written to {}\n", movie.file.string());
   }
 }
 

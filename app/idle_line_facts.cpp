@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "content/files/console.h"
 #include "content/idle_lines.h"
 
 namespace ergodome {
@@ -18,11 +19,11 @@ nlohmann::json facts_of_idle_lines(const Show& show) {
 
 void print_idle_lines(const nlohmann::json& lines) {
   if (!lines.empty()) {
-    fmt::print("\nlines that change nothing\n");
+    print_out("\nlines that change nothing\n");
   }
   for (const nlohmann::json& idle : lines) {
-    fmt::print("  {:>5}  {:<40} {}\n", idle["line"].get<int>(), idle["key"].get<std::string>(),
-               idle["why"].get<std::string>());
+    print_out("  {:>5}  {:<40} {}\n", idle["line"].get<int>(), idle["key"].get<std::string>(),
+              idle["why"].get<std::string>());
   }
 }
 

@@ -27,6 +27,7 @@
 #include "content/animated_show.h"
 #include "content/camera_path.h"
 #include "content/environment_image.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
@@ -112,10 +113,10 @@ nlohmann::json facts_of(const Show& show) {
 
 void print_sentences(const char* heading, const nlohmann::json& sentences) {
   if (!sentences.empty()) {
-    fmt::print("\n{}\n", heading);
+    print_out("\n{}\n", heading);
   }
   for (const auto& sentence : sentences) {
-    fmt::print("  {}\n", sentence.get<std::string>());
+    print_out("  {}\n", sentence.get<std::string>());
   }
 }
 
@@ -125,19 +126,19 @@ void print_facts(const nlohmann::json& facts) {
     constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
                                   "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
     if (std::ranges::find(apart, name) == apart.end()) {
-      fmt::print("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
+      print_out("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
     }
   }
   if (facts.contains("stars")) {
     print_stars(facts["stars"]);
   }
   if (facts.contains("keys")) {
-    fmt::print("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
-               "shadow width [deg]");
+    print_out("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
+              "shadow width [deg]");
     for (const auto& key : facts["keys"]) {
-      fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}{}\n", key["t_s"].get<double>(),
-                 key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
-                 key["shadow_width_deg"].get<double>(), key["after_end"].get<bool>() ? "  AFTER THE END" : "");
+      print_out("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}{}\n", key["t_s"].get<double>(),
+                key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
+                key["shadow_width_deg"].get<double>(), key["after_end"].get<bool>() ? "  AFTER THE END" : "");
     }
   }
   if (facts.contains("fall")) {
@@ -150,7 +151,7 @@ void print_facts(const nlohmann::json& facts) {
     print_idle_lines(facts["idle"]);
   }
   if (facts.contains("narrowed_eyes")) {
-    fmt::print("\neyes closer than asked\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
+    print_out("\neyes closer than asked\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
   }
   print_sentences("not to be seen", facts.value("notes", nlohmann::json::array()));
   print_sentences("maps", facts.value("maps", nlohmann::json::array()));
@@ -158,15 +159,15 @@ void print_facts(const nlohmann::json& facts) {
 }
 
 void print_grid(const nlohmann::json& grid) {
-  fmt::print("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to rays\n",
-             grid["r"].get<double>(), grid["theta_deg"].get<double>(), counted(grid["nodes"].get<int>(), "node"),
-             counted(grid["cells"].get<int>(), "cell"), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
-             grid["left_to_rays"].get<int>(),
-             grid.contains("left_to_rays_px") ? fmt::format(" ({} px)", grid["left_to_rays_px"].get<double>()) : "");
-  fmt::print("{:>10} {:>8} {:>14}\n", "halvings", "cells", "left to rays");
+  print_out("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to rays\n",
+            grid["r"].get<double>(), grid["theta_deg"].get<double>(), counted(grid["nodes"].get<int>(), "node"),
+            counted(grid["cells"].get<int>(), "cell"), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
+            grid["left_to_rays"].get<int>(),
+            grid.contains("left_to_rays_px") ? fmt::format(" ({} px)", grid["left_to_rays_px"].get<double>()) : "");
+  print_out("{:>10} {:>8} {:>14}\n", "halvings", "cells", "left to rays");
   for (const auto& level : grid["levels"]) {
-    fmt::print("{:>10} {:>8} {:>14}\n", level["halvings"].get<int>(), level["cells"].get<int>(),
-               level["left_to_rays"].get<int>());
+    print_out("{:>10} {:>8} {:>14}\n", level["halvings"].get<int>(), level["cells"].get<int>(),
+              level["left_to_rays"].get<int>());
   }
 }
 
@@ -225,7 +226,7 @@ void run_for_trajectory(const InspectOptions& options) {
     inspect_grid(station_of_trajectory(options.file, options.time_s), facts["budget_px"].get<double>(), options, facts);
   }
   if (options.json) {
-    fmt::print("{}\n", json_text(facts));
+    print_out("{}\n", json_text(facts));
   } else {
     print_trajectory(facts);
     if (facts.contains("grid")) {
@@ -262,7 +263,7 @@ void run(const InspectOptions& options) {
   if (is_dome_setup(options.file)) {
     const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
     if (options.json) {
-      fmt::print("{}\n", json_text(facts));
+      print_out("{}\n", json_text(facts));
     } else {
       print_setup(facts);
     }
@@ -284,7 +285,7 @@ void run(const InspectOptions& options) {
     }
   }
   if (options.json) {
-    fmt::print("{}\n", json_text(facts));
+    print_out("{}\n", json_text(facts));
   } else {
     print_facts(facts);
     if (facts.contains("grid")) {

@@ -7,6 +7,7 @@
 
 #include "content/camera_path.h"
 #include "content/fall/rain_pose.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "kernels/core/angles.h"
 
@@ -64,20 +65,20 @@ json facts_of_fall(const Show& show) {
 }
 
 void print_fall(const json& facts) {
-  fmt::print(
+  print_out(
       "\nfalls from {:.3f} s to {:.3f} s, at {:.4f} c, through {:.6g} M of its own time: {:.2f} times round the hole, "
       "down to "
       "{:.6g} M\n",
       facts["t_s"].get<double>(), facts["until_s"].get<double>(), facts["beta"].get<double>(),
       facts["own_time"].get<double>(), facts["rounds"].get<double>(), facts["least_r"].get<double>());
   const auto line = [](double time_s, const json& at, const std::string& what) {
-    fmt::print("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
-               at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
+    print_out("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
+              at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
   };
   if (facts["turns"].empty() && !facts.contains("stop_s") && !facts.contains("horizon")) {
     return;
   }
-  fmt::print("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
+  print_out("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
   const double crossing_s = facts.contains("horizon") ? facts["horizon"]["t_s"].get<double>() : INFINITY;
   bool crosses = facts.contains("horizon");
   const auto cross_before = [&](double time_s) {
@@ -91,7 +92,7 @@ void print_fall(const json& facts) {
     const auto time_s = turn["t_s"].get<double>();
     cross_before(time_s);
     if (++printed > most_turns_printed) {
-      fmt::print("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turn"));
+      print_out("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turn"));
       break;
     }
     line(time_s, turn, turn["kind"].get<std::string>());

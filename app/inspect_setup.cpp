@@ -8,6 +8,7 @@
 
 #include "calibration/projector_optics.h"
 #include "calibration/projector_picture.h"
+#include "content/files/console.h"
 #include "content/files/toml_table.h"
 #include "content/files/whole_file.h"
 #include "render/output/image_writer.h"
@@ -125,23 +126,22 @@ nlohmann::json inspect_setup(const std::string& file, const std::string& picture
 
 void print_setup(const nlohmann::json& facts) {
   for (const char* name : {"radius_m", "tilt_deg", "rotation_deg", "enough_master_px"}) {
-    fmt::print("{:<18}{}\n", name, facts[name].dump());
+    print_out("{:<18}{}\n", name, facts[name].dump());
   }
-  fmt::print("\n{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>8}  {}\n", "", "projector", "raster", "lens", "warp", "mask",
-             "of dome", "warp from");
+  print_out("\n{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>8}  {}\n", "", "projector", "raster", "lens", "warp", "mask",
+            "of dome", "warp from");
   int number = 0;
   for (const auto& projector : facts["projectors"]) {
-    fmt::print("{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>6.1f} %  {}\n", ++number,
-               projector["name"].get<std::string>(),
-               fmt::format("{} x {}", projector["width_px"].get<int>(), projector["height_px"].get<int>()),
-               projector["lens"].get<std::string>(),
-               fmt::format("{} x {}", projector["columns"].get<int>(), projector["rows"].get<int>()),
-               projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
-               projector["warp"].get<std::string>());
+    print_out("{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>6.1f} %  {}\n", ++number, projector["name"].get<std::string>(),
+              fmt::format("{} x {}", projector["width_px"].get<int>(), projector["height_px"].get<int>()),
+              projector["lens"].get<std::string>(),
+              fmt::format("{} x {}", projector["columns"].get<int>(), projector["rows"].get<int>()),
+              projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
+              projector["warp"].get<std::string>());
   }
-  fmt::print("{:.1f} % of the dome is lit by none\n", 100.0 * facts["dark_part"].get<double>());
+  print_out("{:.1f} % of the dome is lit by none\n", 100.0 * facts["dark_part"].get<double>());
   for (const auto& note : facts["notes"]) {
-    fmt::print("{}\n", note.get<std::string>());
+    print_out("{}\n", note.get<std::string>());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "content/animated_show.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/show_files.h"
 
@@ -46,9 +47,9 @@ void print_file(const json& facts, const std::string& more) {
   const char* const missing = facts["there"].get<bool>()    ? ""
                               : facts["folder"].get<bool>() ? "  IS A FOLDER, NOT A FILE"
                                                             : "  NOT THERE";
-  fmt::print("  {:<40} {}{}\n", facts["file"].get<std::string>(), more, missing);
+  print_out("  {:<40} {}{}\n", facts["file"].get<std::string>(), more, missing);
   if (!facts["problem"].get<std::string>().empty()) {
-    fmt::print("    CANNOT BE USED: {}\n", facts["problem"].get<std::string>());
+    print_out("    CANNOT BE USED: {}\n", facts["problem"].get<std::string>());
   }
 }
 
@@ -113,27 +114,27 @@ json facts_of_timeline(const Show& show, const std::map<std::string, std::string
 void print_timeline(const json& facts) {
   const auto each = [&](const char* name, const auto& print_one) {
     if (facts.contains(name)) {
-      fmt::print("\n{}\n", name);
+      print_out("\n{}\n", name);
       for (const json& one : facts[name]) {
         print_one(one);
       }
     }
   };
   if (!facts["languages"].empty()) {
-    fmt::print("{:<16}{}\n", "languages", fmt::join(facts["languages"].get<std::vector<std::string>>(), ", "));
+    print_out("{:<16}{}\n", "languages", fmt::join(facts["languages"].get<std::vector<std::string>>(), ", "));
   }
   const auto late = [](const json& one) { return one["after_end"].get<bool>() ? "  AFTER THE END" : ""; };
   each("files", [](const json& one) { print_file(one, one["key"].get<std::string>()); });
   each("animated", [&](const json& one) {
-    fmt::print(
+    print_out(
         "  {:<34} {}  {}, {:.6g} to {:.6g}{}\n", one["number"].get<std::string>(), times(one),
         counted(one["keys"].get<int>(), "key"), one["least"].get<double>(), one["greatest"].get<double>(),
         one["ends_after_end"].get<bool>() && !one["after_end"].get<bool>() ? "  GOES ON AFTER THE END" : late(one));
   });
   each("chapters", [&](const json& one) {
-    fmt::print("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one));
+    print_out("  {:>9.3f} s  {}{}\n", one["t_s"].get<double>(), shown(one["title"]), late(one));
   });
-  each("captions", [&](const json& one) { fmt::print("  {}  {}{}\n", times(one), shown(one["text"]), late(one)); });
+  each("captions", [&](const json& one) { print_out("  {}  {}{}\n", times(one), shown(one["text"]), late(one)); });
   each("overlays", [&](const json& one) {
     print_file(one, times(one) + (one["fisheye"].get<bool>() ? "  fisheye" : "") + late(one));
   });

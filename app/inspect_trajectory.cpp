@@ -8,6 +8,7 @@
 
 #include "app/progress.h"
 #include "app/usage_error.h"
+#include "content/files/console.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -82,12 +83,12 @@ void print_trajectory(const nlohmann::json& facts) {
   constexpr std::size_t most_lines = 40;
   for (const char* name :
        {"file", "bytes", "spin", "budget_px", "pixel_arcmin", "derivatives", "disk", "code_version"}) {
-    fmt::print("{:<16}{}\n", name, facts[name].is_string() ? facts[name].get<std::string>() : facts[name].dump());
+    print_out("{:<16}{}\n", name, facts[name].is_string() ? facts[name].get<std::string>() : facts[name].dump());
   }
   const auto& stations = facts["stations"];
   const bool disk = facts["disk"].get<bool>();
-  fmt::print("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}{}\n", "stations", stations.size(), "t [s]", "r [M]",
-             "theta [deg]", "nodes", "bytes", "blending [px]", disk ? " disk's bytes      its [px]" : "");
+  print_out("{:<16}{}\n\n{:>10} {:>12} {:>12} {:>8} {:>10} {:>14}{}\n", "stations", stations.size(), "t [s]", "r [M]",
+            "theta [deg]", "nodes", "bytes", "blending [px]", disk ? " disk's bytes      its [px]" : "");
   for (std::size_t i = 0; i < stations.size(); i += std::max<std::size_t>(1, stations.size() / most_lines)) {
     const auto& s = stations[i];
     const bool last = s["gap_error_px"].get<double>() < 0.0;
@@ -96,14 +97,14 @@ void print_trajectory(const nlohmann::json& facts) {
     };
     // Where it is too much, a grid is made anew.
     const bool live = s["disk_gap_error_px"].get<double>() > facts["budget_px"].get<double>();
-    fmt::print(
+    print_out(
         "{:>10.3f} {:>12.6g} {:>12.4f} {:>8} {:>10} {:>14}{}\n", s["t_s"].get<double>(), s["r"].get<double>(),
         s["theta_deg"].get<double>(), s["nodes"].get<int>(), s["bytes"].get<long>(), error("gap_error_px"),
         disk ? fmt::format(" {:>12} {:>13}", s["disk_bytes"].get<long>(), live ? "live" : error("disk_gap_error_px"))
              : "");
   }
   for (const auto& problem : facts["damaged"]) {
-    fmt::print("{}\n", problem.get<std::string>());
+    print_out("{}\n", problem.get<std::string>());
   }
 }
 

@@ -20,6 +20,10 @@ void catch_interrupts() {
   std::signal(SIGTERM, note_signal);
 }
 
+void stop_on_hangup() {
+  std::signal(SIGHUP, [](int /*signal*/) { stop_wanted = 1; });
+}
+
 void fail_at_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }
 
 void end_on_interrupts() {

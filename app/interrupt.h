@@ -5,6 +5,9 @@ namespace ergodome {
 //! From now on Ctrl-C (SIGINT) and SIGTERM only ask for a stop; a second one ends the program at once.
 void catch_interrupts();
 
+//! From now on SIGHUP asks for a stop as well, however often it comes.
+void stop_on_hangup();
+
 //! From now on a file that grows beyond the limit that a user may have is one that cannot be written, as on a full disk, and not the end of the program.
 void fail_at_file_limits();
 

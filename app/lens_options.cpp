@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/usage_error.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
@@ -83,7 +84,7 @@ void tell_on_terminal(const std::string& note) {
   static std::set<std::string> told;
   const std::scoped_lock lock(mutex);
   if (told.insert(note).second) {
-    fmt::print(stderr, "ergodome: {}\n", note);
+    print_note("{}", note);
   }
 }
 
@@ -171,10 +172,10 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
 }
 
 void print_statistics(const StreamStatistics& s) {
-  fmt::print("streamed: {}, {} of them waited, {} given up; {} read, {} bad{}; {:.1f} MiB held at most\n",
-             counted(s.asked, "lens", "lenses"), s.waits, s.missed, counted(s.read, "station"), s.bad,
-             s.lost_disks > 0 ? fmt::format(", {} without their disk", s.lost_disks) : "",
-             static_cast<double>(s.most_bytes_held) / (1 << 20));
+  print_out("streamed: {}, {} of them waited, {} given up; {} read, {} bad{}; {:.1f} MiB held at most\n",
+            counted(s.asked, "lens", "lenses"), s.waits, s.missed, counted(s.read, "station"), s.bad,
+            s.lost_disks > 0 ? fmt::format(", {} without their disk", s.lost_disks) : "",
+            static_cast<double>(s.most_bytes_held) / (1 << 20));
 }
 
 }  // namespace ergodome

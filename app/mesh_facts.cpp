@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "render/objects/object_meshes.h"
 
@@ -79,17 +80,17 @@ nlohmann::json facts_of_meshes(const Show& show, const std::vector<MeshFacts>& m
 
 void print_meshes(const nlohmann::json& facts) {
   if (!facts.empty()) {
-    fmt::print("\nmeshes\n");
+    print_out("\nmeshes\n");
   }
   for (const nlohmann::json& mesh : facts) {
     const long dropped = mesh["without_area"].get<long>();
     const auto& extent = mesh["extent_M"];
-    fmt::print("  {:<40} {}, {}{:.6g} x {:.6g} x {:.6g} M before it is turned\n", mesh["file"].get<std::string>(),
-               counted(mesh["triangles"].get<long>(), "triangle"),
-               dropped > 0 ? fmt::format("{} without area left out, ", dropped) : "", extent[0].get<double>(),
-               extent[1].get<double>(), extent[2].get<double>());
+    print_out("  {:<40} {}, {}{:.6g} x {:.6g} x {:.6g} M before it is turned\n", mesh["file"].get<std::string>(),
+              counted(mesh["triangles"].get<long>(), "triangle"),
+              dropped > 0 ? fmt::format("{} without area left out, ", dropped) : "", extent[0].get<double>(),
+              extent[1].get<double>(), extent[2].get<double>());
     for (const auto& remark : mesh["remarks"]) {
-      fmt::print("    {}\n", remark.get<std::string>());
+      print_out("    {}\n", remark.get<std::string>());
     }
   }
 }

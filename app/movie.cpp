@@ -12,7 +12,6 @@
 #include <bit>
 #include <cctype>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <optional>
 #include <sstream>
@@ -105,22 +104,6 @@ class Program {
   pid_t process_ = 0;
   int input_ = -1;
   std::optional<int> status_;
-};
-
-//! A program that stops reading is an error to tell, not a signal to die of.
-class SignalsOfPipesIgnored {
- public:
-  SignalsOfPipesIgnored() {
-    struct sigaction ignore {};
-    ignore.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &ignore, &before_);
-  }
-  ~SignalsOfPipesIgnored() { sigaction(SIGPIPE, &before_, nullptr); }
-  SignalsOfPipesIgnored(const SignalsOfPipesIgnored&) = delete;
-  SignalsOfPipesIgnored& operator=(const SignalsOfPipesIgnored&) = delete;
-
- private:
-  struct sigaction before_ {};
 };
 
 std::string last_line(const std::string& text) {
@@ -270,7 +253,6 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
 }
 
 void write_movie(const Movie& movie) {
-  const SignalsOfPipesIgnored ignored;
   write_atomically(movie.file, [&](const std::filesystem::path& partial) { encode(movie, partial); });
 }
 

@@ -14,6 +14,7 @@
 #include "app/number_check.h"
 #include "app/show_loading.h"
 #include "content/animatable_number.h"
+#include "content/files/console.h"
 #include "content/sky_map.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
@@ -105,40 +106,40 @@ std::string text_of(const nlohmann::json& number) {
 }
 
 void print(const nlohmann::json& plan) {
-  fmt::print("{}: {} x {} pixels, {} {}, lens: {}\n", plan["show"].get<std::string>(), plan["width_px"].get<int>(),
-             plan["height_px"].get<int>(), plan["eyes"].get<int>(), plan["eyes"] == 1 ? "eye" : "eyes",
-             plan["lens"].get<std::string>());
-  fmt::print("\nfor each pixel    floats  because of\n");
+  print_out("{}: {} x {} pixels, {} {}, lens: {}\n", plan["show"].get<std::string>(), plan["width_px"].get<int>(),
+            plan["height_px"].get<int>(), plan["eyes"].get<int>(), plan["eyes"] == 1 ? "eye" : "eyes",
+            plan["lens"].get<std::string>());
+  print_out("\nfor each pixel    floats  because of\n");
   for (const auto& channel : plan["channels"]) {
-    fmt::print("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
-               channel["why"].get<std::string>());
+    print_out("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
+              channel["why"].get<std::string>());
   }
-  fmt::print("\npass                               once a        runs    elements  because of\n");
+  print_out("\npass                               once a        runs    elements  because of\n");
   for (const auto& pass : plan["passes"]) {
-    fmt::print("  {:<33}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
-               text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
-               pass["if_needed"].get<bool>() ? ", if needed" : "");
+    print_out("  {:<33}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
+              text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
+              pass["if_needed"].get<bool>() ? ", if needed" : "");
   }
-  fmt::print("\nmemory                                       once a         bytes  because of\n");
+  print_out("\nmemory                                       once a         bytes  because of\n");
   for (const auto& buffer : plan["buffers"]) {
-    fmt::print("  {:<43}{:<8}{:>12}  {}\n", buffer["name"].get<std::string>().substr(8),
-               buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
+    print_out("  {:<43}{:<8}{:>12}  {}\n", buffer["name"].get<std::string>().substr(8),
+              buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
   }
-  fmt::print("\n-: as many as it takes\n");
+  print_out("\n-: as many as it takes\n");
   print_idle_lines(plan["idle"]);
 }
 
 void print(const Measured& measured) {
-  fmt::print("\nmeasured                                     first picture there        the next one: {:.1f} ms\n",
-             measured.next_ms);
-  fmt::print("                                            runs      elements        runs      elements        ms\n");
+  print_out("\nmeasured                                     first picture there        the next one: {:.1f} ms\n",
+            measured.next_ms);
+  print_out("                                            runs      elements        runs      elements        ms\n");
   for (const auto& [name, count] : measured.first) {
     const auto next = measured.next.find(name);
     const WorkCount again = next != measured.next.end() ? next->second : WorkCount{};
-    fmt::print("  {:<40}{:>6}{:>14}{:>12}{:>14}{:>10.2f}\n", name, count.runs, count.elements, again.runs,
-               again.elements, static_cast<double>(again.time_ns) * 1e-6);
+    print_out("  {:<40}{:>6}{:>14}{:>12}{:>14}{:>10.2f}\n", name, count.runs, count.elements, again.runs,
+              again.elements, static_cast<double>(again.time_ns) * 1e-6);
   }
-  fmt::print("\nTimes of passes hold those of the kernels that they call. Elements of buffers are bytes.\n");
+  print_out("\nTimes of passes hold those of the kernels that they call. Elements of buffers are bytes.\n");
 }
 
 void run(const PlanOptions& options) {
@@ -193,7 +194,7 @@ void run(const PlanOptions& options) {
       plan["measured"]["next"][name] = json_of(count);
     }
   }
-  fmt::print("{}\n", json_text(plan));
+  print_out("{}\n", json_text(plan));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "app/environment.h"
 #include "app/interrupt.h"
 #include "app/usage_error.h"
+#include "content/files/console.h"
 #include "content/files/toml_table.h"
 #include "kernels/core/error.h"
 #include "render/backend/kept_memory.h"
@@ -28,7 +28,7 @@ int refuse_word(const CLI::App& app, const std::string& word) {
   }
   const std::string nearest = nearest_word(word, commands);
   const std::string remedy = nearest.empty() ? "try --help" : "did you mean " + nearest + "?";
-  std::fprintf(stderr, "ergodome: there is no command %s; %s\n", word.c_str(), remedy.c_str());
+  print_note("there is no command {}; {}", word, remedy);
   return 2;
 }
 
@@ -44,9 +44,7 @@ std::string parser_message(const CLI::Error& problem) {
          " times; give it once\n";
 }
 
-}  // namespace
-
-int run_program(int argc, char** argv) {
+int run_commands(int argc, char** argv) {
   keep_freed_memory();
   CLI::App app("Ergodome shows what a spinning black hole does to the sky around it.", "ergodome");
   app.set_version_flag("--version", "ergodome " ERGODOME_VERSION);
@@ -79,16 +77,24 @@ int run_program(int argc, char** argv) {
     }
     return app.exit(problem) == 0 ? 0 : 2;
   } catch (const UsageError& problem) {
-    std::fprintf(stderr, "ergodome: %s\n", problem.what());
+    print_note("{}", problem.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    std::fputs("ergodome: not enough memory; choose a smaller size\n", stderr);
+    print_note("not enough memory; choose a smaller size");
     return 1;
   } catch (const std::exception& problem) {
-    std::fprintf(stderr, "ergodome: %s\n", problem.what());
+    print_note("{}", problem.what());
     return 1;
   }
   return 0;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  prepare_console();
+  const int status = run_commands(argc, argv);
+  return finish_output() || status != 0 ? status : 1;
 }
 
 }  // namespace ergodome

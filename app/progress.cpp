@@ -35,7 +35,8 @@ void Progress::advance_to(long done) {
   const double left_s = spent_s * static_cast<double>(total_ - done) / static_cast<double>(done);
   const std::string bar =
       std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(cells - filled), '.');
-  fmt::print(stderr, "\r\033[K{} [{}] {} of {}, {:.0f} s left", what_, bar, done, total_, left_s);
+  const std::string line = fmt::format("\r\033[K{} [{}] {} of {}, {:.0f} s left", what_, bar, done, total_, left_s);
+  std::fputs(line.c_str(), stderr);
 }
 
 }  // namespace ergodome

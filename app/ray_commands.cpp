@@ -18,6 +18,7 @@
 #include "app/pixel_text.h"
 #include "app/ray_groups.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/ray_table.h"
 #include "kernels/core/angles.h"
@@ -164,7 +165,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
   look_up_rays(Backend::cpu, batch);
   append_rays(rows, begin, arrays, table);
-  fmt::print(
+  print_out(
       "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to rays, "
       "{:.1f} ms\n",
       row.spin, row.r, row.theta, counted(statistics.nodes, "node"),
@@ -206,9 +207,9 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
   BatchArrays<double> arrays(end - begin);
   read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), look_up});
   append_rays(rows, begin, arrays, table);
-  fmt::print("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
-             lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
-             mirrored ? " (half the sky, mirrored)" : "", time.count());
+  print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
+            lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
+            mirrored ? " (half the sky, mirrored)" : "", time.count());
 }
 
 void run_trace(const RayOptions& options) {
@@ -231,8 +232,8 @@ void run_trace(const RayOptions& options) {
   write_text_atomically(options.out, "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" +
                                          joined_in_place(table.lines, grouped.place));
   if (table.unresolved > 0) {
-    fmt::print(stderr, "ergodome: {} of {} did not converge; give {}another --method\n", table.unresolved,
-               counted(rows.size(), "ray"), options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
+    print_note("{} of {} did not converge; give {}another --method", table.unresolved, counted(rows.size(), "ray"),
+               options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
   }
 }
 

@@ -23,6 +23,7 @@
 #include "app/usage_error.h"
 #include "content/animatable_number.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
@@ -119,7 +120,7 @@ void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
   const int there = writer.resumed();
   const std::string again =
       writer.renewed() > 0 ? fmt::format(" ({} again, asked for otherwise before)", writer.renewed()) : "";
-  fmt::print(
+  print_out(
       "{} in {}{}{}\n", counted(writer.written(), "frame"), options.out, again,
       there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
 }
@@ -150,8 +151,8 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   write_facts(options, writer, first, last);
   tell_frames(options, writer);
   if (const std::vector<int> others = writer.asked_otherwise(first, last); !others.empty()) {
-    fmt::print("{} there {} asked for otherwise ({})\n", counted(others.size(), "frame"),
-               others.size() == 1 ? "was" : "were", frame_ranges(others));
+    print_out("{} there {} asked for otherwise ({})\n", counted(others.size(), "frame"),
+              others.size() == 1 ? "was" : "were", frame_ranges(others));
   }
 }
 
@@ -163,7 +164,7 @@ void run(RenderOptions options) {
   }
   if (!options.pattern.empty()) {
     const int files = write_patterns(options, show, setup);
-    fmt::print("{} in {}\n", counted(files, "file"), options.out);
+    print_out("{} in {}\n", counted(files, "file"), options.out);
     return;
   }
   require_features(show);
@@ -193,8 +194,8 @@ void run(RenderOptions options) {
     print_statistics(*streamed);
   }
   if (writer.unresolved() > 0) {
-    fmt::print(stderr, "ergodome: {} did not converge and {} the mean of the sky\n",
-               counted(writer.unresolved(), "pixel"), writer.unresolved() == 1 ? "shows" : "show");
+    print_note("{} did not converge and {} the mean of the sky", counted(writer.unresolved(), "pixel"),
+               writer.unresolved() == 1 ? "shows" : "show");
   }
 }
 

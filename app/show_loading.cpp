@@ -7,6 +7,7 @@
 
 #include "app/usage_error.h"
 #include "content/animated_show.h"
+#include "content/files/console.h"
 #include "content/objects/object_reader.h"
 #include "content/show_reader.h"
 #include "content/sky_map.h"
@@ -105,8 +106,7 @@ void require_two_eyes(const Show& show, const std::string& option, bool given) {
 
 void tell_equal_eyes(const Show& show) {
   if (eye_count(show.stereo) > 1 && !(show_at_most(show).stereo.baseline > 0.0)) {
-    fmt::print(stderr,
-               "ergodome: both eyes see the same, as the show's stereo.baseline is 0; --baseline sets another\n");
+    print_note("both eyes see the same, as the show's stereo.baseline is 0; --baseline sets another");
   }
 }
 

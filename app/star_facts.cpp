@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "content/files/console.h"
 #include "content/files/counted.h"
 
 namespace ergodome {
@@ -21,9 +22,9 @@ nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes) {
 }
 
 void print_stars(const nlohmann::json& facts) {
-  fmt::print("{:<16}{}: {}{}\n", "stars", facts["catalogue"].get<std::string>(),
-             counted(facts["count"].get<std::size_t>(), "star"),
-             facts.contains("text") ? ", " + facts["text"].get<std::string>() : "");
+  print_out("{:<16}{}: {}{}\n", "stars", facts["catalogue"].get<std::string>(),
+            counted(facts["count"].get<std::size_t>(), "star"),
+            facts.contains("text") ? ", " + facts["text"].get<std::string>() : "");
 }
 
 }  // namespace ergodome

@@ -60,6 +60,14 @@ float swapped(float value) {
 
 }  // namespace
 
+std::size_t known_samples(const FloatMap& map) {
+  std::size_t known = 0;
+  for (std::size_t i = 0; i + 2 < map.samples.size(); i += 3) {
+    known += std::isfinite(map.samples[i]) && std::isfinite(map.samples[i + 1]) ? 1 : 0;
+  }
+  return known;
+}
+
 FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& name, RowOrder order) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const Header header = parse_header(text, name);
@@ -80,6 +88,9 @@ FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& na
   }
   if (!header.least_byte_first) {
     std::transform(map.samples.begin(), map.samples.end(), map.samples.begin(), swapped);
+  }
+  if (known_samples(map) == 0) {
+    throw Error(name, "holds no sample with a finite position", "export it again");
   }
   return map;
 }

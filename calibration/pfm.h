@@ -22,9 +22,12 @@ struct FloatMap {
 //! Which row a file begins with. The format says the bottom row, MPCDI's text the top one; programs have done both.
 enum class RowOrder { bottom_up, top_down };
 
-//! Reads a map. Throws Error for another type of map ("Pf" has one component), sizes below 2 x 2 or beyond warp_mesh.h's bounds,
-//! scales that are zero or not finite, and when there are not exactly as many bytes as the size calls for; nothing is allocated
-//! before that.
+//! Returns how many samples have a finite position.
+std::size_t known_samples(const FloatMap& map);
+
+//! Reads a map. Throws Error for another type of map ("Pf" has one component), sizes below 2 x 2 or beyond warp_mesh.h's
+//! limits, scales that are zero or not finite, a map without a known sample, and when there are not exactly as many bytes as
+//! the size calls for; nothing is allocated before that.
 FloatMap parse_float_map(std::span<const std::byte> bytes, const std::string& name, RowOrder order);
 
 //! The same from a file.

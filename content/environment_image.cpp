@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
@@ -55,7 +56,8 @@ class MapReader {
     // Both of an even width, as the image is twice as wide as high.
     image_.width = std::min(shape.width, largest_width / 2 * 2);
     image_.height = image_.width / 2;
-    image_.rgb.assign(3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), 0.0F);
+    // Room alone: a file that breaks off shall not take the memory of what it claims.
+    image_.rgb.reserve(floats_of_rows(image_.height));
     columns_.reserve(static_cast<std::size_t>(shape.width));
     for (int x = 0; x < shape.width; ++x) {
       columns_.push_back(texel_place(x, shape.width, image_.width));
@@ -75,12 +77,14 @@ class MapReader {
         throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.error()),
                     "the file seems torn; save it again");
       }
+      make_rows(texel_place(end - 1, shape.height, image_.height).first + 2);
       for (int y = begin; y < end; ++y) {
         add_row(
             rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(shape.width * read_channels_),
             y, shape.width);
       }
     }
+    make_rows(image_.height);
     if (image_.repaired.not_numbers == static_cast<long>(shape.width) * shape.height) {
       throw Error(name_, "holds no light that is a number", "save it again");
     }
@@ -88,23 +92,33 @@ class MapReader {
   }
 
  private:
+  [[nodiscard]] std::size_t floats_of_rows(int rows) const {
+    return 3 * static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(rows);
+  }
+
+  //! Makes the first rows of the image, black, where they are not there yet.
+  void make_rows(int rows) {
+    image_.rgb.resize(std::max(image_.rgb.size(), floats_of_rows(std::min(rows, image_.height))));
+  }
+
   bool read_rows(const ImageShape& shape, int begin, int end, std::vector<float>& rows) {
     if (!shape.tiled) {
       return input_.read_rows(begin, end, read_channels_, rows.data());
     }
     // Tiles are read once and kept: asking for scanlines of them would decode each many times.
-    if (tiles_.empty()) {
+    if (!tiles_) {
       if (static_cast<double>(shape.width) * shape.height > 16384.0 * 8192.0) {
         throw Error(name_, fmt::format("is tiled and {} pixels wide", shape.width),
                     "save it in scanlines, or scale it to 16384 pixels");
       }
-      tiles_.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height * read_channels_));
-      if (!input_.read_all(read_channels_, tiles_.data())) {
+      tiles_ = std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(shape.width) *
+                                                       static_cast<std::size_t>(shape.height * read_channels_));
+      if (!input_.read_all(read_channels_, tiles_.get())) {
         return false;
       }
     }
     const auto row_size = static_cast<std::ptrdiff_t>(shape.width) * read_channels_;
-    std::copy(tiles_.begin() + begin * row_size, tiles_.begin() + end * row_size, rows.begin());
+    std::copy(tiles_.get() + begin * row_size, tiles_.get() + end * row_size, rows.begin());
     return true;
   }
 
@@ -162,7 +176,7 @@ class MapReader {
   LightCoding coding_;
   int read_channels_ = 3;            //!< of a pixel
   std::vector<TexelPlace> columns_;  //!< where texels of a row fall
-  std::vector<float> tiles_;
+  std::unique_ptr<float[]> tiles_;
   EnvironmentImage image_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <vector>
@@ -28,15 +29,23 @@ std::string fingerprint_of_file(const std::filesystem::path& file) {
   if (bytes > most_hashed_bytes) {
     return fmt::format("{} {}", bytes, time.time_since_epoch().count());
   }
+  return fingerprint_of_start(file, bytes);
+}
+
+std::string fingerprint_of_start(const std::filesystem::path& file, std::uintmax_t bytes) {
   std::ifstream from(file, std::ios::binary);
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
   XXH3_64bits_reset(state.get());
   std::vector<char> chunk(std::size_t{1} << 20U);
-  while (from) {
-    from.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    XXH3_64bits_update(state.get(), chunk.data(), static_cast<std::size_t>(from.gcount()));
+  while (bytes > 0) {
+    const std::size_t count = std::min<std::uintmax_t>(bytes, chunk.size());
+    if (!from.read(chunk.data(), static_cast<std::streamsize>(count))) {
+      return "";
+    }
+    XXH3_64bits_update(state.get(), chunk.data(), count);
+    bytes -= count;
   }
-  return from.eof() ? hexadecimal(XXH3_64bits_digest(state.get())) : "";
+  return hexadecimal(XXH3_64bits_digest(state.get()));
 }
 
 }  // namespace ergodome

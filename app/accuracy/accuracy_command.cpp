@@ -16,6 +16,7 @@
 #include "app/show_loading.h"
 #include "app/usage_error.h"
 #include "content/files/atomic_file.h"
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 #include "render/accuracy/accuracy.h"
 
@@ -49,12 +50,12 @@ AccuracyReport measure_with_progress(const Show& show, const AccuracySettings& s
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const AccuracyReport report = measure_accuracy(show, settings, [&](const std::string& doing) {
     if (on_terminal) {
-      fmt::print(stderr, "\r\033[K{}", doing);
+      std::fputs(("\r\033[K" + doing).c_str(), stderr);
     }
     return !interrupted();
   });
   if (on_terminal) {
-    fmt::print(stderr, "\r\033[K");
+    std::fputs("\r\033[K", stderr);
   }
   return report;
 }
@@ -69,7 +70,7 @@ void run(const AccuracyOptions& options) {
   }
   for (const std::string& asked : options.axes) {
     if (std::ranges::find(measured, asked) == measured.end()) {
-      fmt::print(stderr, "ergodome: {} has no choice of {} to measure\n", show.name, asked);
+      print_note("{} has no choice of {} to measure", show.name, asked);
     }
   }
   if (!options.out.empty()) {
@@ -79,9 +80,9 @@ void run(const AccuracyOptions& options) {
   if (!options.out.empty()) {
     write_report_folder(report, at_px, options.out);
   }
-  fmt::print("{}", options.json ? json_text(report) : table_text(report, at_px));
+  print_out("{}", options.json ? json_text(report) : table_text(report, at_px));
   if (!options.out.empty() && !options.json) {
-    fmt::print("\nPage: {}\n", (std::filesystem::path(options.out) / "report.html").string());
+    print_out("\nPage: {}\n", (std::filesystem::path(options.out) / "report.html").string());
   }
 }
 

@@ -8,6 +8,7 @@
 #include "app/budget/budget_texts.h"
 #include "app/usage_error.h"
 #include "calibration/projector_picture.h"
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -34,7 +35,7 @@ const char* word_of(LensChoice choice) {
 void check_budget(ShowRenderer& renderer, const Show& show, const Budget& budget, const FrameQuality& quality,
                   const RenderOptions& options, int size_px) {
   const BudgetCheck check = check_error(renderer, show, quality, size_px, options.checked_moments, check_seed);
-  fmt::print("{}\n", check_text(budget, check));
+  print_out("{}\n", check_text(budget, check));
   if (check.worst_px > *budget.error_px) {
     throw Error(fmt::format("--budget {}", text_of(budget)),
                 fmt::format("the error is {:.3g} px at {:.2f} s of {}", check.worst_px, check.worst_time_s, show.name),
@@ -63,7 +64,7 @@ bool use_render_budget(RenderOptions& options, Show& show, const std::optional<D
   const SettingsMeasurement measured = measure_settings(renderer, show, order);
   const BudgetChoice choice = choose_setting(measured.settings, budget, BudgetFirst::error);
   const FrameQuality quality = measured.settings[choice.setting].quality;
-  fmt::print("{}\n", choice_text(budget, measured, choice));
+  print_out("{}\n", choice_text(budget, measured, choice));
   std::fflush(stdout);
   if (checks) {
     check_budget(renderer, show, budget, quality, options, order.size_px);

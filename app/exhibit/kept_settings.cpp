@@ -1,6 +1,8 @@
 #include "app/exhibit/kept_settings.h"
 
 #include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <sstream>
@@ -28,23 +30,6 @@ KeptSettings parse(const std::string& text, const std::string& file) {
   return settings;
 }
 
-//! A program that is killed while it writes leaves the part that it wrote beside the file.
-void remove_partial_files(const std::filesystem::path& named) {
-  std::filesystem::path file;
-  try {
-    file = behind_links(named);
-  } catch (const Error&) {
-    return;  // A link that leads nowhere has nothing beside what it names.
-  }
-  std::error_code ignored;
-  for (const auto& each : std::filesystem::directory_iterator(file.parent_path(), ignored)) {
-    const std::string name = each.path().filename().string();
-    if (name.starts_with(".partial-") && name.ends_with(fmt::format("-{}", file.filename().string()))) {
-      std::filesystem::remove(each.path(), ignored);
-    }
-  }
-}
-
 }  // namespace
 
 std::filesystem::path state_folder() {
@@ -52,12 +37,18 @@ std::filesystem::path state_folder() {
     return std::filesystem::path(state) / "ergodome";
   }
   const char* home = std::getenv("HOME");
-  return std::filesystem::path(home != nullptr && *home == '/' ? home : "/tmp") / ".local" / "state" / "ergodome";
+  if (home == nullptr || *home != '/') {
+    // A service may run without HOME. A folder that others can write to, such as /tmp, would let them plant links.
+    const passwd* const user = ::getpwuid(::geteuid());
+    home = user != nullptr ? user->pw_dir : nullptr;
+  }
+  return home != nullptr && *home == '/' ? std::filesystem::path(home) / ".local" / "state" / "ergodome"
+                                         : std::filesystem::path();
 }
 
 KeptSettings read_kept_settings(const std::filesystem::path& file, std::string& problem) {
   problem.clear();
-  remove_partial_files(file);
+  remove_abandoned_files(file.parent_path());
   std::error_code failure;
   if (!std::filesystem::exists(file, failure)) {
     return {};

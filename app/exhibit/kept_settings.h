@@ -16,7 +16,8 @@ struct KeptSettings {
   bool operator==(const KeptSettings&) const = default;
 };
 
-//! Where a program keeps what it must not lose: $XDG_STATE_HOME/ergodome, or ~/.local/state/ergodome.
+//! Returns the folder for settings and the log: $XDG_STATE_HOME/ergodome, or ~/.local/state/ergodome. Empty where the user
+//! has no home.
 std::filesystem::path state_folder();
 
 //! Reads settings. A file that is not there gives the usual ones. One that is damaged does, too, is renamed to NAME.bad for whoever wants to

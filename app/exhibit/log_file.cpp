@@ -9,6 +9,7 @@
 #include <string>
 
 #include "content/files/atomic_file.h"
+#include "kernels/core/error.h"
 
 namespace ergodome {
 
@@ -24,6 +25,10 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   if (!file.empty()) {
     try {
       make_folder(file.parent_path());
+      // To open a pipe would wait for its reader.
+      if (std::filesystem::is_fifo(std::filesystem::status(file))) {
+        throw Error(file.string(), "is a pipe", "remove it");
+      }
       sinks.push_back(std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), largest_bytes, kept_files));
     } catch (const std::exception& error) {
       problem = error.what();

@@ -33,7 +33,7 @@ class FixtureReader {
 
   HidFixture read() {
     HidFixture fixture;
-    fixture.source = root_.text("source", "");
+    fixture.source = root_.lines("source", "");
     const std::vector<const toml::table*> devices = root_.tables("device", most_devices);
     for (std::size_t i = 0; i < devices.size(); ++i) {
       fixture.devices.push_back(read_device(*devices[i], fmt::format("device[{}]", i + 1)));

@@ -15,6 +15,7 @@
 #include "app/pads/pad_hub.h"
 #include "app/pads/pad_lines.h"
 #include "app/pads/pad_listing.h"
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -104,17 +105,17 @@ class LiveLines {
  private:
   void redraw(const std::vector<std::string>& lines) const {
     if (!shown_.empty()) {
-      fmt::print("\x1b[{}A\x1b[J", shown_.size());
+      std::fputs(fmt::format("\x1b[{}A\x1b[J", shown_.size()).c_str(), stdout);
     }
     for (const std::string& line : lines) {
-      fmt::print("{}\n", line);
+      print_out("{}\n", line);
     }
   }
 
   void append(const std::vector<std::string>& lines) const {
     for (const std::string& line : lines) {
       if (std::find(shown_.begin(), shown_.end(), line) == shown_.end()) {
-        fmt::print("{}\n", line);
+        print_out("{}\n", line);
       }
     }
   }
@@ -173,18 +174,17 @@ fs::path calibration_file(const PadOptions& options) {
 
 void report(const PadProfile& profile, const std::vector<std::string>& unmoved) {
   for (const auto& [name, range] : profile.calibration) {
-    fmt::print("{:>16}: {} to {}, at rest {}\n", name, range.least, range.greatest, range.centre);
+    print_out("{:>16}: {} to {}, at rest {}\n", name, range.least, range.greatest, range.centre);
   }
-  fmt::print("dead zones: left stick {}, right stick {}\n", profile.left_stick.dead_zone,
-             profile.right_stick.dead_zone);
+  print_out("dead zones: left stick {}, right stick {}\n", profile.left_stick.dead_zone, profile.right_stick.dead_zone);
   if (!unmoved.empty()) {
-    fmt::print("left as they were, because they were hardly moved: {}\n", fmt::join(unmoved, ", "));
+    print_out("left as they were, because they were hardly moved: {}\n", fmt::join(unmoved, ", "));
   }
 }
 
 void calibrate(PadHub& hub, Pace& pace, PadSettings settings, const PadOptions& options, double duration_s) {
   const fs::path file = calibration_file(options);
-  fmt::print(
+  print_out(
       "Leave the controller alone for a moment. Then move each stick round its edge, press both triggers down, and "
       "let\n"
       "go of everything: that ends it. Ctrl-C leaves everything as it was.\n");
@@ -205,7 +205,7 @@ void calibrate(PadHub& hub, Pace& pace, PadSettings settings, const PadOptions& 
         profile = calibrator->applied_to(profile);
         report(profile, calibrator->unmoved());
         write_pad_settings(file, settings);
-        fmt::print("written to {}\n", file.string());
+        print_out("written to {}\n", file.string());
         return;
       }
     }

@@ -7,6 +7,7 @@
 
 #include "app/pads/pad_decoder.h"
 #include "app/pads/pad_hub.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 
 namespace ergodome {
@@ -38,19 +39,19 @@ void list_pads(HidApi& api, const PadSettings& settings, const std::filesystem::
       continue;
     }
     const PadIdentity pad = identity_of(info, "");
-    fmt::print("{}  {}  {}  {}{}\n   {}\n   settings: {}{}\n", pad.name, device_id(info.vendor, info.product),
-               pad.connection, info.path, info.serial.empty() ? "" : fmt::format("  serial {}", info.serial),
-               reader_of(api, info), profile_name(settings, pad), profile_for(settings, pad).ignore ? ", ignored" : "");
+    print_out("{}  {}  {}  {}{}\n   {}\n   settings: {}{}\n", pad.name, device_id(info.vendor, info.product),
+              pad.connection, info.path, info.serial.empty() ? "" : fmt::format("  serial {}", info.serial),
+              reader_of(api, info), profile_name(settings, pad), profile_for(settings, pad).ignore ? ", ignored" : "");
     ++count;
   }
   if (count == 0) {
-    fmt::print(
+    print_out(
         "no controllers found. Microsoft's pads are found over Bluetooth alone, Logitech's with their switch at D.\n");
   }
   if (file.empty()) {
-    fmt::print("there is no settings file, so the usual settings hold; --calibrate makes one\n");
+    print_out("there is no settings file, so the usual settings hold; --calibrate makes one\n");
   } else {
-    fmt::print("settings are read from {}\n", file.string());
+    print_out("settings are read from {}\n", file.string());
   }
 }
 
@@ -65,7 +66,7 @@ void write_pads_found(HidApi& api, PadSettings settings, const std::filesystem::
     }
   }
   write_pad_settings(out, settings);
-  fmt::print("written to {}: {}\n", out.string(), counted(settings.pads.size(), "controller"));
+  print_out("written to {}: {}\n", out.string(), counted(settings.pads.size(), "controller"));
 }
 
 }  // namespace ergodome

@@ -14,6 +14,7 @@
 #include "app/commands.h"
 #include "app/exhibit/kept_settings.h"
 #include "app/exhibit/log_file.h"
+#include "app/exhibit/restarts.h"
 #include "app/lens_options.h"
 #include "app/number_check.h"
 #include "app/output_file.h"
@@ -25,6 +26,7 @@
 #include "app/show_loading.h"
 #include "app/usage_error.h"
 #include "content/animatable_number.h"
+#include "content/files/console.h"
 #include "render/output/stereo_layout.h"
 
 namespace ergodome {
@@ -102,11 +104,19 @@ void require_no_record(const std::string& record, const std::string& show) {
   }
 }
 
+std::filesystem::path exhibit_log() {
+  const std::filesystem::path folder = state_folder();
+  return folder.empty() ? folder : folder / "ergodome.log";
+}
+
 //! An exhibit keeps its settings and its log, and says nothing on the terminal that nobody sees.
 void use_exhibit(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
   arguments.exhibit_options.state = state_folder();
-  options.services.log_file = state_folder() / "ergodome.log";
+  options.services.log_file = exhibit_log();
+  if (arguments.exhibit_options.state.empty()) {
+    print_note("settings and the log are not kept, as this user has no home folder; set HOME or XDG_STATE_HOME");
+  }
   options.exhibit = arguments.exhibit_options;
 }
 
@@ -122,7 +132,7 @@ std::shared_ptr<ShowRenderer> use_budget(PlayArguments& arguments, const Show& s
   const ToldPlan told = plan_play(*renderer, show,
                                   {budget, options.size_px, arguments.size_given, lens_choice(arguments.lens),
                                    options.free_flight || arguments.exhibit});
-  fmt::print("{}\n", told.line);
+  print_out("{}\n", told.line);
   std::fflush(stdout);
   options.budget = told.plan;
   return renderer;
@@ -155,7 +165,7 @@ void run(PlayArguments arguments) {
   }
   tell_equal_eyes(show);
   if (keeps_eyes_apart(show.stereo.layout) && !options.setup) {
-    fmt::print(stderr, "ergodome: the window shows the eyes of layout {} side by side; render writes them apart\n",
+    print_note("the window shows the eyes of layout {} side by side; render writes them apart",
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
   const Backend backend = choose_backend(arguments.backend);
@@ -167,13 +177,16 @@ void run(PlayArguments arguments) {
   Player(show, with_first(make, show.name, std::move(first)), options).run();
 }
 
-//! The same; an exhibit, whose terminal nobody sees, says in its log why it does not begin.
+//! The same; an exhibit comes back after crashes, and its log says why it does not begin.
 void run_logged(const PlayArguments& arguments) {
+  if (arguments.exhibit) {
+    restart_after_crashes();
+  }
   try {
     run(arguments);
   } catch (const std::exception& problem) {
     if (arguments.exhibit) {
-      open_log(state_folder() / "ergodome.log", {})->error("{}", problem.what());
+      open_log(exhibit_log(), {})->error("{}", problem.what());
     }
     throw;
   }

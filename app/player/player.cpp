@@ -50,6 +50,20 @@ std::unique_ptr<HidApi> hid_api(const PlayOptions& options) {
   return options.pad_fixture.empty() ? make_hid_library() : play_hid_fixture(options.pad_fixture);
 }
 
+//! Returns what `load` reads. An exhibit has to start: there, what is damaged is left out, and `damage` says so.
+template <class Load>
+auto read_or_usual(bool exhibit, std::vector<std::string>& damage, const Load& load) -> decltype(load()) {
+  try {
+    return load();
+  } catch (const std::exception& problem) {
+    if (!exhibit) {
+      throw;
+    }
+    damage.push_back(fmt::format("{}; until then the usual ones hold", problem.what()));
+    return {};
+  }
+}
+
 PadSettings pad_settings(const PlayOptions& options) {
   const std::filesystem::path own = default_pad_settings_path();
   std::error_code problem;
@@ -64,8 +78,9 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     : options_(options),
       screen_(screen_options(show, options)),
       renderers_(make),
-      inputs_(load_controls(options.controls)),
-      pads_(hid_api(options), pad_settings(options)),
+      inputs_(read_or_usual(options.exhibit.has_value(), damage_, [&] { return load_controls(options.controls); })),
+      pads_(hid_api(options),
+            read_or_usual(options.exhibit.has_value(), damage_, [&] { return pad_settings(options); })),
       pictures_([this](const PictureAnswer& answer) { screen_.show(answer); }, options.size_px),
       services_(options.services, show),
       recording_(options.record, options.exhibit ? RecordingFile::Names::numbered : RecordingFile::Names::one) {
@@ -80,6 +95,9 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     services_.watch(show, options_.read_at, options_.load);
     inputs_.set_lock(InputLock::visitors);
     services_.tell(spdlog::level::warn, exhibit_->damage());
+    for (const std::string& damage : damage_) {
+      services_.tell(spdlog::level::warn, damage);
+    }
   }
   if (options_.full_screen || exhibit_) {
     screen_.window().hide_cursor();

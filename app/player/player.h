@@ -101,6 +101,7 @@ class Player {
   void print_statistics() const;
 
   PlayOptions options_;
+  std::vector<std::string> damage_;  //!< of files that were left out at the start
   PlayerScreen screen_;
   SceneRenderers renderers_;
   EyeNotice eye_notice_;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -57,7 +58,7 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
   tell(spdlog::level::warn, remote_->warning());
   for (const std::string& line : remote_->greeting()) {
     // For the person who started the show; it may hold the token, so it goes to no log.
-    fmt::print("{}\n", line);
+    print_out("{}\n", line);
   }
   std::fflush(stdout);
 }

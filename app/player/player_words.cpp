@@ -6,6 +6,7 @@
 #include "app/lens_options.h"
 #include "app/player/player.h"
 #include "app/player/player_texts.h"
+#include "content/files/console.h"
 #include "content/files/counted.h"
 
 // What a player says: on the screen, to whoever asks for its status, and at its end.
@@ -93,10 +94,10 @@ void Player::post_status() {
 
 void Player::print_statistics() const {
   if (pictures_.report().pictures > 0) {
-    fmt::print("{} after the first in {:.1f} s\n", counted(pictures_.report().pictures - 1, "picture"),
-               std::chrono::duration<double>(Clock::now() - *first_answer_).count());
+    print_out("{} after the first in {:.1f} s\n", counted(pictures_.report().pictures - 1, "picture"),
+              std::chrono::duration<double>(Clock::now() - *first_answer_).count());
     if (budget_) {
-      fmt::print("{}\n", budget_->summary_text());
+      print_out("{}\n", budget_->summary_text());
     }
   }
   if (const auto streamed = renderers_.current() ? renderers_.current()->stream_statistics() : std::nullopt) {

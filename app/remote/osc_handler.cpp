@@ -243,10 +243,9 @@ std::optional<OscHandler::Answer> OscHandler::subscribe(const OscMessage& messag
 void OscHandler::confirm(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
   expect_at_most(message, 2);
   const double nonce = number_at(message, 0, "nonce", 1, 0xFFFFFF);
-  const NetAddress to =
-      message.arguments.size() < 2
-          ? from
-          : from.with_port(static_cast<int>(number_at(message, 1, "nonce: port", 1, 65'535)));
+  const NetAddress to = message.arguments.size() < 2
+                            ? from
+                            : from.with_port(static_cast<int>(number_at(message, 1, "nonce: port", 1, 65'535)));
   if (!subscribers_.is_nonce(nonce, to, now.steady)) {
     throw Error("nonce", "is not the number that was sent to " + to.text(),
                 "send /ergodome/subscribe again, and the number that comes back within a minute");

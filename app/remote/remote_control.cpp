@@ -109,8 +109,8 @@ RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& command
   }
   if (options.osc_port) {
     const NetAddress address = address_of(options.osc_bind, *options.osc_port, "--osc-bind");
-    osc_ = std::make_unique<OscServer>(address, commands, board, std::move(listeners),
-                                       subscribers_of(options, address));
+    osc_ =
+        std::make_unique<OscServer>(address, commands, board, std::move(listeners), subscribers_of(options, address));
   }
 }
 

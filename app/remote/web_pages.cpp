@@ -86,8 +86,8 @@ std::uint64_t line_before(const httplib::Request& request) {
 
 }  // namespace
 
-WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
-                   const StopSignal& stop)
+WebPages::WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board,
+                   std::shared_ptr<const LogRing> log, const StopSignal& stop)
     : guard_(guard), commands_(commands), board_(board), log_(std::move(log)), stop_(stop) {
   // httplib writes long answers only while it has a listening socket; ours is elsewhere, and the stop signal ends them.
   svr_sock_ = 0;

@@ -88,8 +88,8 @@ void WebServer::accept_some() {
 }
 
 void WebServer::begin_to_serve(std::unique_ptr<HttpStream> stream) {
-  Connection* const connection = free_connection(stream->peer().is_loopback() ? std::span(local_connections_)
-                                                                              : std::span(outside_connections_));
+  Connection* const connection =
+      free_connection(stream->peer().is_loopback() ? std::span(local_connections_) : std::span(outside_connections_));
   if (connection == nullptr) {
     stream->refuse(busy_answer());
     return;

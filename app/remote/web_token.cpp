@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/random.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,9 @@ constexpr std::size_t longest_token = 128;
 //! Writes a file that nobody but its owner may read from its first byte on.
 void write_privately(const std::filesystem::path& file, const std::string& text) {
   write_atomically(file, [&](const std::filesystem::path& partial) {
-    const Descriptor handle(::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
-    if (!handle.is_open() || ::write(handle.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+    const Descriptor handle(::open(partial.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!handle.is_open() || ::fchmod(handle.get(), 0600) != 0 ||
+        ::write(handle.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
       throw Error(file.string(), std::string("cannot be written: ") + std::strerror(errno),
                   "choose another file with --web-token-file");
     }

@@ -2,17 +2,19 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "content/files/whole_file.h"
 #include "kernels/core/error.h"
@@ -34,28 +36,70 @@ void flush_to_disk(const std::filesystem::path& file, const std::filesystem::pat
   }
 }
 
-//! The machine's name, or as much of it as tells it from others.
-std::string host_name() {
-  constexpr std::size_t enough = 32;
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? std::string(name).substr(0, enough) : "unknown";
-}
-
-const std::string partial_prefix = ".partial-";
+constexpr std::string_view partial_prefix = ".partial-";
+constexpr std::size_t random_digits = 16;
 
 std::string partial_name(const std::filesystem::path& path) {
-  return fmt::format("{}{}@{}-{}", partial_prefix, ::getpid(), host_name(), path.filename().string());
+  std::uint64_t number = 0;
+  if (::getrandom(&number, sizeof number, 0) != static_cast<ssize_t>(sizeof number)) {
+    throw Error(path.string(), std::string("cannot be written: no random name: ") + std::strerror(errno), "try again");
+  }
+  return fmt::format("{}{:016x}-{}", partial_prefix, number, path.filename().string());
 }
 
-//! Whether a name is that of a partial file of this machine, whose process is gone.
-bool is_abandoned(const std::string& name) {
-  const char* const begin = name.c_str() + std::min(partial_prefix.size(), name.size());
-  pid_t process = 0;
-  const auto [rest, problem] = std::from_chars(begin, name.c_str() + name.size(), process);
-  const bool ours = name.starts_with(partial_prefix) && problem == std::errc() && process > 0 &&
-                    std::string_view(rest).starts_with(fmt::format("@{}-", host_name()));
-  return ours && ::kill(process, 0) != 0 && errno == ESRCH;
+//! Whether a name is that of a partial file.
+bool is_partial(std::string_view name) {
+  const std::string_view digits = name.substr(std::min(partial_prefix.size(), name.size()), random_digits);
+  return name.starts_with(partial_prefix) && digits.size() == random_digits &&
+         digits.find_first_not_of("0123456789abcdef") == std::string_view::npos &&
+         name.substr(partial_prefix.size() + random_digits).starts_with('-');
 }
+
+//! A partial file, locked for as long as this process writes it: the lock goes with the process, on whatever machine or in
+//! whatever container that runs.
+class PartialFile {
+ public:
+  explicit PartialFile(const std::filesystem::path& path) : path_(path) {
+    // The ending stays, because image writers choose their format by it.
+    do {
+      close();
+      path_.replace_filename(partial_name(path));
+      handle_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (handle_ < 0) {
+        throw Error(path.string(), std::string("cannot be written: ") + std::strerror(errno),
+                    "check the folder, its permissions and the space left");
+      }
+    } while (!lock());
+  }
+  ~PartialFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+    close();
+  }
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  //! Returns false where the file was taken for an abandoned one before it was locked. File systems without locks are those
+  //! on which nothing is taken for abandoned.
+  [[nodiscard]] bool lock() const {
+    if (::flock(handle_, LOCK_EX | LOCK_NB) != 0) {
+      return errno != EWOULDBLOCK;
+    }
+    struct stat opened = {};
+    return ::fstat(handle_, &opened) != 0 || opened.st_nlink > 0;
+  }
+  void close() {
+    if (handle_ >= 0) {
+      ::close(std::exchange(handle_, -1));
+    }
+  }
+
+  std::filesystem::path path_;
+  int handle_ = -1;
+};
 
 }  // namespace
 
@@ -106,30 +150,29 @@ void write_atomically(const std::filesystem::path& named,
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     throw Error(named.string(), "is there, and is no file", "give the name of a file");
   }
-  // The ending stays, because image writers choose their format by it.
-  std::filesystem::path partial = path;
-  partial.replace_filename(partial_name(path));
-  std::error_code ignored;
-  try {
-    write(partial);
-    flush_to_disk(partial, path);
-    std::error_code problem;
-    std::filesystem::rename(partial, path, problem);
-    if (problem) {
-      throw Error(path.string(), "cannot be written: " + problem.message(), "check the folder and its permissions");
-    }
-  } catch (...) {
-    std::filesystem::remove(partial, ignored);
-    throw;
+  const PartialFile partial(path);
+  write(partial.path());
+  flush_to_disk(partial.path(), path);
+  std::error_code problem;
+  std::filesystem::rename(partial.path(), path, problem);
+  if (problem) {
+    throw Error(path.string(), "cannot be written: " + problem.message(), "check the folder and its permissions");
   }
 }
 
 void remove_abandoned_files(const std::filesystem::path& folder) {
   std::error_code problem;
   for (const auto& each : std::filesystem::directory_iterator(folder.empty() ? "." : folder, problem)) {
-    std::error_code ignored;
-    if (is_abandoned(each.path().filename().string())) {
-      std::filesystem::remove(each.path(), ignored);
+    if (!is_partial(each.path().filename().string())) {
+      continue;
+    }
+    const int handle = ::open(each.path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (handle >= 0 && ::flock(handle, LOCK_EX | LOCK_NB) == 0) {
+      std::error_code stays;
+      std::filesystem::remove(each.path(), stays);
+    }
+    if (handle >= 0) {
+      ::close(handle);
     }
   }
 }

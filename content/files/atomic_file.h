@@ -5,10 +5,11 @@
 
 namespace ergodome {
 
-//! Writes a file so that it is there whole or not at all: `write` fills a file beside it (.partial-PID@HOST-NAME), which is then flushed to the
-//! disk and renamed. A link stays, and what it names is written. When anything fails (a full disk, a folder without permission, an
-//! exception of `write`) the partial file is removed, an older file of that name stays as it was, and Error says what happened. Throws
-//! Error where the name is that of a device, a pipe or a folder.
+//! Writes a file whole or not at all: `write` fills an empty file beside it (.partial-RANDOM-NAME), which is then flushed to
+//! the disk and renamed. `write` must not replace that file by another one. A link stays, and the file that it names is
+//! written. When anything fails (a full disk, a folder without permission, an exception of `write`) the partial file is
+//! removed, an older file of that name stays as it was, and Error says what happened. Throws Error where the name is that of
+//! a device, a pipe or a folder.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& partial)>& write);
 
@@ -20,8 +21,8 @@ std::filesystem::path behind_links(const std::filesystem::path& path);
 //! seen by writing alone.
 void require_writable(const std::filesystem::path& path);
 
-//! Removes what write_atomically() of programs that were killed has left in a folder: partial files of this machine whose process is gone. Those of
-//! other machines, which write into a shared folder, and of programs that run stay, as does what cannot be removed.
+//! Removes the partial files that killed programs have left in a folder. Files that a program still writes stay, whatever
+//! machine or container it runs in, and so do all files where the file system has no locks.
 void remove_abandoned_files(const std::filesystem::path& folder);
 
 //! Whether a file's disk has next to nothing left, which libraries do not tell from other reasons why they cannot write.

@@ -2,15 +2,18 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "content/images/jpeg_end.h"
 #include "content/images/png_chunks.h"
 #include "content/images/shown_pixels.h"
+#include "content/images/tiff_strips.h"
 
 namespace ergodome {
 
@@ -81,6 +84,7 @@ class Input final : public ImageInput {
   }
 
   [[nodiscard]] bool is_open() const { return input_ != nullptr; }
+  [[nodiscard]] bool is_tiff() const { return std::string_view(input_->format_name()) == "tiff"; }
   [[nodiscard]] bool is_jpeg() const { return std::string_view(input_->format_name()) == "jpeg"; }
   [[nodiscard]] bool is_too_large() const { return !layout_.is_plain() && !layout_.is_bounded(); }
   [[nodiscard]] const ImageShape& shape() const override { return shape_; }
@@ -196,6 +200,23 @@ std::string bytes_of(const std::string& name, const ImageLibrary::Wishes& wishes
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::uintmax_t size_of(const std::string& name, const ImageLibrary::Wishes& wishes) {
+  std::error_code problem;
+  const std::uintmax_t size = wishes.bytes ? wishes.bytes->size() : std::filesystem::file_size(name, problem);
+  return problem ? 0 : size;
+}
+
+//! Returns that an image claims more pixels than a file of so many bytes can hold, empty where it may be so. A plain black
+//! image in the formats that pack best has some 10,000 pixels a byte.
+std::string problem_of_size(const ImageShape& shape, std::uintmax_t file_bytes) {
+  constexpr double most_pixels_a_byte = 100'000.0;
+  const double pixels = static_cast<double>(shape.width) * shape.height;
+  if (pixels <= most_pixels_a_byte * static_cast<double>(file_bytes)) {
+    return "";
+  }
+  return fmt::format("it claims {} x {} pixels in {} bytes", shape.width, shape.height, file_bytes);
+}
+
 }  // namespace
 
 std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibrary::Wishes& wishes,
@@ -215,6 +236,15 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
   }
   if (input->is_too_large()) {
     problem = "it shows more than 16384 x 8192 pixels, turned, or in another window than they fill";
+    return nullptr;
+  }
+  if (input->is_tiff()) {
+    problem = problem_of_tiff(name, wishes.bytes);
+  }
+  if (problem.empty()) {
+    problem = problem_of_size(input->shape(), size_of(name, wishes));
+  }
+  if (!problem.empty()) {
     return nullptr;
   }
   return input;

@@ -12,7 +12,8 @@ namespace {
 SurfaceVertex vertex_of(const Vector3<double>& position, const Vector3<double>& normal, double u, double v) {
   return {{static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)},
           {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)},
-          {static_cast<float>(u), static_cast<float>(v)}};
+          {static_cast<float>(u), static_cast<float>(v)},
+          {1.0F, 1.0F, 1.0F}};
 }
 
 //! Adds a grid of points, columns + 1 by rows + 1, with two triangles a cell; `point(u, v)` gives a vertex. Columns run counterclockwise
@@ -38,7 +39,10 @@ void add_grid(TriangleMesh& mesh, int columns, int rows, const Point& point) {
 //! Ends a part: all indices since the last one.
 void end_part(TriangleMesh& mesh, const std::array<float, 3>& color) {
   const std::uint32_t first = mesh.parts.empty() ? 0 : mesh.parts.back().first_index + mesh.parts.back().index_count;
-  mesh.parts.push_back({first, static_cast<std::uint32_t>(mesh.indices.size()) - first, color, {}, false});
+  MeshPart& part = mesh.parts.emplace_back();
+  part.first_index = first;
+  part.index_count = static_cast<std::uint32_t>(mesh.indices.size()) - first;
+  part.color = color;
 }
 
 Vector3<double> round_axis(double u) { return {std::cos(2.0 * pi * u), std::sin(2.0 * pi * u), 0.0}; }

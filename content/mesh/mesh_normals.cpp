@@ -27,7 +27,7 @@ Vector3<double> area_of(const TriangleMesh& mesh, std::size_t first) {
 
 }  // namespace
 
-void mend_normals(TriangleMesh& mesh) {
+void repair_normals(TriangleMesh& mesh) {
   std::vector<bool> wanting(mesh.vertices.size());
   bool any = false;
   for (std::size_t i = 0; i < wanting.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "content/mesh/named_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <string_view>
 
@@ -21,21 +23,66 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
+//! Finds an entry of a folder by its name in any case of its letters, as Windows does.
+std::filesystem::path entry_in_any_case(const std::filesystem::path& folder, const std::string& name) {
+  const auto lower = [](std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+  };
+  const std::string wanted = lower(name);
+  std::error_code problem;
+  std::filesystem::directory_iterator each(folder, problem);
+  for (; !problem && each != std::filesystem::directory_iterator(); each.increment(problem)) {
+    if (lower(each->path().filename().string()) == wanted) {
+      return each->path();
+    }
+  }
+  return {};
+}
+
 std::filesystem::path file_inside(const std::filesystem::path& folder, const std::string& name) {
+  // The system's own limit on paths.
+  constexpr std::size_t longest_name = 4096;
+  if (name.size() > longest_name) {
+    return {};
+  }
   const std::filesystem::path named = std::filesystem::path(name).lexically_normal();
   if (folder.empty() || named.is_absolute() || named.empty() || *named.begin() == "..") {
     return {};
   }
   std::error_code problem;
   const std::filesystem::path path = folder / named;
-  return std::filesystem::is_regular_file(path, problem) ? path : std::filesystem::path();
+  if (std::filesystem::is_regular_file(path, problem)) {
+    return path;
+  }
+  std::filesystem::path at = folder;
+  for (const std::filesystem::path& part : named) {
+    at = at.empty() ? at : entry_in_any_case(at, part.string());
+  }
+  return !at.empty() && std::filesystem::is_regular_file(at, problem) ? at : std::filesystem::path();
+}
+
+//! A name with the slashes of other systems; of a path that begins at a drive, a server or the root, the file's name alone.
+std::string name_beside_mesh(std::string name) {
+  std::ranges::replace(name, '\\', '/');
+  const bool drive = name.size() > 2 && std::isalpha(static_cast<unsigned char>(name[0])) != 0 && name[1] == ':';
+  return drive || name.starts_with('/') ? std::filesystem::path(name).filename().string() : name;
 }
 
 }  // namespace
 
 std::filesystem::path file_of_mesh(const std::filesystem::path& folder, const std::string& name) {
-  const std::filesystem::path as_written = file_inside(folder, name);
-  return as_written.empty() ? file_inside(folder, decoded(name)) : as_written;
+  for (const std::string& each : {name, decoded(name), name_beside_mesh(name)}) {
+    if (std::filesystem::path found = file_inside(folder, each); !found.empty()) {
+      return found;
+    }
+  }
+  return {};
+}
+
+bool leads_outside(const std::string& name) {
+  const std::filesystem::path named = std::filesystem::path(name_beside_mesh(name)).lexically_normal();
+  return !named.empty() && *named.begin() == "..";
 }
 
 }  // namespace ergodome

@@ -5,8 +5,11 @@
 
 namespace ergodome {
 
-//! The path of a file that a mesh in a folder names; empty where it is not there, or not in the folder or below. glTF names files by URIs: a name that is
-//! not there is tried as one, where "%20" stands for a blank.
+//! Returns the file in a mesh's folder, or below it, that a mesh names: as written, as a URI (RFC 3986, 2.1), with backslashes,
+//! or in another case of its letters; of an absolute path, the file of that name beside the mesh. Empty where there is none.
 std::filesystem::path file_of_mesh(const std::filesystem::path& folder, const std::string& name);
+
+//! Whether a name leads out of the mesh's folder, where nothing is read.
+bool leads_outside(const std::string& name);
 
 }  // namespace ergodome

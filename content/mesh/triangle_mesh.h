@@ -15,6 +15,7 @@ struct MeshImage {
   std::string name;                          //!< path of its file, or what messages call it; empty: there is none
   std::shared_ptr<const std::string> bytes;  //!< of one that is inside the mesh's own file, coded as its name ends
   std::string mesh;                          //!< path of the mesh that names a file of its own
+  bool of_gltf = false;                      //!< its colours are sRGB, whatever its file says of them (glTF 2.0, 3.8.3)
 
   [[nodiscard]] bool empty() const { return name.empty(); }
 };
@@ -25,6 +26,8 @@ struct MeshPart {
   std::uint32_t index_count = 0;
   std::array<float, 3> color = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies the image
   MeshImage image;
+  TextureWrap wrap_u = TextureWrap::repeat;
+  TextureWrap wrap_v = TextureWrap::repeat;
   bool transparent = false;  //!< its file says so; it is drawn opaque
 };
 

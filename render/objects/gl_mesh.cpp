@@ -23,6 +23,10 @@ bool shows_image_once(const TriangleMesh& mesh, const MeshPart& part) {
   });
 }
 
+GLint wrap_of(TextureWrap wrap) {
+  return wrap == TextureWrap::clamp ? GL_CLAMP_TO_EDGE : wrap == TextureWrap::mirror ? GL_MIRRORED_REPEAT : GL_REPEAT;
+}
+
 unsigned texture_of(const TriangleMesh& mesh, const MeshPart& part) {
   const OverlayImage image = read_mesh_image(part.image);
   GLuint texture = 0;
@@ -36,9 +40,9 @@ unsigned texture_of(const TriangleMesh& mesh, const MeshPart& part) {
   }
   glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  const GLint beyond = shows_image_once(mesh, part) ? GL_CLAMP_TO_EDGE : GL_REPEAT;
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, beyond);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, beyond);
+  const bool once = shows_image_once(mesh, part);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, once ? GL_CLAMP_TO_EDGE : wrap_of(part.wrap_u));
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, once ? GL_CLAMP_TO_EDGE : wrap_of(part.wrap_v));
   return texture;
 }
 
@@ -78,6 +82,7 @@ GlMesh::GlMesh(const TriangleMesh& mesh) : in_software_(draws_in_software()) {
   describe(vertex_array_, 0, 3, offsetof(SurfaceVertex, position));
   describe(vertex_array_, 1, 3, offsetof(SurfaceVertex, normal));
   describe(vertex_array_, 2, 2, offsetof(SurfaceVertex, texture));
+  describe(vertex_array_, 3, 3, offsetof(SurfaceVertex, color));
 }
 
 GlMesh::~GlMesh() {

@@ -12,16 +12,19 @@ const char* const vertex_main = R"(
 layout(location = 0) in vec3 position_in;
 layout(location = 1) in vec3 normal_in;
 layout(location = 2) in vec2 texture_in;
+layout(location = 3) in vec3 color_in;
 layout(location = 0) uniform mat3 model;
 layout(location = 1) uniform vec3 middle;
 layout(location = 2) uniform mat3 turn;
 out vec3 corner_place;
 out vec3 corner_normal;
 out vec2 corner_texture;
+out vec3 corner_color;
 void main() {
   corner_place = model * position_in + middle;
   corner_normal = turn * normal_in;
   corner_texture = texture_in;
+  corner_color = color_in;
 }
 )";
 
@@ -32,9 +35,11 @@ layout(location = 14) uniform vec4 tessellation;
 in vec3 corner_place[];
 in vec3 corner_normal[];
 in vec2 corner_texture[];
+in vec3 corner_color[];
 out vec3 patch_place[];
 out vec3 patch_normal[];
 out vec2 patch_texture[];
+out vec3 patch_color[];
 vec2 on_screen[6];
 bool is_seen[6];
 float level(int from, int to, int between) {
@@ -63,6 +68,7 @@ void main() {
   patch_place[gl_InvocationID] = corner_place[gl_InvocationID];
   patch_normal[gl_InvocationID] = corner_normal[gl_InvocationID];
   patch_texture[gl_InvocationID] = corner_texture[gl_InvocationID];
+  patch_color[gl_InvocationID] = corner_color[gl_InvocationID];
   if (gl_InvocationID == 0) {
     vec3 levels = vec3(1.0);
     if (tessellation.x > 1.0) {
@@ -85,9 +91,11 @@ layout(triangles, equal_spacing, ccw) in;
 in vec3 patch_place[];
 in vec3 patch_normal[];
 in vec2 patch_texture[];
+in vec3 patch_color[];
 out vec3 seen_place;
 out vec3 seen_normal;
 out vec2 seen_texture;
+out vec3 seen_color;
 out vec3 seen_direction;
 out vec3 seen_view;
 out vec3 flat_direction;
@@ -96,6 +104,7 @@ void main() {
   seen_place = share.x * patch_place[0] + share.y * patch_place[1] + share.z * patch_place[2];
   seen_normal = share.x * patch_normal[0] + share.y * patch_normal[1] + share.z * patch_normal[2];
   seen_texture = share.x * patch_texture[0] + share.y * patch_texture[1] + share.z * patch_texture[2];
+  seen_color = share.x * patch_color[0] + share.y * patch_color[1] + share.z * patch_color[2];
   float time;
   look(seen_place, seen_direction, seen_view, time);
   flat_direction = normalize(seen_place - vec3(table_range.z, 0.0, 0.0));
@@ -113,12 +122,14 @@ layout(location = 14) uniform vec4 tessellation;
 in vec3 seen_place[];
 in vec3 seen_normal[];
 in vec2 seen_texture[];
+in vec3 seen_color[];
 in vec3 seen_direction[];
 in vec3 seen_view[];
 in vec3 flat_direction[];
 out vec3 place;
 out vec3 normal;
 out vec2 texture_place;
+out vec3 corner_light;
 bool torn_by_hole() {
   float around = 0.0;
   float around_flat = 0.0;
@@ -140,6 +151,7 @@ void draw(float shift) {
     place = seen_place[i];
     normal = seen_normal[i];
     texture_place = seen_texture[i];
+    corner_light = seen_color[i];
     gl_Position = gl_in[i].gl_Position;
     float period = horizontal_period();
     if (period > 0.0) {
@@ -174,6 +186,7 @@ layout(binding = 2) uniform sampler2D image;
 in vec3 place;
 in vec3 normal;
 in vec2 texture_place;
+in vec3 corner_light;
 layout(location = 0) out vec4 shown;
 float lapse(float r) { return sqrt((r - 2.0) / r); }
 // Light that comes to a surface along the shorter (side 1) or the longer way (side -1): eqs. 20 and 21.
@@ -201,7 +214,7 @@ float illuminance(float side) {
   return light.w * max(0.0, dot(measured, to_light)) / (time * time);
 }
 void main() {
-  vec3 shine = color;
+  vec3 shine = color * corner_light;
   if (textured != 0) {
     shine *= texture(image, vec2(texture_place.x, 1.0 - texture_place.y)).rgb;
   }

@@ -40,7 +40,8 @@ SurfaceStore::Stored SurfaceStore::store(const TriangleMesh& mesh, Backend backe
   for (const MeshPart& part : mesh.parts) {
     const auto from = part_of.begin() + static_cast<long>(part.first_index / 3);
     std::fill_n(from, part.index_count / 3, static_cast<std::uint32_t>(parts.size()));
-    SurfacePart own = {{part.color[0], part.color[1], part.color[2]}, !part.image.empty(), {}};
+    SurfacePart own = {
+        {part.color[0], part.color[1], part.color[2]}, !part.image.empty(), part.wrap_u, part.wrap_v, {}};
     if (own.textured) {
       const OverlayImage image = read_mesh_image(part.image);
       stored.images.emplace_back(backend, image.texels, "meshes");

@@ -11,6 +11,7 @@
 #include "content/files/atomic_file.h"
 #include "content/images/image_library.h"
 #include "kernels/core/error.h"
+#include "render/output/file_checksum.h"
 #include "render/output/tone_map.h"
 
 namespace ergodome {
@@ -148,6 +149,41 @@ bool is_complete_part(ImageInput& input, int part, int width, int height) {
          input.read_through();
 }
 
+//! Whether a file that calls itself a PNG ends as one: what reads a cut one complains on the terminal.
+bool may_be_whole(const std::filesystem::path& path) {
+  constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
+  if (path.extension() != ".png") {
+    return true;
+  }
+  std::ifstream file(path, std::ios::binary);
+  char last[8] = {};
+  return file.seekg(-static_cast<std::streamoff>(sizeof last), std::ios::end) && file.read(last, sizeof last) &&
+         std::string_view(last, sizeof last) == end;
+}
+
+//! Whether a file is an image of this size and so many parts that can be read to its last pixel.
+bool is_whole(const std::filesystem::path& path, int width, int height, int parts) {
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(path, problem) || !may_be_whole(path)) {
+    return false;
+  }
+  std::string reason;
+  const auto input = image_library().open(path.string(), {}, reason);
+  if (!input) {
+    return false;
+  }
+  for (int part = 0; part < parts; ++part) {
+    if (!is_complete_part(*input, part, width, height)) {
+      static_cast<void>(input->error());  // takes the message away, so that nobody else finds it
+      return false;
+    }
+  }
+  return true;
+}
+
+//! Whether a file's format does not tell by itself that bytes of it were changed.
+bool needs_checksum(const std::filesystem::path& path) { return path.extension() != ".png"; }
+
 Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) {
   // The library tells every row that was refused in a line of its own, and of none why.
   const std::string told = output != nullptr ? output->error() : "";
@@ -173,8 +209,11 @@ void write_picture(const std::filesystem::path& path, const FrameFormat& format,
     const ImagePlan plan[] = {make_plan(format, picture, metadata)};
     const bool written = output && output->open(partial.string(), plan) && write_pixels(*output, format, picture);
     // Closing flushes, so it can fail too.
-    if (!written || !output->close() || !is_complete_image(partial, picture.width, picture.height)) {
+    if (!written || !output->close() || !is_whole(partial, picture.width, picture.height, 1)) {
       throw cannot_be_written(path, output.get());
+    }
+    if (needs_checksum(path)) {
+      append_checksum(partial);
     }
   });
 }
@@ -195,9 +234,10 @@ void write_views(const std::filesystem::path& path, const FrameFormat& format, c
       written =
           (i == 0 || output->open_next(partial.string(), plans[i])) && write_pixels(*output, format, *pictures[i]);
     }
-    if (!written || !output->close() || !is_complete_image(partial, left.width, left.height, 2)) {
+    if (!written || !output->close() || !is_whole(partial, left.width, left.height, 2)) {
       throw cannot_be_written(path, output.get());
     }
+    append_checksum(partial);
   });
 }
 
@@ -208,45 +248,14 @@ void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t
     const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
     // A full disk is told by nothing.
-    if (!written || !is_complete_image(partial, width, height)) {
+    if (!written || !is_whole(partial, width, height, 1)) {
       throw cannot_be_written(path, output.get());
     }
   });
 }
 
-namespace {
-
-//! Whether a file that calls itself a PNG ends as one: what reads a cut one complains on the terminal.
-bool may_be_whole(const std::filesystem::path& path) {
-  constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
-  if (path.extension() != ".png") {
-    return true;
-  }
-  std::ifstream file(path, std::ios::binary);
-  char last[8] = {};
-  return file.seekg(-static_cast<std::streamoff>(sizeof last), std::ios::end) && file.read(last, sizeof last) &&
-         std::string_view(last, sizeof last) == end;
-}
-
-}  // namespace
-
 bool is_complete_image(const std::filesystem::path& path, int width, int height, int parts) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem) || !may_be_whole(path)) {
-    return false;
-  }
-  std::string reason;
-  const auto input = image_library().open(path.string(), {}, reason);
-  if (!input) {
-    return false;
-  }
-  for (int part = 0; part < parts; ++part) {
-    if (!is_complete_part(*input, part, width, height)) {
-      static_cast<void>(input->error());  // takes the message away, so that nobody else finds it
-      return false;
-    }
-  }
-  return true;
+  return is_whole(path, width, height, parts) && (!needs_checksum(path) || has_right_checksum(path));
 }
 
 std::string fact_of_image(const std::filesystem::path& path, const std::string& name) {

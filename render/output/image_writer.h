@@ -29,7 +29,7 @@ void write_views(const std::filesystem::path& path, const FrameFormat& format, c
 void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height,
                const FrameMetadata& metadata = {});
 
-//! Whether a file is an image of this size, of this many parts, that can be read to its last pixel.
+//! Whether a file is an image of this size, of this many parts, with all bytes as they were written here.
 bool is_complete_image(const std::filesystem::path& path, int width, int height, int parts = 1);
 
 //! What a file that was written here carries under a name; empty where it has no such fact, or is no image.

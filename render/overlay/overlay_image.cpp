@@ -22,9 +22,8 @@ std::uint16_t whole_number(float value) {
 
 int level_size(int size, int level) { return std::max(size >> level, 1); }
 
-//! An image with room for all levels.
-OverlayImage empty_image(int width, int height) {
-  OverlayImage image;
+//! Gives an image its size and the places of its levels. Returns how many numbers their texels have.
+std::size_t lay_out(OverlayImage& image, int width, int height) {
   image.width = width;
   image.height = height;
   long texels = 0;
@@ -33,7 +32,13 @@ OverlayImage empty_image(int width, int height) {
     texels += static_cast<long>(level_size(width, image.level_count)) * level_size(height, image.level_count);
     ++image.level_count;
   } while (level_size(width, image.level_count - 1) > 1 || level_size(height, image.level_count - 1) > 1);
-  image.texels.resize(4 * static_cast<std::size_t>(texels));
+  return 4 * static_cast<std::size_t>(texels);
+}
+
+//! An image with room for all levels.
+OverlayImage empty_image(int width, int height) {
+  OverlayImage image;
+  image.texels.resize(lay_out(image, width, height));
   return image;
 }
 
@@ -142,7 +147,10 @@ std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path, co
 OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path& path) {
   const ImageShape shape = input.shape();
   const LightCoding coding = coding_of(shape);
-  OverlayImage image = empty_image(shape.width, shape.height);
+  OverlayImage image;
+  const std::size_t texels = lay_out(image, shape.width, shape.height);
+  // Room alone at first: a file that breaks off shall not take the memory of what it claims.
+  image.texels.reserve(texels);
   const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);
   // Rows are read some at a time; files in tiles, which are rare, at once.
@@ -155,11 +163,14 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
     if (!read) {
       throw Error(path.string(), "cannot be read: " + input.error(), "the file seems torn; save it again");
     }
-    std::uint16_t* to = image.texels.data() + 4 * width * static_cast<std::size_t>(row);
+    const std::size_t begin = 4 * width * static_cast<std::size_t>(row);
+    image.texels.resize(std::max(image.texels.size(), begin + 4 * width * static_cast<std::size_t>(count)));
+    std::uint16_t* to = image.texels.data() + begin;
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {
       put_pixel(coding, rows.data() + channels * i, to + 4 * i);
     }
   }
+  image.texels.resize(texels);
   make_levels(image);
   return image;
 }

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <span>
 
+#include "content/files/console.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -31,8 +32,8 @@ GLFWwindow* whole_screen(const ProjectorSetup& projector, const std::string& tit
   GLFWmonitor* const monitor = monitors()[static_cast<std::size_t>(*projector.output.monitor)];
   const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
   if (mode->width != projector.width_px || mode->height != projector.height_px) {
-    fmt::print(stderr, "ergodome: projector {} has {} x {} pixels, its monitor {} x {}: the picture is scaled\n",
-               projector.name, projector.width_px, projector.height_px, mode->width, mode->height);
+    print_note("projector {} has {} x {} pixels, its monitor {} x {}: the picture is scaled", projector.name,
+               projector.width_px, projector.height_px, mode->width, mode->height);
   }
   glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
   // A click beside it does not take the picture off the dome.

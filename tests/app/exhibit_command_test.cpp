@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <sstream>
 #include <thread>
 
@@ -110,6 +115,70 @@ TEST_F(ExhibitInAWindow, LogsThatTheVisitorsShowBreaksWhileTheAttractShowRuns) {
   });
   ASSERT_EQ(exhibit("--for 4"), 0) << output_;
   EXPECT_THAT(log(), HasSubstr("visitor.toml:2"));
+}
+
+//! The process of an exhibit with this command line that shows pictures: the one whose parent has the same command line.
+pid_t showing_process(const std::string& command_line) {
+  const auto line_of = [](const std::string& process) {
+    std::ifstream file("/proc/" + process + "/cmdline");
+    std::string line{std::istreambuf_iterator<char>(file), {}};
+    std::ranges::replace(line, '\0', ' ');
+    return line;
+  };
+  for (const auto& each : std::filesystem::directory_iterator("/proc")) {
+    const std::string process = each.path().filename().string();
+    std::ifstream stat(each.path() / "stat");
+    std::string skipped;
+    std::string parent;
+    stat >> skipped >> skipped >> skipped >> parent;
+    if (line_of(process).find(command_line) != std::string::npos && line_of(parent) == line_of(process)) {
+      return std::stoi(process);
+    }
+  }
+  return -1;
+}
+
+TEST_F(ExhibitInAWindow, IsStartedAgainAfterACrash) {
+  const std::string begins = "an exhibit begins";
+  const auto logged_begins = [&] {
+    const std::string text = log();
+    int count = 0;
+    for (std::size_t at = text.find(begins); at != std::string::npos; at = text.find(begins, at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  const std::string screenshot = (folder_ / "of_this_test.png").string();
+  std::jthread crash([&](const std::stop_token& over) {
+    const auto wait = [&](const std::function<bool()>& until) {
+      while (!over.stop_requested() && !until()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    };
+    wait([&] { return logged_begins() > 0; });
+    // One that crashes at its start is not started again.
+    std::this_thread::sleep_for(std::chrono::seconds(6));
+    ::kill(showing_process(screenshot), SIGKILL);
+    wait([&] { return logged_begins() > 1; });
+    ::kill(showing_process(screenshot), SIGTERM);
+  });
+  EXPECT_EQ(exhibit("--for 60 --screenshot '" + screenshot + "'"), 0) << output_;
+  EXPECT_EQ(logged_begins(), 2);
+  EXPECT_THAT(output_, HasSubstr("the exhibit crashed (Killed) and is started again"));
+}
+
+TEST_F(ExhibitInAWindow, StartsWhateverIsDamagedInItsFolders) {
+  std::filesystem::create_directories(folder_ / "state" / "ergodome" / "settings.toml.bad" / "a folder");
+  std::filesystem::create_directories(folder_ / "ergodome");
+  std::string deep = "a";
+  for (int i = 0; i < 30'000; ++i) {
+    deep += ".a";
+  }
+  for (const char* const name : {"state/ergodome/settings.toml", "ergodome/controls.toml", "ergodome/pads.toml"}) {
+    write(name, deep + " = 1\n");
+  }
+  ::mkfifo((folder_ / "state" / "ergodome" / "ergodome.log").c_str(), 0600);
+  EXPECT_EQ(exhibit("--for 0.2"), 0) << output_;
 }
 
 TEST_F(CommandLine, AnExhibitThatCannotBeginSaysSoInItsLog) {

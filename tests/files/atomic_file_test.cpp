@@ -100,9 +100,8 @@ TEST_F(AtomicFile, WhatAKilledProgramLeftIsRemovedAndNothingElse) {
   }
   ::waitpid(killed, nullptr, 0);
   EXPECT_EQ(files(), 1);
-  const std::string gone = std::to_string(killed);
-  std::ofstream(folder_ / (".partial-" + gone + "@another machine-film.mp4")) << "of a shared folder";
-  std::ofstream(folder_ / ("film-" + gone)) << "another file";
+  std::ofstream(folder_ / ".partial-film.mp4") << "another program's file";
+  std::ofstream(folder_ / "film-0123456789abcdef") << "another file";
   write_atomically(folder_ / "own.mp4", [this](const fs::path& partial) {
     std::ofstream(partial) << "whole";
     remove_abandoned_files(folder_);

@@ -109,18 +109,6 @@ TEST_F(FramePlans, HoldForEveryLens) {
   }
 }
 
-//! Animates a number of the whole scene from nothing at 0 s to a value at 1 s.
-Show animated(Show show, const char* path, double value) {
-  for (const Effect& effect : effects()) {
-    if (std::string_view(effect.name) != "gather") {
-      effect.add(show);
-    }
-  }
-  show.lines[std::string("animate.") + path] = 99;
-  show.timeline.animations.push_back({path, {{0.0, find_animatable(path)->limits.least}, {1.0, value}}});
-  return show;
-}
-
 TEST_F(FramePlans, HoldForEffectsThatComeAndGo) {
   int effect = 0;
   for (const auto& [path, value] : std::map<const char*, double>{{"effects.bloom.strength", 0.2},

@@ -7,9 +7,11 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "content/animatable_number.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/image_writer.h"
@@ -83,6 +85,18 @@ inline const std::vector<Effect>& effects() {
       {"automatic exposure", [](Show& show) { show.tone.automatic = AutoExposureSettings{}; }},
   };
   return all;
+}
+
+//! Animates a number of the whole scene from nothing at 0 s to a value at 1 s.
+inline Show animated(Show show, const char* path, double value) {
+  for (const Effect& effect : effects()) {
+    if (std::string_view(effect.name) != "gather") {
+      effect.add(show);
+    }
+  }
+  show.lines[std::string("animate.") + path] = 99;
+  show.timeline.animations.push_back({path, {{0.0, find_animatable(path)->limits.least}, {1.0, value}}});
+  return show;
 }
 
 class FramePlans : public FolderTest {

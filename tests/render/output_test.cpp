@@ -92,6 +92,28 @@ TEST_F(Output, CompleteImagesAreToldFromTornOnes) {
   EXPECT_FALSE(is_complete_image(folder_ / "absent.png", 64, 32));
 }
 
+TEST_F(Output, AFrameWithAnyByteChangedIsNotComplete) {
+  for (const FrameFormat& format :
+       {FrameFormat{ImageFormat::png}, FrameFormat{ImageFormat::png16}, FrameFormat{ImageFormat::tiff},
+        FrameFormat{ImageFormat::exr, ExrCompression::zip}, FrameFormat{ImageFormat::exr, ExrCompression::none},
+        FrameFormat{ImageFormat::exr, ExrCompression::dwaa}}) {
+    const fs::path path = folder_ / ("a." + file_ending(format.image));
+    write_picture(path, format, ramp(), {{"request", "0123456789abcdef"}});
+    ASSERT_TRUE(is_complete_image(path, 64, 32)) << path;
+    const std::string whole = text(path.filename().string());
+    // Of a PNG, bytes of texts may change: they are no pixels.
+    const std::size_t begin =
+        format.image == ImageFormat::png || format.image == ImageFormat::png16 ? whole.find("IDAT") + 4 : 0;
+    for (std::size_t at = begin; at + 16 < whole.size(); at += 1 + whole.size() / 60) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+      std::ofstream(path, std::ios::binary) << damaged;
+      EXPECT_FALSE(is_complete_image(path, 64, 32)) << path << " byte " << at;
+    }
+    fs::remove(path);
+  }
+}
+
 TEST_F(Output, FullDiskIsOneErrorAndLeavesEarlierFramesAlone) {
   write_picture(folder_ / "first.exr", {ImageFormat::exr}, ramp(), {});
   std::signal(SIGXFSZ, SIG_IGN);

@@ -323,10 +323,13 @@ TEST_F(Osc, ANumberIsForOneAddressAndForAMinute) {
 
 TEST_F(Osc, ToStrangersNoAnswerIsLongerThanTheirPacket) {
   sender_ = *NetAddress::parse("192.0.2.7", 5000);
-  std::vector<std::vector<std::byte>> packets = {
-      {std::byte{'?'}}, packet_of("/ergodome/ping", ""), packet_of("/ergodome/subscribe", ""),
-      packet_of("/ergodome/subscribe", "i", 9001), packet_of("/ergodome/pley", ""),
-      packet_of("/ergodome/nonce", "i", 7), packet_of("/ergodome/chapter", "s", std::string(300, 'x').c_str())};
+  std::vector<std::vector<std::byte>> packets = {{std::byte{'?'}},
+                                                 packet_of("/ergodome/ping", ""),
+                                                 packet_of("/ergodome/subscribe", ""),
+                                                 packet_of("/ergodome/subscribe", "i", 9001),
+                                                 packet_of("/ergodome/pley", ""),
+                                                 packet_of("/ergodome/nonce", "i", 7),
+                                                 packet_of("/ergodome/chapter", "s", std::string(300, 'x').c_str())};
   std::vector<std::vector<std::byte>> several(60, packet_of("/ergodome/subscribe", ""));
   packets.push_back(bundle_of(osc_at_once, several));
   std::size_t answered = 0;

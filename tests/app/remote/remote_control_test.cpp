@@ -92,7 +92,8 @@ TEST_F(RemoteControlTest, ChecksSubscribersOfTheCommandLine) {
   };
   EXPECT_EQ(refusal(with("192.0.2.7:9001", "0.0.0.0")), "");
   EXPECT_EQ(refusal(with("127.0.0.1:9001", "127.0.0.1")), "");
-  for (const char* const wrong : {"192.0.2.7", "192.0.2.7:", "192.0.2.7:0", "host:9001", "fd00::7:9001", "192.0.2.7:9001x"}) {
+  for (const char* const wrong :
+       {"192.0.2.7", "192.0.2.7:", "192.0.2.7:0", "host:9001", "fd00::7:9001", "192.0.2.7:9001x"}) {
     EXPECT_THAT(refusal(with(wrong, "0.0.0.0")), HasSubstr("not an address with a port")) << wrong;
   }
   EXPECT_THAT(refusal(with("192.0.2.7:9001", "127.0.0.1")), HasSubstr("cannot be reached"));

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace ergodome {
+
+//! Returns what is wrong with the strips or tiles of a TIFF file, or of bytes that stand for it: they lie beyond the end, or
+//! hold fewer bytes than their pixels need. OpenImageIO reads such pixels as black. Empty where nothing is wrong.
+std::string problem_of_tiff(const std::string& name, const std::optional<std::span<const std::byte>>& bytes);
+
+}  // namespace ergodome

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "content/mesh/triangle_mesh.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+//! Puts a mesh together from triangles in any order of their materials: each material becomes one part.
+class MeshBuilder {
+ public:
+  //! `place` is how messages call the mesh.
+  explicit MeshBuilder(std::string place) : place_(std::move(place)) {}
+
+  [[nodiscard]] const std::string& place() const { return place_; }
+
+  //! Throws Error where so many more triangles and vertices exceed the limits. Call it before adding them.
+  void reserve(std::size_t triangles, std::size_t vertices);
+
+  std::uint32_t add_vertex(const SurfaceVertex& vertex);
+  void add_triangle(int material, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+  //! Adds a sentence about what is not drawn as the file's author may expect, once.
+  void remark(const std::string& sentence);
+
+  //! Returns the mesh; `look(material)` gives the part of a material without its triangles.
+  template <class Look>
+  TriangleMesh take(const Look& look) {
+    for (const auto& [material, indices] : indices_) {
+      MeshPart part = look(material);
+      part.first_index = static_cast<std::uint32_t>(mesh_.indices.size());
+      part.index_count = static_cast<std::uint32_t>(indices.size());
+      mesh_.indices.insert(mesh_.indices.end(), indices.begin(), indices.end());
+      mesh_.parts.push_back(std::move(part));
+    }
+    return std::move(mesh_);
+  }
+
+  [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
+    return {place_, problem, remedy};
+  }
+
+ private:
+  std::string place_;
+  TriangleMesh mesh_;
+  std::map<int, std::vector<std::uint32_t>> indices_;
+  std::size_t triangles_ = 0;
+};
+
+//! Returns the picture of a name in a mesh's file. Throws Error where it leads outside the folder, or is not there.
+MeshImage image_beside_mesh(const std::string& name, const std::string& place, const std::filesystem::path& folder);
+
+//! What is wrong where a mesh names a file that is not in its folder.
+Error missing_file(const std::string& place, const std::string& name);
+
+}  // namespace ergodome

@@ -1,0 +1,294 @@
+#include "content/mesh/gltf_reader.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "content/mesh/mesh_reader.h"
+#include "tests/support/errors.h"
+
+// Files as other programs write them. Right values are those of the glTF 2.0 specification.
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_of;
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::FloatNear;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path meshes = fs::path(ERGODOME_TEST_DATA_DIR) / "foreign" / "meshes";
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      word = word << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : digits[word >> (18U - 6U * k) & 63U];
+    }
+  }
+  return text;
+}
+
+//! A glTF file that a test puts together.
+class GltfText {
+ public:
+  //! Adds an accessor of numbers; returns its number.
+  template <class Number>
+  int add(const std::vector<Number>& numbers, int component_type, const char* type, int components,
+          const std::string& more = "") {
+    const std::string bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+    views_ += fmt::format("{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}", accessors_ > 0 ? "," : "",
+                          buffer_.size(), bytes.size());
+    texts_ +=
+        fmt::format("{}{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"{}}}",
+                    accessors_ > 0 ? "," : "", accessors_, component_type, numbers.size() / components, type, more);
+    buffer_ += bytes;
+    buffer_.resize((buffer_.size() + 3) / 4 * 4);
+    return accessors_++;
+  }
+  int add_floats(const std::vector<float>& numbers, const char* type, int components, const std::string& more = "") {
+    return add(numbers, 5126, type, components, more);
+  }
+
+  //! The file with a primitive, nodes ("[{...}]") and further members (",\"materials\":[...]").
+  [[nodiscard]] std::string text(const std::string& primitive, const std::string& nodes = R"([{"mesh":0}])",
+                                 const std::string& more = "") const {
+    return fmt::format(
+        R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":{},"meshes":[{{"primitives":[{}]}}],
+            "buffers":[{{"uri":"data:application/octet-stream;base64,{}","byteLength":{}}}],
+            "bufferViews":[{}],"accessors":[{}]{}}})",
+        nodes, primitive, base64(buffer_), buffer_.size(), views_, texts_, more);
+  }
+
+ private:
+  std::string buffer_;
+  std::string views_;
+  std::string texts_;
+  int accessors_ = 0;
+};
+
+TriangleMesh parsed(const std::string& text) { return parse_mesh(text, MeshFormat::gltf, "a.gltf"); }
+
+const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+//! A triangle in the plane z = 0.
+std::string one_triangle(const std::string& nodes = R"([{"mesh":0}])", const std::string& more = "") {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3);
+  return file.text(R"({"attributes":{"POSITION":0}})", nodes, more);
+}
+
+TEST(GltfReader, NormalizedIntegersAreFractions) {
+  const TriangleMesh mesh = read_mesh(meshes / "integer_uv.gltf");
+  for (const SurfaceVertex& vertex : mesh.vertices) {
+    for (const float at : vertex.texture) {
+      EXPECT_TRUE(at == 0.0F || at == 1.0F) << at;
+    }
+  }
+}
+
+TEST(GltfReader, QuantizedPositionsAndNormalsAreWhatTheyStandFor) {
+  GltfText file;
+  file.add(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 0, -32767, 0}, 5122, "VEC3", 3, R"(,"normalized":true)");
+  file.add(std::vector<std::int8_t>{0, 0, -127, 0, 0, -127, 0, 0, -127}, 5120, "VEC3", 3, R"(,"normalized":true)");
+  file.add(std::vector<std::uint8_t>{0, 1, 2}, 5121, "SCALAR", 1);
+  const TriangleMesh mesh =
+      parsed(file.text(R"({"attributes":{"POSITION":0,"NORMAL":1},"indices":2})", R"([{"mesh":0,"scale":[2,2,2]}])",
+                       R"(,"extensionsRequired":["KHR_mesh_quantization"])"));
+  EXPECT_THAT(mesh.vertices.at(1).position, ElementsAre(2.0F, 0.0F, 0.0F));
+  EXPECT_THAT(mesh.vertices.at(2).position, ElementsAre(0.0F, -2.0F, 0.0F));
+  EXPECT_THAT(mesh.vertices.at(0).normal, ElementsAre(0.0F, 0.0F, -1.0F));
+}
+
+TEST(GltfReader, RefusesExtensionsThatAreRequiredAndNotRead) {
+  EXPECT_THAT(error_of([] { read_mesh(meshes / "requires_instancing.gltf"); }), HasSubstr("EXT_mesh_gpu_instancing"));
+  EXPECT_THAT(error_of([] { read_mesh(meshes / "requires_unknown.gltf"); }), HasSubstr("requires the glTF extension"));
+  for (const char* const name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"}) {
+    const std::string more = fmt::format(",\"extensionsRequired\":[\"{}\"]", name);
+    EXPECT_THAT(error_of([&] { parsed(one_triangle(R"([{"mesh":0}])", more)); }), HasSubstr(name));
+  }
+  EXPECT_EQ(parsed(one_triangle(R"([{"mesh":0}])", R"(,"extensionsUsed":["VENDOR_own"])")).triangle_count(), 1);
+}
+
+TEST(GltfReader, TakesTheTextureCoordinatesThatTheMaterialNames) {
+  const TriangleMesh mesh = read_mesh(meshes / "texcoord_1.gltf");
+  EXPECT_TRUE(std::ranges::any_of(mesh.vertices, [](const SurfaceVertex& v) { return v.texture[0] > 0.9F; }));
+  EXPECT_THAT(mesh.remarks, IsEmpty());
+}
+
+TEST(GltfReader, SamplersSayHowAPictureGoesOn) {
+  const TriangleMesh mesh = read_mesh(meshes / "clamp_to_edge.gltf");
+  EXPECT_EQ(mesh.parts.at(0).wrap_u, TextureWrap::clamp);
+  EXPECT_EQ(mesh.parts.at(0).wrap_v, TextureWrap::clamp);
+}
+
+TEST(GltfReader, ColoursOfVerticesAreLinear) {
+  const TriangleMesh mesh = read_mesh(meshes / "vertex_colors.gltf");
+  EXPECT_THAT(mesh.vertices.at(0).color,
+              ElementsAreArray({FloatNear(0.7F, 1e-6F), FloatNear(0.0F, 1e-6F), FloatNear(0.0F, 1e-6F)}));
+}
+
+TEST(GltfReader, TransformsOfTexturesTurnThemCounterclockwise) {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3);
+  file.add_floats({0, 0, 1, 0, 0, 1}, "VEC2", 2);
+  const TriangleMesh mesh = parsed(
+      file.text(R"({"attributes":{"POSITION":0,"TEXCOORD_3":1},"material":0})", R"([{"mesh":0}])",
+                fmt::format(R"(,"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0,"extensions":{{
+          "KHR_texture_transform":{{"offset":[0.5,0.25],"rotation":{},"scale":[2,3],"texCoord":3}}}}}}}}}}],
+          "textures":[{{"source":0}}],"images":[{{"uri":"data:image/png;base64,aGVsbG8="}}],
+          "extensionsUsed":["KHR_texture_transform"],"extensionsRequired":["KHR_texture_transform"])",
+                            M_PI / 2.0)));
+  // u' = 3 v sin + 0.5, v' = -2 u sin + 0.25; ours counts v upwards.
+  const auto near = [](float u, float v) { return ElementsAre(FloatNear(u, 1e-6F), FloatNear(1.0F - v, 1e-6F)); };
+  EXPECT_THAT(mesh.vertices.at(0).texture, near(0.5F, 0.25F));
+  EXPECT_THAT(mesh.vertices.at(1).texture, near(0.5F, -1.75F));
+  EXPECT_THAT(mesh.vertices.at(2).texture, near(3.5F, 0.25F));
+}
+
+TEST(GltfReader, FacesWithoutNormalsAreFlat) {
+  GltfText file;
+  file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3", 3);
+  file.add(std::vector<std::uint16_t>{0, 1, 2, 0, 3, 1}, 5123, "SCALAR", 1);
+  const TriangleMesh mesh = parsed(file.text(R"({"attributes":{"POSITION":0},"indices":1})"));
+  EXPECT_THAT(mesh.vertices.at(mesh.indices.at(0)).normal, ElementsAre(0.0F, 0.0F, 1.0F));
+  EXPECT_THAT(mesh.vertices.at(mesh.indices.at(3)).normal, ElementsAre(0.0F, 1.0F, 0.0F));
+}
+
+TEST(GltfReader, MirroredNodesKeepTheirOutside) {
+  const TriangleMesh mesh = parsed(one_triangle(R"([{"mesh":0,"scale":[-1,1,1]}])"));
+  EXPECT_THAT(mesh.vertices.at(mesh.indices.at(0)).normal, ElementsAre(0.0F, 0.0F, 1.0F));
+}
+
+TEST(GltfReader, StripsAndFansAreTriangles) {
+  GltfText file;
+  file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, "VEC3", 3);
+  for (const int mode : {5, 6}) {
+    const TriangleMesh mesh = parsed(file.text(fmt::format(R"({{"attributes":{{"POSITION":0}},"mode":{}}})", mode)));
+    EXPECT_EQ(mesh.triangle_count(), 2) << mode;
+    EXPECT_THAT(mesh.vertices.at(mesh.indices.at(0)).normal, ElementsAre(0.0F, 0.0F, 1.0F)) << mode;
+  }
+  const TriangleMesh strip = parsed(file.text(R"({"attributes":{"POSITION":0},"mode":5})"));
+  EXPECT_THAT(strip.vertices.at(strip.indices.at(3)).normal, ElementsAre(0.0F, 0.0F, 1.0F))
+      << "each second one is turned";
+  EXPECT_THAT(error_of([&] { parsed(file.text(R"({"attributes":{"POSITION":0},"mode":1})")); }),
+              HasSubstr("has no triangles"));
+}
+
+TEST(GltfReader, SparseAccessorsReplaceEntries) {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3, R"(,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},
+                                          "values":{"bufferView":2}})");
+  file.add(std::vector<std::uint8_t>{2}, 5121, "SCALAR", 1);
+  file.add_floats({0, 5, 0}, "VEC3", 3);
+  EXPECT_THAT(parsed(file.text(R"({"attributes":{"POSITION":0}})")).vertices.at(2).position,
+              ElementsAre(0.0F, 5.0F, 0.0F));
+}
+
+TEST(GltfReader, SkinsStandInThePoseOfTheirJoints) {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3);
+  file.add(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 4);
+  file.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4", 4);
+  // The inverse of a joint at (1, 0, 0) for the second one.
+  file.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1},
+                  "MAT4", 16);
+  const TriangleMesh mesh =
+      parsed(file.text(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})",
+                       R"([{"children":[1,2,3]},{"mesh":0,"skin":0,"translation":[9,9,9]},{},{"translation":[1,0,4]}])",
+                       R"(,"skins":[{"joints":[2,3],"inverseBindMatrices":3}])"));
+  EXPECT_THAT(mesh.vertices.at(0).position, ElementsAre(0.0F, 0.0F, 0.0F)) << "the node itself moves nothing";
+  EXPECT_THAT(mesh.vertices.at(1).position, ElementsAre(1.0F, 0.0F, 4.0F));
+  EXPECT_THAT(mesh.vertices.at(2).position, ElementsAre(0.0F, 1.0F, 2.0F));
+}
+
+TEST(GltfReader, MorphTargetsWeighAsTheFileBegins) {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3);
+  file.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+  const std::string primitive = R"({"attributes":{"POSITION":0},"targets":[{"POSITION":1}]})";
+  const std::string text = file.text(primitive);
+  const auto lifted = [](const std::string& of) { return parsed(of).vertices.at(0).position[2]; };
+  EXPECT_EQ(lifted(text), 0.0F);
+  EXPECT_EQ(lifted(file.text(primitive, R"([{"mesh":0,"weights":[0.5]}])")), 0.5F);
+  std::string of_mesh = text;
+  of_mesh.replace(of_mesh.find(R"("primitives")"), 12, R"("weights":[0.25],"primitives")");
+  EXPECT_EQ(lifted(of_mesh), 0.25F);
+}
+
+TEST(GltfReader, WhatOnlyGlowsIsDrawnAsItsGlow) {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3);
+  const auto with = [&](const char* material) {
+    return parsed(file.text(R"({"attributes":{"POSITION":0},"material":0})", R"([{"mesh":0}])",
+                            fmt::format(",\"materials\":[{}]", material)));
+  };
+  EXPECT_THAT(
+      with(R"({"emissiveFactor":[1,0.5,0],"pbrMetallicRoughness":{"baseColorFactor":[0,0,0,1]}})").parts.at(0).color,
+      ElementsAre(1.0F, 0.5F, 0.0F));
+  EXPECT_THAT(with(R"({"emissiveFactor":[1,0.5,0]})").remarks, ElementsAre(HasSubstr("glow")));
+  EXPECT_THAT(with(R"({"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}})").remarks,
+              ElementsAre(HasSubstr("let light through")));
+}
+
+TEST(GltfReader, ANodeHasOneParent) {
+  EXPECT_THAT(error_of([] { read_mesh(fs::path(ERGODOME_TEST_DATA_DIR) / "foreign" / "damaged" / "fan.gltf"); }),
+              HasSubstr("more than once in its tree"));
+  for (const char* const nodes : {R"([{"children":[1],"mesh":0},{"children":[0]}])", R"([{"mesh":0,"children":[0]}])",
+                                  R"([{"children":[1,1]},{"mesh":0}])"}) {
+    EXPECT_THAT(error_of([&] { parsed(one_triangle(nodes)); }), HasSubstr("more than once in its tree")) << nodes;
+  }
+}
+
+TEST(GltfReader, LongChainsOfNodesArePlacedLikeShortOnes) {
+  std::string nodes = "[";
+  constexpr int length = 10'000;
+  for (int i = 0; i + 1 < length; ++i) {
+    nodes += fmt::format(R"({{"translation":[0,0,1],"children":[{}]}},)", i + 1);
+  }
+  EXPECT_EQ(parsed(one_triangle(nodes + R"({"mesh":0}])")).vertices.at(0).position[2], length - 1.0F);
+}
+
+TEST(GltfReader, RefusesJsonThatIsTooDeepOrTooMuch) {
+  const auto nested = [](int depth) {
+    return one_triangle(R"([{"mesh":0}])", ",\"extras\":" + std::string(static_cast<std::size_t>(depth), '[') +
+                                               std::string(static_cast<std::size_t>(depth), ']'));
+  };
+  EXPECT_EQ(parsed(nested(50)).triangle_count(), 1);
+  EXPECT_THAT(error_of([&] { parsed(nested(174'000)); }), HasSubstr("deeper than 64 levels"));
+  std::string many = "[{\"mesh\":0}";
+  for (int i = 0; i < 300'000; ++i) {
+    many += ",{}";
+  }
+  EXPECT_THAT(error_of([&] { parsed(one_triangle(many + "]")); }), HasSubstr("more than 200000 objects"));
+}
+
+TEST(GltfReader, RefusesWhatIsNotInItsBuffers) {
+  const std::string text = one_triangle();
+  const auto with = [&](const std::string& part, const std::string& other) {
+    std::string changed = text;
+    changed.replace(changed.find(part), part.size(), other);
+    return error_of([&] { parsed(changed); });
+  };
+  EXPECT_THAT(with("\"count\":3", "\"count\":4"), HasSubstr("not in its buffer"));
+  EXPECT_THAT(with("\"count\":3", "\"count\":3000000000"), HasSubstr("not in its buffer"));
+  EXPECT_THAT(with("\"bufferView\":0", "\"bufferView\":7"), HasSubstr("buffer view 7, which is not there"));
+  EXPECT_THAT(with("\"bufferView\":0,", ""), HasSubstr("without a buffer"));
+  EXPECT_THAT(with("\"byteLength\":36}]", "\"byteLength\":6000000000}]"), HasSubstr("a.gltf"));
+  EXPECT_THAT(with("\"mesh\":0", "\"mesh\":9"), HasSubstr("mesh 9, which is not there"));
+  EXPECT_THAT(with("\"version\":\"2.0\"", "\"version\":\"1.0\""), HasSubstr("is glTF 1.0"));
+}
+
+}  // namespace
+}  // namespace ergodome
