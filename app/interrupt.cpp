@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "content/files/reading_stop.h"
+
 namespace ergodome {
 
 namespace {
@@ -10,6 +12,7 @@ volatile std::sig_atomic_t stop_wanted = 0;
 
 void note_signal(int signal) {
   stop_wanted = 1;
+  stop_reading();
   std::signal(signal, SIG_DFL);
 }
 
@@ -21,7 +24,10 @@ void catch_interrupts() {
 }
 
 void stop_on_hangup() {
-  std::signal(SIGHUP, [](int /*signal*/) { stop_wanted = 1; });
+  std::signal(SIGHUP, [](int /*signal*/) {
+    stop_wanted = 1;
+    stop_reading();
+  });
 }
 
 void fail_at_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "content/files/reading_stop.h"
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
 #include "kernels/core/error.h"
@@ -72,6 +73,7 @@ class MapReader {
     std::vector<float> rows(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(read_channels_) *
                             rows_at_once);
     for (int begin = 0; begin < shape.height; begin += rows_at_once) {
+      require_reading_goes_on(name_);
       const int end = std::min(begin + rows_at_once, shape.height);
       if (!read_rows(shape, begin, end, rows)) {
         throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.error()),

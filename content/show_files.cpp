@@ -17,6 +17,14 @@ Error named_by(const Show& show, const std::string& key, const Error& error) {
   return {error.place(), fmt::format("{} ({})", error.problem(), place), error.remedy()};
 }
 
+void require_no_pipe(const std::filesystem::path& path) {
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(path, problem);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw Error(path.string(), "is not a file that can be read", "give a file");
+  }
+}
+
 std::vector<NamedFile> files_of_pictures(const Show& show) {
   std::vector<NamedFile> files;
   const auto add = [&](const std::string& key, const std::string& name) {

@@ -14,11 +14,16 @@ namespace ergodome {
 //! and at which line where that came from a file.
 Error named_by(const Show& show, const std::string& key, const Error& error);
 
-//! What `read(path)` makes of the file `name`, which goes from the show's folder. Its errors are told by named_by().
+//! Throws Error where something is at `path` that is no regular file: to open a pipe would wait for ever.
+void require_no_pipe(const std::filesystem::path& path);
+
+//! Returns what `read(path)` makes of the file `name` in the show's folder. named_by() completes its errors.
 template <class Read>
 auto read_named(const Show& show, const std::string& key, const std::string& name, const Read& read) {
   try {
-    return read(std::filesystem::path(show.folder) / name);
+    const std::filesystem::path path = std::filesystem::path(show.folder) / name;
+    require_no_pipe(path);
+    return read(path);
   } catch (const Error& error) {
     throw named_by(show, key, error);
   }

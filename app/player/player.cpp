@@ -12,6 +12,7 @@
 #include "app/player/player_texts.h"
 #include "app/show_loading.h"
 #include "calibration/pad_settings.h"
+#include "content/files/reading_stop.h"
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
 
@@ -163,6 +164,8 @@ void Player::run() {
   if (exhibit_) {
     services_.tell(spdlog::level::info, end_text());
   }
+  // Nobody waits for what other threads may still load.
+  stop_reading();
 }
 
 bool Player::draws_now() {

@@ -122,8 +122,8 @@ class TomlScan {
         return;
       } else if (multi_line && text_.substr(at_).starts_with(triple)) {
         // Up to two quotes more belong to the text.
-        const std::size_t end = std::min(text_.find_first_not_of(quote, at_), at_ + 5);
-        at_ = end - 1;
+        const std::string_view quotes = text_.substr(at_, 5);
+        at_ += std::min(quotes.find_first_not_of(quote), quotes.size()) - 1;
         return;
       }
     }

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "content/files/printable.h"
+#include "content/files/reading_stop.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -295,6 +296,7 @@ StarCatalogue parse_star_table(std::istream& stream, const std::string& file) {
   CsvParser parser;
   std::string chunk(chunk_bytes, '\0');
   while (stream) {
+    require_reading_goes_on(file);
     stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     parser.parse({chunk.data(), static_cast<std::size_t>(stream.gcount())}, table);
     table.check();

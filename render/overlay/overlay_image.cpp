@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "content/files/reading_stop.h"
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
 #include "kernels/core/error.h"
@@ -157,6 +158,7 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
   const int most_rows = shape.tiled ? shape.height : std::min(rows_at_a_time, shape.height);
   std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
   for (int row = 0; row < shape.height; row += most_rows) {
+    require_reading_goes_on(path.string());
     const int count = std::min(most_rows, shape.height - row);
     const bool read = shape.tiled ? input.read_all(coding.channels, rows.data())
                                   : input.read_rows(row, row + count, coding.channels, rows.data());
