@@ -55,6 +55,24 @@ TEST_F(CommandLine, RenderResumesNoFramesThatWereAskedForDifferently) {
   EXPECT_THAT(output_, HasSubstr("0 frames in")) << "it holds what it held";
 }
 
+TEST_F(CommandLine, OutputThatIsLostIsAFailureWithOneLine) {
+  write("small.toml", tiny_show);
+  for (const char* const command : {"inspect small.toml", "inspect small.toml --json", "--help"}) {
+    EXPECT_EQ(run(std::string(command) + " >/dev/full 2>errors #"), 1) << command;
+    EXPECT_THAT(text("errors"), HasSubstr("ergodome: the output cannot be written: No space left on device")) << command;
+    EXPECT_EQ(std::ranges::count(text("errors"), '\n'), 1) << command;
+  }
+}
+
+TEST_F(CommandLine, ARenderGoesOnWithoutAStandardError) {
+  write("small.toml", tiny_show + "[stereo]\nlayout = \"side_by_side\"\nbaseline = 0\n");
+  for (const char* const to : {"2>/dev/full", "2>&-"}) {
+    fs::remove_all(folder_ / "frames");
+    run(std::string("render small.toml --out frames --frames 1:1 --backend cpu >out ").append(to).append(" #"));
+    EXPECT_TRUE(fs::exists(folder_ / "frames/small_000001.png")) << to;
+  }
+}
+
 TEST_F(CommandLine, RenderResumesFramesWhoseBudgetLeavesThingsOpen) {
   write("small.toml", tiny_show);
   const std::string render = "render small.toml --out frames --frames 1:1 --backend cpu --budget 9fps --resume";
