@@ -155,17 +155,17 @@ FloatMap read_map(const std::filesystem::path& file) {
   FloatMap map = read_float_map(file, RowOrder::bottom_up);
   const std::size_t samples = map.samples.size() / 3;
   if (const std::size_t unknown = samples - known_samples(map); unknown > 0) {
-    print_note("{}: {} of {} samples are unknown (not finite); nothing is drawn there", file.string(), unknown, samples);
+    print_note("{}: {} of {} samples are unknown (not finite); nothing is drawn there", file.string(), unknown,
+               samples);
   }
   return map;
 }
 
 void convert_mesh(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
-  const WarpMesh mesh =
-      kind_of(from) == FileKind::bourke
-          ? read_bourke_mesh(from, options.aspect)
-          : with_rim(warp_from_map(read_map(from), TextureDirection::downwards));
+  const WarpMesh mesh = kind_of(from) == FileKind::bourke
+                            ? read_bourke_mesh(from, options.aspect)
+                            : with_rim(warp_from_map(read_map(from), TextureDirection::downwards));
   if (kind_of(options.to) == FileKind::map) {
     return write_map(options, mesh);
   }

@@ -172,11 +172,11 @@ MeshPart gltf_part(const GltfFile& file, int number, const std::filesystem::path
     builder.remark("has transparent materials, which are drawn opaque");
   }
   if (look.glow_left_out) {
-    builder.remark("has materials with a glow of their own (emissiveFactor), which is not drawn");
+    builder.remark("has emissive materials; their emission (emissiveFactor) is not drawn");
   }
   for (const char* const name : {"KHR_materials_transmission", "KHR_materials_volume"}) {
     if (material.extensions.contains(name)) {
-      builder.remark(fmt::format("has materials that let light through ({}), which are drawn opaque", name));
+      builder.remark(fmt::format("has transmissive materials ({}), drawn opaque", name));
     }
   }
   return part;

@@ -201,12 +201,11 @@ void remark_on(const tinygltf::Primitive& primitive, const Shape& shape, const G
                const GltfPlacement& placement, MeshBuilder& builder) {
   if (texture.textured && shape.textures.values.empty()) {
     builder.remark(fmt::format(
-        "has triangles without texture coordinates of their picture (TEXCOORD_{}), all of which show one corner "
-        "of it",
+        "has triangles without the texture coordinates of their texture (TEXCOORD_{}); they show a single corner of it",
         texture.set));
   }
   if (!placement.joints.empty() && primitive.attributes.contains("JOINTS_1")) {
-    builder.remark("has more than four joints at a vertex; the first four place it");
+    builder.remark("has vertices with more than four joints; only the first four are used");
   }
 }
 

@@ -175,13 +175,13 @@ void remark_on_nodes(const GltfFile& file, MeshBuilder& builder) {
     return [extension](const tinygltf::Node& node) { return node.extensions.contains(extension); };
   };
   if (std::ranges::any_of(file.model.nodes, has("EXT_mesh_gpu_instancing"))) {
-    builder.remark("has instances of its meshes (EXT_mesh_gpu_instancing), of which one is drawn");
+    builder.remark("uses GPU instancing (EXT_mesh_gpu_instancing); only one instance is drawn");
   }
   if (std::ranges::any_of(file.model.nodes, has("MSFT_lod"))) {
-    builder.remark("has coarser versions of its meshes (MSFT_lod), which are not drawn");
+    builder.remark("has levels of detail (MSFT_lod); only the finest is drawn");
   }
   if (!file.model.animations.empty()) {
-    builder.remark("is animated; it is drawn as it begins");
+    builder.remark("is animated; it is drawn in its default pose");
   }
 }
 

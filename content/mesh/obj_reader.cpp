@@ -343,7 +343,7 @@ void ObjReader::build_face(const Face& face) {
   }
   const bool plain = corners_[face.first_corner].texture < 0;
   if (plain && !placed.name.empty()) {
-    builder_.remark(fmt::format("has triangles without texture coordinates, all of which show one corner of {}",
+    builder_.remark(fmt::format("has triangles without texture coordinates; they show a single corner of {}",
                                 std::filesystem::path(placed.name).filename().string()));
   }
 }
@@ -371,7 +371,7 @@ MeshPart ObjReader::part_of(int number) {
   part.color = white ? std::array<float, 3>{1.0F, 1.0F, 1.0F} : by_glow ? material->emission : material->diffuse;
   std::ranges::transform(part.color, part.color.begin(), [](float light) { return std::clamp(light, 0.0F, 1.0F); });
   if (glows && !by_glow) {
-    builder_.remark("has materials with a glow of their own (Ke), which is not drawn");
+    builder_.remark("has emissive materials; their emission (Ke) is not drawn");
   }
   part.transparent = material->transparent;
   if (part.transparent) {
@@ -398,8 +398,9 @@ void ObjReader::remark_on_materials() {
   const std::size_t named = std::min(missing.size(), most_named);
   const std::size_t more = missing.size() - named;
   missing.resize(named);
-  builder_.remark(fmt::format("uses materials that no file which it names has (\"{}\"{}): their triangles are grey",
-                              fmt::join(missing, "\", \""), more > 0 ? fmt::format(" and {} more", more) : ""));
+  builder_.remark(
+      fmt::format("uses materials that none of its material files defines (\"{}\"{}): their triangles are grey",
+                  fmt::join(missing, "\", \""), more > 0 ? fmt::format(" and {} more", more) : ""));
 }
 
 }  // namespace

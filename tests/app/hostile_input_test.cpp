@@ -26,15 +26,15 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-std::string times(int count, const std::function<std::string(int)>& part) {
+std::string repeated(int count, const std::function<std::string(int)>& part) {
   std::string text;
   for (int i = 0; i < count; ++i) {
     text += part(i);
   }
   return text;
 }
-std::string times(int count, const std::string& part) {
-  return times(count, [&](int /*i*/) { return part; });
+std::string repeated(int count, const std::string& part) {
+  return repeated(count, [&](int /*i*/) { return part; });
 }
 
 //! What became of a command.
@@ -117,23 +117,23 @@ struct HostileToml {
 std::vector<HostileToml> hostile_toml() {
   const auto key = [](int i) { return "k" + std::to_string(i); };
   return {
-      {"a" + times(27'700, ".a") + " = 1\n", "more than 16 parts"},
-      {"[a" + times(27'700, ".a") + "]\n", "more than 16 parts"},
+      {"a" + repeated(27'700, ".a") + " = 1\n", "more than 16 parts"},
+      {"[a" + repeated(27'700, ".a") + "]\n", "more than 16 parts"},
       {"a = " + std::string(100'000, '[') + std::string(100'000, ']') + "\n", "deeper than 32 levels"},
-      {"a = " + times(100'000, "{a=") + "1" + std::string(100'000, '}') + "\n", "deeper than 32 levels"},
-      {"a = [" + times(450'000, "0,") + "]\nb = [" + times(600'000, "0,") + "]\n", ""},
-      {times(40'000, [&](int i) { return key(i) + ".a=1\n"; }) +
-           times(40'000, [&](int i) { return key(i) + ".b=1\n"; }),
+      {"a = " + repeated(100'000, "{a=") + "1" + std::string(100'000, '}') + "\n", "deeper than 32 levels"},
+      {"a = [" + repeated(450'000, "0,") + "]\nb = [" + repeated(600'000, "0,") + "]\n", ""},
+      {repeated(40'000, [&](int i) { return key(i) + ".a=1\n"; }) +
+           repeated(40'000, [&](int i) { return key(i) + ".b=1\n"; }),
        ""},
-      {times(40'000, [&](int i) { return "[[" + key(i) + "]]\n"; }) +
-           times(40'000, [&](int i) { return "[[" + key(i) + ".b]]\n"; }),
+      {repeated(40'000, [&](int i) { return "[[" + key(i) + "]]\n"; }) +
+           repeated(40'000, [&](int i) { return "[[" + key(i) + ".b]]\n"; }),
        ""},
       {std::string(900'000, 'a') + " = 1\n", ""},
       {"title = \"" + std::string(900'000, 'a') + "\"\n", ""},
       {"title = \"\\u001b[31m\"\n", ""},
       {std::string(900'000, '\0'), ""},
       {std::string(900'000, '"'), ""},
-      {times(400'000, "#\n") + "=", ""},
+      {repeated(400'000, "#\n") + "=", ""},
   };
 }
 
@@ -159,9 +159,9 @@ TEST_F(HostileInput, MeshesAreRefused) {
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"meshes":[{"primitives":[]}],)";
   write("nested.gltf", head + "\"extras\":" + std::string(174'000, '[') + std::string(174'000, ']') + "}");
   write("open.gltf", std::string(174'000, '['));
-  write("nodes.gltf", head + "\"nodes\":[" + times(1'000'000, "{\"mesh\":0},") + "{}]}");
-  write("values.gltf", head + "\"extras\":[" + times(5'000'000, "0,") + "0]}");
-  write("roots.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[)" + times(100'000, "0,") +
+  write("nodes.gltf", head + "\"nodes\":[" + repeated(1'000'000, "{\"mesh\":0},") + "{}]}");
+  write("values.gltf", head + "\"extras\":[" + repeated(5'000'000, "0,") + "0]}");
+  write("roots.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[)" + repeated(100'000, "0,") +
                           R"(0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[]}]})");
   expect_mesh_refused("nested.gltf", "deeper than 64 levels");
   expect_mesh_refused("open.gltf", "deeper than 64 levels");
@@ -171,15 +171,15 @@ TEST_F(HostileInput, MeshesAreRefused) {
   fs::copy_file(ERGODOME_TEST_DATA_DIR "/foreign/damaged/fan.gltf", folder_ / "fan.gltf");
   expect_mesh_refused("fan.gltf", "more than once in its tree");
   const std::string point = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  write("face.obj", times(600'000, [](int i) { return fmt::format("v {} {} 0\n", i, i * 7 % 1000); }) + "f" +
-                        times(600'000, [](int i) { return fmt::format(" {}", i + 1); }) + "\n");
-  write("faces.obj", times(1000, [](int i) { return fmt::format("v {} {} 0\n", i, i * 7 % 1000); }) +
-                         times(2000, "f" + times(1000, [](int i) { return fmt::format(" {}", i + 1); }) + "\n"));
-  write("materials.obj", point + times(500'000, [](int i) { return fmt::format("usemtl m{}\nf 1 2 3\n", i); }));
-  write("libraries.obj", point + "f 1 2 3\nmtllib" + times(1'000'000, " a") + "\n");
-  write("p.mtl", "newmtl a\nmap_Kd" + times(500'000, " x") + "\n");
+  write("face.obj", repeated(600'000, [](int i) { return fmt::format("v {} {} 0\n", i, i * 7 % 1000); }) + "f" +
+                        repeated(600'000, [](int i) { return fmt::format(" {}", i + 1); }) + "\n");
+  write("faces.obj", repeated(1000, [](int i) { return fmt::format("v {} {} 0\n", i, i * 7 % 1000); }) +
+                         repeated(2000, "f" + repeated(1000, [](int i) { return fmt::format(" {}", i + 1); }) + "\n"));
+  write("materials.obj", point + repeated(500'000, [](int i) { return fmt::format("usemtl m{}\nf 1 2 3\n", i); }));
+  write("libraries.obj", point + "f 1 2 3\nmtllib" + repeated(1'000'000, " a") + "\n");
+  write("p.mtl", "newmtl a\nmap_Kd" + repeated(500'000, " x") + "\n");
   write("names.obj", "mtllib p.mtl\n" + point + "usemtl a\nf 1 2 3\n");
-  write("blanks.obj", point + times(3'000'000, "f \\\n"));
+  write("blanks.obj", point + repeated(3'000'000, "f \\\n"));
   expect_mesh_refused("face.obj", "more than 1024 corners");
   expect_mesh_refused("faces.obj", "too many faces of many corners");
   expect_mesh_refused("materials.obj", "more than 10000 materials");
@@ -204,7 +204,7 @@ TEST_F(HostileInput, ImagesAreRefused) {
 }
 
 TEST_F(HostileInput, TablesAreRefused) {
-  write("columns.csv", "ra,dec,mag" + times(3'000'000, ",x") + "\n1,2\n");
+  write("columns.csv", "ra,dec,mag" + repeated(3'000'000, ",x") + "\n1,2\n");
   write("quote.csv", "ra,dec,mag\n1,2,\"" + std::string(20'000'000, 'a'));
   write("line.csv", std::string(20'000'000, ','));
   expect_refused({"catalogue", "quote.csv"}, "more than 64 KiB");
@@ -236,7 +236,7 @@ TEST_F(HostileInput, TrajectoriesAndCataloguesOfOursAreRefused) {
 TEST_F(HostileInput, SoundsAreRefused) {
   write("show.toml", "duration_s = 10\n[hole]\nspin = 0\n[[camera.key]]\nr = 60\n[[audio]]\nfile = \"a.wav\"\n");
   for (const std::string& bytes :
-       {std::string("RIFF\xFF\xFF\xFF\x7FWAVE") + times(1'000'000, "LIST\0\0\0\0"), std::string(20'000'000, '\xFF'),
+       {std::string("RIFF\xFF\xFF\xFF\x7FWAVE") + repeated(1'000'000, "LIST\0\0\0\0"), std::string(20'000'000, '\xFF'),
         std::string("fLaC") + std::string(1'000'000, '\0'), std::string("OggS") + std::string(1'000'000, '\0')}) {
     write("a.wav", bytes);
     const Outcome outcome = run({"inspect", "show.toml"});

@@ -180,7 +180,7 @@ TEST_F(CommandLine, InspectTellsTheSizeOfMeshesAndRemarksOnThem) {
   write("ship.obj", "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nusemtl steel\nf 1 2 3 4\nf 1 1 2\n");
   ASSERT_EQ(run("inspect ship.toml"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("2 triangles, 1 without area left out, 1 x 2 x 0 M before it is turned\n"
-                                 "    uses materials that no file which it names has (\"steel\")"));
+                                 "    uses materials that none of its material files defines (\"steel\")"));
   ASSERT_EQ(run("inspect ship.toml --json"), 0) << output_;
   const auto mesh = nlohmann::json::parse(output_)["meshes"][0];
   EXPECT_EQ(mesh["triangles"], 2);

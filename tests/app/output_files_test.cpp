@@ -59,7 +59,8 @@ TEST_F(CommandLine, OutputThatIsLostIsAFailureWithOneLine) {
   write("small.toml", tiny_show);
   for (const char* const command : {"inspect small.toml", "inspect small.toml --json", "--help"}) {
     EXPECT_EQ(run(std::string(command) + " >/dev/full 2>errors #"), 1) << command;
-    EXPECT_THAT(text("errors"), HasSubstr("ergodome: the output cannot be written: No space left on device")) << command;
+    EXPECT_THAT(text("errors"), HasSubstr("ergodome: the output cannot be written: No space left on device"))
+        << command;
     EXPECT_EQ(std::ranges::count(text("errors"), '\n'), 1) << command;
   }
 }

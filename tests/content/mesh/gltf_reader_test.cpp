@@ -78,7 +78,7 @@ class GltfText {
   int accessors_ = 0;
 };
 
-TriangleMesh parsed(const std::string& text) { return parse_mesh(text, MeshFormat::gltf, "a.gltf"); }
+TriangleMesh gltf_mesh(const std::string& text) { return parse_mesh(text, MeshFormat::gltf, "a.gltf"); }
 
 const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
@@ -104,8 +104,8 @@ TEST(GltfReader, QuantizedPositionsAndNormalsAreWhatTheyStandFor) {
   file.add(std::vector<std::int8_t>{0, 0, -127, 0, 0, -127, 0, 0, -127}, 5120, "VEC3", 3, R"(,"normalized":true)");
   file.add(std::vector<std::uint8_t>{0, 1, 2}, 5121, "SCALAR", 1);
   const TriangleMesh mesh =
-      parsed(file.text(R"({"attributes":{"POSITION":0,"NORMAL":1},"indices":2})", R"([{"mesh":0,"scale":[2,2,2]}])",
-                       R"(,"extensionsRequired":["KHR_mesh_quantization"])"));
+      gltf_mesh(file.text(R"({"attributes":{"POSITION":0,"NORMAL":1},"indices":2})", R"([{"mesh":0,"scale":[2,2,2]}])",
+                          R"(,"extensionsRequired":["KHR_mesh_quantization"])"));
   EXPECT_THAT(mesh.vertices.at(1).position, ElementsAre(2.0F, 0.0F, 0.0F));
   EXPECT_THAT(mesh.vertices.at(2).position, ElementsAre(0.0F, -2.0F, 0.0F));
   EXPECT_THAT(mesh.vertices.at(0).normal, ElementsAre(0.0F, 0.0F, -1.0F));
@@ -116,9 +116,9 @@ TEST(GltfReader, RefusesExtensionsThatAreRequiredAndNotRead) {
   EXPECT_THAT(error_of([] { read_mesh(meshes / "requires_unknown.gltf"); }), HasSubstr("requires the glTF extension"));
   for (const char* const name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"}) {
     const std::string more = fmt::format(",\"extensionsRequired\":[\"{}\"]", name);
-    EXPECT_THAT(error_of([&] { parsed(one_triangle(R"([{"mesh":0}])", more)); }), HasSubstr(name));
+    EXPECT_THAT(error_of([&] { gltf_mesh(one_triangle(R"([{"mesh":0}])", more)); }), HasSubstr(name));
   }
-  EXPECT_EQ(parsed(one_triangle(R"([{"mesh":0}])", R"(,"extensionsUsed":["VENDOR_own"])")).triangle_count(), 1);
+  EXPECT_EQ(gltf_mesh(one_triangle(R"([{"mesh":0}])", R"(,"extensionsUsed":["VENDOR_own"])")).triangle_count(), 1);
 }
 
 TEST(GltfReader, TakesTheTextureCoordinatesThatTheMaterialNames) {
@@ -143,7 +143,7 @@ TEST(GltfReader, TransformsOfTexturesTurnThemCounterclockwise) {
   GltfText file;
   file.add_floats(corners, "VEC3", 3);
   file.add_floats({0, 0, 1, 0, 0, 1}, "VEC2", 2);
-  const TriangleMesh mesh = parsed(
+  const TriangleMesh mesh = gltf_mesh(
       file.text(R"({"attributes":{"POSITION":0,"TEXCOORD_3":1},"material":0})", R"([{"mesh":0}])",
                 fmt::format(R"(,"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0,"extensions":{{
           "KHR_texture_transform":{{"offset":[0.5,0.25],"rotation":{},"scale":[2,3],"texCoord":3}}}}}}}}}}],
@@ -161,13 +161,13 @@ TEST(GltfReader, FacesWithoutNormalsAreFlat) {
   GltfText file;
   file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3", 3);
   file.add(std::vector<std::uint16_t>{0, 1, 2, 0, 3, 1}, 5123, "SCALAR", 1);
-  const TriangleMesh mesh = parsed(file.text(R"({"attributes":{"POSITION":0},"indices":1})"));
+  const TriangleMesh mesh = gltf_mesh(file.text(R"({"attributes":{"POSITION":0},"indices":1})"));
   EXPECT_THAT(mesh.vertices.at(mesh.indices.at(0)).normal, ElementsAre(0.0F, 0.0F, 1.0F));
   EXPECT_THAT(mesh.vertices.at(mesh.indices.at(3)).normal, ElementsAre(0.0F, 1.0F, 0.0F));
 }
 
 TEST(GltfReader, MirroredNodesKeepTheirOutside) {
-  const TriangleMesh mesh = parsed(one_triangle(R"([{"mesh":0,"scale":[-1,1,1]}])"));
+  const TriangleMesh mesh = gltf_mesh(one_triangle(R"([{"mesh":0,"scale":[-1,1,1]}])"));
   EXPECT_THAT(mesh.vertices.at(mesh.indices.at(0)).normal, ElementsAre(0.0F, 0.0F, 1.0F));
 }
 
@@ -175,14 +175,14 @@ TEST(GltfReader, StripsAndFansAreTriangles) {
   GltfText file;
   file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, "VEC3", 3);
   for (const int mode : {5, 6}) {
-    const TriangleMesh mesh = parsed(file.text(fmt::format(R"({{"attributes":{{"POSITION":0}},"mode":{}}})", mode)));
+    const TriangleMesh mesh = gltf_mesh(file.text(fmt::format(R"({{"attributes":{{"POSITION":0}},"mode":{}}})", mode)));
     EXPECT_EQ(mesh.triangle_count(), 2) << mode;
     EXPECT_THAT(mesh.vertices.at(mesh.indices.at(0)).normal, ElementsAre(0.0F, 0.0F, 1.0F)) << mode;
   }
-  const TriangleMesh strip = parsed(file.text(R"({"attributes":{"POSITION":0},"mode":5})"));
+  const TriangleMesh strip = gltf_mesh(file.text(R"({"attributes":{"POSITION":0},"mode":5})"));
   EXPECT_THAT(strip.vertices.at(strip.indices.at(3)).normal, ElementsAre(0.0F, 0.0F, 1.0F))
       << "each second one is turned";
-  EXPECT_THAT(error_of([&] { parsed(file.text(R"({"attributes":{"POSITION":0},"mode":1})")); }),
+  EXPECT_THAT(error_of([&] { gltf_mesh(file.text(R"({"attributes":{"POSITION":0},"mode":1})")); }),
               HasSubstr("has no triangles"));
 }
 
@@ -192,7 +192,7 @@ TEST(GltfReader, SparseAccessorsReplaceEntries) {
                                           "values":{"bufferView":2}})");
   file.add(std::vector<std::uint8_t>{2}, 5121, "SCALAR", 1);
   file.add_floats({0, 5, 0}, "VEC3", 3);
-  EXPECT_THAT(parsed(file.text(R"({"attributes":{"POSITION":0}})")).vertices.at(2).position,
+  EXPECT_THAT(gltf_mesh(file.text(R"({"attributes":{"POSITION":0}})")).vertices.at(2).position,
               ElementsAre(0.0F, 5.0F, 0.0F));
 }
 
@@ -204,10 +204,10 @@ TEST(GltfReader, SkinsStandInThePoseOfTheirJoints) {
   // The inverse of a joint at (1, 0, 0) for the second one.
   file.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1},
                   "MAT4", 16);
-  const TriangleMesh mesh =
-      parsed(file.text(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})",
-                       R"([{"children":[1,2,3]},{"mesh":0,"skin":0,"translation":[9,9,9]},{},{"translation":[1,0,4]}])",
-                       R"(,"skins":[{"joints":[2,3],"inverseBindMatrices":3}])"));
+  const TriangleMesh mesh = gltf_mesh(
+      file.text(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})",
+                R"([{"children":[1,2,3]},{"mesh":0,"skin":0,"translation":[9,9,9]},{},{"translation":[1,0,4]}])",
+                R"(,"skins":[{"joints":[2,3],"inverseBindMatrices":3}])"));
   EXPECT_THAT(mesh.vertices.at(0).position, ElementsAre(0.0F, 0.0F, 0.0F)) << "the node itself moves nothing";
   EXPECT_THAT(mesh.vertices.at(1).position, ElementsAre(1.0F, 0.0F, 4.0F));
   EXPECT_THAT(mesh.vertices.at(2).position, ElementsAre(0.0F, 1.0F, 2.0F));
@@ -219,7 +219,7 @@ TEST(GltfReader, MorphTargetsWeighAsTheFileBegins) {
   file.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
   const std::string primitive = R"({"attributes":{"POSITION":0},"targets":[{"POSITION":1}]})";
   const std::string text = file.text(primitive);
-  const auto lifted = [](const std::string& of) { return parsed(of).vertices.at(0).position[2]; };
+  const auto lifted = [](const std::string& of) { return gltf_mesh(of).vertices.at(0).position[2]; };
   EXPECT_EQ(lifted(text), 0.0F);
   EXPECT_EQ(lifted(file.text(primitive, R"([{"mesh":0,"weights":[0.5]}])")), 0.5F);
   std::string of_mesh = text;
@@ -231,15 +231,15 @@ TEST(GltfReader, WhatOnlyGlowsIsDrawnAsItsGlow) {
   GltfText file;
   file.add_floats(corners, "VEC3", 3);
   const auto with = [&](const char* material) {
-    return parsed(file.text(R"({"attributes":{"POSITION":0},"material":0})", R"([{"mesh":0}])",
-                            fmt::format(",\"materials\":[{}]", material)));
+    return gltf_mesh(file.text(R"({"attributes":{"POSITION":0},"material":0})", R"([{"mesh":0}])",
+                               fmt::format(",\"materials\":[{}]", material)));
   };
   EXPECT_THAT(
       with(R"({"emissiveFactor":[1,0.5,0],"pbrMetallicRoughness":{"baseColorFactor":[0,0,0,1]}})").parts.at(0).color,
       ElementsAre(1.0F, 0.5F, 0.0F));
-  EXPECT_THAT(with(R"({"emissiveFactor":[1,0.5,0]})").remarks, ElementsAre(HasSubstr("glow")));
+  EXPECT_THAT(with(R"({"emissiveFactor":[1,0.5,0]})").remarks, ElementsAre(HasSubstr("emissive")));
   EXPECT_THAT(with(R"({"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}})").remarks,
-              ElementsAre(HasSubstr("let light through")));
+              ElementsAre(HasSubstr("transmissive materials")));
 }
 
 TEST(GltfReader, ANodeHasOneParent) {
@@ -247,7 +247,7 @@ TEST(GltfReader, ANodeHasOneParent) {
               HasSubstr("more than once in its tree"));
   for (const char* const nodes : {R"([{"children":[1],"mesh":0},{"children":[0]}])", R"([{"mesh":0,"children":[0]}])",
                                   R"([{"children":[1,1]},{"mesh":0}])"}) {
-    EXPECT_THAT(error_of([&] { parsed(one_triangle(nodes)); }), HasSubstr("more than once in its tree")) << nodes;
+    EXPECT_THAT(error_of([&] { gltf_mesh(one_triangle(nodes)); }), HasSubstr("more than once in its tree")) << nodes;
   }
 }
 
@@ -257,7 +257,7 @@ TEST(GltfReader, LongChainsOfNodesArePlacedLikeShortOnes) {
   for (int i = 0; i + 1 < length; ++i) {
     nodes += fmt::format(R"({{"translation":[0,0,1],"children":[{}]}},)", i + 1);
   }
-  EXPECT_EQ(parsed(one_triangle(nodes + R"({"mesh":0}])")).vertices.at(0).position[2], length - 1.0F);
+  EXPECT_EQ(gltf_mesh(one_triangle(nodes + R"({"mesh":0}])")).vertices.at(0).position[2], length - 1.0F);
 }
 
 TEST(GltfReader, RefusesJsonThatIsTooDeepOrTooMuch) {
@@ -265,13 +265,13 @@ TEST(GltfReader, RefusesJsonThatIsTooDeepOrTooMuch) {
     return one_triangle(R"([{"mesh":0}])", ",\"extras\":" + std::string(static_cast<std::size_t>(depth), '[') +
                                                std::string(static_cast<std::size_t>(depth), ']'));
   };
-  EXPECT_EQ(parsed(nested(50)).triangle_count(), 1);
-  EXPECT_THAT(error_of([&] { parsed(nested(174'000)); }), HasSubstr("deeper than 64 levels"));
+  EXPECT_EQ(gltf_mesh(nested(50)).triangle_count(), 1);
+  EXPECT_THAT(error_of([&] { gltf_mesh(nested(174'000)); }), HasSubstr("deeper than 64 levels"));
   std::string many = "[{\"mesh\":0}";
   for (int i = 0; i < 300'000; ++i) {
     many += ",{}";
   }
-  EXPECT_THAT(error_of([&] { parsed(one_triangle(many + "]")); }), HasSubstr("more than 200000 objects"));
+  EXPECT_THAT(error_of([&] { gltf_mesh(one_triangle(many + "]")); }), HasSubstr("more than 200000 objects"));
 }
 
 TEST(GltfReader, RefusesWhatIsNotInItsBuffers) {
@@ -279,7 +279,7 @@ TEST(GltfReader, RefusesWhatIsNotInItsBuffers) {
   const auto with = [&](const std::string& part, const std::string& other) {
     std::string changed = text;
     changed.replace(changed.find(part), part.size(), other);
-    return error_of([&] { parsed(changed); });
+    return error_of([&] { gltf_mesh(changed); });
   };
   EXPECT_THAT(with("\"count\":3", "\"count\":4"), HasSubstr("not in its buffer"));
   EXPECT_THAT(with("\"count\":3", "\"count\":3000000000"), HasSubstr("not in its buffer"));

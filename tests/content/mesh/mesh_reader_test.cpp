@@ -119,7 +119,7 @@ TEST_F(MeshFilesOnDisk, RemarksOnAMaterialThatItsFilesDoNotHave) {
   write("a.mtl", "newmtl warm\nKd 0.5 0.25 0\n");
   write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\nusemtl  cold one \nf 3 2 1\n");
   EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
-              testing::ElementsAre(testing::HasSubstr("no file which it names has (\"cold one\")")));
+              testing::ElementsAre(testing::HasSubstr("none of its material files defines (\"cold one\")")));
 }
 
 TEST_F(MeshFilesOnDisk, RemarksOnAPictureWithoutPlacesOnIt) {
@@ -127,7 +127,7 @@ TEST_F(MeshFilesOnDisk, RemarksOnAPictureWithoutPlacesOnIt) {
   write("skin.png", "");
   write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl warm\nf 1 2 3\n");
   EXPECT_THAT(read_mesh(folder_ / "a.obj").remarks,
-              testing::ElementsAre(testing::HasSubstr("all of which show one corner of skin.png")));
+              testing::ElementsAre(testing::HasSubstr("they show a single corner of skin.png")));
 }
 
 TEST_F(MeshFilesOnDisk, RemarksOnMaterialsThatAreTransparent) {

@@ -24,10 +24,10 @@ using testing::HasSubstr;
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string textured = triangle + "vt 0 0\nvt 1 0\nvt 0 1\n";
 
-TriangleMesh parsed(const std::string& text) { return parse_mesh(text, MeshFormat::obj, "a.obj"); }
+TriangleMesh obj_mesh(const std::string& text) { return parse_mesh(text, MeshFormat::obj, "a.obj"); }
 
 TEST(ObjReader, NumbersFromTheEndAndFromTheBeginningNameTheSameCorners) {
-  const TriangleMesh mesh = parsed(triangle + "f -3 -2 -1\nf 1 2 3\n");
+  const TriangleMesh mesh = obj_mesh(triangle + "f -3 -2 -1\nf 1 2 3\n");
   ASSERT_EQ(mesh.triangle_count(), 2);
   for (int i = 0; i < 3; ++i) {
     EXPECT_THAT(mesh.vertices[mesh.indices[static_cast<std::size_t>(i)]].position,
@@ -36,25 +36,25 @@ TEST(ObjReader, NumbersFromTheEndAndFromTheBeginningNameTheSameCorners) {
 }
 
 TEST(ObjReader, LinesGoOnBehindABackslash) {
-  EXPECT_EQ(parsed("\xEF\xBB\xBFv 0 0 0\r\nv 1 0 \\\r\n0\r\nv 0 1 0\r\nf 1 \\\n2 \\\n3").triangle_count(), 1);
+  EXPECT_EQ(obj_mesh("\xEF\xBB\xBFv 0 0 0\r\nv 1 0 \\\r\n0\r\nv 0 1 0\r\nf 1 \\\n2 \\\n3").triangle_count(), 1);
 }
 
 TEST(ObjReader, TakesColoursOfVerticesAsSrgb) {
-  const TriangleMesh mesh = parsed("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 1.0 0 0 1\nf 1 2 3\n");
+  const TriangleMesh mesh = obj_mesh("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 1.0 0 0 1\nf 1 2 3\n");
   EXPECT_THAT(mesh.vertices[0].color, ElementsAre(1.0F, 0.0F, 0.0F));
   EXPECT_NEAR(mesh.vertices[1].color[1], 0.2140F, 1e-4F) << "what a display shows at half of its scale";
   EXPECT_THAT(mesh.vertices[2].color, ElementsAre(0.0F, 0.0F, 1.0F)) << "behind a weight";
   EXPECT_THAT(mesh.parts[0].color, ElementsAre(1.0F, 1.0F, 1.0F)) << "no material darkens them";
-  EXPECT_THAT(parsed(triangle + "f 1 2 3\n").parts[0].color, ElementsAre(0.6F, 0.6F, 0.6F));
+  EXPECT_THAT(obj_mesh(triangle + "f 1 2 3\n").parts[0].color, ElementsAre(0.6F, 0.6F, 0.6F));
 }
 
 TEST(ObjReader, SmoothsWithinSmoothingGroupsAndEverywhereWithoutThem) {
   // Two faces that meet at a right angle along the edge from corner 1 to 2.
   const std::string roof = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const auto normal = [&](const std::string& faces) {
-    return Vector3<double>{static_cast<double>(parsed(roof + faces).vertices[0].normal[0]),
-                           static_cast<double>(parsed(roof + faces).vertices[0].normal[1]),
-                           static_cast<double>(parsed(roof + faces).vertices[0].normal[2])};
+    return Vector3<double>{static_cast<double>(obj_mesh(roof + faces).vertices[0].normal[0]),
+                           static_cast<double>(obj_mesh(roof + faces).vertices[0].normal[1]),
+                           static_cast<double>(obj_mesh(roof + faces).vertices[0].normal[2])};
   };
   EXPECT_NEAR(normal("s off\nf 1 2 3\nf 2 1 4\n").z, 1.0, 1e-6);
   EXPECT_NEAR(normal("s 1\nf 1 2 3\ns 2\nf 2 1 4\n").z, 1.0, 1e-6);
@@ -70,7 +70,7 @@ TEST(ObjReader, RefusesFacesOfManyCornersAtOnce) {
     face += " " + std::to_string(i);
   }
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_THAT(error_of([&] { parsed(text + face + "\n"); }),
+  EXPECT_THAT(error_of([&] { obj_mesh(text + face + "\n"); }),
               testing::AllOf(HasSubstr("a.obj:100001: has a face of more than 1024 corners"), HasSubstr("triangles")));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
@@ -142,7 +142,7 @@ TEST_F(ObjFiles, WhatOnlyGlowsIsDrawnAsItsGlow) {
   write("a.obj", "mtllib a.mtl\n" + triangle + "usemtl lamp\nf 1 2 3\nusemtl both\nf 3 2 1\n");
   const TriangleMesh mesh = read("a.obj");
   EXPECT_THAT(mesh.parts.at(0).color, ElementsAre(0.5F, 0.25F, 0.0F));
-  EXPECT_THAT(mesh.remarks, ElementsAre(HasSubstr("glow")));
+  EXPECT_THAT(mesh.remarks, ElementsAre(HasSubstr("emissive")));
 }
 
 TEST_F(ObjFiles, OfOtherProgramsAreReadRight) {
