@@ -24,7 +24,7 @@ Backend choose_backend(const std::string& word) {
   static bool said = false;
   if (!said) {
     said = true;
-    print_note("no GPU ({}); working on {}", reason, describe(Backend::cpu));
+    print_note("rendering on {}: {}", describe(Backend::cpu), reason);
   }
   return Backend::cpu;
 }

@@ -3,9 +3,10 @@
 #   ergodome_add_simd_library(<target> SOURCES <file>... [LINK <library>...])
 #
 # compiles every source once per instruction set, with ERGO_TARGET naming it (portable, avx2, avx512), and puts the objects
-# into <target>, which is created as a static library if there is none yet. Which sets exist beside `portable` is told by
-# ERGODOME_SIMD_AVX2=1 and ERGODOME_SIMD_AVX512=1 on <target> and on what links it; the program picks one at run time.
+# into <target>, which is created as a static library if there is none yet. ERGODOME_SIMD_PORTABLE=1, ERGODOME_SIMD_AVX2=1 and
+# ERGODOME_SIMD_AVX512=1 on <target> and on what links it name the sets that are built; the program picks one at run time.
 # These sources must hold nothing but code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets holds them to it.
+option(ERGODOME_NATIVE "Build CPU kernels only for this machine's instruction set" OFF)
 
 set(ERGODOME_SIMD_FLAGS_portable "")
 set(ERGODOME_SIMD_FLAGS_avx2 -mavx2 -mfma -mf16c -mbmi2)
@@ -20,6 +21,20 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     list(APPEND ERGODOME_SIMD_TARGETS avx512)
   endif()
 endif()
+if(ERGODOME_NATIVE AND EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo ERGODOME_CPU_FLAGS REGEX "^flags" LIMIT_COUNT 1)
+  string(APPEND ERGODOME_CPU_FLAGS " ")
+  set(ERGODOME_SIMD_TARGETS portable)
+  if(ERGODOME_CPU_FLAGS MATCHES " avx2 " AND ERGODOME_CPU_FLAGS MATCHES " fma " AND ERGODOME_CPU_FLAGS MATCHES " bmi2 "
+     AND ERGODOME_CPU_FLAGS MATCHES " f16c ")
+    set(ERGODOME_SIMD_TARGETS avx2)
+    if(ERGODOME_CPU_FLAGS MATCHES " avx512f " AND ERGODOME_CPU_FLAGS MATCHES " avx512dq " AND ERGODOME_CPU_FLAGS MATCHES " avx512bw "
+       AND ERGODOME_CPU_FLAGS MATCHES " avx512vl ")
+      set(ERGODOME_SIMD_TARGETS avx512)
+    endif()
+  endif()
+endif()
+message(STATUS "Ergodome: CPU kernels ${ERGODOME_SIMD_TARGETS}")
 
 function(ergodome_add_simd_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
@@ -44,9 +59,9 @@ function(ergodome_add_simd_library target)
         ${objects} PRIVATE ${ERGODOME_SIMD_FLAGS_${simd}} -ffp-contract=fast ${optimization})
       target_link_libraries(${objects} PRIVATE ergodome::options)
       target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+      string(TOUPPER ${simd} name)
+      target_compile_definitions(${target} PUBLIC ERGODOME_SIMD_${name}=1)
       if(NOT simd STREQUAL "portable")
-        string(TOUPPER ${simd} name)
-        target_compile_definitions(${target} PUBLIC ERGODOME_SIMD_${name}=1)
         set_property(GLOBAL APPEND PROPERTY ERGODOME_SIMD_OBJECTS ${objects})
       endif()
     endif()

@@ -7,9 +7,10 @@ namespace ergodome {
 namespace {
 
 InstructionSet best_instruction_set() {
-  return has_instruction_set(InstructionSet::avx512) ? InstructionSet::avx512
-         : has_instruction_set(InstructionSet::avx2) ? InstructionSet::avx2
-                                                     : InstructionSet::portable;
+  return has_instruction_set(InstructionSet::avx512)     ? InstructionSet::avx512
+         : has_instruction_set(InstructionSet::avx2)     ? InstructionSet::avx2
+         : has_instruction_set(InstructionSet::portable) ? InstructionSet::portable
+                                                         : throw missing_instruction_set();
 }
 
 InstructionSet choose_instruction_set() {
@@ -34,7 +35,11 @@ InstructionSet active_instruction_set() {
 bool has_instruction_set(InstructionSet set) {
   switch (set) {
     case InstructionSet::portable:
+#if defined(ERGODOME_SIMD_PORTABLE)
       return true;
+#else
+      return false;
+#endif
     case InstructionSet::avx2:
 #if defined(ERGODOME_SIMD_AVX2)
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
@@ -50,6 +55,11 @@ bool has_instruction_set(InstructionSet set) {
 #endif
   }
   return false;
+}
+
+Error missing_instruction_set() {
+  return {"this program", "was built for another processor: it has no kernels for the instruction sets of this one",
+          "build it here, or with the CMake preset release, which builds for all"};
 }
 
 std::string_view name_of(InstructionSet set) {

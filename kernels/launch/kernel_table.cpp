@@ -2,9 +2,11 @@
 
 namespace ergodome {
 
+#if defined(ERGODOME_SIMD_PORTABLE)
 inline namespace portable {
 const KernelTable& own_kernel_table();
 }
+#endif
 #if defined(ERGODOME_SIMD_AVX2)
 namespace avx2 {
 const KernelTable& own_kernel_table();
@@ -27,9 +29,12 @@ const KernelTable& kernel_table(InstructionSet set) {
       return avx2::own_kernel_table();
 #endif
     case InstructionSet::portable:
+#if defined(ERGODOME_SIMD_PORTABLE)
+      return portable::own_kernel_table();
+#endif
       break;
   }
-  return portable::own_kernel_table();
+  throw missing_instruction_set();
 }
 
 }  // namespace ergodome

@@ -7,12 +7,20 @@
 namespace ergodome {
 
 const char* find_cuda_unavailable_reason() {
+  // Without a driver the runtime reports version 0, and would otherwise call the driver too old.
+  int driver_version = 0;
+  if (cudaDriverGetVersion(&driver_version) == cudaSuccess && driver_version == 0) {
+    return "no NVIDIA driver is installed";
+  }
   int count = 0;
   const cudaError_t code = cudaGetDeviceCount(&count);
-  if (code != cudaSuccess) {
+  if (code == cudaErrorInsufficientDriver) {
+    return "the NVIDIA driver is older than the CUDA version of this program";
+  }
+  if (code != cudaSuccess && code != cudaErrorNoDevice) {
     return cudaGetErrorString(code);
   }
-  return count > 0 ? nullptr : "no CUDA device";
+  return count > 0 ? nullptr : "no NVIDIA GPU was found";
 }
 
 void solve_edge_cuda(const EdgeBatch& batch) { launch_cuda("solve_edge", batch.count, SolveEdge{batch}); }

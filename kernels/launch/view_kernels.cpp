@@ -4,9 +4,11 @@
 
 namespace ergodome {
 
+#if defined(ERGODOME_SIMD_PORTABLE)
 inline namespace portable {
 const ViewKernels& own_view_kernels();
 }
+#endif
 #if defined(ERGODOME_SIMD_AVX2)
 namespace avx2 {
 const ViewKernels& own_view_kernels();
@@ -29,9 +31,12 @@ const ViewKernels& view_kernels(InstructionSet set) {
       return avx2::own_view_kernels();
 #endif
     case InstructionSet::portable:
+#if defined(ERGODOME_SIMD_PORTABLE)
+      return portable::own_view_kernels();
+#endif
       break;
   }
-  return portable::own_view_kernels();
+  throw missing_instruction_set();
 }
 
 void follow_rays(const FollowBatch& batch) {

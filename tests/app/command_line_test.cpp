@@ -208,8 +208,8 @@ TEST_F(CommandLine, WithoutAGpuAutoSaysSoOnceAndCudaRefuses) {
   }
   write("small.toml", small_show);
   ASSERT_EQ(run("render small.toml --out f"), 0);
-  EXPECT_EQ(output_.find("no GPU"), output_.rfind("no GPU"));
-  EXPECT_THAT(output_, HasSubstr("no GPU"));
+  EXPECT_EQ(output_.find("rendering on cpu"), output_.rfind("rendering on cpu"));
+  EXPECT_THAT(output_, HasSubstr("rendering on cpu"));
   EXPECT_EQ(run("render small.toml --out f --backend cuda"), 1);
 }
 
