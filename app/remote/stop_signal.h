@@ -1,12 +1,12 @@
 #pragma once
 
+#include <poll.h>
+
 #include <chrono>
 #include <cstdint>
 #include <vector>
 
 #include "app/remote/descriptor.h"
-
-struct pollfd;
 
 namespace ergodome {
 

@@ -124,9 +124,11 @@ void load(std::string_view bytes, bool binary, const std::string& place, const s
   std::string problem;
   std::string warning;
   const auto size = static_cast<unsigned int>(bytes.size());
+  // tinygltf takes a pointer and a size, and reads no further.
+  const char* const text = bytes.begin();
   const bool loaded = binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
-                                                           reinterpret_cast<const unsigned char*>(bytes.data()), size)
-                             : loader.LoadASCIIFromString(&model, &problem, &warning, bytes.data(), size, "");
+                                                           reinterpret_cast<const unsigned char*>(text), size)
+                             : loader.LoadASCIIFromString(&model, &problem, &warning, text, size, "");
   if (!files.problem.empty()) {
     throw Error(place, "names a file that cannot be read: " + files.problem, "put a whole one there");
   }

@@ -51,7 +51,7 @@ std::filesystem::path file_inside(const std::filesystem::path& folder, const std
     return {};
   }
   std::error_code problem;
-  const std::filesystem::path path = folder / named;
+  std::filesystem::path path = folder / named;
   if (std::filesystem::is_regular_file(path, problem)) {
     return path;
   }

@@ -138,6 +138,7 @@ std::vector<HostileToml> hostile_toml() {
 }
 
 TEST_F(HostileInput, TomlIsRefusedByEveryReaderOfIt) {
+  const std::string fixture = std::string(ERGODOME_TEST_DATA_DIR) + "/hid/flight.toml";
   for (const HostileToml& hostile : hostile_toml()) {
     write("hostile.toml", hostile.text);
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
@@ -145,8 +146,7 @@ TEST_F(HostileInput, TomlIsRefusedByEveryReaderOfIt) {
              {"plan", "hostile.toml"},
              {"calibrate", "hostile.toml", "--out", "calibrated"},
              {"pad", "--live", "--for", "0.1", "--fixture", "hostile.toml"},
-             {"pad", "--live", "--for", "0.1", "--fixture", ERGODOME_TEST_DATA_DIR "/hid/flight.toml", "--settings",
-              "hostile.toml"}}) {
+             {"pad", "--live", "--for", "0.1", "--fixture", fixture, "--settings", "hostile.toml"}}) {
       SCOPED_TRACE(hostile.text.substr(0, 40));
       expect_refused(command, hostile.why);
     }
@@ -236,8 +236,9 @@ TEST_F(HostileInput, TrajectoriesAndCataloguesOfOursAreRefused) {
 TEST_F(HostileInput, SoundsAreRefused) {
   write("show.toml", "duration_s = 10\n[hole]\nspin = 0\n[[camera.key]]\nr = 60\n[[audio]]\nfile = \"a.wav\"\n");
   for (const std::string& bytes :
-       {std::string("RIFF\xFF\xFF\xFF\x7FWAVE") + repeated(1'000'000, "LIST\0\0\0\0"), std::string(20'000'000, '\xFF'),
-        std::string("fLaC") + std::string(1'000'000, '\0'), std::string("OggS") + std::string(1'000'000, '\0')}) {
+       {std::string("RIFF\xFF\xFF\xFF\x7FWAVE") + repeated(1'000'000, std::string("LIST\0\0\0\0", 8)),
+        std::string(20'000'000, '\xFF'), std::string("fLaC") + std::string(1'000'000, '\0'),
+        std::string("OggS") + std::string(1'000'000, '\0')}) {
     write("a.wav", bytes);
     const Outcome outcome = run({"inspect", "show.toml"});
     EXPECT_EQ(outcome.status, 1) << outcome.errors;
