@@ -3,9 +3,9 @@
 #   ergodome_add_simd_library(<target> SOURCES <file>... [LINK <library>...])
 #
 # compiles every source once per instruction set, with ERGO_TARGET naming it (portable, avx2, avx512), and puts the objects
-# into <target>, which is created as a static library if there is none yet. ERGODOME_SIMD_PORTABLE=1, ERGODOME_SIMD_AVX2=1 and
-# ERGODOME_SIMD_AVX512=1 on <target> and on what links it name the sets that are built; the program picks one at run time.
-# These sources must hold nothing but code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets holds them to it.
+# into <target>, which is created as a static library if it does not exist. ERGODOME_SIMD_PORTABLE=1, ERGODOME_SIMD_AVX2=1 and
+# ERGODOME_SIMD_AVX512=1 on <target> and its dependents name the sets that are built; the program picks one at run time.
+# These sources must hold nothing but code in `ergodome::ERGO_TARGET`: tests/check_instruction_sets enforces this.
 option(ERGODOME_NATIVE "Build CPU kernels only for this machine's instruction set" OFF)
 
 set(ERGODOME_SIMD_FLAGS_portable "")
@@ -25,8 +25,7 @@ if(ERGODOME_NATIVE AND EXISTS /proc/cpuinfo)
   file(STRINGS /proc/cpuinfo ERGODOME_CPU_FLAGS REGEX "^flags" LIMIT_COUNT 1)
   string(APPEND ERGODOME_CPU_FLAGS " ")
   set(ERGODOME_SIMD_TARGETS portable)
-  if(ERGODOME_CPU_FLAGS MATCHES " avx2 " AND ERGODOME_CPU_FLAGS MATCHES " fma " AND ERGODOME_CPU_FLAGS MATCHES " bmi2 "
-     AND ERGODOME_CPU_FLAGS MATCHES " f16c ")
+  if(ERGODOME_CPU_FLAGS MATCHES " avx2 " AND ERGODOME_CPU_FLAGS MATCHES " fma " AND ERGODOME_CPU_FLAGS MATCHES " bmi2 ")
     set(ERGODOME_SIMD_TARGETS avx2)
     if(ERGODOME_CPU_FLAGS MATCHES " avx512f " AND ERGODOME_CPU_FLAGS MATCHES " avx512dq " AND ERGODOME_CPU_FLAGS MATCHES " avx512bw "
        AND ERGODOME_CPU_FLAGS MATCHES " avx512vl ")
@@ -46,10 +45,10 @@ function(ergodome_add_simd_library target)
     set(objects ${target}_${simd})
     if(NOT TARGET ${objects})
       add_library(${objects} OBJECT)
-      # What launches kernels is told apart by file, and each file takes a minute as it is.
+      # No unity build: each file defines a launch function of its own, and takes long to compile as it is.
       set_target_properties(${objects} PROPERTIES UNITY_BUILD OFF)
       target_compile_definitions(${objects} PRIVATE ERGO_TARGET=${simd})
-      # Tuned even in debug builds (unoptimized SIMD wrappers are some fifty times slower); products and sums may fuse.
+      # Optimized even in debug builds (unoptimized SIMD wrappers are some fifty times slower); FMA contraction is allowed.
       set(optimization $<IF:$<CONFIG:Release>,-O3,-O2>)
       if(ERGODOME_SANITIZE AND simd STREQUAL "portable" AND "avx2" IN_LIST ERGODOME_SIMD_TARGETS)
         # Run by the tests of the choice alone, where the machine has the other set: to optimize it takes four times as long as that.

@@ -1,4 +1,4 @@
-# Adds to the package's folder what Debian asks for: copyright, changelog, overrides of lintian, compressed manual pages.
+# Adds to the package's folder what Debian asks for: copyright, changelog, lintian overrides, compressed manual pages.
 set(share "${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}/share")
 file(COPY "${CPACK_ERGODOME_DOCUMENTS}/copyright" DESTINATION "${share}/doc/ergodome")
 configure_file("${CPACK_ERGODOME_DOCUMENTS}/lintian-overrides" "${share}/lintian/overrides/ergodome" COPYONLY)

@@ -49,7 +49,8 @@ bool has_instruction_set(InstructionSet set) {
     case InstructionSet::avx512:
 #if defined(ERGODOME_SIMD_AVX512)
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
+             __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c");
 #else
       return false;
 #endif
@@ -58,8 +59,8 @@ bool has_instruction_set(InstructionSet set) {
 }
 
 Error missing_instruction_set() {
-  return {"this program", "was built for another processor: it has no kernels for the instruction sets of this one",
-          "build it here, or with the CMake preset release, which builds for all"};
+  return {"this program", "has no kernels for this CPU: it was built for another machine",
+          "rebuild it here, or build the CMake preset release, which supports all x86-64 CPUs"};
 }
 
 std::string_view name_of(InstructionSet set) {

@@ -7,7 +7,7 @@
 namespace ergodome {
 
 const char* find_cuda_unavailable_reason() {
-  // Without a driver the runtime reports version 0, and would otherwise call the driver too old.
+  // Without a driver the runtime would call the driver insufficient; its version is then 0.
   int driver_version = 0;
   if (cudaDriverGetVersion(&driver_version) == cudaSuccess && driver_version == 0) {
     return "no NVIDIA driver is installed";
@@ -15,7 +15,7 @@ const char* find_cuda_unavailable_reason() {
   int count = 0;
   const cudaError_t code = cudaGetDeviceCount(&count);
   if (code == cudaErrorInsufficientDriver) {
-    return "the NVIDIA driver is older than the CUDA version of this program";
+    return "the NVIDIA driver is too old for the CUDA version that this program was built with; update it";
   }
   if (code != cudaSuccess && code != cudaErrorNoDevice) {
     return cudaGetErrorString(code);
