@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "kernels/core/error.h"
 
@@ -41,6 +42,7 @@ constexpr unsigned long_item = 0xFE;
 constexpr unsigned application_collection = 0x01;
 constexpr unsigned is_constant = 0x01;
 constexpr unsigned is_variable = 0x02;
+constexpr unsigned is_relative = 0x04;
 
 struct UsageRange {
   std::uint32_t first = 0;  //!< page and number; page 0: the page of the main item
@@ -233,18 +235,20 @@ class Parser {
     if (length + bits > longest_report_bits) {
       throw problem("has a report of more than 64 KiB");
     }
-    if ((flags & is_constant) == 0 && (flags & is_variable) != 0 && globals_.size > 0) {
-      add_fields(length);
+    if ((flags & is_constant) == 0 && globals_.size > 0) {
+      if ((flags & is_variable) != 0) {
+        add_fields(length, (flags & is_relative) != 0);
+      } else {
+        add_array(length);
+      }
     }
     length += static_cast<std::uint32_t>(bits);
   }
 
   //! One field for each usage that there is room for. (Numbers beyond the last usage repeat it, and tell nothing new.)
-  void add_fields(std::uint32_t offset) {
-    HidField field;
-    field.report_id = globals_.id;
-    field.bits = static_cast<std::uint8_t>(globals_.size);
-    set_range(field);
+  void add_fields(std::uint32_t offset, bool relative) {
+    HidField field = field_of_globals();
+    field.is_relative = relative;
     std::uint32_t taken = 0;
     for (const UsageRange& range : usages_) {
       for (std::uint32_t value = range.first; taken < std::min(globals_.count, most_fields_of_item); ++value) {
@@ -261,12 +265,54 @@ class Parser {
     }
   }
 
-  //! Both are signed, by their size; but many write 255 in one byte beside a minimum of 0.
+  //! Adds the elements of an array, each of which selects one usage of a range (HID 1.11, 6.2.2.5). Lists of single usages are left
+  //! out: no pad has its buttons so.
+  void add_array(std::uint32_t offset) {
+    if (usages_.size() != 1 || usages_.front().first == usages_.front().last) {
+      return;
+    }
+    HidField field = field_of_globals();
+    field.is_array = true;
+    field.usage = resolved(usages_.front().first);
+    field.greatest = std::min(field.greatest, field.least + (usages_.front().last - usages_.front().first));
+    for (std::uint32_t i = 0; i < std::min(globals_.count, most_fields_of_item); ++i) {
+      field.bit_offset = offset + i * globals_.size;
+      if (layout_.fields.size() < most_fields) {
+        layout_.fields.push_back(field);
+      }
+    }
+  }
+
+  [[nodiscard]] HidField field_of_globals() const {
+    HidField field;
+    field.report_id = globals_.id;
+    field.bits = static_cast<std::uint8_t>(globals_.size);
+    set_range(field);
+    return field;
+  }
+
+  //! Sets the logical range. Limits are signed, by their size; but many devices write 255 in one byte beside a minimum of 0. Limits
+  //! that are swapped, missing, or beyond what the field's bits can hold, are corrected.
   void set_range(HidField& field) const {
     field.least = as_signed(globals_.least_bits, globals_.least_size);
     field.greatest = as_signed(globals_.greatest_bits, globals_.greatest_size);
     if (field.least >= 0 && field.greatest < field.least) {
       field.greatest = globals_.greatest_bits;
+    } else if (field.least == -1 && field.greatest == 0) {
+      // All bits set, and 0: the whole range, swapped.
+      field.least = globals_.least_bits;
+    }
+    if (field.greatest < field.least) {
+      std::swap(field.least, field.greatest);
+    }
+    const std::int64_t values = std::int64_t{1} << field.bits;
+    const std::int64_t lowest = field.least < 0 ? -values / 2 : 0;
+    const std::int64_t highest = lowest + values - 1;
+    field.least = std::clamp(field.least, lowest, highest);
+    field.greatest = std::clamp(field.greatest, lowest, highest);
+    if (field.greatest == field.least) {
+      field.least = lowest;
+      field.greatest = highest;
     }
   }
 

@@ -14,16 +14,18 @@ struct HidField {
   std::uint8_t report_id = 0;    //!< 0: the device has no ids
   std::uint32_t bit_offset = 0;  //!< from the report's first bit, behind the id
   std::uint8_t bits = 0;         //!< 1 to 32
-  HidUsage usage;
-  std::int64_t least = 0;  //!< logical; beyond it the field is null
+  HidUsage usage;                //!< of an array: the usage that stands for `least`
+  std::int64_t least = 0;        //!< logical; beyond it the field is null
   std::int64_t greatest = 0;
+  bool is_array = false;     //!< its value selects a usage: that of `least`, or one of those that follow it
+  bool is_relative = false;  //!< its value is a change since the last report
 };
 
 //! What a report descriptor says of input (USB Device Class Definition for HID 1.11, chapter 6.2.2).
 struct HidLayout {
   bool has_ids = false;
-  std::vector<HidUsage> applications;                 //!< what the device is, once for each application collection
-  std::vector<HidField> fields;                       //!< variables with a usage; no constants, no arrays
+  std::vector<HidUsage> applications;  //!< what the device is, once for each application collection
+  std::vector<HidField> fields;        //!< variables with a usage, arrays with a range of usages; no constants
   std::map<std::uint8_t, std::uint32_t> report_bits;  //!< length of each input report, without the id
 };
 

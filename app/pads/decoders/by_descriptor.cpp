@@ -13,8 +13,8 @@ namespace {
 //! A field that is read, and where its number goes.
 struct Read {
   HidField field;
-  enum class As { axis, hat, numbered_button, button } as = As::axis;
-  std::size_t index = 0;  //!< of the raw axis, the numbered button, or the PadButton
+  enum class As { axis, hat, numbered_button, button_array, button } as = As::axis;
+  std::size_t index = 0;  //!< of the raw axis, the (first) numbered button, or the PadButton
 };
 
 constexpr std::uint16_t desktop = 0x01;
@@ -24,10 +24,12 @@ class ByDescriptor : public PadDecoder {
  public:
   explicit ByDescriptor(const HidLayout& hid) : has_ids_(hid.has_ids), report_bits_(hid.report_bits) {
     std::size_t button_count = 0;
+    is_puck_ = is_puck(hid);
     for (const HidField& field : hid.fields) {
       add(field);
       if (field.usage.page == buttons) {
-        button_count = std::max<std::size_t>(button_count, field.usage.usage);
+        const std::int64_t more = field.is_array ? field.greatest - field.least : 0;
+        button_count = std::max(button_count, static_cast<std::size_t>(field.usage.usage + more));
       }
     }
     map_generic_axes(hid, layout_.axes);
@@ -65,8 +67,15 @@ class ByDescriptor : public PadDecoder {
 
  private:
   void add(const HidField& field) {
-    if (const char* const name = generic_axis_name(field.usage); name != nullptr) {
-      add_axis(field, name);
+    if (field.is_array) {
+      if (field.usage.page == buttons) {
+        reads_.push_back({field, Read::As::button_array, field.usage.usage});
+      }
+    } else if (const char* const name = generic_axis_name(field.usage); name != nullptr) {
+      // What a mouse or a wheel moved by has no position; pucks call their positions relative.
+      if (!field.is_relative || is_puck_) {
+        add_axis(field, name);
+      }
     } else if (field.usage == HidUsage{desktop, 0x39}) {
       reads_.push_back({field, Read::As::hat, 0});
     } else if (field.usage.page == buttons && field.usage.usage >= 1 && field.usage.usage <= most_numbered_buttons) {
@@ -109,6 +118,12 @@ class ByDescriptor : public PadDecoder {
       }
       if (read.as == Read::As::numbered_button) {
         pad.numbered.reset(read.index);
+      } else if (read.as == Read::As::button_array) {
+        for (std::int64_t value = read.field.least; value <= read.field.greatest; ++value) {
+          if (const auto index = array_button(read, value)) {
+            pad.numbered.reset(*index);
+          }
+        }
       } else if (read.as == Read::As::button) {
         pad.buttons.reset(read.index);
       } else if (read.as == Read::As::hat) {
@@ -134,12 +149,25 @@ class ByDescriptor : public PadDecoder {
           pad.numbered.set(read.index);
         }
         break;
+      case Read::As::button_array:
+        if (const auto index = array_button(read, value)) {
+          pad.numbered.set(*index);
+        }
+        break;
       case Read::As::button:
         if (value != 0) {
           pad.buttons.set(read.index);
         }
         break;
     }
+  }
+
+  //! Returns the index of the numbered button that an array's value selects.
+  static std::optional<std::size_t> array_button(const Read& read, std::int64_t value) {
+    const std::int64_t number = static_cast<std::int64_t>(read.index) + value - read.field.least;
+    const bool selects = value >= read.field.least && value <= read.field.greatest && number >= 1 &&
+                         number <= static_cast<std::int64_t>(most_numbered_buttons);
+    return selects ? std::optional(static_cast<std::size_t>(number - 1)) : std::nullopt;
   }
 
   //! Four or eight directions from the least number on; all else is none.
@@ -152,6 +180,7 @@ class ByDescriptor : public PadDecoder {
   }
 
   bool has_ids_;
+  bool is_puck_ = false;
   std::map<std::uint8_t, std::uint32_t> report_bits_;
   std::vector<Read> reads_;
   RawLayout layout_;

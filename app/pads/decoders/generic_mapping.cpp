@@ -127,6 +127,8 @@ bool has_pad(const HidLayout& hid) {
   return std::any_of(hid.applications.begin(), hid.applications.end(), is_pad_usage);
 }
 
+bool is_puck(const HidLayout& hid) { return has_application(hid, multi_axis); }
+
 const char* generic_axis_name(const HidUsage& usage) {
   const auto* const found =
       std::find_if(axis_usages.begin(), axis_usages.end(), [&](const NamedUsage& axis) { return axis.usage == usage; });
@@ -141,7 +143,7 @@ std::optional<PadButton> generic_button(const HidUsage& usage) {
 
 void map_generic_axes(const HidLayout& hid, std::vector<RawAxis>& axes) {
   AxisMap map(axes);
-  if (has_application(hid, multi_axis)) {
+  if (is_puck(hid)) {
     map_puck(map);
     return;
   }
@@ -168,7 +170,7 @@ std::vector<std::optional<PadButton>> generic_buttons(const HidLayout& hid, std:
   const std::vector<std::optional<PadButton>> by_puck = {south,         east,           west,   north,
                                                          left_shoulder, right_shoulder, select, start};
   std::vector<std::optional<PadButton>> found = by_logitech;
-  if (has_application(hid, multi_axis)) {
+  if (is_puck(hid)) {
     found = by_puck;
   } else if (has_pedals(hid) && count >= by_kernel.size()) {
     found = by_kernel;

@@ -12,6 +12,9 @@ namespace ergodome {
 bool has_pad(const HidLayout& hid);
 bool is_pad_usage(const HidUsage& usage);
 
+//! Whether one of the applications is a multi-axis controller (1:8), such as a 3D mouse.
+bool is_puck(const HidLayout& hid);
+
 //! "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", ...; nullptr where a usage is no axis of a pad.
 const char* generic_axis_name(const HidUsage& usage);
 

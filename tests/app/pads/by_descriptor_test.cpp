@@ -94,6 +94,30 @@ TEST(ByDescriptor, NamesAxesOfTheSameUsageApart) {
   EXPECT_EQ(decoder->layout().axes[1].name, "slider_2");
 }
 
+TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
+  // Two elements of eight bits that each name one of the buttons 1 to 12; 0 names none.
+  const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29, 0x0C,
+                                                0x15, 0x01, 0x25, 0x0C, 0x75, 0x08, 0x95, 0x02, 0x81, 0x00, 0xC0};
+  const auto decoder = make_by_descriptor(descriptor);
+  ASSERT_NE(decoder, nullptr);
+  EXPECT_EQ(decoder->layout().numbered.size(), 12U);
+  RawPad pad;
+  const std::vector<std::uint8_t> pressed = {3, 12};
+  EXPECT_EQ(decoder->decode(pressed, pad), PadReport::state);
+  EXPECT_EQ(pad.numbered.to_ulong(), (1UL << 2U) | (1UL << 11U));
+  const std::vector<std::uint8_t> released = {12, 0};
+  EXPECT_EQ(decoder->decode(released, pad), PadReport::state);
+  EXPECT_EQ(pad.numbered.to_ulong(), 1UL << 11U);
+}
+
+TEST(ByDescriptor, RelativeAxesOfAPadHaveNoPosition) {
+  std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x38, 0x15,
+                                          0x81, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xC0};
+  EXPECT_EQ(make_by_descriptor(descriptor), nullptr);
+  descriptor[19] = 0x02;
+  EXPECT_EQ(make_by_descriptor(descriptor)->layout().axes.size(), 2U);
+}
+
 TEST(ByDescriptor, AxesAndButtonsGoWhereTheProfileSays) {
   const FixtureDevice stick = fixture("saitek_x52").devices.front();
   const auto decoder = make_by_descriptor(stick.descriptor);

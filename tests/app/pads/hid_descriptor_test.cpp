@@ -53,6 +53,34 @@ TEST(HidDescriptor, PlacesFieldsThatAreNotAlignedAsTheStickDoes) {
   EXPECT_EQ(field_of(layout, {1, 0x39}).least, 1);
 }
 
+//! The x axis of a joystick with logical limits, in a field of so many bits.
+HidField axis_of(const Bytes& limits, std::uint8_t bits) {
+  Bytes items = {0x09, 0x30};
+  items.insert(items.end(), limits.begin(), limits.end());
+  items.insert(items.end(), {0x75, bits, 0x95, 0x01, 0x81, 0x02});
+  return field_of(parse_hid_descriptor(joystick(items)), {1, 0x30});
+}
+
+TEST(HidDescriptor, CorrectsLimitsThatAFieldCannotHold) {
+  struct Case {
+    Bytes limits;
+    std::uint8_t bits;
+    std::int64_t least;
+    std::int64_t greatest;
+  };
+  for (const Case& each : {Case{{0x15, 0x00, 0x25, 0xFF}, 8, 0, 255},                        // 255 in one signed byte
+                           Case{{0x15, 0x20, 0x27, 0xFF, 0xFF, 0x20, 0x20}, 16, 32, 65535},  // beyond the field
+                           Case{{0x15, 0x80, 0x26, 0xFF, 0x7F}, 8, -128, 127},               // the same, signed
+                           Case{{0x26, 0xFF, 0x03, 0x15, 0x00}, 10, 0, 1023},
+                           Case{{0x16, 0xFF, 0x03, 0x25, 0x00}, 10, 0, 1023},  // swapped
+                           Case{{0x15, 0xFF, 0x25, 0x00}, 8, 0, 255},          // swapped, in one byte
+                           Case{{}, 12, 0, 4095}}) {                           // missing
+    const HidField field = axis_of(each.limits, each.bits);
+    EXPECT_EQ(field.least, each.least) << int(each.bits);
+    EXPECT_EQ(field.greatest, each.greatest) << int(each.bits);
+  }
+}
+
 TEST(HidDescriptor, TakesUsagesOfFourBytesWithTheirPage) {
   const HidLayout layout = layout_of("switch_pro_usb");
   EXPECT_TRUE(layout.has_ids);
