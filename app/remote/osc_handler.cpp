@@ -1,10 +1,12 @@
 #include "app/remote/osc_handler.h"
 
 #include <fmt/format.h>
+#include <lo/lo.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <limits>
 
 #include "app/remote/command_rules.h"
@@ -69,6 +71,43 @@ CommandArgument argument_at(const OscMessage& message, std::size_t index) {
   return index < message.arguments.size() ? message.arguments[index] : CommandArgument{};
 }
 
+//! Returns an argument as a number if it is a text that holds one, as some show controllers send; else as it is.
+CommandArgument numeric(CommandArgument argument) {
+  if (const std::string* const text = std::get_if<std::string>(&argument)) {
+    double number = 0.0;
+    const char* const last = text->data() + text->size();
+    const auto [end, error] = std::from_chars(text->data(), last, number);
+    if (error == std::errc() && end == last && !text->empty()) {
+      return number;
+    }
+  }
+  return argument;
+}
+
+bool takes_number(Argument argument) {
+  return argument == Argument::number || argument == Argument::whole || argument == Argument::flag ||
+         argument == Argument::none;
+}
+
+bool is_pattern(const std::string& address) { return address.find_first_of("*?[{") != std::string::npos; }
+
+//! Returns the rules of the commands that an address or an address pattern of OSC names. Throws Error if there are none.
+std::vector<const CommandRule*> rules_at(const std::string& address) {
+  if (!is_pattern(address)) {
+    return {&rule_at(address)};
+  }
+  std::vector<const CommandRule*> matching;
+  for (const CommandRule& rule : command_rules()) {
+    if (lo_pattern_match(fmt::format("{}{}", root, rule.name).c_str(), address.c_str()) != 0) {
+      matching.push_back(&rule);
+    }
+  }
+  if (matching.empty()) {
+    throw Error(quotable(address), "matches no address", "OSC.md lists them");
+  }
+  return matching;
+}
+
 void expect_at_most(const OscMessage& message, std::size_t count) {
   if (message.arguments.size() > count) {
     throw Error(message.address.substr(root.size()), fmt::format("has {} arguments", message.arguments.size()),
@@ -84,7 +123,7 @@ bool is_release(const CommandArgument& argument) {
 }
 
 double number_at(const OscMessage& message, std::size_t index, std::string_view name, double least, double greatest) {
-  const CommandArgument argument = argument_at(message, index);
+  const CommandArgument argument = numeric(argument_at(message, index));
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr) {
     throw Error(std::string(name), "takes a number", "send one");
@@ -155,9 +194,15 @@ void OscHandler::warn(const NetAddress& from, const std::string& problem, steady
 }
 
 void OscHandler::command(const OscMessage& message, const OscInstant& now) {
-  const CommandRule& rule = rule_at(message.address);
-  expect_at_most(message, 1);
-  const CommandArgument argument = argument_at(message, 0);
+  for (const CommandRule* const rule : rules_at(message.address)) {
+    command(*rule, message, now);
+  }
+}
+
+void OscHandler::command(const CommandRule& rule, const OscMessage& message, const OscInstant& now) {
+  // Further arguments are ignored, as OSC's receivers do: control surfaces add coordinates or names.
+  CommandArgument argument = argument_at(message, 0);
+  argument = takes_number(rule.argument) ? numeric(std::move(argument)) : std::move(argument);
   if (rule.argument == Argument::none && is_release(argument)) {
     return;
   }
@@ -181,10 +226,9 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
   if (!listeners_.clock) {
     throw Error("clock", "the show's time does not follow OSC", "start the player with --clock osc");
   }
-  expect_at_most(message, 2);
   ClockFix fix;
   fix.show_time = show_time(number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s));
-  if (message.arguments.size() == 2) {
+  if (message.arguments.size() >= 2) {
     fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
   }
   // A bundle's time says when its word was right, be that before or after now.

@@ -41,9 +41,8 @@ std::string problem_of(int code) {
     case LO_EINVALIDPATH:
       return "has an address that is not ended and filled up to four bytes with zeros";
     case LO_ENOTYPE:
-      return "has no type tags";
     case LO_EBADTYPE:
-      return "has type tags that do not begin with a comma";
+      return "has arguments without type tags";
     case LO_EINVALIDTYPE:
       return "has type tags that are not ended and filled up to four bytes with zeros";
     case LO_EINVALIDARG:
@@ -93,6 +92,16 @@ OscArgument argument_of(char type, const void* place) {
   }
 }
 
+//! True if a message is an address and nothing else: older senders leave out the type tags of messages without arguments, and OSC
+//! 1.0 asks receivers to accept that.
+bool is_bare_address(std::span<const std::byte> bytes) {
+  const auto end = std::ranges::find(bytes, std::byte{0});
+  const auto length = static_cast<std::size_t>(end - bytes.begin());
+  constexpr std::size_t word = 4;
+  return end != bytes.end() && bytes.size() == (length / word + 1) * word &&
+         std::all_of(end, bytes.end(), [](std::byte byte) { return byte == std::byte{0}; });
+}
+
 OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   if (bytes.empty()) {
     refuse("is empty");
@@ -102,6 +111,9 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   }
   // liblo changes the byte order in a copy of its own, but takes a pointer that is not to constants.
   std::vector<std::byte> copy(bytes.begin(), bytes.end());
+  if (is_bare_address(bytes)) {
+    copy.insert(copy.end(), {std::byte{','}, std::byte{0}, std::byte{0}, std::byte{0}});
+  }
   int problem = 0;
   const MessageOwner message(lo_message_deserialise(copy.data(), copy.size(), &problem));
   if (message == nullptr) {
