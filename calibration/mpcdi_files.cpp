@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "calibration/mpcdi_words.h"
@@ -16,14 +17,19 @@ namespace {
 constexpr std::size_t most_map_bytes = 256 + 12 * most_mesh_nodes;
 constexpr std::size_t most_mask_bytes = std::size_t{512} << 20U;
 
-//! A path as the file writes it, or nothing where it is empty. Throws Error where it could lead elsewhere.
+//! Returns the path that an element names, in <path> or as its own text, with slashes; nothing if it is empty. Throws Error if it
+//! could lead out of the archive.
 std::optional<std::string> checked_path(const XmlElement& element) {
-  std::string path = element.needed_child("path").text();
+  const std::string own_text = element.text();
+  std::string path = own_text.empty() || element.child("path") ? element.needed_child("path").text() : own_text;
+  // Windows programs write their own separators.
+  std::ranges::replace(path, '\\', '/');
   if (path.empty()) {
     return std::nullopt;
   }
+  path = std::filesystem::path(path).lexically_normal().generic_string();
   const std::filesystem::path parts(path);
-  const bool strange = path.size() > 255 || path.find_first_of(std::string_view("\\:\0", 3)) != std::string::npos;
+  const bool strange = path.size() > 255 || path.find_first_of(std::string_view(":\0", 2)) != std::string::npos;
   if (strange || parts.is_absolute() || std::find(parts.begin(), parts.end(), "..") != parts.end()) {
     throw element.error(fmt::format("has the path \"{}\"", path.substr(0, 80)),
                         "name a file of the archive, or one beside the description");
@@ -65,23 +71,27 @@ std::optional<MpcdiMask> MpcdiFileReader::read_mask(const XmlElement& element) c
   return MpcdiMask{parse_blend_map(std::as_bytes(std::span(bytes)), name_of(element, *path)), gamma};
 }
 
-std::optional<MpcdiGeometry> MpcdiFileReader::read_geometry(const XmlElement& element) const {
+std::optional<MpcdiGeometry> MpcdiFileReader::read_geometry(const XmlElement& element, MpcdiProfile profile) const {
   auto map = read_map(element);
   if (!map) {
     return std::nullopt;
   }
-  const std::string unit = element.text_of("geometricUnit", "unknown");
+  std::string unit = element.text_of("geometricUnit", "unknown");
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   static const std::set<std::string> units = {"mm", "cm", "dm", "m", "in", "ft", "yd", "unknown"};
-  if (!units.contains(unit)) {
+  if (!units.contains(unit) && !is_posed(profile)) {
+    // Coordinates on a screen or in a picture have no unit.
+    unit = "unknown";
+  } else if (!units.contains(unit)) {
     throw element.error(fmt::format("has the geometricUnit \"{}\"", unit.substr(0, 40)),
                         "there are mm, cm, dm, m, in, ft, yd and unknown");
   }
-  return MpcdiGeometry{std::move(*map), element.text_of("interpolation", "unknown"), unit,
-                       origin_of(element.text_of("originOf3DData", "unknown"))};
+  const std::string interpolation = element.text_of("interpolation", element.text_of("interpolationMethod", "unknown"));
+  return MpcdiGeometry{std::move(*map), interpolation, unit, origin_of(element.text_of("originOf3DData", "unknown"))};
 }
 
 void MpcdiFileReader::read(const XmlElement& fileset, const Mpcdi& mpcdi, MpcdiRegion& region) const {
-  region.geometry = read_geometry(fileset.needed_child("geometryWarpFile"));
+  region.geometry = read_geometry(fileset.needed_child("geometryWarpFile"), mpcdi.profile);
   region.alpha = read_mask(fileset.needed_child("alphaMap"));
   if (mpcdi.color_level > 2) {
     region.beta = read_mask(fileset.needed_child("betaMap"));

@@ -20,7 +20,7 @@ class MpcdiFileReader {
  private:
   [[nodiscard]] std::optional<FloatMap> read_map(const XmlElement& element) const;
   [[nodiscard]] std::optional<MpcdiMask> read_mask(const XmlElement& element) const;
-  [[nodiscard]] std::optional<MpcdiGeometry> read_geometry(const XmlElement& element) const;
+  [[nodiscard]] std::optional<MpcdiGeometry> read_geometry(const XmlElement& element, MpcdiProfile profile) const;
 
   MpcdiFiles files_;
   RowOrder order_;

@@ -143,13 +143,26 @@ class DescriptionReader {
       filesets.insert(filesets.end(), within.begin(), within.end());
     }
     std::set<std::string> seen;
-    for (const XmlElement& fileset : filesets) {
-      const std::string id = fileset.needed_attribute("region");
+    const auto read = [&](const XmlElement& fileset, const std::string& id) {
       MpcdiRegion& region = region_named(id, fileset);
       if (!seen.insert(id).second) {
         throw fileset.error(fmt::format("is the second of region \"{}\"", shown(id)), "write one for each region");
       }
       files_.read(fileset, mpcdi_, region);
+    };
+    for (const XmlElement& fileset : filesets) {
+      read(fileset, fileset.needed_attribute("region"));
+    }
+    // Some programs write a region's fileset into the region.
+    for (const auto& [id, found] : regions_) {
+      for (const XmlElement& fileset : found.element.children("fileset")) {
+        const std::string named = fileset.attribute("region").value_or(id);
+        if (named != id) {
+          throw fileset.error(fmt::format("is in region \"{}\" and names \"{}\"", shown(id), shown(named)),
+                              "name the region that it is in, or none");
+        }
+        read(fileset, id);
+      }
     }
     for (const auto& [id, found] : regions_) {
       if (!is_posed(mpcdi_.profile) && !seen.contains(id)) {

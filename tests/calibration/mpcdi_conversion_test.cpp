@@ -10,6 +10,7 @@
 #include "calibration/mpcdi_writer.h"
 #include "calibration/warp_conversion.h"
 #include "tests/calibration/mpcdi_fixtures.h"
+#include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {
@@ -31,6 +32,11 @@ Mpcdi lamps_with_surface(const std::string& profile, const std::string& unit) {
   const std::string surface =
       pfm_by_hand(2, 2, {1, 2, 3, 4, 5, 6, 7, 8, 9, unknown_sample, unknown_sample, unknown_sample});
   return parsed_archive(zip_by_hand({{"mpcdi.xml", xml}, {"surface.pfm", surface}}));
+}
+
+TEST(MpcdiConversion, UnitsCountInAnyCaseAndUnknownOnesAreErrors) {
+  EXPECT_EQ(lamps_with_surface("sl", "CM").buffers[0].regions[0].geometry->unit, "cm");
+  EXPECT_THAT(error_of([] { lamps_with_surface("sl", "furlong"); }), HasSubstr("furlong"));
 }
 
 TEST(MpcdiConversion, WarpOfTheFixedMediaProfileLooksUpTheWholeBuffer) {
