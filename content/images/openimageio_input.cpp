@@ -12,6 +12,7 @@
 
 #include "content/images/jpeg_end.h"
 #include "content/images/png_chunks.h"
+#include "content/images/radiance_header.h"
 #include "content/images/shown_pixels.h"
 #include "content/images/tiff_strips.h"
 
@@ -60,6 +61,19 @@ std::string problem_of_file(const std::string& name, const std::optional<std::sp
   return problem_of_png(next, extent);
 }
 
+//! The first bytes of a file, or of those that stand for it: headers are shorter.
+std::string head_of(const std::string& name, const std::optional<std::span<const std::byte>>& bytes) {
+  constexpr std::size_t longest_head = std::size_t{1} << 16U;
+  if (bytes) {
+    return {reinterpret_cast<const char*>(bytes->data()), std::min(bytes->size(), longest_head)};
+  }
+  std::string head(longest_head, '\0');
+  std::ifstream file(name, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
+}
+
 class Input final : public ImageInput {
  public:
   //! Opens a file, or its bytes; is_open() tells whether it could.
@@ -81,6 +95,9 @@ class Input final : public ImageInput {
     if (input_) {
       take_shape();
     }
+    if (input_ && std::string_view(input_->format_name()) == "hdr") {
+      radiance_ = read_radiance_header(head_of(name_, bytes_));
+    }
   }
 
   [[nodiscard]] bool is_open() const { return input_ != nullptr; }
@@ -88,6 +105,8 @@ class Input final : public ImageInput {
   [[nodiscard]] bool is_jpeg() const { return std::string_view(input_->format_name()) == "jpeg"; }
   [[nodiscard]] bool is_too_large() const { return !layout_.is_plain() && !layout_.is_bounded(); }
   [[nodiscard]] const ImageShape& shape() const override { return shape_; }
+  //! What of the file cannot be shown right; empty if nothing.
+  [[nodiscard]] const std::string& problem() const { return radiance_.problem; }
 
   bool go_to_part(int part) override {
     const bool found = input_->seek_subimage(part, 0);
@@ -99,23 +118,16 @@ class Input final : public ImageInput {
   }
 
   bool read_rows(int begin, int end, int channels, float* to) override {
-    if (!is_whole()) {
-      return false;
-    }
-    if (!layout_.is_plain()) {
-      const bool put = shown_channels_ == channels || read_in_place(*input_, part_, layout_, channels, shown_);
-      shown_channels_ = put ? channels : 0;
-      const auto row = static_cast<std::ptrdiff_t>(shape_.width) * channels;
-      if (put) {
-        std::copy(shown_.begin() + begin * row, shown_.begin() + end * row, to);
-      }
-      return put;
-    }
-    const int top = input_->spec().y;
-    return input_->read_scanlines(part_, 0, top + begin, top + end, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
+    const bool read = read_stored_rows(begin, end, channels, to);
+    apply_gains(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(shape_.width), channels, to);
+    return read;
   }
 
-  bool read_all(int channels, float* to) override { return read_shown(channels, to); }
+  bool read_all(int channels, float* to) override {
+    const bool read = read_shown(channels, to);
+    apply_gains(static_cast<std::size_t>(shape_.width) * static_cast<std::size_t>(shape_.height), channels, to);
+    return read;
+  }
   bool read_all(int channels, std::uint16_t* to) override { return read_shown(channels, to); }
 
   bool read_through() override {
@@ -150,6 +162,36 @@ class Input final : public ImageInput {
       torn_ = std::string_view(input_->format_name()) == "png" ? problem_of_file(name_, bytes_, PngExtent::to_end) : "";
     }
     return torn_->empty();
+  }
+
+  bool read_stored_rows(int begin, int end, int channels, float* to) {
+    if (!is_whole()) {
+      return false;
+    }
+    if (!layout_.is_plain()) {
+      const bool put = shown_channels_ == channels || read_in_place(*input_, part_, layout_, channels, shown_);
+      shown_channels_ = put ? channels : 0;
+      const auto row = static_cast<std::ptrdiff_t>(shape_.width) * channels;
+      if (put) {
+        std::copy(shown_.begin() + begin * row, shown_.begin() + end * row, to);
+      }
+      return put;
+    }
+    const int top = input_->spec().y;
+    return input_->read_scanlines(part_, 0, top + begin, top + end, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
+  }
+
+  //! Takes out the exposure that a Radiance picture was saved with.
+  void apply_gains(std::size_t pixels, int channels, float* to) const {
+    if (radiance_.gains == RadianceHeader().gains) {
+      return;
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+      for (int c = 0; c < std::min(channels, 3); ++c) {
+        to[i * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] *=
+            radiance_.gains.at(static_cast<std::size_t>(c));
+      }
+    }
   }
 
   void take_shape() {
@@ -189,6 +231,7 @@ class Input final : public ImageInput {
   std::vector<float> shown_;  //!< the picture, of a file whose rows are not its
   int shown_channels_ = 0;    //!< that it has
   int part_ = 0;
+  RadianceHeader radiance_;
 };
 
 //! The bytes of a file, or those that stand for it.
@@ -238,7 +281,8 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
     problem = "it shows more than 16384 x 8192 pixels, turned, or in another window than they fill";
     return nullptr;
   }
-  if (input->is_tiff()) {
+  problem = input->problem();
+  if (problem.empty() && input->is_tiff()) {
     problem = problem_of_tiff(name, wishes.bytes);
   }
   if (problem.empty()) {

@@ -1,6 +1,7 @@
 #include "content/images/shown_pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace ergodome {
@@ -35,6 +36,19 @@ bool read_numbers_in_place(OIIO::ImageInput& input, int part, const ShownLayout&
   return true;
 }
 
+//! Returns what is left of a TIFF's orientation once OpenImageIO has read it. It reads YCbCr, CIELAB and JPEG-compressed grey through
+//! libtiff's RGBA interface, which mirrors, but does not exchange rows and columns.
+int left_of_tiff_orientation(const OIIO::ImageSpec& spec, int orientation) {
+  const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", 2);
+  const bool grey_jpeg = photometric <= 1 && spec.get_string_attribute("compression") == "jpeg";
+  const bool mirrored_already = grey_jpeg || (photometric >= 6 && photometric <= 10);
+  constexpr std::array<int, 9> left = {1, 1, 1, 1, 1, 5, 7, 5, 7};
+  return mirrored_already ? left.at(static_cast<std::size_t>(orientation)) : orientation;
+}
+
+//! OpenImageIO numbers "+X +Y" of Radiance pictures 6 and "-X -Y" 8; in Exif it is the other way round.
+int exif_of_radiance_orientation(int orientation) { return orientation == 6 ? 8 : orientation == 8 ? 6 : orientation; }
+
 }  // namespace
 
 ShownLayout shown_layout(const OIIO::ImageInput& input) {
@@ -49,10 +63,12 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
     layout.window_width = spec.full_width;
     layout.window_height = spec.full_height;
   }
-  // Of TIFF the library turns some by itself (YCbCr, CIELAB) and tells of it all the same, and of Radiance HDR it counts otherwise.
   const std::string_view format = input.format_name();
-  const int orientation = format == "tiff" || format == "hdr" ? 1 : spec.get_int_attribute("Orientation", 1);
-  layout.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
+  const int stored = spec.get_int_attribute("Orientation", 1);
+  const int orientation = stored >= 1 && stored <= 8 ? stored : 1;
+  layout.orientation = format == "tiff"  ? left_of_tiff_orientation(spec, orientation)
+                       : format == "hdr" ? exif_of_radiance_orientation(orientation)
+                                         : orientation;
   return layout;
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace ergodome {
+
+//! What the header of a Radiance picture says of its light (Ward, "Radiance file formats", refman/filefmts).
+struct RadianceHeader {
+  //! Factors from the file's numbers to light: 1 / (product of all EXPOSURE and COLORCORR lines).
+  std::array<float, 3> gains = {1.0F, 1.0F, 1.0F};
+  std::string problem;  //!< what cannot be shown right; empty if nothing
+};
+
+//! Reads the header at the beginning of a file. Other files than Radiance's have gains of 1 and no problem.
+RadianceHeader read_radiance_header(std::string_view head);
+
+}  // namespace ergodome
