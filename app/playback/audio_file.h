@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/playback/mp3_file.h"
+
 namespace ergodome {
 
 //! Why a file is no sound that can be played to its end, for people; empty where it is. Of a torn one what is there is played.
 std::string sound_problem(const std::filesystem::path& path);
 
-//! A sound file that is read from anywhere: what libsndfile knows, WAV, FLAC, Ogg Vorbis, Opus and MP3 among it.
+//! A sound file that is read from anywhere: MP3, and what libsndfile knows, WAV, FLAC, Ogg Vorbis and Opus among it.
 class AudioFile {
  public:
   static constexpr int most_channels = 8;
@@ -34,7 +36,7 @@ class AudioFile {
   //! does: the rest is silent then.
   bool read(std::int64_t first_frame, bool loop, std::span<float> samples);
 
-  //! Whether its last frame can be read; true of MP3, whose length may be a guess.
+  //! Whether its last frame can be read.
   bool has_end();
 
  private:
@@ -44,11 +46,14 @@ class AudioFile {
   struct Close {
     void operator()(void* file) const;
   };
-  std::unique_ptr<void, Close> file_;
+  //! Counts the frames of a file that does not contain its length, by decoding it.
+  [[nodiscard]] std::int64_t counted_frames(const std::string& place) const;
+
+  std::unique_ptr<void, Close> file_;  //!< libsndfile's; null of an MP3
+  std::unique_ptr<Mp3File> mp3_;
   int channels_ = 0;
   int rate_hz_ = 0;
   std::int64_t frames_ = 0;
-  bool guessed_length_ = false;   //!< from a bit rate, as of MP3 without a header that tells it
   std::int64_t next_frame_ = -1;  //!< where the library would go on; -1: unknown
 };
 

@@ -131,6 +131,28 @@ std::uint64_t end_of_mp3(std::istream& file) {
 
 }  // namespace
 
+bool is_chained_ogg(std::istream& file) {
+  constexpr std::size_t head_bytes = 27;
+  constexpr unsigned begins_stream = 0x02;
+  bool after_begin = false;
+  for (std::uint64_t place = 0;;) {
+    const std::string page = bytes_at(file, place, head_bytes + 255);
+    if (page.size() < head_bytes || !page.starts_with("OggS")) {
+      return false;
+    }
+    const bool begins = (static_cast<unsigned char>(page[5]) & begins_stream) != 0;
+    if (begins && after_begin) {
+      return true;
+    }
+    after_begin = after_begin || !begins;
+    const std::size_t segments = static_cast<unsigned char>(page[26]);
+    place += head_bytes + segments;
+    for (std::size_t i = 0; i < segments && head_bytes + i < page.size(); ++i) {
+      place += static_cast<unsigned char>(page[head_bytes + i]);
+    }
+  }
+}
+
 std::uint64_t promised_bytes(std::istream& file) {
   const std::string head = bytes_at(file, 0, 12);
   const std::string_view kind = std::string_view(head).substr(std::min<std::size_t>(8, head.size()));

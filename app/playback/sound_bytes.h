@@ -11,4 +11,7 @@ namespace ergodome {
 //! Source: Multimedia Programming Interface and Data Specifications 1.0 (RIFF); EBU Tech 3306 (RF64); Audio Interchange File Format 1.3; Sonic Foundry, Sony Wave64; Sun, au(4); id3.org, ID3v2.4.0 structure.
 std::uint64_t promised_bytes(std::istream& file);
 
+//! True if an Ogg file is several streams one after the other (RFC 3533, 4), of which libsndfile plays the first alone.
+bool is_chained_ogg(std::istream& file);
+
 }  // namespace ergodome

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -123,6 +124,54 @@ TEST_F(AudioFiles, OfALengthThatWasNotKnownWhenTheyWereWrittenAreNotTorn) {
   file.seekp(40);
   file << "\xFF\xFF\xFF\xFF" << std::flush;
   EXPECT_EQ(sound_problem(folder_ / "a.wav"), "");
+}
+
+TEST_F(AudioFiles, Mp3WithoutAHeaderOfItsLengthIsPlayedToItsEnd) {
+  // 30 s of a tone with a variable bit rate and no Xing frame.
+  const std::filesystem::path path = ERGODOME_TEST_DATA_DIR "/foreign/sound/vbr.mp3";
+  EXPECT_EQ(sound_problem(path), "");
+  AudioFile file(path);
+  EXPECT_NEAR(file.length_s(), 30.0, 0.1);
+  std::vector<float> samples(static_cast<std::size_t>(file.channels()) * 4800);
+  for (const double time_s : {29.5, 1.0, 15.0}) {
+    EXPECT_TRUE(file.read(static_cast<std::int64_t>(time_s * file.rate_hz()), false, samples));
+    EXPECT_GT(std::abs(*std::ranges::max_element(samples)), 0.01F) << time_s;
+  }
+}
+
+TEST_F(AudioFiles, FlacOfUnknownLengthIsCounted) {
+  const std::filesystem::path path = folder_ / "a.flac";
+  test::write_sound(path, {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 2, 3.0}, burst);
+  // The lower 36 bits of eight bytes of STREAMINFO (RFC 9639, 8.2), which follows a mark and a head of four bytes each.
+  std::fstream bytes(path, std::ios::in | std::ios::out | std::ios::binary);
+  bytes.seekg(21);
+  const char rate_and_length = static_cast<char>(bytes.get() & 0xF0);
+  bytes.seekp(21);
+  bytes << rate_and_length << std::string(4, '\0') << std::flush;
+  EXPECT_EQ(sound_problem(path), "");
+  EXPECT_EQ(AudioFile(path).frames(), 144'000);
+  EXPECT_NEAR(heard_burst_s(path), 2.0, 0.0005);
+}
+
+TEST_F(AudioFiles, KindsThatAreNotSupportedAreNamed) {
+  using namespace std::string_view_literals;
+  const std::pair<std::string_view, const char*> kinds[] = {
+      {"\0\0\0\x20"
+       "ftypM4A \0\0\0\0"sv,
+       "M4A"},
+      {"\xFF\xF1\x50\x80\x00\x1F\xFC\x00"sv, "is AAC"},
+      {"\x30\x26\xB2\x75\x8E\x66\xCF\x11\xA6\xD9\x00\xAA"sv, "WMA"}};
+  for (const auto& [head, name] : kinds) {
+    std::ofstream(folder_ / "a.mp3", std::ios::binary) << head << std::string(1000, '\0');
+    EXPECT_THAT(sound_problem(folder_ / "a.mp3"), testing::HasSubstr(name));
+  }
+  // Two streams one after the other.
+  test::write_sound(folder_ / "a.ogg", {SF_FORMAT_OGG | SF_FORMAT_VORBIS, 48000, 1, 0.5}, burst);
+  std::ifstream one(folder_ / "a.ogg", std::ios::binary);
+  const std::string stream{std::istreambuf_iterator<char>(one), {}};
+  std::ofstream(folder_ / "chain.ogg", std::ios::binary) << stream << stream;
+  EXPECT_EQ(sound_problem(folder_ / "a.ogg"), "");
+  EXPECT_THAT(sound_problem(folder_ / "chain.ogg"), testing::HasSubstr("chain of Ogg streams"));
 }
 
 TEST_F(AudioFiles, ThatAreNoSoundAreErrorsWithARemedy) {
