@@ -60,10 +60,39 @@ std::optional<Column> column_named(std::string_view name) {
   return std::nullopt;
 }
 
+//! True if a cell stands for a number that is not known, in the words of Gaia's archive and VizieR.
+bool is_blank(std::string_view cell) {
+  constexpr std::string_view blanks[] = {"", "null", "NULL", "nan", "NaN", "--", "---"};
+  return std::ranges::find(blanks, cell) != std::end(blanks);
+}
+
+//! Returns the character between the cells of a header: comma, semicolon or tab, whichever it has most of.
+char separator_of(std::string_view text) {
+  const std::string_view header = text.substr(0, text.find_first_of("\r\n"));
+  char most = ',';
+  for (const char separator : {';', '\t'}) {
+    most = std::ranges::count(header, separator) > std::ranges::count(header, most) ? separator : most;
+  }
+  return most;
+}
+
+//! Throws Error if a file is compressed, or no text of single bytes.
+void require_plain_text(std::string_view text, const std::string& file) {
+  if (text.starts_with("\x1F\x8B")) {
+    throw Error(file, "is compressed (gzip)", "unpack it with gunzip");
+  }
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    throw Error(file, "is text in UTF-16", "save it as UTF-8");
+  }
+}
+
 //! Takes cells and rows from the parser. It must not throw through the parser's frames: the first problem is kept.
 class TableBuilder {
  public:
   explicit TableBuilder(std::string file) : file_(std::move(file)) {}
+
+  //! Sets the character between cells.
+  void set_separator(char separator) { separator_ = separator; }
 
   void take_cell(std::string_view cell) {
     if (problem_) {
@@ -121,7 +150,7 @@ class TableBuilder {
   //! may well be an end of a line, but not as many commas as in a row.
   void count_lines(std::string_view cell) {
     const auto lines = static_cast<std::size_t>(std::ranges::count(cell, '\n'));
-    const auto commas = static_cast<std::size_t>(std::ranges::count(cell, ','));
+    const auto commas = static_cast<std::size_t>(std::ranges::count(cell, separator_));
     if (!in_header_ && named_ > 1 && commas >= (named_ - 1) * lines) {
       leave_out({"within quotes that go on into the next line", lines, line_ + lines_in_row_, false});
     }
@@ -152,9 +181,6 @@ class TableBuilder {
       }
       has_[*column] = true;
     }
-    for (const char separator : {';', '\t'}) {
-      separator_ = cell.find(separator) != std::string_view::npos ? separator : separator_;
-    }
     if (columns_.size() < 4096) {
       columns_.push_back(column);
     }
@@ -175,9 +201,7 @@ class TableBuilder {
     require(has_[magnitude], magnitude);
     if (!missing.empty()) {
       fail(fmt::format("names no column for {}", missing),
-           separator_ == ';'    ? "separate cells by commas in place of semicolons"
-           : separator_ == '\t' ? "separate cells by commas in place of tabs"
-                                : fmt::format("name them in the first line, in capitals or not; {}", all_column_names));
+           fmt::format("name them in the first line, in capitals or not; {}", all_column_names));
     }
   }
 
@@ -188,8 +212,15 @@ class TableBuilder {
     while (!cell.empty() && cell.back() == ' ') {
       cell.remove_suffix(1);
     }
-    if (cell.empty()) {
+    if (is_blank(cell)) {
       return;
+    }
+    // Where semicolons separate cells, commas are decimal points.
+    std::string point;
+    if (separator_ == ';' && cell.find(',') != std::string_view::npos) {
+      point = cell;
+      std::ranges::replace(point, ',', '.');
+      cell = point;
     }
     if (cell.find('\n') != std::string_view::npos) {
       return fail(fmt::format("has a cell of more than one line where {} should be", column_words[column]),
@@ -242,7 +273,7 @@ class TableBuilder {
   std::size_t cell_ = 0;
   std::size_t named_ = 0;  //!< columns of the header
   bool in_header_ = true;
-  char separator_ = ',';  //!< that the header seems to have
+  char separator_ = ',';
   std::vector<std::optional<Column>> columns_;
   std::array<bool, column_count> has_{};
   std::array<double, column_count> values_{};
@@ -261,6 +292,8 @@ class CsvParser {
   ~CsvParser() { csv_free(&parser_); }
   CsvParser(const CsvParser&) = delete;
   CsvParser& operator=(const CsvParser&) = delete;
+
+  void set_separator(char separator) { csv_set_delim(&parser_, static_cast<unsigned char>(separator)); }
 
   void parse(std::string_view text, TableBuilder& table) {
     if (csv_parse(&parser_, text.data(), text.size(), &take_cell, &end_row, &table) != text.size()) {
@@ -295,10 +328,16 @@ StarCatalogue parse_star_table(std::istream& stream, const std::string& file) {
   TableBuilder table(file);
   CsvParser parser;
   std::string chunk(chunk_bytes, '\0');
-  while (stream) {
+  for (bool first = true; stream; first = false) {
     require_reading_goes_on(file);
     stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    parser.parse({chunk.data(), static_cast<std::size_t>(stream.gcount())}, table);
+    const std::string_view text(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+    if (first) {
+      require_plain_text(text, file);
+      parser.set_separator(separator_of(text));
+      table.set_separator(separator_of(text));
+    }
+    parser.parse(text, table);
     table.check();
   }
   if (stream.bad()) {

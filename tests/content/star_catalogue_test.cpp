@@ -169,13 +169,28 @@ TEST(StarTable, ColumnsMayBeNamedInCapitals) {
   EXPECT_EQ(read.stars[0].b_v, 0.5F);
 }
 
-TEST(StarTable, SemicolonsAreNamedWhereNoColumnIs) {
-  EXPECT_THAT(catalogue_problem("ra_deg;dec_deg;v_mag\n1;2;3\n"),
-              AllOf(HasSubstr("stars.csv:1"), HasSubstr("semicolons")));
+TEST(StarTable, CellsMayBeSeparatedBySemicolonsOrTabs) {
+  for (const char* const text :
+       {"ra_deg;dec_deg;v_mag;b_v\r\n1;-2,5;3.25;0,5\r\n", "ra_deg\tdec_deg\tv_mag\tb_v\n1\t-2.5\t3.25\t0.5\n",
+        "\"ra_deg\";dec_deg;v_mag;b_v\n1;-2.5;\"3.25\";0.5\n"}) {
+    const StarCatalogue read = parsed_stars(text);
+    ASSERT_EQ(read.stars.size(), 1U) << text;
+    EXPECT_EQ(read.stars[0].ra_deg, 1.0);
+    EXPECT_EQ(read.stars[0].dec_deg, -2.5);
+    EXPECT_EQ(read.stars[0].v_mag, 3.25F);
+    EXPECT_EQ(read.stars[0].b_v, 0.5F);
+  }
 }
 
-TEST(StarTable, TabsAreNamedWhereNoColumnIs) {
-  EXPECT_THAT(catalogue_problem("ra_deg\tdec_deg\tv_mag\n1\t2\t3\n"), HasSubstr("in place of tabs"));
+TEST(StarTable, WordsForUnknownNumbersAreBlank) {
+  const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag,b_v\n1,2,3,null\n1,2,null,0.5\n1,2,3,--\n");
+  ASSERT_EQ(read.stars.size(), 2U);
+  EXPECT_TRUE(std::isnan(read.stars[0].b_v) && std::isnan(read.stars[1].b_v));
+}
+
+TEST(StarTable, CompressedOrWideTextIsNamed) {
+  EXPECT_THAT(catalogue_problem("\x1F\x8B\x08 and so on"), HasSubstr("gunzip"));
+  EXPECT_THAT(catalogue_problem("\xFF\xFEr"), HasSubstr("UTF-16"));
 }
 
 TEST(StarTable, ColourThatNoStarHasIsNotKnown) {
