@@ -132,6 +132,7 @@ std::uint64_t end_of_mp3(std::istream& file) {
 }  // namespace
 
 bool is_chained_ogg(std::istream& file) {
+  // A page that begins a stream, after pages that do not, begins the next link of a chain.
   constexpr std::size_t head_bytes = 27;
   constexpr unsigned begins_stream = 0x02;
   bool after_begin = false;

@@ -23,7 +23,7 @@ std::vector<double> numbers_of(std::string_view line) {
   return numbers;
 }
 
-//! True if primaries are those of sRGB or Radiance's own, which differ in green and white by less than programs tell apart.
+//! True if the red, green and blue primaries are those of sRGB or Radiance's own, which differ by 0.01 in green.
 bool are_usual_primaries(const std::vector<double>& primaries) {
   constexpr std::array<double, 6> usual = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06};
   constexpr double tolerance = 0.0101;

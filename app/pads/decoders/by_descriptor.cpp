@@ -72,7 +72,7 @@ class ByDescriptor : public PadDecoder {
         reads_.push_back({field, Read::As::button_array, field.usage.usage});
       }
     } else if (const char* const name = generic_axis_name(field.usage); name != nullptr) {
-      // What a mouse or a wheel moved by has no position; pucks call their positions relative.
+      // Relative axes report changes, not positions. 3D mice are the exception: they mark positions as relative.
       if (!field.is_relative || is_puck_) {
         add_axis(field, name);
       }
