@@ -126,10 +126,16 @@ AudioFile::~AudioFile() = default;
 
 std::int64_t AudioFile::counted_frames(const std::string& place) const {
   constexpr sf_count_t frames_at_once = 4096;
+  // More than an hour of stereo at 48 kHz, decoded in a few seconds. A short file can expand to years of silence.
+  constexpr std::int64_t most_samples = 400'000'000;
   std::vector<float> samples(static_cast<std::size_t>(frames_at_once) * static_cast<std::size_t>(channels_));
   std::int64_t frames = 0;
   for (sf_count_t came = frames_at_once; came == frames_at_once; frames += came) {
     require_reading_goes_on(place);
+    if (frames > most_samples / channels_) {
+      throw Error(place, "does not contain its length, and is too long to be measured by decoding it",
+                  "encode it again into a file, not into a pipe");
+    }
     came = std::max<sf_count_t>(sf_readf_float(static_cast<SNDFILE*>(file_.get()), samples.data(), frames_at_once), 0);
   }
   return frames;

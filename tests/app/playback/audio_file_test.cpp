@@ -153,6 +153,28 @@ TEST_F(AudioFiles, FlacOfUnknownLengthIsCounted) {
   EXPECT_NEAR(heard_burst_s(path), 2.0, 0.0005);
 }
 
+TEST_F(AudioFiles, FlacOfUnknownLengthThatExpandsToDaysIsRefused) {
+  const std::filesystem::path path = folder_ / "a.flac";
+  constexpr int block_frames = 4096;
+  constexpr int blocks = 100;
+  test::write_sound(path, {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000, 8, blocks * block_frames / 48000.0},
+                    [](double, int) { return 0.0; });
+  std::ifstream one(path, std::ios::binary);
+  std::string stream{std::istreambuf_iterator<char>(one), {}};
+  for (std::size_t byte = 21; byte < 26; ++byte) {
+    stream[byte] = byte == 21 ? static_cast<char>(stream[byte] & 0xF0) : '\0';
+  }
+  const std::size_t head = stream.find("\xFF\xF8");
+  ASSERT_NE(head, std::string::npos);
+  const std::string block = stream.substr(head, (stream.size() - head) / blocks);
+  std::string days = stream.substr(0, head);
+  for (int written = 0; written < 50'000; ++written) {
+    days += block;
+  }
+  std::ofstream(path, std::ios::binary) << days;
+  EXPECT_THAT(sound_problem(path), testing::HasSubstr("too long to be measured"));
+}
+
 TEST_F(AudioFiles, KindsThatAreNotSupportedAreNamed) {
   using namespace std::string_view_literals;
   const std::pair<std::string_view, const char*> kinds[] = {
