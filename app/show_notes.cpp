@@ -44,7 +44,8 @@ void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
   }
   read_named(show, file.key, file.name, [&](const fs::path& path) {
     if (file.key == "sky.map" || file.key.ends_with(".texture")) {
-      const RepairedTexels repaired = read_environment_image(path).repaired;
+      const RepairedTexels repaired =
+          read_environment_image(path.string() + (file.layer.empty() ? "" : "#" + file.layer)).repaired;
       if (repaired.are_a_mistake()) {
         notes.repaired.push_back(note_of_repair(show, file.key, file.name, repaired));
       }

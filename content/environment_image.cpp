@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "content/cube_map.h"
 #include "content/files/reading_stop.h"
 #include "content/images/image_library.h"
 #include "content/images/light_coding.h"
@@ -24,13 +25,14 @@ void check_shape(const ImageShape& shape, const std::string& name) {
     throw Error(name, fmt::format("is {} pixels wide", shape.width),
                 fmt::format("a sky map is {} to {} pixels wide", narrowest, widest));
   }
-  if (shape.width != 2 * shape.height) {
-    throw Error(name, fmt::format("is {} x {}, not twice as wide as high", shape.width, shape.height),
-                "convert it to an equirectangular map of the whole sky");
-  }
   if (shape.channels < 1 || shape.channels > 64) {
     throw Error(name, fmt::format("has {} channels", shape.channels), "save it as RGB");
   }
+}
+
+Error of_wrong_shape(const std::string& name, const ImageShape& shape) {
+  return {name, fmt::format("is {} x {}, neither twice as wide as high nor a cube map", shape.width, shape.height),
+          "convert it to an equirectangular map of the whole sky"};
 }
 
 //! Where one of `from` texels in a row lies in a row of `to`, no more of them: in the first it has this part, and the rest in the next.
@@ -48,15 +50,14 @@ TexelPlace texel_place(std::int64_t texel, std::int64_t from, std::int64_t to) {
 //! Reads an opened image row by row, adding up the texels that fall into each of a smaller one.
 class MapReader {
  public:
-  MapReader(ImageInput& input, std::string name, int largest_width)
+  //! The image is averaged down to `width` x `height` texels, no more than it has.
+  MapReader(ImageInput& input, std::string name, int width, int height)
       : input_(input), name_(std::move(name)), coding_(light_coding(input.shape())) {
     const ImageShape& shape = input.shape();
-    check_shape(shape, name_);
     image_.name = name_;
     image_.file_width = shape.width;
-    // Both of an even width, as the image is twice as wide as high.
-    image_.width = std::min(shape.width, largest_width / 2 * 2);
-    image_.height = image_.width / 2;
+    image_.width = width;
+    image_.height = height;
     // Room alone: a file that breaks off shall not take the memory of what it claims.
     image_.rgb.reserve(floats_of_rows(image_.height));
     columns_.reserve(static_cast<std::size_t>(shape.width));
@@ -75,7 +76,7 @@ class MapReader {
     for (int begin = 0; begin < shape.height; begin += rows_at_once) {
       require_reading_goes_on(name_);
       const int end = std::min(begin + rows_at_once, shape.height);
-      if (!read_rows(shape, begin, end, rows)) {
+      if (!input_.read_rows(begin, end, read_channels_, rows.data())) {
         throw Error(name_, fmt::format("cannot be read at row {}: {}", begin, input_.error()),
                     "the file seems torn; save it again");
       }
@@ -83,7 +84,7 @@ class MapReader {
       for (int y = begin; y < end; ++y) {
         add_row(
             rows.data() + static_cast<std::size_t>(y - begin) * static_cast<std::size_t>(shape.width * read_channels_),
-            y, shape.width);
+            y, shape);
       }
     }
     make_rows(image_.height);
@@ -103,32 +104,11 @@ class MapReader {
     image_.rgb.resize(std::max(image_.rgb.size(), floats_of_rows(std::min(rows, image_.height))));
   }
 
-  bool read_rows(const ImageShape& shape, int begin, int end, std::vector<float>& rows) {
-    if (!shape.tiled) {
-      return input_.read_rows(begin, end, read_channels_, rows.data());
-    }
-    // Tiles are read once and kept: asking for scanlines of them would decode each many times.
-    if (!tiles_) {
-      if (static_cast<double>(shape.width) * shape.height > 16384.0 * 8192.0) {
-        throw Error(name_, fmt::format("is tiled and {} pixels wide", shape.width),
-                    "save it in scanlines, or scale it to 16384 pixels");
-      }
-      tiles_ = std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(shape.width) *
-                                                       static_cast<std::size_t>(shape.height * read_channels_));
-      if (!input_.read_all(read_channels_, tiles_.get())) {
-        return false;
-      }
-    }
-    const auto row_size = static_cast<std::ptrdiff_t>(shape.width) * read_channels_;
-    std::copy(tiles_.get() + begin * row_size, tiles_.get() + end * row_size, rows.begin());
-    return true;
-  }
-
-  void add_row(const float* row, int y, int width) {
-    const double scale = static_cast<double>(image_.width) / width;
+  void add_row(const float* row, int y, const ImageShape& shape) {
+    const double scale = static_cast<double>(image_.width) / shape.width;
     const auto whole = static_cast<float>(scale * scale);
-    const TexelPlace down = texel_place(y, width / 2, image_.height);
-    for (int x = 0; x < width; ++x) {
+    const TexelPlace down = texel_place(y, shape.height, image_.height);
+    for (int x = 0; x < shape.width; ++x) {
       const float* const pixel = row + static_cast<std::ptrdiff_t>(x) * read_channels_;
       float colour[3];
       coding_.put_light(pixel, colour);
@@ -178,9 +158,39 @@ class MapReader {
   LightCoding coding_;
   int read_channels_ = 3;            //!< of a pixel
   std::vector<TexelPlace> columns_;  //!< where texels of a row fall
-  std::unique_ptr<float[]> tiles_;
   EnvironmentImage image_;
 };
+
+ImageLibrary::Wishes sky_wishes(std::optional<std::span<const std::byte>> bytes, const std::string& layer) {
+  return {.bytes = bytes,
+          .separate_alpha = true,
+          .as_stored = false,
+          .as_light = true,
+          .as_panorama = true,
+          .layer = layer};
+}
+
+EnvironmentImage read_shape(ImageInput& input, const std::string& name, int largest_width) {
+  const ImageShape shape = input.shape();
+  check_shape(shape, name);
+  if (shape.width == 2 * shape.height) {
+    // Both of an even width, as the image is twice as wide as high.
+    const int width = std::min(shape.width, largest_width / 2 * 2);
+    return MapReader(input, name, width, width / 2).read();
+  }
+  const bool openexr_cube = input.text("textureformat") == "CubeFace Environment" && input.text("format") == "openexr";
+  const auto layout = cube_map_layout(shape.width, shape.height, openexr_cube);
+  if (!layout) {
+    throw of_wrong_shape(name, shape);
+  }
+  const auto [columns, rows] = faces_of(*layout);
+  const int side = std::min(shape.width / columns, largest_width / 4);
+  const EnvironmentImage cube = MapReader(input, name, columns * side, rows * side).read();
+  if (!has_plain_corners(cube, *layout)) {
+    throw of_wrong_shape(name, shape);
+  }
+  return equirectangular_from_cube(cube, *layout, 4 * side);
+}
 
 EnvironmentImage read_with(const ImageLibrary::Wishes& wishes, const std::string& name, int largest_width) {
   std::string problem;
@@ -190,7 +200,7 @@ EnvironmentImage read_with(const ImageLibrary::Wishes& wishes, const std::string
                 "give an equirectangular EXR, HDR, PNG, TIFF or JPEG");
   }
   try {
-    return MapReader(*input, name, largest_width).read();
+    return read_shape(*input, name, largest_width);
   } catch (const std::bad_alloc&) {
     throw Error(name, "is too large for the memory", "scale it down");
   }
@@ -198,16 +208,27 @@ EnvironmentImage read_with(const ImageLibrary::Wishes& wishes, const std::string
 
 }  // namespace
 
-EnvironmentImage read_environment_image(const std::filesystem::path& path, int largest_width) {
+LayeredFile layered_file(const std::filesystem::path& name) {
   std::error_code problem;
+  const std::string text = name.string();
+  const std::size_t mark = text.rfind('#');
+  if (mark == std::string::npos || std::filesystem::exists(name, problem)) {
+    return {name, ""};
+  }
+  return {text.substr(0, mark), text.substr(mark + 1)};
+}
+
+EnvironmentImage read_environment_image(const std::filesystem::path& name, int largest_width) {
+  std::error_code problem;
+  const auto [path, layer] = layered_file(name);
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", "give the path of an equirectangular image");
   }
-  return read_with({std::nullopt, true}, path.string(), largest_width);
+  return read_with(sky_wishes(std::nullopt, layer), path.string(), largest_width);
 }
 
 EnvironmentImage read_environment_image(std::span<const std::byte> bytes, const std::string& name, int largest_width) {
-  return read_with({bytes, true}, name, largest_width);
+  return read_with(sky_wishes(bytes, {}), name, largest_width);
 }
 
 }  // namespace ergodome

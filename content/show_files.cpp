@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "content/environment_image.h"
 #include "content/sky_map.h"
 #include "content/stars/star_catalogue.h"
 
@@ -32,8 +33,16 @@ std::vector<NamedFile> files_of_pictures(const Show& show) {
       files.push_back({key, name});
     }
   };
+  const auto add_image = [&](const std::string& key, const std::string& name) {
+    const std::filesystem::path folder(show.folder);
+    if (!name.empty()) {
+      const std::string layer = layered_file(folder / name).layer;
+      const std::size_t selection = layer.empty() ? 0 : layer.size() + 1;
+      files.push_back({key, name.substr(0, name.size() - selection), layer});
+    }
+  };
   if (!is_built_in_sky(show.sky.map)) {
-    add("sky.map", show.sky.map);
+    add_image("sky.map", show.sky.map);
   }
   if (!is_built_in_catalogue(show.sky.stars)) {
     add("sky.stars", show.sky.stars);
@@ -42,7 +51,7 @@ std::vector<NamedFile> files_of_pictures(const Show& show) {
     add("effects.diffraction.pattern", show.effects.diffraction->pattern);
   }
   for (std::size_t i = 0; i < show.shells.size(); ++i) {
-    add(fmt::format("shells[{}].texture", i), show.shells[i].texture);
+    add_image(fmt::format("shells[{}].texture", i), show.shells[i].texture);
   }
   for (std::size_t i = 0; i < show.objects.size(); ++i) {
     add(fmt::format("objects[{}].mesh", i), show.objects[i].mesh);

@@ -31,8 +31,9 @@ auto read_named(const Show& show, const std::string& key, const std::string& nam
 
 //! A file that a show names for its pictures.
 struct NamedFile {
-  std::string key;   //!< "shells[1].texture"
-  std::string name;  //!< as the show gives it, from its folder
+  std::string key;      //!< "shells[1].texture"
+  std::string name;     //!< as the show gives it, from its folder
+  std::string layer{};  //!< of an image, if the show selects one
 };
 
 //! The files of sky, stars, spikes, shells and objects that a show names, in this order; what is built in is none.

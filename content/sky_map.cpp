@@ -93,7 +93,7 @@ EnvironmentImage load_sky_map(const Show& show) {
   }
   return read_named(show, "sky.map", show.sky.map, [&](const std::filesystem::path& path) {
     std::error_code problem;
-    if (!std::filesystem::exists(path, problem)) {
+    if (!std::filesystem::exists(layered_file(path).path, problem)) {
       throw Error(show.sky.map.empty() ? "\"\"" : path.string(), "is not there",
                   "give a built-in sky (milky_way, grid, black) or the path of an image");
     }

@@ -22,9 +22,8 @@ struct ImageShape {
   int channels = 0;
   int alpha_channel = -1;  //!< or none
   int sample_bytes = 1;
-  bool encoded = false;         //!< as sRGB: whole numbers, but for files that say they are linear
+  bool encoded = false;         //!< as sRGB
   bool separate_alpha = false;  //!< colours are not times alpha
-  bool tiled = false;
 };
 
 //! An image that was opened. What returns bool says false where the file is torn; error() then says why.
@@ -40,7 +39,8 @@ class ImageInput {
   //! Goes to another of a file's images.
   virtual bool go_to_part(int part) = 0;
 
-  //! Reads the first `channels` of rows [begin, end), or of all, from the top. Of tiled images rows are dear: each decodes its tiles.
+  //! Reads the first `channels` of rows [begin, end), or of all, from the top. Rows of tiled images are cheap in order only: the
+  //! tiles that were read last are kept.
   virtual bool read_rows(int begin, int end, int channels, float* to) = 0;
   virtual bool read_all(int channels, float* to) = 0;
   virtual bool read_all(int channels, std::uint16_t* to) = 0;
@@ -48,7 +48,7 @@ class ImageInput {
   //! Reads all rows, and keeps none.
   virtual bool read_through() = 0;
 
-  //! A fact of the part by OpenImageIO's name; empty where it has none.
+  //! Returns an attribute of the part by OpenImageIO's name, or the name of the file's "format"; empty if it has none.
   [[nodiscard]] virtual std::string text(const std::string& name) const = 0;
 
   //! The last message, which is taken away.
@@ -126,6 +126,9 @@ class ImageLibrary {
         bytes;                    //!< of the file, which is not on a disk then; they outlive what is opened
     bool separate_alpha = false;  //!< whole numbers shall not be multiplied by alpha before they are decoded
     bool as_stored = false;       //!< an image shall not be turned upright
+    bool as_light = false;     //!< colors shall be linear light of Rec. 709, unless the shape says that they are sRGB
+    bool as_panorama = false;  //!< a crop of a panorama shall be put in its position (GPano)
+    std::string layer{};       //!< of OpenEXR; empty for the main one
   };
 
   //! Opens an image; its name's ending tells the format of bytes. None where it cannot be read: `problem` says why.

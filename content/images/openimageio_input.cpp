@@ -2,85 +2,52 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 
+#include "content/images/color_facts.h"
+#include "content/images/color_transform.h"
+#include "content/images/exr_layers.h"
+#include "content/images/image_bytes.h"
 #include "content/images/jpeg_end.h"
+#include "content/images/panorama_crop.h"
 #include "content/images/png_chunks.h"
 #include "content/images/radiance_header.h"
 #include "content/images/shown_pixels.h"
+#include "content/images/stored_rows.h"
 #include "content/images/tiff_strips.h"
 
 namespace ergodome {
 
 namespace {
 
-ImageShape shape_of(const OIIO::ImageSpec& spec, const ShownLayout& layout) {
-  ImageShape shape;
-  shape.width = layout.width();
-  shape.height = layout.height();
-  shape.depth = spec.depth;
-  shape.channels = spec.nchannels;
-  // The reader of GIF counts its four channels from 1.
-  shape.alpha_channel = std::min(spec.alpha_channel, spec.nchannels - 1);
-  shape.sample_bytes = static_cast<int>(spec.format.size());
-  shape.encoded = !spec.format.is_floating_point() && spec.get_string_attribute("oiio:ColorSpace", "sRGB") != "Linear";
-  shape.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
-  // What is not plain is put together as a whole, whatever its tiles are.
-  shape.tiled = spec.tile_width > 0 && layout.is_plain();
-  return shape;
-}
-
 //! The first line of a message: readers of PNG say one thing in three.
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
-//! What is wrong with a file, or with the bytes that stand for it, if it is a PNG; empty where nothing is.
-std::string problem_of_file(const std::string& name, const std::optional<std::span<const std::byte>>& bytes,
-                            PngExtent extent) {
-  if (bytes) {
-    std::span<const std::byte> left = *bytes;
-    const auto next = [&](char* to, std::size_t count) {
-      const bool enough = count <= left.size();
-      if (enough) {
-        std::memcpy(to, left.data(), count);
-        left = left.subspan(count);
-      }
-      return enough;
-    };
-    return problem_of_png(next, extent);
+std::vector<ExrPart> parts_of(OIIO::ImageInput& input) {
+  constexpr int most_parts = 1000;
+  std::vector<ExrPart> parts;
+  for (int part = 0; part < most_parts && input.seek_subimage(part, 0); ++part) {
+    const OIIO::ImageSpec& spec = input.spec();
+    parts.push_back({std::string(spec.get_string_attribute("oiio:subimagename")),
+                     std::string(spec.get_string_attribute("view")), spec.channelnames});
   }
-  std::ifstream file(name, std::ios::binary);
-  const auto next = [&](char* to, std::size_t count) {
-    return static_cast<bool>(file.read(to, static_cast<std::streamsize>(count)));
-  };
-  return problem_of_png(next, extent);
+  input.seek_subimage(0, 0);
+  return parts;
 }
 
-//! The first bytes of a file, or of those that stand for it: headers are shorter.
-std::string head_of(const std::string& name, const std::optional<std::span<const std::byte>>& bytes) {
-  constexpr std::size_t longest_head = std::size_t{1} << 16U;
-  if (bytes) {
-    return {reinterpret_cast<const char*>(bytes->data()), std::min(bytes->size(), longest_head)};
-  }
-  std::string head(longest_head, '\0');
-  std::ifstream file(name, std::ios::binary);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return head;
-}
+//! Headers of Radiance pictures are shorter.
+constexpr std::size_t longest_head = std::size_t{1} << 16U;
 
 class Input final : public ImageInput {
  public:
   //! Opens a file, or its bytes; is_open() tells whether it could.
   Input(const std::string& name, const ImageLibrary::Wishes& asked)
-      : name_(name),
-        bytes_(asked.bytes),
-        as_stored_(asked.as_stored),
+      : bytes_(name, asked.bytes),
+        asked_(asked),
         memory_(asked.bytes ? asked.bytes->data() : nullptr, asked.bytes ? asked.bytes->size() : 0) {
     OIIO::Filesystem::IOProxy* const memory = asked.bytes ? &memory_ : nullptr;
     OIIO::ImageSpec wishes;
@@ -93,10 +60,7 @@ class Input final : public ImageInput {
     }
     input_ = OIIO::ImageInput::open(name, asked.separate_alpha ? &wishes : nullptr, memory);
     if (input_) {
-      take_shape();
-    }
-    if (input_ && std::string_view(input_->format_name()) == "hdr") {
-      radiance_ = read_radiance_header(head_of(name_, bytes_));
+      prepare();
     }
   }
 
@@ -104,28 +68,34 @@ class Input final : public ImageInput {
   [[nodiscard]] bool is_tiff() const { return std::string_view(input_->format_name()) == "tiff"; }
   [[nodiscard]] bool is_jpeg() const { return std::string_view(input_->format_name()) == "jpeg"; }
   [[nodiscard]] bool is_too_large() const { return !layout_.is_plain() && !layout_.is_bounded(); }
+  [[nodiscard]] bool has_large_tiles() const { return !StoredRows::is_bounded(input_->spec()); }
   [[nodiscard]] const ImageShape& shape() const override { return shape_; }
+  [[nodiscard]] const OIIO::ImageSpec& stored() const { return input_->spec(); }
   //! What of the file cannot be shown right; empty if nothing.
-  [[nodiscard]] const std::string& problem() const { return radiance_.problem; }
+  [[nodiscard]] const std::string& problem() const { return problem_; }
 
   bool go_to_part(int part) override {
     const bool found = input_->seek_subimage(part, 0);
     if (found) {
-      take_shape();
       part_ = part;
+      take_shape();
     }
     return found && !is_too_large();
   }
 
   bool read_rows(int begin, int end, int channels, float* to) override {
     const bool read = read_stored_rows(begin, end, channels, to);
-    apply_gains(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(shape_.width), channels, to);
+    if (read) {
+      make_light(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(shape_.width), channels, to);
+    }
     return read;
   }
 
   bool read_all(int channels, float* to) override {
     const bool read = read_shown(channels, to);
-    apply_gains(static_cast<std::size_t>(shape_.width) * static_cast<std::size_t>(shape_.height), channels, to);
+    if (read) {
+      make_light(static_cast<std::size_t>(shape_.width) * static_cast<std::size_t>(shape_.height), channels, to);
+    }
     return read;
   }
   bool read_all(int channels, std::uint16_t* to) override { return read_shown(channels, to); }
@@ -147,7 +117,8 @@ class Input final : public ImageInput {
   }
 
   [[nodiscard]] std::string text(const std::string& name) const override {
-    return std::string(input_->spec().get_string_attribute(name));
+    return name == "format" ? std::string(input_->format_name())
+                            : std::string(input_->spec().get_string_attribute(name));
   }
 
   std::string error() override {
@@ -159,7 +130,7 @@ class Input final : public ImageInput {
   //! Looks at a PNG up to its end before the first of its pixels are read, and not earlier: who asks for a file's size alone need not wait for that.
   bool is_whole() {
     if (!torn_) {
-      torn_ = std::string_view(input_->format_name()) == "png" ? problem_of_file(name_, bytes_, PngExtent::to_end) : "";
+      torn_ = is("png") ? problem_of_png(bytes_.from_start(), PngExtent::to_end) : "";
     }
     return torn_->empty();
   }
@@ -168,37 +139,99 @@ class Input final : public ImageInput {
     if (!is_whole()) {
       return false;
     }
-    if (!layout_.is_plain()) {
-      const bool put = shown_channels_ == channels || read_in_place(*input_, part_, layout_, channels, shown_);
-      shown_channels_ = put ? channels : 0;
-      const auto row = static_cast<std::ptrdiff_t>(shape_.width) * channels;
-      if (put) {
-        std::copy(shown_.begin() + begin * row, shown_.begin() + end * row, to);
-      }
-      return put;
+    if (layout_.orientation == 1) {
+      return layout_.is_plain() ? rows_.read(*input_, stored_pixels(channels), begin, end, to)
+                                : rows_.read_window(*input_, stored_pixels(channels), layout_, begin, end, to);
     }
-    const int top = input_->spec().y;
-    return input_->read_scanlines(part_, 0, top + begin, top + end, 0, 0, channels, OIIO::TypeDesc::FLOAT, to);
+    const bool put = shown_channels_ == channels || read_in_place(*input_, stored_pixels(channels), layout_, shown_);
+    shown_channels_ = put ? channels : 0;
+    const auto row = static_cast<std::ptrdiff_t>(shape_.width) * channels;
+    if (put) {
+      std::copy(shown_.begin() + begin * row, shown_.begin() + end * row, to);
+    }
+    return put;
   }
 
-  //! Takes out the exposure that a Radiance picture was saved with.
-  void apply_gains(std::size_t pixels, int channels, float* to) const {
-    if (radiance_.gains == RadianceHeader().gains) {
+  [[nodiscard]] bool is(std::string_view format) const { return input_->format_name() == format; }
+  [[nodiscard]] StoredPixels stored_pixels(int channels) const { return {part_, layer_.first_channel, channels}; }
+
+  //! Collects what is needed before the first pixels are read: layer, crop, colors.
+  void prepare() {
+    if (is("openexr") && asked_.as_light) {
+      layer_ = choose_exr_layer(exr_layers(parts_of(*input_)), asked_.layer, problem_);
+      part_ = layer_.part;
+      input_->seek_subimage(part_, 0);
+    } else if (!asked_.layer.empty()) {
+      problem_ = "it is not an OpenEXR file, and has no layers";
+    }
+    if (is("hdr")) {
+      radiance_ = read_radiance_header(bytes_.head(longest_head));
+    }
+    if (asked_.as_panorama && !is("openexr")) {
+      constexpr std::size_t longest_metadata = std::size_t{4} << 20U;
+      crop_ = read_panorama_crop(bytes_.head(longest_metadata));
+      problem_ = problem_.empty() ? crop_.problem : problem_;
+    }
+    take_shape();
+    if (asked_.as_light && problem_.empty()) {
+      take_colors();
+    }
+  }
+
+  //! Decides how the numbers become light.
+  void take_colors() {
+    ColorFacts facts = color_facts(*input_, is("png") ? bytes_.from_start() : NextBytes());
+    facts.primaries = radiance_.primaries ? radiance_.primaries : facts.primaries;
+    problem_ = facts.problem;
+    if (!problem_.empty()) {
       return;
     }
-    for (std::size_t i = 0; i < pixels; ++i) {
-      for (int c = 0; c < std::min(channels, 3); ++c) {
-        to[i * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] *=
-            radiance_.gains.at(static_cast<std::size_t>(c));
+    const ColorTransform colors(facts, shape_.channels >= 3 ? 3 : 1, problem_);
+    shape_.encoded = colors.is_srgb();
+    if (!colors.is_srgb() && !colors.is_identity()) {
+      colors_ = colors;
+      // Other curves than straight ones are for colors that are not times alpha.
+      divides_by_alpha_ = !colors.is_linear() && shape_.alpha_channel >= 0 && !shape_.separate_alpha;
+      shape_.separate_alpha = shape_.separate_alpha || divides_by_alpha_;
+    }
+  }
+
+  //! Removes the exposure that a Radiance picture was saved with, and converts colors.
+  void make_light(std::size_t pixels, int channels, float* to) const {
+    if (radiance_.gains != RadianceHeader().gains) {
+      for (std::size_t i = 0; i < pixels; ++i) {
+        for (int c = 0; c < std::min(channels, 3); ++c) {
+          to[i * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] *=
+              radiance_.gains.at(static_cast<std::size_t>(c));
+        }
       }
+    }
+    if (colors_) {
+      colors_->apply(to, pixels, channels, divides_by_alpha_ ? shape_.alpha_channel : -1);
     }
   }
 
   void take_shape() {
+    const OIIO::ImageSpec& spec = input_->spec();
     layout_ = shown_layout(*input_);
-    layout_.orientation = as_stored_ ? 1 : layout_.orientation;
-    shape_ = shape_of(input_->spec(), layout_);
+    layout_.orientation = asked_.as_stored ? 1 : layout_.orientation;
+    if (crop_.full_width > 0) {
+      place_crop(crop_, layout_);
+    }
+    shape_ = ImageShape();
+    shape_.width = layout_.width();
+    shape_.height = layout_.height();
+    shape_.depth = spec.depth;
+    shape_.channels = layer_.channels > 0 ? layer_.channels : spec.nchannels;
+    // The reader of GIF counts its four channels from 1.
+    shape_.alpha_channel = layer_.channels > 0 ? layer_.alpha : std::min(spec.alpha_channel, spec.nchannels - 1);
+    shape_.sample_bytes = static_cast<int>(spec.format.size());
+    // The color facts of a texture's file do not count (glTF 2.0, 3.8.2).
+    const bool says_linear = OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace", "sRGB"), "linear");
+    shape_.encoded = !spec.format.is_floating_point() && (asked_.as_stored || !says_linear);
+    shape_.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
     shown_channels_ = 0;
+    rows_.forget();
   }
 
   static OIIO::TypeDesc type_of_number(float /*number*/) { return OIIO::TypeDesc::FLOAT; }
@@ -210,61 +243,55 @@ class Input final : public ImageInput {
       return false;
     }
     if (layout_.is_plain()) {
-      return input_->read_image(part_, 0, 0, channels, type_of_number(Number{}), to);
+      return input_->read_image(part_, 0, layer_.first_channel, layer_.first_channel + channels,
+                                type_of_number(Number{}), to);
     }
     std::vector<Number> shown;
-    const bool put = read_in_place(*input_, part_, layout_, channels, shown);
+    const bool put = read_in_place(*input_, stored_pixels(channels), layout_, shown);
     if (put) {
       std::ranges::copy(shown, to);
     }
     return put;
   }
 
-  std::string name_;
-  std::optional<std::span<const std::byte>> bytes_;
-  bool as_stored_;
+  ImageBytes bytes_;
+  ImageLibrary::Wishes asked_;
   std::optional<std::string> torn_;  //!< what is wrong with a PNG, once that is known; empty where nothing is
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;
+  std::string problem_;
   ImageShape shape_;
   ShownLayout layout_;
-  std::vector<float> shown_;  //!< the picture, of a file whose rows are not its
+  StoredRows rows_;
+  std::vector<float> shown_;  //!< the picture, of a file that is turned
   int shown_channels_ = 0;    //!< that it has
   int part_ = 0;
+  ExrLayer layer_;
+  PanoramaCrop crop_;
   RadianceHeader radiance_;
+  std::optional<ColorTransform> colors_;
+  bool divides_by_alpha_ = false;
 };
-
-//! The bytes of a file, or those that stand for it.
-std::string bytes_of(const std::string& name, const ImageLibrary::Wishes& wishes) {
-  if (wishes.bytes) {
-    return {reinterpret_cast<const char*>(wishes.bytes->data()), wishes.bytes->size()};
-  }
-  std::ifstream file(name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::uintmax_t size_of(const std::string& name, const ImageLibrary::Wishes& wishes) {
-  std::error_code problem;
-  const std::uintmax_t size = wishes.bytes ? wishes.bytes->size() : std::filesystem::file_size(name, problem);
-  return problem ? 0 : size;
-}
 
 //! Returns that an image claims more pixels than a file of so many bytes can hold, empty where it may be so. A plain black
 //! image in the formats that pack best has some 10,000 pixels a byte.
-std::string problem_of_size(const ImageShape& shape, std::uintmax_t file_bytes) {
+std::string problem_of_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes) {
   constexpr double most_pixels_a_byte = 100'000.0;
-  const double pixels = static_cast<double>(shape.width) * shape.height;
+  const double pixels = static_cast<double>(spec.width) * spec.height;
   if (pixels <= most_pixels_a_byte * static_cast<double>(file_bytes)) {
     return "";
   }
-  return fmt::format("it claims {} x {} pixels in {} bytes", shape.width, shape.height, file_bytes);
+  return fmt::format("it claims {} x {} pixels in {} bytes", spec.width, spec.height, file_bytes);
 }
 
 }  // namespace
 
 std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibrary::Wishes& wishes,
                                        std::string& problem) {
-  problem = problem_of_file(name, wishes.bytes, PngExtent::to_pixels);
+  const ImageBytes bytes(name, wishes.bytes);
+  problem = problem_of_png(bytes.from_start(), PngExtent::to_pixels);
+  // OpenImageIO does not open pictures whose colors are CIE XYZ, and does not say so.
+  problem = problem.empty() ? read_radiance_header(bytes.head(longest_head)).problem : problem;
   if (!problem.empty()) {
     return nullptr;
   }
@@ -273,7 +300,7 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
     problem = first_line(OIIO::geterror());
     return nullptr;
   }
-  if (input->is_jpeg() && !has_jpeg_end(bytes_of(name, wishes))) {
+  if (input->is_jpeg() && !has_jpeg_end(bytes.all())) {
     problem = "it is torn, and breaks off before its end";
     return nullptr;
   }
@@ -281,12 +308,16 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
     problem = "it shows more than 16384 x 8192 pixels, turned, or in another window than they fill";
     return nullptr;
   }
+  if (input->has_large_tiles()) {
+    problem = "its tiles are too large; save it in scanlines or in smaller tiles";
+    return nullptr;
+  }
   problem = input->problem();
   if (problem.empty() && input->is_tiff()) {
     problem = problem_of_tiff(name, wishes.bytes);
   }
   if (problem.empty()) {
-    problem = problem_of_size(input->shape(), size_of(name, wishes));
+    problem = problem_of_size(input->stored(), bytes.size());
   }
   if (!problem.empty()) {
     return nullptr;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <locale>
@@ -27,11 +28,20 @@ std::vector<double> numbers_of(std::string_view line) {
 bool are_usual_primaries(const std::vector<double>& primaries) {
   constexpr std::array<double, 6> usual = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06};
   constexpr double tolerance = 0.0101;
-  bool alike = primaries.size() == 8;
+  bool alike = true;
   for (std::size_t i = 0; alike && i < usual.size(); ++i) {
     alike = std::abs(primaries[i] - usual.at(i)) <= tolerance;
   }
   return alike;
+}
+
+void take_primaries(const std::vector<double>& primaries, RadianceHeader& header) {
+  if (primaries.size() != 8) {
+    header.problem = "its PRIMARIES are not eight numbers";
+  } else if (!are_usual_primaries(primaries)) {
+    header.primaries.emplace();
+    std::ranges::copy(primaries, header.primaries->begin());
+  }
 }
 
 void divide(RadianceHeader& header, std::size_t channel, double factor) {
@@ -45,8 +55,8 @@ void divide(RadianceHeader& header, std::size_t channel, double factor) {
 void take_line(std::string_view line, RadianceHeader& header) {
   if (line.starts_with("FORMAT=") && line.find("xyze") != std::string_view::npos) {
     header.problem = "its colors are CIE XYZ (FORMAT=32-bit_rle_xyze), which is not supported; save it as RGB";
-  } else if (line.starts_with("PRIMARIES=") && !are_usual_primaries(numbers_of(line))) {
-    header.problem = "its PRIMARIES are not those of sRGB, which is not supported; save it with sRGB primaries";
+  } else if (line.starts_with("PRIMARIES=")) {
+    take_primaries(numbers_of(line), header);
   } else if (line.starts_with("EXPOSURE=")) {
     const std::vector<double> numbers = numbers_of(line);
     for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,8 @@ namespace ergodome {
 struct RadianceHeader {
   //! Factors from the file's numbers to light: 1 / (product of all EXPOSURE and COLORCORR lines).
   std::array<float, 3> gains = {1.0F, 1.0F, 1.0F};
-  std::string problem;  //!< what cannot be shown right; empty if nothing
+  std::optional<std::array<double, 8>> primaries;  //!< xy of red, green, blue and white, unless they are the usual ones
+  std::string problem;                             //!< what cannot be shown right; empty if nothing
 };
 
 //! Reads the header at the beginning of a file. Other files than Radiance's have gains of 1 and no problem.

@@ -9,8 +9,10 @@ namespace ergodome {
 namespace {
 
 template <class Number>
-bool read_numbers_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+bool read_numbers_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,
                            OIIO::TypeDesc type, std::vector<Number>& shown) {
+  const auto [part, first_channel, channels] = stored;
+  const int last_channel = first_channel + channels;
   const OIIO::ImageSpec spec = input.spec();
   const auto numbers = static_cast<std::size_t>(channels);
   // Of tiles a row of them at a time.
@@ -19,10 +21,11 @@ bool read_numbers_in_place(OIIO::ImageInput& input, int part, const ShownLayout&
   std::vector<Number> rows(numbers * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(rows_at_once));
   for (int begin = 0; begin < spec.height; begin += rows_at_once) {
     const int end = std::min(begin + rows_at_once, spec.height);
-    const bool read =
-        tiled ? input.read_tiles(part, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, spec.z,
-                                 spec.z + spec.depth, 0, channels, type, rows.data())
-              : input.read_scanlines(part, 0, spec.y + begin, spec.y + end, 0, 0, channels, type, rows.data());
+    const bool read = tiled
+                          ? input.read_tiles(part, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, spec.z,
+                                             spec.z + spec.depth, first_channel, last_channel, type, rows.data())
+                          : input.read_scanlines(part, 0, spec.y + begin, spec.y + end, 0, first_channel, last_channel,
+                                                 type, rows.data());
     if (!read) {
       return false;
     }
@@ -63,6 +66,12 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
     layout.window_width = spec.full_width;
     layout.window_height = spec.full_height;
   }
+  // Of a cube map OpenImageIO takes one face for the window.
+  if (spec.get_string_attribute("textureformat") == "CubeFace Environment") {
+    layout.data_left = layout.data_top = 0;
+    layout.window_width = spec.width;
+    layout.window_height = spec.height;
+  }
   const std::string_view format = input.format_name();
   const int stored = spec.get_int_attribute("Orientation", 1);
   const int orientation = stored >= 1 && stored <= 8 ? stored : 1;
@@ -72,14 +81,14 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
   return layout;
 }
 
-bool read_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+bool read_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,
                    std::vector<float>& shown) {
-  return read_numbers_in_place(input, part, layout, channels, OIIO::TypeDesc::FLOAT, shown);
+  return read_numbers_in_place(input, stored, layout, OIIO::TypeDesc::FLOAT, shown);
 }
 
-bool read_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+bool read_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,
                    std::vector<std::uint16_t>& shown) {
-  return read_numbers_in_place(input, part, layout, channels, OIIO::TypeDesc::UINT16, shown);
+  return read_numbers_in_place(input, stored, layout, OIIO::TypeDesc::UINT16, shown);
 }
 
 }  // namespace ergodome

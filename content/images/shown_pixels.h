@@ -12,10 +12,19 @@ namespace ergodome {
 //! How the part of a file that is open is shown.
 ShownLayout shown_layout(const OIIO::ImageInput& input);
 
-//! Reads the first `channels` of a part's pixels, and puts them where its picture shows them; what they leave of it is black. False where the file is torn.
-bool read_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+//! Channels of a part's pixels.
+struct StoredPixels {
+  int part = 0;
+  int first_channel = 0;
+  int channels = 3;
+
+  bool operator==(const StoredPixels&) const = default;
+};
+
+//! Reads pixels, and puts them where the part's picture shows them; the rest of it is black. Returns false if the file is damaged.
+bool read_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,
                    std::vector<float>& shown);
-bool read_in_place(OIIO::ImageInput& input, int part, const ShownLayout& layout, int channels,
+bool read_in_place(OIIO::ImageInput& input, const StoredPixels& stored, const ShownLayout& layout,
                    std::vector<std::uint16_t>& shown);
 
 }  // namespace ergodome

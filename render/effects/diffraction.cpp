@@ -82,7 +82,9 @@ struct Image {
 
 Image read_image(const std::string& name) {
   std::string problem;
-  const auto input = image_library().open(name, {std::nullopt, true}, problem);
+  ImageLibrary::Wishes wishes;
+  wishes.separate_alpha = wishes.as_light = true;
+  const auto input = image_library().open(name, wishes, problem);
   if (!input) {
     throw Error(name, "is not an image that can be read: " + problem, "give an EXR, HDR, PNG, TIFF or JPEG");
   }

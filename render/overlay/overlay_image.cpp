@@ -124,7 +124,8 @@ void put_pixel(const LightCoding& coding, const float* from, std::uint16_t* to) 
   to[3] = whole_number(coding.alpha_of(from));
 }
 
-const ImageLibrary::Wishes upright = {.bytes = std::nullopt, .separate_alpha = true, .as_stored = false};
+const ImageLibrary::Wishes upright = {
+    .bytes = std::nullopt, .separate_alpha = true, .as_stored = false, .as_light = true};
 const ImageLibrary::Wishes as_stored = {.bytes = std::nullopt, .separate_alpha = true, .as_stored = true};
 
 std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path, const ImageLibrary::Wishes& wishes) {
@@ -154,15 +155,12 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
   image.texels.reserve(texels);
   const auto width = static_cast<std::size_t>(shape.width);
   const auto channels = static_cast<std::size_t>(coding.channels);
-  // Rows are read some at a time; files in tiles, which are rare, at once.
-  const int most_rows = shape.tiled ? shape.height : std::min(rows_at_a_time, shape.height);
+  const int most_rows = std::min(rows_at_a_time, shape.height);
   std::vector<float> rows(static_cast<std::size_t>(most_rows) * width * channels);
   for (int row = 0; row < shape.height; row += most_rows) {
     require_reading_goes_on(path.string());
     const int count = std::min(most_rows, shape.height - row);
-    const bool read = shape.tiled ? input.read_all(coding.channels, rows.data())
-                                  : input.read_rows(row, row + count, coding.channels, rows.data());
-    if (!read) {
+    if (!input.read_rows(row, row + count, coding.channels, rows.data())) {
       throw Error(path.string(), "cannot be read: " + input.error(), "the file seems torn; save it again");
     }
     const std::size_t begin = 4 * width * static_cast<std::size_t>(row);

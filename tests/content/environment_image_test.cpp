@@ -239,7 +239,7 @@ TEST_F(EnvironmentImageFile, WithoutAnySoundTexelIsAnError) {
 
 TEST_F(EnvironmentImageFile, OfAnotherShapeIsAnError) {
   EXPECT_THAT(problem_of(write("square.png", 16, 16, 3, OIIO::TypeDesc::UINT8, constant(16, 16, 3, 1.0F))),
-              HasSubstr("not twice as wide as high"));
+              HasSubstr("neither twice as wide as high nor a cube map"));
 }
 
 TEST_F(EnvironmentImageFile, MissingForeignAndTornFilesAreErrorsWithTheirName) {

@@ -149,7 +149,7 @@ TEST_F(TurnedImages, ColorsOfRadiancePicturesThatAreNotConvertedAreNamed) {
     return test::error_of([&] { read_environment_image(write_radiance(header, "-Y 16 +X 32", numbers)); });
   };
   EXPECT_THAT(problem_of("FORMAT=32-bit_rle_xyze\n"), HasSubstr("CIE XYZ"));
-  EXPECT_THAT(problem_of("PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290\n"), HasSubstr("PRIMARIES"));
+  EXPECT_THAT(problem_of("PRIMARIES=0.708 0.292\n"), HasSubstr("PRIMARIES"));
   EXPECT_EQ(problem_of("PRIMARIES=0.640 0.330 0.290 0.600 0.150 0.060 0.333 0.333\n"), "");
   EXPECT_THAT(problem_of("EXPOSURE=-1\n"), HasSubstr("EXPOSURE"));
 }

@@ -11,9 +11,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) {
     return 0;
   }
-  constexpr const char* names[] = {"fuzz.png", "fuzz.hdr", "fuzz.tif", "fuzz.exr"};
+  constexpr const char* names[] = {"fuzz.png", "fuzz.hdr", "fuzz.tif", "fuzz.exr", "fuzz.jpg"};
   try {
-    ergodome::read_environment_image(std::as_bytes(std::span(data + 1, size - 1)), names[data[0] % 4], 256);
+    ergodome::read_environment_image(std::as_bytes(std::span(data + 1, size - 1)), names[data[0] % 5], 256);
   } catch (const ergodome::Error&) {
   }
   return 0;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "content/images/color_facts.h"
+
+namespace ergodome {
+
+//! Converts the numbers of a file's pixels to linear light with the primaries of Rec. 709, adapted to its white (D65).
+class ColorTransform {
+ public:
+  //! Creates the transform that a file asks for; `color_channels` is 1 for grey and 3 for RGB. `problem` receives what is not
+  //! supported: a damaged profile, or one for other channels.
+  ColorTransform(const ColorFacts& facts, int color_channels, std::string& problem);
+
+  //! The result is the sRGB decoding of the numbers, or the numbers themselves.
+  [[nodiscard]] bool is_srgb() const { return is_srgb_; }
+  [[nodiscard]] bool is_identity() const { return is_identity_; }
+
+  //! True if the transform of a sum is the sum of the transforms: colors that were multiplied by alpha stay so.
+  [[nodiscard]] bool is_linear() const { return is_linear_; }
+
+  //! Converts the colors of pixels with `channels` numbers each, in place. If `alpha` is a channel, the colors were
+  //! multiplied by it, and come divided by it. Uses all threads of the machine.
+  void apply(float* pixels, std::size_t count, int channels, int alpha) const;
+
+ private:
+  void apply_here(float* pixels, std::size_t count, int channels, int alpha) const;
+  void convert(float* colors, std::size_t count) const;
+  void find_kind();
+
+  int color_channels_;
+  std::function<float(float)> decode_;  //!< of each number, before the conversion; may be empty
+  std::shared_ptr<void> conversion_;    //!< LittleCMS's transform, or null
+  std::vector<float> scale_;            //!< of each color, before the conversion; may be empty
+  bool is_srgb_ = false;
+  bool is_identity_ = false;
+  bool is_linear_ = false;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "content/images/png_chunks.h"
+
+namespace ergodome {
+
+//! The bytes of an image: those of a file, or others that stand for it in memory.
+class ImageBytes {
+ public:
+  ImageBytes(std::string name, std::optional<std::span<const std::byte>> bytes)
+      : name_(std::move(name)), bytes_(bytes) {}
+
+  //! Returns a reader from the first byte on. It must not outlive the bytes.
+  [[nodiscard]] NextBytes from_start() const;
+
+  //! Returns the first bytes, at most so many.
+  [[nodiscard]] std::string head(std::size_t most) const;
+
+  [[nodiscard]] std::string all() const;
+
+  //! Returns 0 if the file cannot be read.
+  [[nodiscard]] std::uintmax_t size() const;
+
+ private:
+  std::string name_;
+  std::optional<std::span<const std::byte>> bytes_;
+};
+
+}  // namespace ergodome
