@@ -29,6 +29,7 @@ struct PlanOptions {
   std::string projection;
   std::string objects;
   std::string stereo;
+  std::optional<double> tilt_deg;
   std::optional<double> baseline;
   std::string backend = "auto";
   std::string view = "sky";
@@ -149,6 +150,7 @@ void run(const PlanOptions& options) {
   }
   override_view(show, options.projection, options.stereo);
   override_baseline(show, options.baseline);
+  override_tilt(show, options.tilt_deg, false);
   require_two_eyes(show, "--baseline", options.baseline.has_value());
   require_used_memory(show, options.lens);
   override_objects(show, options.objects);
@@ -219,6 +221,10 @@ void add_plan_command(CLI::App& app) {
       ->check(CLI::IsMember(projection_names()));
   command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
+  command
+      ->add_option("--tilt", options->tilt_deg,
+                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
   command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
       ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
   command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));

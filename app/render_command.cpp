@@ -54,6 +54,7 @@ Show chosen_show(const RenderOptions& options) {
   Show show = options.show.empty() ? Show{} : load_show(options.show);
   override_view(show, options.projection, options.stereo);
   override_baseline(show, options.baseline);
+  override_tilt(show, options.tilt_deg, !options.setup.empty());
   override_objects(show, options.objects);
   show.view.from_outside = show.view.from_outside || options.from_outside;
   show.stereo.tint_eyes = show.stereo.tint_eyes || options.tint_eyes;
@@ -160,7 +161,12 @@ void run(RenderOptions options) {
   Show show = chosen_show(options);
   const std::optional<DomeSetup> setup = chosen_setup(options);
   if (setup) {
+    const double tilt_deg = show.view.tilt_deg;
     fit_to_setup(show, *setup, options.stereo);
+    if (show.view.tilt_deg != tilt_deg && !options.show.empty()) {
+      print_note("the dome is tilted by {:g} deg, as the setup says, not by the show's {:g}; --tilt sets another",
+                 show.view.tilt_deg, tilt_deg);
+    }
   }
   if (!options.pattern.empty()) {
     const int files = write_patterns(options, show, setup);
@@ -244,6 +250,10 @@ void add_render_command(CLI::App& app) {
   command->add_flag("--from-outside", options->from_outside, "the mirror image: a dome as it is seen from outside");
   command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
+  command
+      ->add_option("--tilt", options->tilt_deg,
+                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
   command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
       ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
   command->add_flag("--tint-eyes", options->tint_eyes, "the left eye's picture reddish, the right one's cyan");

@@ -17,6 +17,7 @@ struct RenderOptions {
   std::string projection;
   std::string objects;
   std::string stereo;
+  std::optional<double> tilt_deg;
   std::optional<double> baseline;
   bool tint_eyes = false;
   bool from_outside = false;

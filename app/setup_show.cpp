@@ -47,7 +47,8 @@ void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo)
   }
   ViewSettings view;
   view.size_px = show.view.size_px;
-  view.tilt_deg = show.view.tilt_deg;
+  view.artistic_tilt = show.view.artistic_tilt;
+  view.tilt_deg = setup.tilt_known && !view.artistic_tilt ? setup.tilt_deg : show.view.tilt_deg;
   view.viewer = viewer_of(setup, view.tilt_deg);
   show.view = view;
   // Projectors stand still.

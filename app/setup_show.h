@@ -13,7 +13,7 @@
 namespace ergodome {
 
 //! Makes a show's pictures the domemaster that warps of a setup look up: 180°, equidistant, uncut, from inside, right as seen from the
-//! setup's viewer. How far it is tilted stays the show's. Throws Error for layouts that put two eyes into one picture; UsageError where the command
+//! setup's viewer. A tilt that the setup states replaces the show's, unless that is artistic. Throws Error for layouts that put two eyes into one picture; UsageError where the command
 //! line's `stereo` (empty: none) asked for one.
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 

@@ -98,6 +98,20 @@ void override_baseline(Show& show, const std::optional<double>& baseline) {
   }
 }
 
+void override_tilt(Show& show, const std::optional<double>& tilt_deg, bool has_setup) {
+  if (!tilt_deg) {
+    return;
+  }
+  if (!has_setup && show.view.projection != ViewProjection::dome) {
+    throw UsageError("--tilt", "is for domes, and the projection is another", "leave it out, or add --projection dome");
+  }
+  show.view.tilt_deg = *tilt_deg;
+  show.view.artistic_tilt = true;
+  show.lines.erase("view.tilt_deg");
+  show.lines.erase("animate.view.tilt_deg");
+  std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path == "view.tilt_deg"; });
+}
+
 void require_two_eyes(const Show& show, const std::string& option, bool given) {
   if (given && eye_count(show.stereo) == 1) {
     throw UsageError(option, show.name + " is for one eye", "leave it out, or add for example --stereo side_by_side");

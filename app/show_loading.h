@@ -25,6 +25,10 @@ void override_view(Show& show, const std::string& projection, const std::string&
 //! Puts a distance of the eyes [M] in place of the show's, and of what changes it with time.
 void override_baseline(Show& show, const std::optional<double>& baseline);
 
+//! Sets the tilt of a show's dome, over the show and over a dome setup. Throws UsageError without a setup if the
+//! show's projection is not a dome.
+void override_tilt(Show& show, const std::optional<double>& tilt_deg, bool has_setup);
+
 //! Throws UsageError where `option`, which is about two eyes, is given for pictures that nothing but one eye sees.
 void require_two_eyes(const Show& show, const std::string& option, bool given);
 

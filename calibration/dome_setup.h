@@ -65,6 +65,7 @@ std::string place_of(const ProjectorSetup& projector);
 struct DomeSetup {
   double radius_m = 5.0;
   double tilt_deg = 0.0;      //!< how far the dome's top leans to the front
+  bool tilt_known = false;    //!< the setup states it; it then sets the tilt of shows
   double rotation_deg = 0.0;  //!< how far the picture is turned to the right about the dome's own axis
   Vector3<double> viewer_m{0.0, 0.0, 0.0};
   std::vector<ProjectorSetup> projectors;

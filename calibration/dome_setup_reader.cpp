@@ -24,6 +24,7 @@ void read_dome(TomlTable& root, const std::string& file, DomeSetup& setup) {
     throw dome.error_at("radius_m", "is missing", "write the radius of the dome's sphere in metres");
   }
   setup.radius_m = dome.number("radius_m", setup.radius_m, 0.1, 1000.0);
+  setup.tilt_known = dome.has("tilt_deg");
   setup.tilt_deg = dome.number("tilt_deg", setup.tilt_deg, -90.0, 90.0);
   setup.rotation_deg = dome.number("rotation_deg", setup.rotation_deg, -360.0, 360.0);
   dome.refuse_unknown_keys();

@@ -90,11 +90,13 @@ std::string to_toml(const DomeSetup& setup) {
   for (const ProjectorSetup& projector : setup.projectors) {
     projectors.push_back(projector_of(projector));
   }
-  const toml::table root{
-      {"dome",
-       toml::table{{"radius_m", setup.radius_m}, {"tilt_deg", setup.tilt_deg}, {"rotation_deg", setup.rotation_deg}}},
-      {"viewer", toml::table{{"position_m", list_of(setup.viewer_m)}}},
-      {"projector", std::move(projectors)}};
+  toml::table dome{{"radius_m", setup.radius_m}, {"rotation_deg", setup.rotation_deg}};
+  if (setup.tilt_known || setup.tilt_deg != 0.0) {
+    dome.insert("tilt_deg", setup.tilt_deg);
+  }
+  const toml::table root{{"dome", std::move(dome)},
+                         {"viewer", toml::table{{"position_m", list_of(setup.viewer_m)}}},
+                         {"projector", std::move(projectors)}};
   std::ostringstream text;
   text << root << '\n';
   return text.str();

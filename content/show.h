@@ -139,6 +139,7 @@ struct ViewSettings {
   ViewProjection projection = ViewProjection::dome;
   double field_of_view_deg = 180.0;
   double tilt_deg = 0.0;
+  bool artistic_tilt = false;           //!< the tilt stays whatever a dome setup says
   int size_px = 1024;                   //!< width of the image; of a face, where each has a file
   double aspect = 1.0;                  //!< width over height, for the pinhole
   bool from_outside = false;            //!< the mirror image

@@ -117,6 +117,7 @@ toml::table view_of(const ViewSettings& view) {
   toml::table table{{"projection", projections[static_cast<int>(view.projection)]},
                     {"fov_deg", view.field_of_view_deg},
                     {"tilt_deg", view.tilt_deg},
+                    {"artistic_tilt", view.artistic_tilt},
                     {"size_px", view.size_px},
                     {"aspect", view.aspect},
                     {"from_outside", view.from_outside}};

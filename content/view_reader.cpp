@@ -127,6 +127,7 @@ void read_view(const toml::table& table, const std::string& file, ViewSettings& 
   view.field_of_view_deg = reader.number("fov_deg", usual_field_of_view_deg(view.projection), fields.least,
                                          flat ? widest_pinhole_deg : fields.greatest);
   view.tilt_deg = own_number(reader, "tilt_deg", 0.0);
+  view.artistic_tilt = reader.boolean("artistic_tilt", false);
   view.size_px = reader.integer("size_px", view.size_px, 1, 16384);
   view.aspect = reader.number("aspect", 1.0, 0.01, 100.0);
   view.from_outside = reader.boolean("from_outside", false);

@@ -41,6 +41,7 @@ struct PlayArguments {
   std::string stereo;
   std::string setup;
   bool size_given = false;
+  std::optional<double> tilt_deg;
   std::optional<double> baseline;
   bool tint_eyes = false;
   bool exhibit = false;
@@ -77,6 +78,7 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   Show show = load_show(name);
   override_view(show, arguments.projection, arguments.stereo);
   override_baseline(show, arguments.baseline);
+  override_tilt(show, arguments.tilt_deg, arguments.options.setup.has_value());
   override_objects(show, arguments.objects);
   if (has_face_files(show.view)) {
     // A window has them in one picture.
@@ -218,6 +220,10 @@ void add_play_command(CLI::App& app) {
       ->check(CLI::IsMember(projection_names()));
   command->add_option("--stereo", arguments->stereo, "stereo layout, instead of the show's")
       ->check(CLI::IsMember(stereo_names()));
+  command
+      ->add_option("--tilt", arguments->tilt_deg,
+                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
   command->add_option("--baseline", arguments->baseline, "distance of the eyes [M], instead of the show's")
       ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
   command->add_flag("--tint-eyes", arguments->tint_eyes, "the left eye's picture reddish, the right one's cyan");

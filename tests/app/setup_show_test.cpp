@@ -105,6 +105,21 @@ TEST(MasterOfASetup, ShowsTheSkyAsTheViewerSeesItWhereThePictureIsTurnedAndTheDo
   }
 }
 
+TEST(MasterOfASetup, FollowsTheTiltThatTheSetupStates) {
+  DomeSetup setup = leaning_dome(27.0, 0.0);
+  const auto tilt_deg = [&](bool known, bool artistic) {
+    setup.tilt_known = known;
+    Show show;
+    show.view.tilt_deg = 10.0;
+    show.view.artistic_tilt = artistic;
+    fit_to_setup(show, setup);
+    return show.view.tilt_deg;
+  };
+  EXPECT_EQ(tilt_deg(true, false), 27.0);
+  EXPECT_EQ(tilt_deg(false, false), 10.0);
+  EXPECT_EQ(tilt_deg(true, true), 10.0);
+}
+
 TEST(UprightMaster, IsLevelInADomeThatLeans) { EXPECT_LT(worst_pattern_error_deg(leaning_dome(27.0, 0.0)), 1e-3); }
 
 TEST(UprightMaster, IsLevelWhereThePictureIsTurned) {
