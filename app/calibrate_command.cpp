@@ -239,7 +239,7 @@ void add_calibrate_command(CLI::App& app) {
   for (CLI::Option* const computing : {out, mpcdi, tolerance, softness, evenness}) {
     live->excludes(computing);
   }
-  command->footer(calibration_key_help());
+  command->footer("Keys of --live:\n" + calibration_key_lines("  "));
   command->callback([options, size] {
     options->size_given = size->count() > 0;
     run(*options);

@@ -19,12 +19,16 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_1, CalibrationAction::choose_tilt, "1          change the dome's tilt: up, down"},
     {GLFW_KEY_2, CalibrationAction::choose_rotation, "2          the picture's rotation: left, right"},
     {GLFW_KEY_3, CalibrationAction::choose_viewer, "3          the viewer's place: arrows, page up and down"},
-    {GLFW_KEY_4, CalibrationAction::choose_top_left, "4 5        top left, top right corner: arrows"},
+    {GLFW_KEY_4, CalibrationAction::choose_top_left, "4 5 6 7    a corner, clockwise from the top left: arrows"},
     {GLFW_KEY_5, CalibrationAction::choose_top_right, ""},
-    {GLFW_KEY_6, CalibrationAction::choose_bottom_right, "6 7        bottom right, bottom left corner: arrows"},
+    {GLFW_KEY_6, CalibrationAction::choose_bottom_right, ""},
     {GLFW_KEY_7, CalibrationAction::choose_bottom_left, ""},
     {GLFW_KEY_8, CalibrationAction::choose_gamma, "8          the projector's gamma: up, down"},
     {GLFW_KEY_9, CalibrationAction::choose_black_level, "9          its black level: up, down"},
+    {GLFW_KEY_0, CalibrationAction::choose_gain, "0          its gain: up, down; again: red, green or blue alone"},
+    {GLFW_KEY_G, CalibrationAction::finer_grid, "G          finer grid of points: 3 x 3, 5 x 5, 9 x 9"},
+    {GLFW_KEY_N, CalibrationAction::next_point, "N B        next, previous point of the grid: arrows"},
+    {GLFW_KEY_B, CalibrationAction::previous_point, ""},
     {GLFW_KEY_LEFT, CalibrationAction::left, ""},
     {GLFW_KEY_RIGHT, CalibrationAction::right, ""},
     {GLFW_KEY_UP, CalibrationAction::up, ""},
@@ -35,6 +39,7 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_PERIOD, CalibrationAction::coarser, ""},
     {GLFW_KEY_BACKSPACE, CalibrationAction::undo, "Backspace  back to what was saved"},
     {GLFW_KEY_H, CalibrationAction::hide_text, "H          hide the text, show it"},
+    {GLFW_KEY_F1, CalibrationAction::show_keys, "F1         hide these keys, show them"},
     {GLFW_KEY_S, CalibrationAction::save, "S          save setup and warps; older files are kept as .bak"},
     {GLFW_KEY_ESCAPE, CalibrationAction::quit, "Esc        quit without saving"},
 };
@@ -50,11 +55,11 @@ CalibrationAction calibration_action_of(int key) {
   return CalibrationAction::none;
 }
 
-std::string calibration_key_help() {
-  std::string text = "Keys of --live:\n";
+std::string calibration_key_lines(const std::string& indent) {
+  std::string text;
   for (const Binding& binding : bindings) {
     if (*binding.help != '\0') {
-      text += std::string("  ") + binding.help + "\n";
+      text += indent + binding.help + "\n";
     }
   }
   return text;

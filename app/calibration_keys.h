@@ -9,7 +9,7 @@ namespace ergodome {
 //! What a key does, by GLFW's number.
 CalibrationAction calibration_action_of(int key);
 
-//! The keys, a line each, for --help.
-std::string calibration_key_help();
+//! Returns the keys and what they do, a line each.
+std::string calibration_key_lines(const std::string& indent);
 
 }  // namespace ergodome

@@ -23,6 +23,9 @@ namespace {
 //! After the patterns of the master comes a sheet with its number for each projector.
 int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; }
 
+constexpr int key_font_px = 14;
+constexpr int first_master_px = 1024;
+
 }  // namespace
 
 CalibrationWindow::CalibrationWindow(const LiveOptions& options)
@@ -30,10 +33,13 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
       state_(read_dome_setup(options.setup), pattern_count()),
       pictures_(state_.setup()),
       window_(700, 700, "Ergodome calibrate", false),
-      projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control) {
+      projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control, WarpUse::adjusted) {
   if (options_.master_px <= 0) {
     options_.master_px = enough_master_px(pictures_.pictures());
   }
+  // A small pattern is there at once; the full one follows.
+  drawn_px_ = std::min(options_.master_px, first_master_px);
+  renewal_ = Renewal::master;
   try {
     require_writable(options_.setup);
   } catch (const Error& problem) {
@@ -47,6 +53,8 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
 
 void CalibrationWindow::run() {
   const auto start = Clock::now();
+  draw();
+  drawn_px_ = options_.master_px;
   while (!window_.closed() && !projectors_.closed() && !interrupted()) {
     for (const WindowEvent& event : window_.events(0.02)) {
       handle(event);
@@ -104,9 +112,9 @@ void CalibrationWindow::save() {
   try {
     const DomeSetup& setup = state_.setup();
     // What cannot be shown could not be opened again.
-    pictures_.follow(setup, state_.corners());
+    pictures_.follow(setup, state_.offsets());
     const bool behind = pictures_.leaves_behind(setup);
-    state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.corners(),
+    state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.offsets(),
                                        pictures_.outdated(setup)));
     message_ = "saved to " + options_.setup;
     message_ += behind ? "; patterns follow the new tilt, and warps in files that were not computed from lenses and "
@@ -164,14 +172,14 @@ void CalibrationWindow::renew_master() {
     }
   }
   if (!numbers) {
-    presenter_.upload(draw_test_pattern(static_cast<TestPattern>(state_.pattern()),
-                                        upright_master(state_.setup(), options_.master_px)));
+    presenter_.upload(
+        draw_test_pattern(static_cast<TestPattern>(state_.pattern()), upright_master(state_.setup(), drawn_px_)));
   }
 }
 
 bool CalibrationWindow::renew_projectors() {
   try {
-    const bool masks = pictures_.follow(state_.setup(), state_.corners());
+    const bool masks = pictures_.follow(state_.setup(), state_.offsets());
     for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
       const ProjectorPicture& picture = pictures_.pictures()[i];
       masks ? projectors_.replace(i, picture) : projectors_.change(i, picture);
@@ -186,11 +194,16 @@ bool CalibrationWindow::renew_projectors() {
 
 void CalibrationWindow::renew_text() {
   const std::string adjusted =
-      state_.text() + "\npattern: " + pattern_name() + (message_.empty() ? "" : "\n" + message_);
+      state_.text() + "\npattern: " + pattern_name() + "   F1: keys" + (message_.empty() ? "" : "\n" + message_) +
+      (state_.keys_shown() && !projectors_.control_shown() ? "\n\n" + calibration_key_lines("") : "");
   for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
     const std::string other = fmt::format("{}: {}", i + 1, pictures_.pictures()[i].name);
     projectors_.set_text(i, !state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);
   }
+  const bool on_control = projectors_.control_shown();
+  window_.make_current();
+  keys_panel_.set(state_.keys_shown() && on_control ? calibration_key_lines("") : "", key_font_px,
+                  TextFace::monospaced);
   std::string title = "Ergodome calibrate  " + state_.text();
   for (char& c : title) {
     c = c == '\n' ? ' ' : c;
@@ -205,6 +218,7 @@ void CalibrationWindow::draw() {
     int height = 0;
     window_.framebuffer_size(width, height);
     presenter_.draw(width, height);
+    keys_panel_.draw(width, height, PanelPlace::top_left);
     window_.swap();
   }
 }

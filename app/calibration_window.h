@@ -11,6 +11,7 @@
 #include "calibration/dome_pictures.h"
 #include "render/present/presenter.h"
 #include "render/present/projector_windows.h"
+#include "render/present/text_panel.h"
 #include "render/present/window.h"
 
 namespace ergodome {
@@ -50,10 +51,12 @@ class CalibrationWindow {
   [[nodiscard]] std::string pattern_name() const;
 
   LiveOptions options_;
+  int drawn_px_ = 0;  //!< width of the pattern that is drawn next
   LiveCalibration state_;
   DomePictures pictures_;
   Window window_;
   Presenter presenter_;
+  TextPanel keys_panel_;
   ProjectorWindows projectors_;
   std::string message_;                 //!< of the last saving, or why a change cannot be shown
   std::string told_refusal_;            //!< why nothing could be saved, as the terminal says it last

@@ -18,7 +18,11 @@ constexpr double most_lift = 0.5;
 //! Part of the dome's radius within which the viewer stays: beyond it a master has no direction for much of the dome.
 constexpr double farthest_viewer = 0.95;
 
-//! Names and usual steps, in the order of Adjustable. Corners move by pixels of the raster.
+//! Setups allow any gain up to the largest.
+constexpr double least_gain = 0.05;
+constexpr double most_gain = 10.0;
+
+//! Names and usual steps, in the order of Adjustable. Points of the grid move by pixels of the raster.
 struct Quantity {
   const char* name;
   const char* unit;
@@ -29,12 +33,10 @@ constexpr Quantity quantities[] = {
     {"tilt of the dome", " deg", 0.5},
     {"rotation of the picture", " deg", 0.5},
     {"viewer", " m", 0.1},
-    {"top left corner", " px", 5.0},
-    {"top right corner", " px", 5.0},
-    {"bottom right corner", " px", 5.0},
-    {"bottom left corner", " px", 5.0},
+    {"point", " px", 5.0},
     {"gamma", "", 0.05},
     {"black level", "", 0.002},
+    {"gain", "", 0.02},
 };
 
 const Quantity& quantity_of(Adjustable adjustable) { return quantities[static_cast<std::size_t>(adjustable)]; }
@@ -55,7 +57,7 @@ bool same_place(const Vector3<double>& a, const Vector3<double>& b) { return a.x
 }  // namespace
 
 LiveCalibration::LiveCalibration(DomeSetup setup, int patterns)
-    : setup_(std::move(setup)), saved_(setup_), corners_(setup_.projectors.size()), patterns_(patterns) {}
+    : setup_(std::move(setup)), saved_(setup_), offsets_(setup_.projectors.size()), patterns_(patterns) {}
 
 Renewal LiveCalibration::press(CalibrationAction action) {
   const int count = static_cast<int>(setup_.projectors.size());
@@ -69,6 +71,8 @@ Renewal LiveCalibration::press(CalibrationAction action) {
     case CalibrationAction::previous_projector:
       projector_ = static_cast<std::size_t>(
           next(static_cast<int>(projector_), action == CalibrationAction::next_projector ? 1 : -1, count));
+      // Its grid may have fewer points.
+      point_ = std::min(point_, offsets_[projector_].right.size() - 1);
       return Renewal::text;
     case CalibrationAction::finer:
       step_size_ = std::max(step_size_ - 1, 0);
@@ -79,6 +83,15 @@ Renewal LiveCalibration::press(CalibrationAction action) {
     case CalibrationAction::hide_text:
       text_shown_ = !text_shown_;
       return Renewal::text;
+    case CalibrationAction::show_keys:
+      keys_shown_ = !keys_shown_;
+      return Renewal::text;
+    case CalibrationAction::next_point:
+      return step_point(1);
+    case CalibrationAction::previous_point:
+      return step_point(-1);
+    case CalibrationAction::finer_grid:
+      return refine_grid();
     case CalibrationAction::undo:
       return undo();
     case CalibrationAction::left:
@@ -98,19 +111,84 @@ Renewal LiveCalibration::press(CalibrationAction action) {
     case CalibrationAction::save:
       return Renewal::nothing;
     default:
-      adjustable_ =
-          static_cast<Adjustable>(static_cast<int>(action) - static_cast<int>(CalibrationAction::choose_tilt));
-      return Renewal::text;
+      return choose(action);
   }
+}
+
+Renewal LiveCalibration::choose(CalibrationAction action) {
+  switch (action) {
+    case CalibrationAction::choose_top_left:
+      return choose_corner(false, false);
+    case CalibrationAction::choose_top_right:
+      return choose_corner(true, false);
+    case CalibrationAction::choose_bottom_right:
+      return choose_corner(true, true);
+    case CalibrationAction::choose_bottom_left:
+      return choose_corner(false, true);
+    case CalibrationAction::choose_gain:
+      // Once more: the next color alone.
+      gain_color_ = adjustable_ != Adjustable::gain || gain_color_ == 2 ? all_colors : gain_color_ + 1;
+      adjustable_ = Adjustable::gain;
+      break;
+    case CalibrationAction::choose_rotation:
+      adjustable_ = Adjustable::rotation;
+      break;
+    case CalibrationAction::choose_viewer:
+      adjustable_ = Adjustable::viewer;
+      break;
+    case CalibrationAction::choose_gamma:
+      adjustable_ = Adjustable::gamma;
+      break;
+    case CalibrationAction::choose_black_level:
+      adjustable_ = Adjustable::black_level;
+      break;
+    default:
+      adjustable_ = Adjustable::tilt;
+  }
+  return Renewal::text;
+}
+
+Renewal LiveCalibration::choose_corner(bool right, bool bottom) {
+  const auto last = static_cast<std::size_t>(offsets_[projector_].points - 1);
+  adjustable_ = Adjustable::point;
+  point_ = (bottom ? last * (last + 1) : 0) + (right ? last : 0);
+  return Renewal::text;
+}
+
+Renewal LiveCalibration::step_point(int by) {
+  const int count = static_cast<int>(offsets_[projector_].right.size());
+  // The first press only chooses the grid.
+  const int step = adjustable_ == Adjustable::point ? by : 0;
+  adjustable_ = Adjustable::point;
+  point_ = static_cast<std::size_t>((static_cast<int>(point_) + step + count) % count);
+  return Renewal::text;
+}
+
+Renewal LiveCalibration::refine_grid() {
+  GridOffsets& grid = offsets_[projector_];
+  const auto* const now = std::ranges::find(GridOffsets::sizes, grid.points);
+  const bool finest = std::next(now) == GridOffsets::sizes.end();
+  const GridOffsets coarse = grid.resized(GridOffsets::sizes.front());
+  // From the finest grid back to the corners, unless that lost something.
+  if (finest && !(grid.none() || coarse.resized(grid.points) == grid)) {
+    return Renewal::nothing;
+  }
+  const int before = grid.points;
+  grid = finest ? coarse : grid.resized(*std::next(now));
+  // The same place, or the corner that is nearest.
+  const auto along = [&](std::size_t at) {
+    return static_cast<std::size_t>(
+        std::lround(static_cast<double>(at) / (before - 1) * static_cast<double>(grid.points - 1)));
+  };
+  const auto side = static_cast<std::size_t>(before);
+  point_ = along(point_ / side) * static_cast<std::size_t>(grid.points) + along(point_ % side);
+  adjustable_ = Adjustable::point;
+  return Renewal::warps;
 }
 
 double LiveCalibration::step() const {
   constexpr double factors[] = {0.1, 1.0, 10.0};
   return quantity_of(adjustable_).step * factors[step_size_];
-}
-
-Corner LiveCalibration::corner() const {
-  return static_cast<Corner>(static_cast<int>(adjustable_) - static_cast<int>(Adjustable::top_left));
 }
 
 Renewal LiveCalibration::adjust(const Way& way) {
@@ -119,6 +197,7 @@ Renewal LiveCalibration::adjust(const Way& way) {
   const double more = step() * (way.up != 0 ? way.up : way.right);
   switch (adjustable_) {
     case Adjustable::tilt:
+      setup_.tilt_known = true;
       setup_.tilt_deg = std::clamp(tidy(setup_.tilt_deg + more, step()), -most_tilt_deg, most_tilt_deg);
       return Renewal::master;
     case Adjustable::rotation:
@@ -136,9 +215,23 @@ Renewal LiveCalibration::adjust(const Way& way) {
         *lift = std::clamp(tidy(*lift + more, step()), 0.0, most_lift);
       }
       return Renewal::colours;
-    default:
-      return adjust_corner(way, step());
+    case Adjustable::gain:
+      return adjust_gain(more);
+    case Adjustable::point:
+      break;
   }
+  return adjust_point(way, step());
+}
+
+Renewal LiveCalibration::adjust_gain(double more) {
+  Vector3<double>& gain = setup_.projectors[projector_].gain;
+  double* const colors[] = {&gain.x, &gain.y, &gain.z};
+  for (int color = 0; color < 3; ++color) {
+    if (gain_color_ == all_colors || gain_color_ == color) {
+      *colors[color] = std::clamp(tidy(*colors[color] + more, step()), least_gain, most_gain);
+    }
+  }
+  return Renewal::colours;
 }
 
 Renewal LiveCalibration::adjust_viewer(const Way& way, double step_m) {
@@ -153,16 +246,14 @@ Renewal LiveCalibration::adjust_viewer(const Way& way, double step_m) {
   return Renewal::master;
 }
 
-Renewal LiveCalibration::adjust_corner(const Way& way, double step_px) {
-  CornerOffsets& corners = corners_[projector_];
+Renewal LiveCalibration::adjust_point(const Way& way, double step_px) {
+  GridOffsets& grid = offsets_[projector_];
   const ProjectorSetup& projector = setup_.projectors[projector_];
-  const auto index = static_cast<std::size_t>(corner());
   const auto moved = [&](double offset, int by, int side_px) {
-    const double px = tidy(offset * side_px + step_px * by, step_px);
-    return std::clamp(px / side_px, -CornerOffsets::farthest, CornerOffsets::farthest);
+    return by == 0 ? offset : tidy(offset * side_px + step_px * by, step_px) / side_px;
   };
-  corners.right[index] = moved(corners.right[index], way.right, projector.width_px);
-  corners.down[index] = moved(corners.down[index], -way.up, projector.height_px);
+  grid.move(point_, moved(grid.right[point_], way.right, projector.width_px),
+            moved(grid.down[point_], -way.up, projector.height_px));
   return Renewal::warps;
 }
 
@@ -171,6 +262,7 @@ Renewal LiveCalibration::undo() {
   const ProjectorSetup& before = saved_.projectors[projector_];
   switch (adjustable_) {
     case Adjustable::tilt:
+      setup_.tilt_known = saved_.tilt_known;
       setup_.tilt_deg = saved_.tilt_deg;
       break;
     case Adjustable::rotation:
@@ -185,9 +277,11 @@ Renewal LiveCalibration::undo() {
     case Adjustable::black_level:
       projector.black_level_lift = before.black_level_lift;
       break;
-    default:
-      corners_[projector_].right[static_cast<std::size_t>(corner())] = 0.0;
-      corners_[projector_].down[static_cast<std::size_t>(corner())] = 0.0;
+    case Adjustable::gain:
+      projector.gain = before.gain;
+      break;
+    case Adjustable::point:
+      offsets_[projector_].move(point_, 0.0, 0.0);
       break;
   }
   return Renewal::master;
@@ -196,16 +290,18 @@ Renewal LiveCalibration::undo() {
 void LiveCalibration::note_saved(DomeSetup setup) {
   setup_ = std::move(setup);
   saved_ = setup_;
-  corners_.assign(setup_.projectors.size(), {});
+  offsets_.assign(setup_.projectors.size(), {});
+  point_ = std::min<std::size_t>(point_, 3);
 }
 
 bool LiveCalibration::unsaved() const {
-  const bool moved = std::ranges::any_of(corners_, [](const CornerOffsets& corners) { return !corners.none(); });
+  const bool moved = std::ranges::any_of(offsets_, [](const GridOffsets& grid) { return !grid.none(); });
   bool coloured = false;
   for (std::size_t i = 0; i < setup_.projectors.size(); ++i) {
     const ProjectorSetup& now = setup_.projectors[i];
     const ProjectorSetup& before = saved_.projectors[i];
-    coloured = coloured || now.gamma != before.gamma || !same_place(now.black_level_lift, before.black_level_lift);
+    coloured = coloured || now.gamma != before.gamma || !same_place(now.gain, before.gain) ||
+               !same_place(now.black_level_lift, before.black_level_lift);
   }
   return moved || coloured || setup_.tilt_deg != saved_.tilt_deg || setup_.rotation_deg != saved_.rotation_deg ||
          !same_place(setup_.viewer_m, saved_.viewer_m);
@@ -226,18 +322,37 @@ std::string LiveCalibration::value() const {
     case Adjustable::black_level:
       return fmt::format("{:.4f}, {:.4f}, {:.4f} of full light", projector.black_level_lift.x,
                          projector.black_level_lift.y, projector.black_level_lift.z);
-    default: {
-      const auto index = static_cast<std::size_t>(corner());
-      return fmt::format("{:.1f} px right, {:.1f} px down", corners_[projector_].right[index] * projector.width_px,
-                         corners_[projector_].down[index] * projector.height_px);
-    }
+    case Adjustable::gain:
+      return fmt::format("{:.3f} red, {:.3f} green, {:.3f} blue", projector.gain.x, projector.gain.y, projector.gain.z);
+    case Adjustable::point:
+      break;
   }
+  const GridOffsets& grid = offsets_[projector_];
+  return fmt::format("{:.1f} px right, {:.1f} px down", grid.right[point_] * projector.width_px,
+                     grid.down[point_] * projector.height_px);
+}
+
+std::string LiveCalibration::name() const {
+  constexpr const char* corner_names[] = {"top left corner", "top right corner", "bottom left corner",
+                                          "bottom right corner"};
+  constexpr const char* gain_names[] = {"gain", "gain of red", "gain of green", "gain of blue"};
+  if (adjustable_ == Adjustable::gain) {
+    return gain_names[gain_color_ + 1];
+  }
+  if (adjustable_ != Adjustable::point) {
+    return quantity_of(adjustable_).name;
+  }
+  const auto points = static_cast<std::size_t>(offsets_[projector_].points);
+  if (points == 2) {
+    return corner_names[point_];
+  }
+  return fmt::format("point in column {}, row {} of {} x {}", point_ % points + 1, point_ / points + 1, points, points);
 }
 
 std::string LiveCalibration::text() const {
   const Quantity& quantity = quantity_of(adjustable_);
   return fmt::format("projector {} of {}: {}\n{}: {}\nstep {:g}{}{}", projector_ + 1, setup_.projectors.size(),
-                     setup_.projectors[projector_].name, quantity.name, value(), step(), quantity.unit,
+                     setup_.projectors[projector_].name, name(), value(), step(), quantity.unit,
                      unsaved() ? "   not saved yet" : "");
 }
 

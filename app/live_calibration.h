@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration/corner_offsets.h"
 #include "calibration/dome_setup.h"
+#include "calibration/grid_offsets.h"
 
 namespace ergodome {
 
@@ -22,6 +22,10 @@ enum class CalibrationAction {
   coarser,
   undo,
   hide_text,
+  show_keys,
+  next_point,
+  previous_point,
+  finer_grid,
   left,
   right,
   up,
@@ -37,19 +41,18 @@ enum class CalibrationAction {
   choose_bottom_left,
   choose_gamma,
   choose_black_level,
+  choose_gain,
 };
 
-//! What can be changed, in the order of the actions that choose it. The first three are the dome's, the others a projector's.
+//! What can be changed. The first three are the dome's, the others a projector's.
 enum class Adjustable {
   tilt,
   rotation,
   viewer,
-  top_left,
-  top_right,
-  bottom_right,
-  bottom_left,
+  point,
   gamma,
   black_level,
+  gain,
 };
 
 //! What has to be made anew after an action, each with what comes after it in this list.
@@ -64,15 +67,16 @@ class LiveCalibration {
   //! Does what a key asks for. Quitting and saving are the caller's: they change nothing here.
   Renewal press(CalibrationAction action);
 
-  //! Takes over what was saved: the setup with warps that hold the corners, which then are none.
+  //! Takes over what was saved: the setup with warps that hold the offsets, which then are zero.
   void note_saved(DomeSetup setup);
 
   [[nodiscard]] const DomeSetup& setup() const { return setup_; }
-  [[nodiscard]] const std::vector<CornerOffsets>& corners() const { return corners_; }
+  [[nodiscard]] const std::vector<GridOffsets>& offsets() const { return offsets_; }
   [[nodiscard]] std::size_t projector() const { return projector_; }
   [[nodiscard]] int pattern() const { return pattern_; }
   [[nodiscard]] Adjustable adjustable() const { return adjustable_; }
   [[nodiscard]] bool text_shown() const { return text_shown_; }
+  [[nodiscard]] bool keys_shown() const { return keys_shown_; }
 
   //! Whether anything differs from what was read or saved last.
   [[nodiscard]] bool unsaved() const;
@@ -81,6 +85,8 @@ class LiveCalibration {
   [[nodiscard]] std::string text() const;
 
  private:
+  static constexpr int all_colors = -1;
+
   //! A step to the right, up the screen, and up the dome; each -1, 0 or 1.
   struct Way {
     int right = 0;
@@ -90,21 +96,29 @@ class LiveCalibration {
 
   Renewal adjust(const Way& way);
   Renewal adjust_viewer(const Way& way, double step_m);
-  Renewal adjust_corner(const Way& way, double step_px);
+  Renewal adjust_point(const Way& way, double step_px);
+  Renewal adjust_gain(double more);
+  Renewal choose(CalibrationAction action);
+  Renewal choose_corner(bool right, bool bottom);
+  Renewal step_point(int by);
+  Renewal refine_grid();
   [[nodiscard]] double step() const;
-  [[nodiscard]] Corner corner() const;
+  [[nodiscard]] std::string name() const;
   [[nodiscard]] std::string value() const;
   Renewal undo();
 
   DomeSetup setup_;
   DomeSetup saved_;
-  std::vector<CornerOffsets> corners_;
+  std::vector<GridOffsets> offsets_;
+  std::size_t point_ = 0;  //!< of the projector's grid, row by row
+  int gain_color_ = all_colors;
   int patterns_;
   std::size_t projector_ = 0;
   int pattern_ = 0;
   Adjustable adjustable_ = Adjustable::tilt;
   int step_size_ = 1;  //!< 0 fine, 1 usual, 2 coarse
   bool text_shown_ = true;
+  bool keys_shown_ = true;
 };
 
 }  // namespace ergodome

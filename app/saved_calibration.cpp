@@ -14,7 +14,7 @@ namespace {
 //! A mask where the corners take it, as a PNG beside the setup; its name.
 std::string write_mask(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        const BlendMap& mask) {
-  BlendMap moved = moved_mask(picture.corners, in_shape_of(mask, picture.width_px, picture.height_px));
+  BlendMap moved = moved_mask(picture.offsets, in_shape_of(mask, picture.width_px, picture.height_px));
   moved.bit_depth = 16;
   write_text_keeping_older(folder / name, to_png(moved, name));
   return name;
@@ -41,7 +41,7 @@ void require_writable_files(const std::filesystem::path& folder, const std::stri
   if (picture.blend.width > 0) {
     require_writable(folder / (name + "_blend.png"));
   }
-  if (picture.black_level.width > 0 && !picture.corners.none()) {
+  if (picture.black_level.width > 0 && !picture.offsets.none()) {
     require_writable(folder / (name + "_black.png"));
   }
 }
@@ -50,7 +50,7 @@ void require_writable_files(const std::filesystem::path& folder, const std::stri
 void write_moved_files(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        ProjectorSetup& projector) {
   write_text_keeping_older(folder / (name + ".data"),
-                           to_bourke_mesh(moved_warp(picture.corners, picture.warp),
+                           to_bourke_mesh(moved_warp(picture.offsets, picture.warp),
                                           static_cast<double>(picture.width_px) / picture.height_px));
   projector.warp.emplace();
   projector.warp->file = name + ".data";
@@ -58,7 +58,7 @@ void write_moved_files(const std::filesystem::path& folder, const std::string& n
     projector.blend_mask = write_mask(folder, name + "_blend.png", picture, picture.blend);
     projector.blend_mask_gamma = 1.0;
   }
-  if (picture.black_level.width > 0 && !picture.corners.none()) {
+  if (picture.black_level.width > 0 && !picture.offsets.none()) {
     write_black_level(folder, name + "_black.png", picture, projector);
   }
 }
@@ -66,22 +66,22 @@ void write_moved_files(const std::filesystem::path& folder, const std::string& n
 }  // namespace
 
 DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& setup,
-                           const std::vector<CornerOffsets>& corners, const std::vector<bool>& anew) {
+                           const std::vector<GridOffsets>& offsets, const std::vector<bool>& anew) {
   DomeSetup saved = setup;
   for (ProjectorSetup& projector : saved.projectors) {
     // Its lines are others now.
     projector.read_from = file.string();
   }
   require_writable(file);
-  const bool moved = std::ranges::any_of(corners, [](const CornerOffsets& c) { return !c.none(); });
+  const bool moved = std::ranges::any_of(offsets, [](const GridOffsets& c) { return !c.none(); });
   if (moved || std::ranges::find(anew, true) != anew.end()) {
     // The rotation stays in the setup: warps are written without it.
     DomeSetup unturned = setup;
     unturned.rotation_deg = 0.0;
     std::vector<ProjectorPicture> pictures = projector_pictures(unturned);
-    const auto written = [&](std::size_t i) { return !corners[i].none() || (i < anew.size() && anew[i]); };
+    const auto written = [&](std::size_t i) { return !offsets[i].none() || (i < anew.size() && anew[i]); };
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      pictures[i].corners = corners[i];
+      pictures[i].offsets = offsets[i];
       if (written(i)) {
         require_writable_files(setup.folder, projector_file_name(i, pictures[i].name), pictures[i]);
       }

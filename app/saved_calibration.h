@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "calibration/corner_offsets.h"
 #include "calibration/dome_setup.h"
+#include "calibration/grid_offsets.h"
 
 namespace ergodome {
 
@@ -13,6 +13,6 @@ namespace ergodome {
 //! that the setup named before stay. Returns the setup as written, whose warps hold the corners. Throws Error where a file cannot be written; where
 //! that can be known beforehand, nothing is.
 DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& setup,
-                           const std::vector<CornerOffsets>& corners, const std::vector<bool>& anew = {});
+                           const std::vector<GridOffsets>& offsets, const std::vector<bool>& anew = {});
 
 }  // namespace ergodome

@@ -57,7 +57,7 @@ std::vector<BlendMap> DomePictures::masks_at_tilt(const DomeSetup& setup) const 
   return masks;
 }
 
-bool DomePictures::follow(const DomeSetup& setup, const std::vector<CornerOffsets>& corners) {
+bool DomePictures::follow(const DomeSetup& setup, const std::vector<GridOffsets>& offsets) {
   const bool turned = setup.tilt_deg != tilt_deg_ || setup.rotation_deg != rotation_deg_;
   std::vector<WarpMesh> warps;
   for (std::size_t i = 0; turned && i < pictures_.size(); ++i) {
@@ -71,7 +71,7 @@ bool DomePictures::follow(const DomeSetup& setup, const std::vector<CornerOffset
     if (turned) {
       picture.warp = std::move(warps[i]);
     }
-    picture.corners = corners[i];
+    picture.offsets = offsets[i];
     picture.gamma = projector.gamma;
     const Vector3<double>& lift = projector.black_level_lift;
     picture.black_level_lift = dot(lift, lift) > 0.0 ? lift : files_[i].black_level_lift;

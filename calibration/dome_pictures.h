@@ -20,7 +20,7 @@ class DomePictures {
   //! Takes over tilt, rotation, corners and colours of the same dome; for three projectors of 1920 x 1080 on two cores in some 50 ms, and
   //! with masks, which a new tilt calls for, 90. True where there are new masks. Throws Error, and leaves all as it was,
   //! where a projector would light no part of the dome.
-  bool follow(const DomeSetup& setup, const std::vector<CornerOffsets>& corners);
+  bool follow(const DomeSetup& setup, const std::vector<GridOffsets>& offsets);
 
   //! Whether a setup of this dome has another tilt than one of its files was made for: that file stays as it is, and patterns alone follow.
   [[nodiscard]] bool leaves_behind(const DomeSetup& setup) const;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/corner_offsets.h"
+#include "calibration/grid_offsets.h"
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
 #include "calibration/projector_files.h"
@@ -16,7 +16,7 @@ struct ProjectorPicture {
   int width_px = 0;
   int height_px = 0;
   WarpMesh warp;          //!< places of the domemaster (180°, front at the bottom) over the raster
-  CornerOffsets corners;  //!< by which warp and masks are yet to be moved
+  GridOffsets offsets;  //!< by which warp and masks are yet to be moved
   BlendMap blend;         //!< linear factors of the light; width 0: none
   BlendMap black_level;   //!< linear parts of the lift; width 0: all of it everywhere
   Vector3<double> black_level_lift{};

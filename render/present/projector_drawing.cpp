@@ -121,7 +121,7 @@ ProjectorDrawing::ProjectorDrawing(const ProjectorPicture& picture) : state_(std
   set_attribute(state_->vertex_array, 3, 1, offsetof(MeshVertex, factor));
   state_->blend = mask_texture(picture.blend);
   state_->black_level = mask_texture(picture.black_level);
-  set_warp(picture.warp, picture.corners);
+  set_warp(picture.warp, picture.offsets);
   set_colour(picture);
 }
 
@@ -134,8 +134,8 @@ ProjectorDrawing::~ProjectorDrawing() {
   glDeleteProgram(state_->program);
 }
 
-void ProjectorDrawing::set_warp(const WarpMesh& warp, const CornerOffsets& corners) {
-  const auto [vertices, indices] = projector_mesh(warp, corners);
+void ProjectorDrawing::set_warp(const WarpMesh& warp, const GridOffsets& grid) {
+  const auto [vertices, indices] = projector_mesh(warp, grid);
   const GLuint before[] = {state_->vertices, state_->indices};
   glDeleteBuffers(2, before);
   glCreateBuffers(1, &state_->vertices);

@@ -18,7 +18,7 @@ class ProjectorDrawing {
   ProjectorDrawing& operator=(const ProjectorDrawing&) = delete;
 
   //! Takes over another warp, and corners that it is to be moved by.
-  void set_warp(const WarpMesh& warp, const CornerOffsets& corners);
+  void set_warp(const WarpMesh& warp, const GridOffsets& grid);
 
   //! Takes over lift, gain and gamma of a picture; its masks stay as they were.
   void set_colour(const ProjectorPicture& picture);

@@ -6,18 +6,18 @@ namespace ergodome {
 
 namespace {
 
-std::vector<MeshVertex> vertices_of(const WarpMesh& warp, const CornerOffsets& corners) {
+std::vector<MeshVertex> vertices_of(const WarpMesh& warp, const GridOffsets& grid) {
   std::vector<MeshVertex> vertices;
   vertices.reserve(warp.nodes.size() + 4);
   for (const auto& [x, y] : {std::array{0.0, 0.0}, std::array{1.0, 0.0}, std::array{1.0, 1.0}, std::array{0.0, 1.0}}) {
-    const RasterPlace mask = moved_back(corners, {x, y});
+    const RasterPlace mask = moved_back(grid, {x, y});
     vertices.push_back({{static_cast<float>(x), static_cast<float>(y)},
                         {0.5F, 0.5F},
                         {static_cast<float>(mask.x), static_cast<float>(mask.y)},
                         0.0F});
   }
   for (const WarpNode& node : warp.nodes) {
-    const RasterPlace place = moved_place(corners, RasterPlace{node.x, node.y});
+    const RasterPlace place = moved_place(grid, RasterPlace{node.x, node.y});
     vertices.push_back({{static_cast<float>(place.x), static_cast<float>(place.y)},
                         {node.u, node.v},
                         {node.x, node.y},
@@ -46,8 +46,9 @@ std::vector<std::uint32_t> indices_of(const WarpMesh& warp) {
 
 }  // namespace
 
-ProjectorMesh projector_mesh(const WarpMesh& warp, const CornerOffsets& corners) {
-  return {vertices_of(warp, corners), indices_of(warp)};
+ProjectorMesh projector_mesh(const WarpMesh& warp, const GridOffsets& grid) {
+  const WarpMesh fine = refined_for(grid, warp);
+  return {vertices_of(fine, grid), indices_of(fine)};
 }
 
 }  // namespace ergodome

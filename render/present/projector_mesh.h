@@ -21,8 +21,8 @@ struct ProjectorMesh {
   std::vector<std::uint32_t> indices;  //!< three a triangle
 };
 
-//! The whole raster without light, so that it is lifted where the warp is not drawn; then the warp's cells, moved by corners, as two triangles
+//! The whole raster without light, so that it is lifted where the warp is not drawn; then the warp's cells, moved by the grid, as two triangles
 //! each, cut as resampled_warp cuts them. Cells with a corner that is not valid are left out.
-ProjectorMesh projector_mesh(const WarpMesh& warp, const CornerOffsets& corners);
+ProjectorMesh projector_mesh(const WarpMesh& warp, const GridOffsets& grid);
 
 }  // namespace ergodome

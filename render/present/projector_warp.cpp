@@ -228,7 +228,7 @@ ProjectorWarp::ProjectorWarp(const ProjectorPicture& picture, int master_width, 
   y_ = zeros<std::uint16_t>(groups * warp_group_px);
   level_ = zeros<std::uint8_t>(groups * warp_group_px);
   factor_ = zeros<std::uint16_t>(groups * warp_group_px * (coloured_ ? 6 : 1));
-  const MeshRaster raster(projector_mesh(picture.warp, picture.corners), width_px_, height_px_);
+  const MeshRaster raster(projector_mesh(picture.warp, picture.offsets), width_px_, height_px_);
   Builder builder(*this, picture, most_factor);
   parallel_for(raster.band_count(), 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) {

@@ -67,7 +67,7 @@ struct ProjectorWindows::State {
 };
 
 ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
-                                   const std::vector<ProjectorPicture>& pictures, bool hide_control)
+                                   const std::vector<ProjectorPicture>& pictures, bool hide_control, WarpUse use)
     : state_(std::make_unique<State>(State{control, nullptr, {}, pictures, nullptr, nullptr})) {
   require_outputs(setup, connected_monitors());
   const int monitor = free_monitor(setup);
@@ -80,7 +80,7 @@ ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
   control.make_current();
   control.swap_at_once();
   state_->light = std::make_unique<DisplayLight>();
-  if (draws_in_software()) {
+  if (draws_in_software() && use == WarpUse::fixed) {
     state_->software = std::make_unique<SoftwareProjectors>(pictures);
   }
   for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -89,11 +89,13 @@ ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
                                                       i == 0 ? SwapTiming::in_step : SwapTiming::at_once);
     screen.drawing = std::make_unique<ProjectorDrawing>(pictures[i]);
     screen.panel = std::make_unique<TextPanel>();
+    screen.changed = use == WarpUse::adjusted;
     state_->screens.push_back(std::move(screen));
   }
   control.make_current();
   if (state_->control_shown) {
     uncover(control, setup);
+    control.keep_in_front();
   }
 }
 
@@ -259,7 +261,7 @@ void ProjectorWindows::change(std::size_t projector, const ProjectorPicture& pic
   const Screen& screen = state_->screens[projector];
   screen.window->make_current();
   draw_by_opengl(projector);
-  screen.drawing->set_warp(picture.warp, picture.corners);
+  screen.drawing->set_warp(picture.warp, picture.offsets);
   screen.drawing->set_colour(picture);
   state_->control.make_current();
 }

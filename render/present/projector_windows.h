@@ -11,15 +11,18 @@
 
 namespace ergodome {
 
+//! Whether warps stay. Adjusted ones are drawn by OpenGL from the start: the processor needs a second to prepare each.
+enum class WarpUse { fixed, adjusted };
+
 //! The windows of a dome's projectors, which show one domemaster. It is on the GPU once, in the control window's context. Where OpenGL has
 //! no GPU the processor draws what the projectors are sent, and of pictures that CUDA has made CUDA, until their warps are changed.
 class ProjectorWindows {
  public:
   //! `control` must outlive it, and stays current. It moves to a monitor that no projector fills, beside windows that are there if there is
-  //! room; without such a monitor, or with `hide_control`, it is not seen. Throws Error where a monitor is missing, or a window would lie
+  //! room, and stays in front of them; without such a monitor, or with `hide_control`, it is not seen. Throws Error where a monitor is missing, or a window would lie
   //! beside all of them or cannot be opened.
   ProjectorWindows(Window& control, const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
-                   bool hide_control);
+                   bool hide_control, WarpUse use = WarpUse::fixed);
   ~ProjectorWindows();
   ProjectorWindows(const ProjectorWindows&) = delete;
   ProjectorWindows& operator=(const ProjectorWindows&) = delete;

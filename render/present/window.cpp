@@ -133,6 +133,11 @@ void Window::close() { glfwSetWindowShouldClose(state_->window, GLFW_TRUE); }
 
 bool Window::closed() const { return glfwWindowShouldClose(state_->window) == GLFW_TRUE; }
 
+void Window::keep_in_front() {
+  glfwSetWindowAttrib(state_->window, GLFW_FLOATING, GLFW_TRUE);
+  glfwFocusWindow(state_->window);
+}
+
 void Window::hide() { glfwHideWindow(state_->window); }
 
 void Window::hide_cursor() { glfwSetInputMode(state_->window, GLFW_CURSOR, GLFW_CURSOR_HIDDEN); }

@@ -50,6 +50,9 @@ class Window {
   void close();
   [[nodiscard]] bool closed() const;
 
+  //! Keeps it above other windows, and in front of them now.
+  void keep_in_front();
+
   //! Takes it off the screen; its context stays.
   void hide();
 

@@ -92,17 +92,59 @@ TEST_F(LiveKeys, CornersOfTheChosenProjectorMoveByPixels) {
   press(Action::choose_bottom_right);
   press(Action::right);
   EXPECT_EQ(press(Action::down, 2), Renewal::warps);
-  const auto corner = static_cast<std::size_t>(Corner::bottom_right);
-  EXPECT_DOUBLE_EQ(live_.corners()[1].right[corner], 0.005);
-  EXPECT_DOUBLE_EQ(live_.corners()[1].down[corner], 0.02);
-  EXPECT_TRUE(live_.corners()[0].none());
+  constexpr std::size_t bottom_right = 3;
+  EXPECT_DOUBLE_EQ(live_.offsets()[1].right[bottom_right], 0.005);
+  EXPECT_DOUBLE_EQ(live_.offsets()[1].down[bottom_right], 0.02);
+  EXPECT_TRUE(live_.offsets()[0].none());
 }
 
 TEST_F(LiveKeys, CornersStayWhereWarpsCanFollow) {
   press(Action::choose_top_left);
   press(Action::coarser);
   press(Action::left, 100);
-  EXPECT_EQ(live_.corners()[0].right[0], -CornerOffsets::farthest);
+  EXPECT_EQ(live_.offsets()[0].right[0], -GridOffsets::farthest);
+}
+
+TEST_F(LiveKeys, PointsOfFinerGridsMoveAlone) {
+  press(Action::choose_bottom_right);
+  press(Action::right);
+  EXPECT_EQ(press(Action::finer_grid, 2), Renewal::warps);
+  EXPECT_THAT(live_.text(), HasSubstr("point in column 5, row 5 of 5 x 5: 5.0 px right, 0.0 px down"));
+  press(Action::previous_point, 7);
+  EXPECT_THAT(live_.text(), HasSubstr("point in column 3, row 4 of 5 x 5"));
+  press(Action::up);
+  EXPECT_DOUBLE_EQ(live_.offsets()[0].down[3 * 5 + 2], -0.01);
+  EXPECT_DOUBLE_EQ(live_.offsets()[0].down[2 * 5 + 2], 0.0);
+  // The corner's offset is spread as before.
+  EXPECT_NEAR(live_.offsets()[0].right[3 * 5 + 2], 0.005 * 0.5 * 0.75, 1e-12);
+  press(Action::next_projector);
+  EXPECT_EQ(live_.offsets()[1].points, 2);
+}
+
+TEST_F(LiveKeys, TheFinestGridGoesBackToCornersUnlessPointsBetweenWereMoved) {
+  press(Action::finer_grid, 4);
+  EXPECT_EQ(live_.offsets()[0].points, 2);
+  press(Action::finer_grid, 3);
+  press(Action::next_point);
+  press(Action::right);
+  EXPECT_EQ(press(Action::finer_grid), Renewal::nothing);
+  EXPECT_EQ(live_.offsets()[0].points, 9);
+}
+
+TEST_F(LiveKeys, GainIsOfAllColorsOrOfOne) {
+  press(Action::choose_gain);
+  EXPECT_EQ(press(Action::down, 2), Renewal::colours);
+  press(Action::choose_gain, 2);
+  EXPECT_THAT(live_.text(), HasSubstr("gain of green"));
+  press(Action::down);
+  EXPECT_NEAR(projector(0).gain.x, 0.96, 1e-12);
+  EXPECT_NEAR(projector(0).gain.y, 0.94, 1e-12);
+  EXPECT_NEAR(projector(0).gain.z, 0.96, 1e-12);
+  EXPECT_EQ(projector(1).gain.y, 1.0);
+  press(Action::undo);
+  EXPECT_EQ(projector(0).gain.x, 1.0);
+  press(Action::choose_gain, 2);
+  EXPECT_THAT(live_.text(), HasSubstr("gain: 1.000 red"));
 }
 
 TEST_F(LiveKeys, GammaAndBlackLevelAreTheChosenProjectors) {
@@ -148,7 +190,7 @@ TEST_F(LiveKeys, UndoTakesBackWhatIsChosenAlone) {
 
 TEST_F(LiveKeys, WhatIsUnsavedIsKnown) {
   EXPECT_FALSE(live_.unsaved());
-  for (int quantity = 0; quantity < 9; ++quantity) {
+  for (int quantity = 0; quantity < 10; ++quantity) {
     press(static_cast<Action>(static_cast<int>(Action::choose_tilt) + quantity));
     press(Action::up);
     EXPECT_TRUE(live_.unsaved()) << quantity;
@@ -163,9 +205,9 @@ TEST_F(LiveKeys, SavingKeepsWhatWasChosen) {
   press(Action::up);
   live_.note_saved(live_.setup());
   EXPECT_FALSE(live_.unsaved());
-  EXPECT_TRUE(live_.corners()[1].none());
+  EXPECT_TRUE(live_.offsets()[1].none());
   EXPECT_EQ(live_.projector(), 1U);
-  EXPECT_EQ(live_.adjustable(), Adjustable::top_left);
+  EXPECT_EQ(live_.adjustable(), Adjustable::point);
 }
 
 TEST_F(LiveKeys, TextNamesWhatIsChangedAndItsValue) {

@@ -55,8 +55,8 @@ inline ProjectorPicture plain_picture() {
   ProjectorPicture picture = grey_picture();
   picture.blend = {};
   picture.gamma = 0.8;
-  picture.corners.right = {0.05, -0.1, 0.02, 0.0};
-  picture.corners.down = {0.0, 0.03, -0.04, 0.1};
+  picture.offsets.right = {0.05, -0.1, 0.0, 0.02};
+  picture.offsets.down = {0.0, 0.03, 0.1, -0.04};
   return picture;
 }
 

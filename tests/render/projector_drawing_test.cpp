@@ -99,7 +99,7 @@ TEST_P(ProjectorFrames, CornersTakeThePictureAlong) {
   picture.warp.rows = 2;
   picture.warp.nodes = {{0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 1, 1, 1}};
   picture.black_level_lift = {};
-  picture.corners.right = {0.1, 0.1, 0.1, 0.1};
+  picture.offsets.right = {0.1, 0.1, 0.1, 0.1};
   ASSERT_NO_FATAL_FAILURE(open({picture}));
   if (!projectors_) {
     return;
