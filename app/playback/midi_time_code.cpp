@@ -127,7 +127,8 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_quarter(std:
   const int last = 7 - first;
   if (piece == first && code_) {
     // Eight quarters make two frames.
-    *code_ += std::int64_t{2} * direction_;
+    const std::int64_t day = frames_a_day(rate_);
+    *code_ = (*code_ + 2 * direction_ + day) % day;
   }
   if (piece == last && in_row_ >= 8) {
     return finish_code();
@@ -142,13 +143,26 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::finish_code() {
   const auto number = [&](std::size_t low) { return pieces_[low] | pieces_[low + 1] << 4; };
   const TimeCode code = {number(6) & 0x1F, number(4) & 0x3F, number(2) & 0x3F, number(0) & 0x1F,
                          rate_of_bits(number(6) >> 5)};
-  if (!is_valid(code)) {
+  const bool valid = is_valid(code);
+  const bool expected = valid && follows_from_the_codes_before(frame_number(code), code.rate);
+  const bool passed_over = !expected && !doubted_;
+  doubted_ = !expected;
+  if (!passed_over && !valid) {
     lose_code();
-    return std::nullopt;
+  } else if (!passed_over) {
+    code_ = frame_number(code);
+    rate_ = code.rate;
+    place_ = code_;
   }
-  code_ = frame_number(code);
-  rate_ = code.rate;
-  return Reading{4 * *code_ + piece_, rate_, direction_};
+  return code_ ? std::optional(Reading{4 * *code_ + piece_, rate_, direction_}) : std::nullopt;
+}
+
+bool MidiTimeCodeReader::follows_from_the_codes_before(std::int64_t code, CodeRate rate) const {
+  if (code_) {
+    return code == *code_ && rate == rate_;
+  }
+  // Between two runs of quarters the tape may have moved a little; wrong codes are wrong by more.
+  return !place_ || (rate == rate_ && 2 * std::abs(code - *place_) < frames_a_second(rate));
 }
 
 std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_full_frame() {
@@ -163,7 +177,9 @@ std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_full_frame()
   }
   lose_code();
   rate_ = code.rate;
-  return Reading{4 * frame_number(code), code.rate, 0};
+  place_ = frame_number(code);
+  doubted_ = false;
+  return Reading{4 * *place_, code.rate, 0};
 }
 
 ClockFix TimeCodeFilter::filter(const MidiTimeCodeReader::Reading& reading, MonotonicTime received) {

@@ -43,6 +43,9 @@ std::optional<TimeCode> parse_time_code(std::string_view text, CodeRate rate);
 //!
 //! MIDI 1.0 Detailed Specification, MIDI time code (RP-004, RP-008). Eight quarter frames make a code, which is that of the frame in
 //! which the first of them (the last, backwards) was sent; so piece k of a code stands for a quarter of k frames more.
+//!
+//! Some senders do not hold a code while they send it: where a second ends, its pieces are of two frames, and it is wrong by a second, a
+//! minute or an hour. So one code that does not follow from those before it is passed over; the next one is taken as it is.
 class MidiTimeCodeReader {
  public:
   //! A place of the time code that bytes told.
@@ -62,6 +65,7 @@ class MidiTimeCodeReader {
   std::optional<Reading> read_quarter(std::uint8_t data);
   std::optional<Reading> read_full_frame();
   std::optional<Reading> finish_code();
+  [[nodiscard]] bool follows_from_the_codes_before(std::int64_t code, CodeRate rate) const;
   void lose_code();
 
   static constexpr std::size_t longest_message = 16;
@@ -70,10 +74,12 @@ class MidiTimeCodeReader {
   std::vector<std::uint8_t> exclusive_;  //!< of a system exclusive message, up to the longest that is of interest
 
   std::array<std::uint8_t, 8> pieces_{};
-  int piece_ = -1;                    //!< that came last; -1: none
-  int direction_ = 0;                 //!< of the pieces
-  int in_row_ = 0;                    //!< pieces that came one after the other, up to the eight of a code
-  std::optional<std::int64_t> code_;  //!< frames of the code whose pieces are coming, from the one before
+  int piece_ = -1;                     //!< that came last; -1: none
+  int direction_ = 0;                  //!< of the pieces
+  int in_row_ = 0;                     //!< pieces that came one after the other, up to the eight of a code
+  std::optional<std::int64_t> code_;   //!< frames of the code whose pieces are coming, from the one before
+  std::optional<std::int64_t> place_;  //!< frames of the last code or full frame message that was believed
+  bool doubted_ = false;               //!< the last code did not follow from those before it
   CodeRate rate_ = CodeRate::fps25;
 };
 

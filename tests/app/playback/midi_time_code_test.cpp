@@ -132,6 +132,117 @@ TEST(MidiTimeCode, WhatIsNoLabelIsNotRead) {
       << "not real time";
 }
 
+//! The label of the frame after one.
+TimeCode next_label(TimeCode code) {
+  do {
+    const int frames = code.rate == CodeRate::fps24 ? 24 : code.rate == CodeRate::fps25 ? 25 : 30;
+    code.frames = (code.frames + 1) % frames;
+    code.seconds = (code.seconds + (code.frames == 0 ? 1 : 0)) % 60;
+    code.minutes = (code.minutes + (code.frames == 0 && code.seconds == 0 ? 1 : 0)) % 60;
+    code.hours = (code.hours + (code.frames == 0 && code.seconds == 0 && code.minutes == 0 ? 1 : 0)) % 24;
+  } while (!is_valid(code));
+  return code;
+}
+
+//! A stream of quarter frames whose quarter 0 begins the frame of a label.
+struct Stream {
+  TimeCode first;
+  int quarters;
+  int step = 1;
+  bool holds_codes = true;  //!< false: each piece is of the frame that runs while it is sent, as some senders do
+
+  //! What the reader makes of quarters `from` on (from the end on, backwards), each beside its true number.
+  [[nodiscard]] std::vector<std::pair<Reading, std::int64_t>> read(int from = 0) const {
+    std::vector<TimeCode> labels = {first};
+    while (static_cast<int>(labels.size()) <= quarters / 4) {
+      labels.push_back(next_label(labels.back()));
+    }
+    MidiTimeCodeReader reader;
+    std::vector<std::pair<Reading, std::int64_t>> readings;
+    for (int i = from; i < quarters; ++i) {
+      const int at = step > 0 ? i : quarters - 1 - i;
+      const auto label = static_cast<std::size_t>(holds_codes ? at / 8 * 2 : at / 4);
+      for (const Reading& reading : reader.read(quarter(labels[label], at % 8))) {
+        readings.emplace_back(reading, 4 * frame_number(first) + at);
+      }
+    }
+    return readings;
+  }
+};
+
+const TimeCode ends_of_minutes[] = {
+    {0, 0, 58, 0, CodeRate::fps24},   {0, 0, 58, 1, CodeRate::fps24},   {0, 59, 58, 0, CodeRate::fps25},
+    {0, 59, 58, 1, CodeRate::fps25},  {0, 59, 58, 4, CodeRate::drop},   {0, 59, 58, 5, CodeRate::drop},
+    {0, 0, 58, 4, CodeRate::drop},    {0, 0, 58, 5, CodeRate::drop},    {1, 9, 58, 3, CodeRate::drop},
+    {12, 34, 58, 6, CodeRate::fps30}, {12, 34, 58, 7, CodeRate::fps30}, {9, 59, 58, 3, CodeRate::fps30}};
+
+TEST(MidiTimeCode, StreamsOfAllRatesAreReadFromTheMiddleForthAndBack) {
+  for (const TimeCode& first : ends_of_minutes) {
+    for (const int step : {1, -1}) {
+      const auto readings = Stream{first, 480, step}.read(3);
+      // Up to the first whole code: five quarters that are left of the one before, and eight.
+      ASSERT_EQ(readings.size(), 480U - 3U - 5U - 7U);
+      for (const auto& [reading, truth] : readings) {
+        ASSERT_EQ(reading, (Reading{truth, first.rate, step})) << frame_number(first);
+      }
+    }
+  }
+}
+
+TEST(MidiTimeCode, ACodeOfTwoFramesAtTheEndOfAMinuteDoesNotMoveTheShow) {
+  int wrong_streams = 0;
+  for (const TimeCode& first : ends_of_minutes) {
+    for (const int step : {1, -1}) {
+      const Stream faulty = {first, 480, step, false};
+      const auto readings = faulty.read();
+      ASSERT_EQ(readings.size(), 480U - 7U);
+      for (const auto& [reading, truth] : readings) {
+        ASSERT_EQ(reading, (Reading{truth, first.rate, step})) << frame_number(first);
+      }
+      // A reader that is given the codes one by one shows that some are wrong.
+      for (int begin = 0; begin + 8 <= 480; begin += 8) {
+        const Stream one = {first, step > 0 ? begin + 8 : 480 - begin, step, false};
+        const auto alone = one.read(step > 0 ? begin : 0);
+        wrong_streams += !alone.empty() && alone.front().first.quarter_frames != alone.front().second ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(wrong_streams, 4) << "the fault is there";
+}
+
+TEST(MidiTimeCode, AJumpWithoutAWordBeforeIsFollowedFromItsSecondCodeOn) {
+  MidiTimeCodeReader reader;
+  reader.read(code_forwards({1, 0, 0, 0, CodeRate::fps25}));
+  reader.read(code_forwards({1, 0, 0, 2, CodeRate::fps25}));
+  EXPECT_EQ(reader.read(code_forwards({2, 0, 0, 0, CodeRate::fps25})).back().quarter_frames, 4 * (3600 * 25 + 4) + 7);
+  EXPECT_EQ(reader.read(code_forwards({2, 0, 0, 2, CodeRate::fps25})).back().quarter_frames, 4 * (7200 * 25 + 2) + 7);
+  // A sender that winds skips frames in each code.
+  EXPECT_EQ(reader.read(code_forwards({2, 0, 1, 0, CodeRate::fps25})).back().quarter_frames, 4 * 7201 * 25 + 7);
+  EXPECT_EQ(reader.read(code_forwards({2, 0, 2, 0, CodeRate::fps25})).back().quarter_frames, 4 * 7202 * 25 + 7);
+}
+
+TEST(MidiTimeCode, AFirstCodeAfterAStopIsCheckedAgainstTheLastPlace) {
+  MidiTimeCodeReader reader;
+  reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x20, 0x3B, 0x3B, 0x18, 0xF7});  // 00:59:59:24 at 25
+  // Its hours are those of the frame after.
+  EXPECT_TRUE(reader.read(code_forwards({1, 59, 59, 24, CodeRate::fps25})).empty());
+  EXPECT_EQ(reader.read(code_forwards({1, 0, 0, 1, CodeRate::fps25})).back().quarter_frames, 4 * (3600 * 25 + 1) + 7);
+}
+
+TEST(MidiTimeCode, RunsThroughMidnight) {
+  for (const CodeRate rate : {CodeRate::fps24, CodeRate::fps25, CodeRate::drop, CodeRate::fps30}) {
+    MidiTimeCodeReader reader;
+    const TimeCode last = {23, 59, 59, rate == CodeRate::fps24 ? 22 : rate == CodeRate::fps25 ? 23 : 28, rate};
+    reader.read(code_forwards(last));
+    const auto readings = reader.read(code_forwards({0, 0, 0, 0, rate}));
+    ASSERT_EQ(readings.size(), 8U);
+    EXPECT_EQ(readings.front().quarter_frames, 0);
+    EXPECT_EQ(readings.back().quarter_frames, 7);
+    EXPECT_EQ(reader.read(code_backwards({0, 0, 0, 0, rate})).size(), 1U) << "turned round";
+    EXPECT_EQ(reader.read(code_backwards(last)).front().quarter_frames, 4 * frame_number(last) + 7);
+  }
+}
+
 //! A machine that plays at a rate from a start; its messages come late by up to `jitter_s`.
 struct Machine {
   CodeRate rate;
