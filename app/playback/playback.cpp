@@ -18,6 +18,21 @@ bool has_language(const std::vector<std::string>& languages, const std::string& 
   return std::ranges::find(languages, language) != languages.end();
 }
 
+//! Returns the word of the status for how the show stands to the clock that it follows.
+const char* name_of(ChaseState state) {
+  switch (state) {
+    case ChaseState::waiting:
+      return "waiting";
+    case ChaseState::following:
+      return "following";
+    case ChaseState::freewheeling:
+      return "running_on";
+    case ChaseState::held:
+      return "stopped";
+  }
+  return "";
+}
+
 //! What a show speaks to who asked for a language that it has not.
 std::string spoken_instead(const std::vector<std::string>& languages) {
   return has_language(languages, "en") ? "en" : languages.front();
@@ -249,6 +264,17 @@ std::string Playback::clock_text() const {
   }
 }
 
+void Playback::fill_clock(PlayerStatus& status) const {
+  status.clock = clock_text();
+  status.follows = external_ ? external_->name() : "";
+  status.clock_state = external_ ? name_of(chase_state_) : "own";
+  status.clock_silence_s.reset();
+  if (const std::optional<ClockFix> fix = external_ ? external_->latest() : std::nullopt) {
+    // Another thread may have heard it after this frame began.
+    status.clock_silence_s = std::max(0.0, seconds_of(instant_.now - fix->heard));
+  }
+}
+
 void Playback::fill(PlayerStatus& status) const {
   status.title = title_;
   status.time_s = seconds_of(instant_.time);
@@ -274,8 +300,7 @@ void Playback::fill(PlayerStatus& status) const {
       added.titles.push_back(title);
     }
   }
-  status.clock = clock_text();
-  status.follows = external_ ? external_->name() : "";
+  fill_clock(status);
   status.dropped_frames = clock_.dropped_frames();
 }
 

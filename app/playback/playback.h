@@ -84,6 +84,7 @@ class Playback {
   //! That, or that there are no chapters at all.
   CommandOutcome refuse_chapter(std::string english, std::string german);
   [[nodiscard]] std::string clock_text() const;
+  void fill_clock(PlayerStatus& status) const;
 
   TimeSource source_;
   std::string title_;

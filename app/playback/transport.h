@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,8 +118,11 @@ struct PlayerStatus {
   bool captions = true;
   int chapter = -1;  //!< index of the one that is running
   std::vector<ChapterStatus> chapters;
-  std::string clock;     //!< what the show's time follows, and how: "own", "MIDI time code"
-  std::string follows;   //!< the clock from outside that moves its time alone; empty: none does
+  std::string clock;                //!< what the show's time follows, and how: "own", "MIDI time code"
+  std::string follows;              //!< the clock from outside that moves its time alone; empty: none does
+  std::string clock_state = "own";  //!< "own", "waiting", "following", "running_on" or "stopped"
+  std::optional<double>
+      clock_silence_s;   //!< since the clock from outside was last heard; nothing: never, or none is followed
   std::string sound;     //!< the audio device, or that there is none
   std::string observer;  //!< the mode of the camera's motion
   std::string lens;

@@ -187,9 +187,23 @@ double checked_number(std::string_view place, double number, double least, doubl
   return number;
 }
 
+std::string refusal_now(const CommandRule& rule, const PlayerStatus& status) {
+  if (moves_time(rule.kind) && !status.follows.empty()) {
+    return fmt::format("the show's time follows {}", status.follows);
+  }
+  const auto chapters = static_cast<int>(status.chapters.size());
+  if ((rule.kind == Kind::chapter || rule.kind == Kind::next_chapter) && chapters == 0) {
+    return "this show has no chapters";
+  }
+  if (rule.kind == Kind::next_chapter && status.chapter + 1 >= chapters) {
+    return "this is the last chapter";
+  }
+  return rule.kind == Kind::language && status.languages.empty() ? "this show has one language" : "";
+}
+
 TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {
   if (moves_time(rule.kind) && !status.follows.empty()) {
-    throw Error(std::string(rule.name), fmt::format("the show's time follows {}", status.follows),
+    throw Error(std::string(rule.name), refusal_now(rule, status),
                 "move the time there, or start the player with its own clock");
   }
   TransportCommand command = {rule.kind, 0.0, {}};

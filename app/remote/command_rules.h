@@ -45,6 +45,9 @@ using CommandArgument = std::variant<std::monostate, bool, double, std::string>;
 //! follows a clock from outside, it has no such chapter or language.
 TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status);
 
+//! Returns why the show as it runs refuses a command, whatever comes with it; empty if it does not.
+std::string refusal_now(const CommandRule& rule, const PlayerStatus& status);
+
 //! A number held to bounds; throws Error where it is NaN, infinite or outside.
 double checked_number(std::string_view place, double number, double least, double greatest);
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/remote/command_rules.h"
+
 namespace ergodome {
 
 namespace {
@@ -24,6 +26,17 @@ json pads_of(const PlayerStatus& status) {
     pads.push_back({{"name", pad.name}, {"connection", pad.connection}, {"active", pad.active}});
   }
   return pads;
+}
+
+//! Returns the commands that would be refused now, with the reason of each.
+json refused_of(const PlayerStatus& status) {
+  json refused = json::object();
+  for (const CommandRule& rule : command_rules()) {
+    if (const std::string reason = refusal_now(rule, status); !reason.empty()) {
+      refused[std::string(rule.name)] = reason;
+    }
+  }
+  return refused;
 }
 
 }  // namespace
@@ -49,6 +62,9 @@ std::string status_json(const PlayerStatus& status) {
                        {"chapters", chapters_of(status)},
                        {"clock", status.clock},
                        {"follows", status.follows},
+                       {"clock_state", status.clock_state},
+                       {"clock_silence_s", status.clock_silence_s ? json(*status.clock_silence_s) : json()},
+                       {"refused", refused_of(status)},
                        {"sound", status.sound},
                        {"observer", status.observer},
                        {"lens", status.lens},

@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-//! The status as a JSON object whose keys are the members' names. Numbers that are not finite become null, bytes that are no UTF-8 the
+//! The status as a JSON object whose keys are the members' names, with `refused` beside them: the commands that the show as it runs cannot
+//! do, and why. Numbers that are not finite become null, bytes that are no UTF-8 the
 //! replacement character.
 std::string status_json(const PlayerStatus& status);
 

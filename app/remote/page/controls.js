@@ -2,6 +2,16 @@
 
 const trust_ms = 1500; // How long a person's wish is shown while the player has not confirmed it.
 
+// Disables a control for a reason, which its tooltip gives in place of what it does.
+export function allow(control, reason) {
+  control.disabled = Boolean(reason);
+  control.dataset.use ??= control.title;
+  const title = reason ? `Not now: ${reason}` : control.dataset.use;
+  if (control.title !== title) {
+    control.title = title;
+  }
+}
+
 // Holds a wish against an older status.
 class Wish {
   constructor() {

@@ -1,8 +1,9 @@
 // The operator's page: puts the player's status on the screen and a person's wishes into commands.
 
 import { Connection } from "./connection.js";
-import { Fader, Toggle } from "./controls.js";
+import { allow, Fader, Toggle } from "./controls.js";
 import { FrameGraph } from "./graph.js";
+import { clock, clockText, languageName, News, number } from "./words.js";
 
 const most_log_lines = 300;
 const refused_ms = 5000;
@@ -15,20 +16,6 @@ const put = (element, text) => {
   }
 };
 const make = (tag, text = "", className = "") => Object.assign(document.createElement(tag), { textContent: text, className });
-const number = (value, digits) => (typeof value === "number" ? value.toFixed(digits).replace("-", "\u2212") : "\u2013");
-
-// "1:05.3", "-0:02", "2:00:00".
-function clock(seconds, digits) {
-  if (typeof seconds !== "number") {
-    return "\u2013";
-  }
-  const rounded = Number(Math.abs(seconds).toFixed(digits));
-  const whole = Math.floor(rounded);
-  const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
-  const fraction = digits > 0 ? (rounded - whole).toFixed(digits).slice(1) : "";
-  const two = (n) => String(n).padStart(2, "0");
-  return `${seconds < 0 ? "\u2212" : ""}${h > 0 ? `${h}:${two(m)}` : m}:${two(s)}${fraction}`;
-}
 
 let status = {};
 let refusedTimer;
@@ -79,6 +66,7 @@ const seek = new Fader(find("seek"), {
   onChange: (value) => send("seek", { value }),
   onDraw: (value, input) => {
     put(find("time"), clock(value, 1));
+    put(find("remaining"), clock(Math.max(0, status.duration_s - value), 0));
     input.setAttribute("aria-valuetext", `${clock(value, 0)} of ${clock(status.duration_s, 0)}`);
   },
 });
@@ -108,7 +96,7 @@ const units = {
     const inMasses = (distance) => `${number(distance, distance < 1 ? 3 : 1)} M`;
     // Less than is asked for, where more does not fit.
     const isNarrowed = status.stereo && value === status.baseline && status.baseline_used < value;
-    return isNarrowed ? `${inMasses(value)} (${inMasses(status.baseline_used)})` : inMasses(value);
+    return isNarrowed ? `${inMasses(value)} (fits ${inMasses(status.baseline_used)})` : inMasses(value);
   },
   volume: (value) => `${number(100 * value, 0)} %`,
 };
@@ -126,6 +114,9 @@ for (const button of document.querySelectorAll("[data-home]")) {
   button.addEventListener("click", () => faders[button.dataset.home].change(Number(button.dataset.value)));
 }
 
+let loudness = 1; // The volume to come back to.
+const mute = new Toggle(find("mute"), (on) => faders.volume.change(on ? 0 : loudness));
+
 // Lists are rebuilt only when what they show has changed: a list under a finger stays.
 function rebuild(list, content, makeItems) {
   const key = JSON.stringify(content);
@@ -138,11 +129,11 @@ function rebuild(list, content, makeItems) {
 function showLanguages() {
   const languages = status.languages || [];
   const list = find("languages");
-  list.hidden = languages.length < 2;
+  find("language-row").hidden = languages.length < 2;
   rebuild(list, languages, () => languages.map((tag) => {
     const button = make("button", tag);
     button.type = "button";
-    button.lang = tag;
+    button.title = languageName(tag);
     button.addEventListener("click", () => send("language", { text: tag }));
     return button;
   }));
@@ -158,6 +149,8 @@ function showChapters() {
     const button = make("button");
     button.type = "button";
     button.append(make("span", clock(chapter.time_s, 0)), chapter.title || `Chapter ${index + 1}`);
+    button.title = `Go to ${clock(chapter.time_s, 0)}`;
+    button.dataset.kind = "chapter";
     button.addEventListener("click", () => send("chapter", { value: index }));
     const item = make("li");
     item.append(button);
@@ -171,7 +164,6 @@ function showChapters() {
     mark.style.left = `${(100 * chapter.time_s) / (status.duration_s || 1)}%`;
     return mark;
   }));
-  find("previous_chapter").disabled = find("next_chapter").disabled = chapters.length === 0;
 }
 
 function showPads() {
@@ -189,6 +181,7 @@ function showPads() {
 }
 
 const graph = new FrameGraph(find("graph"));
+const news = new News((text) => put(find("news"), text));
 
 function showFrames() {
   put(find("frame_ms"), number(status.frame_ms, 1));
@@ -196,7 +189,7 @@ function showFrames() {
   put(find("dropped_frames"), String(status.dropped_frames));
   graph.add(status.frame_ms);
   graph.draw();
-  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Computed by", status.backend]];
+  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Computed by", status.backend], ["Sound", status.sound]];
   rebuild(find("facts"), facts, () => facts.filter(([, fact]) => fact).flatMap(([name, fact]) => [make("dt", name), make("dd", fact)]));
 }
 
@@ -208,13 +201,41 @@ function showTransport() {
   }
   const bar = find("seek");
   bar.max = status.duration_s || 1;
-  bar.disabled = !(status.duration_s > 0) || status.free_flight;
+  find("rest").hidden = !(status.duration_s > 0);
   put(find("duration"), clock(status.duration_s, 0));
   put(find("mode"), status.free_flight ? "free flight" : "");
   seek.show(status.time_s);
   put(find("speed"), number(status.speed, 2).replace(/\.?0+$/, ""));
   for (const button of document.querySelectorAll("[data-speed]")) {
     button.setAttribute("aria-pressed", String(Number(button.dataset.speed) === status.speed));
+  }
+}
+
+function showClock() {
+  const line = find("clock");
+  put(line, clockText(status, ` ${number(status.clock_silence_s, 0)} s ago`));
+  find("clock-line").classList.toggle("alarm", ["waiting", "running_on", "stopped"].includes(status.clock_state));
+}
+
+// What would be refused is disabled, and its tooltip gives the reason.
+function showRefusals() {
+  const refused = status.refused || {};
+  const still = !(status.duration_s > 0) && "this show has no duration";
+  const flying = status.free_flight && "the show's path is left; end the free flight first";
+  const reasons = {
+    seek: refused.seek || still || flying, toggle_pause: refused.toggle_pause, previous_chapter: refused.previous_chapter,
+    next_chapter: refused.next_chapter, step_back: refused.step, step_on: refused.step,
+    baseline: !status.stereo && "the show is not in stereo",
+  };
+  for (const [id, reason] of Object.entries(reasons)) {
+    allow(find(id), reason);
+  }
+  allow(document.querySelector("[data-home='baseline']"), reasons.baseline);
+  for (const button of document.querySelectorAll("[data-speed]")) {
+    allow(button, refused.speed);
+  }
+  for (const button of document.querySelectorAll("#chapters button")) {
+    allow(button, refused.chapter);
   }
 }
 
@@ -225,21 +246,24 @@ function showFaders() {
     baseline.max = 2 * status.baseline;
     baseline.step = baseline.max / 200;
   }
-  baseline.disabled = !status.stereo;
-  document.querySelector("[data-home='baseline']").disabled = !status.stereo;
   faders.exposure.show(status.exposure_stops);
   faders.baseline.show(status.baseline);
   faders.volume.show(status.volume);
+  mute.show(status.volume === 0);
+  loudness = status.volume || loudness;
 }
 
-function takeStatus(news) {
-  status = news;
+function takeStatus(fresh) {
+  status = fresh;
   showTransport();
   showFaders();
   showLanguages();
   showChapters();
   showPads();
   showFrames();
+  showClock();
+  showRefusals();
+  news.take(status);
   find("problem").hidden = !status.problem;
   put(find("problem"), status.problem || "");
 }

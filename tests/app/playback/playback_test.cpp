@@ -206,18 +206,27 @@ TEST_F(TransportCommands, AClockFromOutsideMovesTheShowAlone) {
   const auto clock = std::make_shared<ExternalClock>("MIDI time code", 1s);
   playback_.follow(clock);
   EXPECT_EQ(status().clock, "MIDI time code, not heard yet");
+  EXPECT_EQ(status().clock_state, "waiting");
+  EXPECT_FALSE(status().clock_silence_s);
   clock->post({40s, 1.0, time_.now, time_.now});
   EXPECT_EQ(now_s(), 40.0);
   EXPECT_EQ(status().clock, "MIDI time code");
   EXPECT_EQ(status().follows, "MIDI time code");
+  EXPECT_EQ(status().clock_state, "following");
+  EXPECT_EQ(status().clock_silence_s, 0.0);
   EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::refused);
   EXPECT_EQ(playback_.refusal(), "the show follows MIDI time code");
   EXPECT_EQ(tell(Kind::exposure, 1.0), CommandOutcome::done);
   time_.pass(0.6);
   EXPECT_EQ(status().clock, "MIDI time code, lost, runs on");
+  EXPECT_EQ(status().clock_state, "running_on");
   time_.pass(5.0);
   EXPECT_EQ(status().clock, "MIDI time code, lost, stopped");
+  EXPECT_EQ(status().clock_state, "stopped");
+  EXPECT_NEAR(status().clock_silence_s.value_or(0.0), 5.6, 1e-9);
   playback_.follow(nullptr);
+  EXPECT_EQ(status().clock_state, "own");
+  EXPECT_FALSE(status().clock_silence_s);
   EXPECT_EQ(status().follows, "");
   EXPECT_EQ(tell(Kind::seek, 3.0), CommandOutcome::done);
 }

@@ -106,6 +106,50 @@ TEST(StatusJson, IsValidWhateverTheStatusHolds) {
   }
 }
 
+nlohmann::json json_of(const PlayerStatus& status) { return nlohmann::json::parse(status_json(status)); }
+
+TEST(StatusJson, TellsTheStateAndTheSilenceOfTheClock) {
+  PlayerStatus status = test::example_status();
+  EXPECT_EQ(json_of(status).at("clock_state"), "own");
+  EXPECT_TRUE(json_of(status).at("clock_silence_s").is_null());
+  status.clock_state = "stopped";
+  status.clock_silence_s = 3.25;
+  EXPECT_EQ(json_of(status).at("clock_state"), "stopped");
+  EXPECT_EQ(json_of(status).at("clock_silence_s"), 3.25);
+}
+
+TEST(StatusJson, NamesTheCommandsThatWouldBeRefusedAndWhy) {
+  PlayerStatus status = test::example_status();
+  EXPECT_EQ(json_of(status).at("refused"), nlohmann::json::object());
+  status.chapter = 2;
+  EXPECT_EQ(json_of(status).at("refused"), (nlohmann::json{{"next_chapter", "this is the last chapter"}}));
+  status.chapters.clear();
+  status.chapter = -1;
+  status.languages.clear();
+  EXPECT_EQ(json_of(status).at("refused"), (nlohmann::json{{"chapter", "this show has no chapters"},
+                                                           {"next_chapter", "this show has no chapters"},
+                                                           {"language", "this show has one language"}}));
+}
+
+TEST(StatusJson, NamesAsRefusedWhatIsRefusedWhileAnotherClockIsFollowed) {
+  PlayerStatus status = test::example_status();
+  status.follows = "MIDI time code";
+  const nlohmann::json refused = json_of(status).at("refused");
+  EXPECT_EQ(refused.at("seek"), "the show's time follows MIDI time code");
+  for (const CommandRule& rule : command_rules()) {
+    const CommandArgument argument = rule.argument == Argument::none           ? CommandArgument()
+                                     : rule.argument == Argument::language_tag ? CommandArgument("de")
+                                                                               : CommandArgument(1.0);
+    bool is_taken = true;
+    try {
+      checked_command(rule, argument, status);
+    } catch (const Error&) {
+      is_taken = false;
+    }
+    EXPECT_EQ(refused.contains(rule.name), !is_taken) << rule.name;
+  }
+}
+
 TEST(JsonCommand, SuggestsAKindThatIsNearAndNoneThatIsFar) {
   EXPECT_NE(json_refusal(R"({"kind": "vollume"})").find("did you mean \"volume\"?"), std::string::npos);
   EXPECT_NE(json_refusal(R"({"kind": "clock", "value": 3})").find("WEB.md lists them"), std::string::npos);

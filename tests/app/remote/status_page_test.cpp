@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include "app/remote/remote_control.h"
 #include "tests/support/fake_player.h"
@@ -161,13 +162,93 @@ TEST_F(StatusPage, SaysWhatThePlayerRefused) {
   EXPECT_TRUE(becomes_true([&] { return shows("#refused", "no such chapter"); }));
 }
 
-TEST_F(StatusPage, EveryControlHasANameAndIsLargeEnoughForAFinger) {
+TEST_F(StatusPage, ShowsTheLostClockAndDisablesWhatItRefuses) {
+  EXPECT_EQ(browser->text("#clock"), "own");
+  EXPECT_FALSE(browser->run("return document.querySelector('#toggle_pause').disabled"));
+  player_.change([](PlayerStatus& status) {
+    status.follows = "MIDI time code";
+    status.clock_state = "running_on";
+    status.clock_silence_s = 0.7;
+  });
+  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: lost 1 s ago, running on its own clock"); }));
+  EXPECT_TRUE(becomes_true([&] { return shows("#news", "MIDI time code: lost, running on its own clock"); }));
+  player_.change([](PlayerStatus& status) {
+    status.clock_state = "stopped";
+    status.clock_silence_s = 3.2;
+  });
+  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: lost 3 s ago, the show has stopped"); }));
+  const nlohmann::json reasons = browser->run(R"(
+    const ids = '#seek, #previous_chapter, #step_back, #toggle_pause, #step_on, #next_chapter';
+    return [...document.querySelectorAll(`${ids}, [data-speed], #chapters button`)]
+      .map((control) => control.disabled && control.title);)");
+  EXPECT_EQ(reasons.size(), 15U);
+  for (const nlohmann::json& reason : reasons) {
+    EXPECT_EQ(reason, "Not now: the show's time follows MIDI time code");
+  }
+  for (const char* const allowed : {"#blackout", "#captions", "#exposure", "#mute", "#free_flight"}) {
+    EXPECT_FALSE(browser->run("return document.querySelector(arguments[0]).disabled", {allowed})) << allowed;
+  }
+  take_picture("clock-lost");
+  player_.change([](PlayerStatus& status) { status.clock_state = "following"; });
+  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: it stands still"); }));
+  player_.change([](PlayerStatus& status) {
+    status.follows = "";
+    status.clock_state = "own";
+  });
+  EXPECT_TRUE(becomes_true([&] { return !browser->run("return document.querySelector('#seek').disabled"); }));
+  EXPECT_EQ(browser->run("return document.querySelector('#toggle_pause').title"), "Play or pause (space bar)");
+}
+
+TEST_F(StatusPage, ShowsHowMuchOfTheShowIsLeft) {
+  player_.change([](PlayerStatus& status) { status.time_s = 47.0; });
+  EXPECT_TRUE(becomes_true([&] { return browser->text("#rest") == "1:13 left of 2:00"; }));
+  player_.change([](PlayerStatus& status) { status.duration_s = 0.0; });
+  EXPECT_TRUE(becomes_true([&] { return browser->text("#rest").empty(); }));
+  EXPECT_TRUE(browser->run("return document.querySelector('#seek').title === 'Not now: this show has no duration'"));
+}
+
+TEST_F(StatusPage, MutesAndComesBackToTheVolumeBefore) {
+  player_.change([](PlayerStatus& status) { status.volume = 0.4; });
+  ASSERT_TRUE(becomes_true([&] { return shows("#volume-value", "40 %"); }));
+  browser->click("#mute");
+  EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.volume == 0.0; }));
+  EXPECT_TRUE(becomes_true([&] { return shows("#mute[aria-pressed='true']", "Mute"); }));
+  // Longer than a wish is shown without the player's word.
+  std::this_thread::sleep_for(std::chrono::milliseconds(1700));
+  browser->click("#mute");
+  EXPECT_TRUE(player_becomes([](const PlayerStatus& status) { return status.volume == 0.4; }));
+}
+
+TEST_F(StatusPage, KeepsBlackoutAwayFromTheOtherControls) {
+  for (const auto& [width, height] : {std::pair{390, 844}, {768, 1024}, {1280, 800}}) {
+    browser->set_size(width, height);
+    const double nearest_px = browser->run(R"(
+      const dark = document.querySelector('#blackout').getBoundingClientRect();
+      return Math.min(...[...document.querySelectorAll('button, input')].filter((other) => other.id !== 'blackout').map((other) => {
+        const box = other.getBoundingClientRect();
+        const across = Math.max(0, box.left - dark.right, dark.left - box.right);
+        return Math.hypot(across, Math.max(0, box.top - dark.bottom, dark.top - box.bottom));
+      }));)");
+    EXPECT_GE(nearest_px, 32.0) << width;
+  }
+}
+
+TEST_F(StatusPage, AnnouncesWhatChanges) {
+  player_.change([](PlayerStatus& status) { status.language = "de"; });
+  EXPECT_TRUE(becomes_true([&] { return shows("#news[aria-live='polite']", "Language: German"); }));
+  player_.change([](PlayerStatus& status) { status.time_s = 41.0; });
+  EXPECT_TRUE(becomes_true([&] { return shows("#news", "Chapter: The far side"); }));
+  player_.change([](PlayerStatus& status) { status.blackout = true; });
+  EXPECT_TRUE(becomes_true([&] { return shows("#news", "Blackout"); }));
+}
+
+TEST_F(StatusPage, EveryControlHasANameATooltipAndRoomForAFinger) {
   browser->set_size(390, 844);
   const nlohmann::json bad = browser->run(R"(
     return [...document.querySelectorAll('button, input')].filter((control) => {
       const box = control.getBoundingClientRect();
       const named = control.getAttribute('aria-label') || control.textContent.trim() || (control.labels && control.labels.length);
-      return control.offsetParent && (!named || box.height < 44 || box.width < 44);
+      return control.offsetParent && (!named || !control.title || box.height < 44 || box.width < 44);
     }).map((control) => control.outerHTML);)");
   EXPECT_EQ(bad, nlohmann::json::array());
 }
@@ -177,6 +258,8 @@ TEST_F(StatusPage, FitsEveryScreen) {
     status.pads = {{"DualSense Wireless Controller", "Bluetooth", true}, {"SpaceMouse Pro", "USB", false}};
     status.problem = "once-around.toml:31: camera.key[4].easing is not a known key; did you mean 'ease'?";
     status.dropped_frames = 3;
+    status.baseline_used = status.baseline;
+    status.sound = "Planetarium 5.1";
     status.playing = true;
     status.time_s = 47.0;
   });
