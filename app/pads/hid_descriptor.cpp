@@ -45,8 +45,9 @@ constexpr unsigned is_variable = 0x02;
 constexpr unsigned is_relative = 0x04;
 
 struct UsageRange {
-  std::uint32_t first = 0;  //!< page and number; page 0: the page of the main item
+  std::uint32_t first = 0;  //!< page and number
   std::uint32_t last = 0;
+  bool has_own_page = false;  //!< its items hold the page, and no item before or after them
 };
 
 struct Globals {
@@ -125,9 +126,11 @@ class Parser {
   void interpret(unsigned item, std::uint32_t value, std::size_t size) {
     switch (item) {
       case Item::input:
+        complete_usages();
         take_input(value);
         break;
       case Item::collection:
+        complete_usages();
         begin_collection(value);
         break;
       case Item::end_collection:
@@ -205,15 +208,36 @@ class Parser {
   //! A usage of four bytes has its own page in the upper two.
   static std::uint32_t full(std::uint32_t value, std::size_t size) { return size == 4 ? value : value & 0xFFFFU; }
 
+  static constexpr std::uint32_t page_shift = 16;
+
+  [[nodiscard]] std::uint32_t with_page(std::uint32_t usage) const {
+    return usage >> page_shift != 0 ? usage : usage | std::uint32_t{globals_.page} << page_shift;
+  }
+
   void add_usages(std::uint32_t first, std::uint32_t last) {
-    if (last >= first && usages_.size() < most_fields_of_item) {
-      usages_.push_back({first, last});
+    const bool has_own_page = last >> page_shift != 0;
+    if (with_page(last) >= with_page(first) && usages_.size() < most_fields_of_item) {
+      usages_.push_back({with_page(first), with_page(last), has_own_page});
     }
   }
 
-  [[nodiscard]] HidUsage resolved(std::uint32_t value) const {
-    const auto page = static_cast<std::uint16_t>(value >> 16U);
-    return {page != 0 ? page : globals_.page, static_cast<std::uint16_t>(value)};
+  //! Gives the last usages the page of the main item, where that page was set behind them (HID 1.11, 6.2.2.8). Usages before the last one
+  //! with that page keep the pages that held when they were named, as Linux has it: pads change the page within an item.
+  void complete_usages() {
+    for (auto range = usages_.rbegin(); range != usages_.rend(); ++range) {
+      if (range->has_own_page) {
+        continue;
+      }
+      if (range->last >> page_shift == globals_.page) {
+        return;
+      }
+      const std::uint32_t page = std::uint32_t{globals_.page} << page_shift;
+      *range = {(range->first & 0xFFFFU) | page, (range->last & 0xFFFFU) | page, false};
+    }
+  }
+
+  [[nodiscard]] static HidUsage usage_of(std::uint32_t value) {
+    return {static_cast<std::uint16_t>(value >> page_shift), static_cast<std::uint16_t>(value)};
   }
 
   void begin_collection(std::uint32_t kind) {
@@ -222,7 +246,7 @@ class Parser {
     }
     ++depth_;
     if (kind == application_collection && !usages_.empty()) {
-      layout_.applications.push_back(resolved(usages_.front().first));
+      layout_.applications.push_back(usage_of(usages_.front().first));
     }
   }
 
@@ -252,7 +276,7 @@ class Parser {
     std::uint32_t taken = 0;
     for (const UsageRange& range : usages_) {
       for (std::uint32_t value = range.first; taken < std::min(globals_.count, most_fields_of_item); ++value) {
-        field.usage = resolved(value);
+        field.usage = usage_of(value);
         field.bit_offset = offset + taken * globals_.size;
         ++taken;
         if (layout_.fields.size() < most_fields) {
@@ -273,7 +297,7 @@ class Parser {
     }
     HidField field = field_of_globals();
     field.is_array = true;
-    field.usage = resolved(usages_.front().first);
+    field.usage = usage_of(usages_.front().first);
     field.greatest = std::min(field.greatest, field.least + (usages_.front().last - usages_.front().first));
     for (std::uint32_t i = 0; i < std::min(globals_.count, most_fields_of_item); ++i) {
       field.bit_offset = offset + i * globals_.size;

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "app/pads/decoders/decoders.h"
 #include "app/pads/decoders/generic_mapping.h"
 #include "app/pads/hid_descriptor.h"
+#include "calibration/pad_names.h"
 
 namespace ergodome {
 
@@ -15,6 +18,27 @@ struct Read {
   HidField field;
   enum class As { axis, hat, numbered_button, button_array, button } as = As::axis;
   std::size_t index = 0;  //!< of the raw axis, the (first) numbered button, or the PadButton
+};
+
+//! Finds out where a trigger rests, which descriptors leave open: at its minimum, or in the middle of its range as a stick does. It
+//! rests in the middle as long as nothing well below that was reported.
+class TriggerRest {
+ public:
+  explicit TriggerRest(const RawAxis& range) : least_(range.least), middle_(range.centre) {}
+
+  //! Takes a value, sets the axis' range by it, and returns whether the range was another one before.
+  bool take(std::int32_t value, RawAxis& axis) {
+    // Rest is uncertain by an eighth of the whole range.
+    const std::int64_t below = std::int64_t{middle_} - value;
+    rests_at_least_ = rests_at_least_ || 4 * below > std::int64_t{middle_} - least_;
+    axis.centre = rests_at_least_ ? least_ : middle_;
+    return std::exchange(axis.least, axis.centre) != axis.centre;
+  }
+
+ private:
+  std::int32_t least_;
+  std::int32_t middle_;
+  bool rests_at_least_ = false;
 };
 
 constexpr std::uint16_t desktop = 0x01;
@@ -33,6 +57,13 @@ class ByDescriptor : public PadDecoder {
       }
     }
     map_generic_axes(hid, layout_.axes);
+    for (std::size_t i = 0; i < layout_.axes.size(); ++i) {
+      RawAxis& axis = layout_.axes[i];
+      if (axis.axis && is_trigger(*axis.axis)) {
+        triggers_.emplace(i, TriggerRest(axis));
+        axis.centre = axis.least;
+      }
+    }
     layout_.numbered = generic_buttons(hid, std::min(button_count, most_numbered_buttons));
   }
 
@@ -52,6 +83,7 @@ class ByDescriptor : public PadDecoder {
       return PadReport::refused;
     }
     bool is_state = false;
+    bool ranges_change = false;
     const ReportBytes data = report.subspan(start);
     for (const Read& read : reads_) {
       if (read.field.report_id == id) {
@@ -60,12 +92,19 @@ class ByDescriptor : public PadDecoder {
         }
         is_state = true;
         take(read, field_value(read.field, data), pad);
+        ranges_change = find_rest(read, pad) || ranges_change;
       }
     }
-    return is_state ? PadReport::state : PadReport::other;
+    return ranges_change ? PadReport::changed : is_state ? PadReport::state : PadReport::other;
   }
 
  private:
+  //! Returns whether the range of the axis has become another one.
+  bool find_rest(const Read& read, const RawPad& pad) {
+    const auto trigger = read.as == Read::As::axis ? triggers_.find(read.index) : triggers_.end();
+    return trigger != triggers_.end() && trigger->second.take(pad.values[read.index], layout_.axes[read.index]);
+  }
+
   void add(const HidField& field) {
     if (field.is_array) {
       if (field.usage.page == buttons) {
@@ -170,19 +209,21 @@ class ByDescriptor : public PadDecoder {
     return selects ? std::optional(static_cast<std::size_t>(number - 1)) : std::nullopt;
   }
 
-  //! Four or eight directions from the least number on; all else is none.
+  //! Returns the nearest of eight directions, clockwise from the least number, up. Hats count four or eight, or the parts of a full turn;
+  //! all else is none.
   static int direction_of(const HidField& field, std::int64_t value) {
-    const std::int64_t directions = field.greatest - field.least + 1;
-    if (value < field.least || value > field.greatest || (directions != 4 && directions != 8)) {
+    const std::int64_t parts = field.greatest - field.least + 1;
+    if (value < field.least || value > field.greatest || parts % 4 != 0) {
       return -1;
     }
-    return static_cast<int>((value - field.least) * (8 / directions));
+    return static_cast<int>((16 * (value - field.least) + parts) / (2 * parts) % 8);
   }
 
   bool has_ids_;
   bool is_puck_ = false;
   std::map<std::uint8_t, std::uint32_t> report_bits_;
   std::vector<Read> reads_;
+  std::map<std::size_t, TriggerRest> triggers_;  //!< by their raw axes
   RawLayout layout_;
 };
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/pads/decoders/decoders.h"
 #include "app/pads/decoders/sticks.h"
 
@@ -92,7 +94,10 @@ class EightBitDo : public PadDecoder {
     }
     RawPad other = at_rest(otherwise_->layout());
     const PadReport kind = otherwise_->decode(report, other);
-    if (kind == PadReport::state) {
+    if (kind == PadReport::changed) {
+      std::copy_n(otherwise_->layout().axes.begin(), layout_.axes.size() - own_axes, layout_.axes.begin() + own_axes);
+    }
+    if (kind == PadReport::state || kind == PadReport::changed) {
       clear(pad);
       pad.buttons = other.buttons;
       pad.numbered = other.numbered;

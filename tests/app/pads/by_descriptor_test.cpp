@@ -110,6 +110,38 @@ TEST(ByDescriptor, ArraysOfButtonsPressTheButtonsThatTheyName) {
   EXPECT_EQ(pad.numbered.to_ulong(), 1UL << 11U);
 }
 
+//! The triggers of a pad that has x, y, z, rz, rx and ry of eight bits with some limits, after reports whose triggers have a value.
+std::vector<float> triggers_after(std::uint8_t least, const std::vector<std::uint8_t>& values) {
+  const std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31,
+                                                0x09, 0x32, 0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, least,
+                                                0x25, 0x7F, 0x75, 0x08, 0x95, 0x06, 0x81, 0x02, 0xC0};
+  const auto decoder = make_by_descriptor(descriptor);
+  RawPad raw = at_rest(decoder->layout());
+  std::vector<float> read = {read_straight(decoder->layout(), raw).axis(PadAxis::left_trigger)};
+  for (const std::uint8_t value : values) {
+    decoder->decode(std::vector<std::uint8_t>{0, 0, 0, 0, value, 0}, raw);
+    read.push_back(read_straight(decoder->layout(), raw).axis(PadAxis::left_trigger));
+  }
+  return read;
+}
+
+TEST(ByDescriptor, TriggersThatRestInTheMiddleOfTheirRangeAreNotHalfPressed) {
+  EXPECT_THAT(triggers_after(0x81, {0, 127, 0, 0xFD, 3}),
+              testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 3.0F / 127.0F}));
+  EXPECT_THAT(triggers_after(0x00, {64, 127, 60}),
+              testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 1.0F, 0.0F}));
+}
+
+TEST(ByDescriptor, TriggersThatRestAtTheirMinimumAreReadFromThere) {
+  EXPECT_THAT(triggers_after(0x81, {0x81, 0, 127, 0x81}),
+              testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.5F, 1.0F, 0.0F}));
+  EXPECT_THAT(triggers_after(0x00, {0, 64, 127}),
+              testing::Pointwise(testing::FloatNear(0.005F), {0.0F, 0.0F, 0.504F, 1.0F}));
+  // It is pressed when the pad is plugged in, or all zero before its first measurement, and let go later.
+  EXPECT_THAT(triggers_after(0x81, {0, 0x81, 0}),
+              testing::Pointwise(testing::FloatNear(0.001F), {0.0F, 0.0F, 0.0F, 0.5F}));
+}
+
 TEST(ByDescriptor, RelativeAxesOfAPadHaveNoPosition) {
   std::vector<std::uint8_t> descriptor = {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x38, 0x15,
                                           0x81, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xC0};

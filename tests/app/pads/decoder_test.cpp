@@ -42,7 +42,8 @@ INSTANTIATE_TEST_SUITE_P(Fixtures, EveryDecoder,
                                          "dualsense_usb", "dualsense_bluetooth", "xbox_one_s_old", "xbox_series",
                                          "xbox_elite_2", "switch_pro_bluetooth", "switch_pro_usb", "logitech_f310",
                                          "space_navigator", "space_mouse_wireless", "8bitdo_pro_2", "saitek_x52",
-                                         "stadia"),
+                                         "stadia", "tinyusb_gamepad", "nicohood_gamepad", "luna_bluetooth", "zeroplus",
+                                         "xusb_gamepad", "asus_gamepad", "raptor_mach_2"),
                          [](const auto& played) { return std::string(played.param); });
 
 TEST_P(EveryDecoder, RefusesEveryShorterReport) {

@@ -131,6 +131,21 @@ TEST(HidDescriptor, PopsWhatWasPushed) {
   EXPECT_EQ(x.greatest, 255);
 }
 
+TEST(HidDescriptor, UsagesTakeThePageThatIsSetBehindThemAndKeepOneThatChangesBetweenThem) {
+  // HID 1.11, 6.2.2.8: x and y, whose page comes last.
+  const HidLayout behind = parse_hid_descriptor(joystick(
+      {0x05, 0x0C, 0x09, 0x30, 0x09, 0x31, 0x05, 0x01, 0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02}));
+  EXPECT_EQ(field_of(behind, {1, 0x30}).bit_offset, 0U);
+  EXPECT_EQ(field_of(behind, {1, 0x31}).bit_offset, 8U);
+  // x of the generic desktop, then the accelerator of the simulation page, then one whose item holds its page.
+  const HidLayout between =
+      parse_hid_descriptor(joystick({0x09, 0x30, 0x05, 0x02, 0x09, 0xC4, 0x0B, 0x32, 0x00, 0x01, 0x00,
+                                     0x15, 0x00, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x03, 0x81, 0x02}));
+  EXPECT_EQ(field_of(between, {1, 0x30}).bit_offset, 0U);
+  EXPECT_EQ(field_of(between, {2, 0xC4}).bit_offset, 8U);
+  EXPECT_EQ(field_of(between, {1, 0x32}).bit_offset, 16U);
+}
+
 TEST(HidDescriptor, ReadsSignedNumbersOfAnyWidth) {
   // x of 12 bits from -2048 to 2047, after 3 bits of filling.
   const HidLayout layout = parse_hid_descriptor(joystick(
