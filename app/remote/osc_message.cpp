@@ -4,6 +4,7 @@
 #include <lo/lo.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -86,9 +87,11 @@ OscArgument argument_of(char type, const void* place) {
     case LO_FALSE:
       return false;
     case LO_NIL:
+    case LO_INFINITUM:  // A touch without a value.
       return std::monostate{};
     default:
-      refuse(fmt::format("has an argument of type {:#04x}", static_cast<unsigned char>(type)));
+      refuse(fmt::format("has a first argument of type '{}'",
+                         std::isprint(static_cast<unsigned char>(type)) ? type : '?'));
   }
 }
 
@@ -102,6 +105,36 @@ bool is_bare_address(std::span<const std::byte> bytes) {
          std::all_of(end, bytes.end(), [](std::byte byte) { return byte == std::byte{0}; });
 }
 
+//! The size of a text that ends with a zero and is filled up to four bytes, from `at` on; 0 where it does not end.
+std::size_t text_size(std::span<const std::byte> bytes, std::size_t at) {
+  const auto rest = bytes.subspan(std::min(at, bytes.size()));
+  const auto end = std::ranges::find(rest, std::byte{0});
+  return end == rest.end() ? 0 : (static_cast<std::size_t>(end - rest.begin()) / 4 + 1) * 4;
+}
+
+constexpr char colour = 'r';
+
+//! Returns the type tags of a message without the brackets of arrays, whose elements stand one after the other all the same; and leaves in
+//! the message tags that liblo knows, for it refuses arrays and colours, which have four bytes.
+std::string take_tags(std::vector<std::byte>& message) {
+  const std::size_t start = text_size(message, 0);
+  const std::size_t size = text_size(message, start);
+  if (start == 0 || size == 0 || start + size > message.size() || message[start] != std::byte{','}) {
+    return {};
+  }
+  std::string tags(reinterpret_cast<const char*>(message.data()) + start + 1);
+  std::erase_if(tags, [](char tag) { return tag == '[' || tag == ']'; });
+  std::string known = "," + tags;
+  std::ranges::replace(known, colour, static_cast<char>(LO_INT32));
+  known.resize((known.size() / 4 + 1) * 4);
+  const auto* const bytes = reinterpret_cast<const std::byte*>(known.data());
+  const auto place = message.begin() + static_cast<std::ptrdiff_t>(start);
+  message.insert(message.erase(place, place + static_cast<std::ptrdiff_t>(size)), bytes, bytes + known.size());
+  return tags;
+}
+
+bool is_understood(char type) { return std::string_view("ihfdsSTFNI").find(type) != std::string_view::npos; }
+
 OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   if (bytes.empty()) {
     refuse("is empty");
@@ -114,6 +147,7 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   if (is_bare_address(bytes)) {
     copy.insert(copy.end(), {std::byte{','}, std::byte{0}, std::byte{0}, std::byte{0}});
   }
+  const std::string types = take_tags(copy);
   int problem = 0;
   const MessageOwner message(lo_message_deserialise(copy.data(), copy.size(), &problem));
   if (message == nullptr) {
@@ -127,10 +161,11 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   result.time = time;
   // What was deserialised begins with its address, which liblo found to end within the packet.
   result.address = reinterpret_cast<const char*>(copy.data());
-  const char* const types = lo_message_get_types(message.get());
   lo_arg** const arguments = lo_message_get_argv(message.get());
-  for (int i = 0; i < count; ++i) {
-    result.arguments.push_back(argument_of(types[i], arguments[i]));
+  for (std::size_t i = 0; i < std::min(types.size(), static_cast<std::size_t>(count)); ++i) {
+    // Further arguments are often ignored, whatever they are.
+    const bool is_ignored = i > 0 && !is_understood(types[i]);
+    result.arguments.push_back(is_ignored ? OscArgument() : argument_of(types[i], arguments[i]));
   }
   return result;
 }

@@ -100,6 +100,9 @@ TEST_F(Osc, ATitleOfTheLanguageThatIsHeardComesFirst) {
   status.chapters[0].titles.emplace_back("Return");
   board_.post(status);
   EXPECT_THAT(commands_of("/ergodome/chapter", "s", "Return"), ElementsAre(TransportCommand{Kind::chapter, 2.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/pause", "I"), ElementsAre(TransportCommand{Kind::pause, 0.0, ""}));
+  EXPECT_THAT(commands_of("/ergodome/volume", "fc", 0.5, 'x'), ElementsAre(TransportCommand{Kind::volume, 0.5, ""}));
+  EXPECT_THAT(complaint_about(packet_of("/ergodome/loop", "I")), HasSubstr("takes true or false"));
 }
 
 TEST_F(Osc, LanguagesGoWithoutTheirCountryAndInAnyCase) {

@@ -87,6 +87,33 @@ std::vector<std::byte> bytes_of(std::string_view text) {
   return {bytes.begin(), bytes.end()};
 }
 
+TEST(OscPackets, GiveArraysAsTheirElements) {
+  using namespace std::string_view_literals;
+  // python-osc writes a list within the list of arguments so: seek with [12.5, 1], and a text behind it.
+  const auto messages = parse_osc(bytes_of("/seek\0\0\0,[fi]s\0\0\x41\x48\0\0\0\0\0\1end\0"sv));
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0].arguments, (std::vector<OscArgument>{12.5, 1.0, std::string("end")}));
+  EXPECT_EQ(parse_osc(bytes_of("/a\0\0,[]\0"sv)).at(0).arguments, std::vector<OscArgument>());
+}
+
+TEST(OscPackets, TakeATouchWithoutAValueAsNothing) {
+  // An impulse, which OSC 1.1 requires.
+  EXPECT_EQ(parse_osc(packet_of("/a", "I")).at(0).arguments, (std::vector<OscArgument>{std::monostate{}}));
+}
+
+TEST(OscPackets, IgnoreFurtherArgumentsOfOtherTypesAndNameAFirstOne) {
+  using namespace std::string_view_literals;
+  // A colour, as Chataigne and ossia write it, behind a number; a time tag behind a number.
+  EXPECT_EQ(parse_osc(bytes_of("/a\0\0,fr\0\x3F\x80\0\0\xFF\0\0\xFF"sv)).at(0).arguments,
+            (std::vector<OscArgument>{1.0, std::monostate{}}));
+  EXPECT_EQ(parse_osc(packet_of("/a", "ft", 1.0, lo_timetag{1, 1})).at(0).arguments,
+            (std::vector<OscArgument>{1.0, std::monostate{}}));
+  EXPECT_NE(refusal(bytes_of("/a\0\0,r\0\0\xFF\0\0\xFF"sv)).find("type 'r'"), std::string::npos);
+  EXPECT_NE(refusal(packet_of("/a", "t", lo_timetag{1, 1})).find("type 't'"), std::string::npos);
+  EXPECT_NE(refusal(bytes_of("/a\0\0,[f]"sv)).find("type tags"), std::string::npos) << "no end";
+  EXPECT_NE(refusal(bytes_of("/a\0\0,r\0\0\xFF\0"sv)), "");
+}
+
 TEST(OscPackets, AreRefusedInWords) {
   using namespace std::string_view_literals;
   const std::pair<std::string_view, const char*> cases[] = {
