@@ -24,7 +24,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (decoder == nullptr) {
     return 0;
   }
-  const ergodome::PadResponse response(decoder->layout(), {});
   ergodome::RawPad pad = ergodome::at_rest(decoder->layout());
   std::span<const std::uint8_t> rest = input.subspan(length);
   while (!rest.empty()) {
@@ -32,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::vector<std::uint8_t> report(rest.begin() + 1, rest.begin() + 1 + static_cast<std::ptrdiff_t>(bytes));
     rest = rest.subspan(1 + bytes);
     decoder->decode(report, pad);
-    const ergodome::PadState state = response.apply(pad, {}, {});
+    const ergodome::PadState state = ergodome::PadResponse(decoder->layout(), {}).apply(pad, {}, {});
     for (const float axis : state.axes) {
       if (!(axis >= -1.001F && axis <= 1.001F)) {
         __builtin_trap();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/pads/pad_lines.h"
 #include "tests/app/pads/pad_hub_scene.h"
 
 namespace ergodome::test {
@@ -155,6 +156,14 @@ TEST_F(PadHubTest, SaysWhenAPersonDidSomethingLast) {
   play(device("/dev/hidraw0") + report_at(0, ds4(), "every_ms = 4\ncount = 500\n") + report_at(1001, ds4(255)));
   EXPECT_TRUE(std::isinf(frame_at(0.9).last_input_s()));
   EXPECT_NEAR(frame_at(2.0).last_input_s(), 1.0, 0.05);
+}
+
+TEST(PadLines, AStickAtRestBelowItsMiddleHasNoMinusSign) {
+  PadView pad;
+  pad.identity = std::make_shared<const PadIdentity>();
+  pad.connected = true;
+  pad.state.axes[static_cast<std::size_t>(PadAxis::left_x)] = -0.0F;
+  EXPECT_THAT(live_line(pad), testing::HasSubstr("left +0.00 +0.00"));
 }
 
 }  // namespace
