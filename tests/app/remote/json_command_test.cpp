@@ -155,6 +155,15 @@ TEST(JsonCommand, SuggestsAKindThatIsNearAndNoneThatIsFar) {
   EXPECT_NE(json_refusal(R"({"kind": "clock", "value": 3})").find("WEB.md lists them"), std::string::npos);
 }
 
+TEST(StatusJson, HasEachKeyInItsDocument) {
+  std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../app/remote/WEB.md");
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  const nlohmann::json status = json_of(test::example_status());
+  for (const auto& [key, value] : status.items()) {
+    EXPECT_NE(document.find("`" + key + "`"), std::string::npos) << key;
+  }
+}
+
 TEST(JsonCommand, HasEachKindInItsDocument) {
   std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../app/remote/WEB.md");
   const std::string whole{std::istreambuf_iterator<char>(file), {}};
