@@ -8,9 +8,10 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-// What the program asks of OpenImageIO. To load that takes a quarter of a second, for the hundreds of libraries that it brings; most commands
+// What the program asks of OpenImageIO, and of CFITSIO, which OpenImageIO brings. To load these takes a quarter of a second, for the hundreds of libraries that it brings; most commands
 // need no image. So it lies behind these interfaces in a library of its own, which the first call of image_library() loads.
 namespace ergodome {
 
@@ -55,7 +56,7 @@ class ImageInput {
   virtual std::string error() = 0;
 };
 
-enum class ImageSample { whole_8, whole_16, half };
+enum class ImageSample { whole_8, whole_16, half, real };
 
 //! An image that is to be written.
 struct ImagePlan {
@@ -67,6 +68,22 @@ struct ImagePlan {
   std::vector<std::pair<std::string, int>> numbers;
   std::vector<float> chromaticities;  //!< of red, green, blue and white, or none
   std::vector<std::pair<std::string, std::array<int, 2>>> ratios{};
+  std::vector<std::string> channel_names{};  //!< of all channels, or none: R, G, B, A
+};
+
+//! A keyword of a FITS header. Names have up to 8 characters of A-Z, 0-9, - and _.
+struct FitsCard {
+  std::string name;
+  std::variant<std::string, double, int> value;  //!< a text, or a finite number
+  std::string comment{};
+};
+
+//! An image extension of a FITS file: doubles, NaN where there is no value.
+struct FitsImage {
+  std::vector<FitsCard> cards;
+  int width = 0;
+  int height = 0;
+  std::span<const double> pixels;  //!< row by row from the top; the file begins with the lowest row
 };
 
 //! A file that is being written; as ImageInput.
@@ -148,15 +165,25 @@ class ImageLibrary {
   virtual void draw_box(const ImageCanvas& canvas, int x0, int y0, int x1, int y1,
                         std::span<const float> colour) const = 0;
 
+  //! Writes a FITS file: a primary header without an image, and image extensions, each with the checksums of the FITS checksum convention. False where
+  //! that fails: `problem` says why. The file is there already, and is filled.
+  virtual bool write_fits(const std::string& path, std::span<const FitsCard> primary, std::span<const FitsImage> images,
+                          std::string& problem) const = 0;
+
+  //! Returns a text keyword of the primary header of a FITS file with so many image extensions whose checksums are right; empty where there is none, or
+  //! the file is damaged.
+  [[nodiscard]] virtual std::string whole_fits_text(const std::string& path, const std::string& name,
+                                                    int images) const = 0;
+
   //! Fourier's transform of a square of `side` x `side` numbers: real and imaginary part of each frequency, unshifted. Empty where it fails:
   //! `problem` says why.
   virtual std::vector<float> transform(const float* cells, int side, std::string& problem) const = 0;
 };
 
 //! Differs between builds whose module and program do not hand over the same.
-inline constexpr std::uint64_t image_interface = (std::uint64_t{sizeof(ImagePlan)} << 40U) |
-                                                 (std::uint64_t{sizeof(ImageShape)} << 20U) |
-                                                 std::uint64_t{sizeof(ImageLibrary::Wishes)};
+inline constexpr std::uint64_t image_interface =
+    (std::uint64_t{sizeof(FitsImage)} << 54U) | (std::uint64_t{sizeof(ImagePlan)} << 40U) |
+    (std::uint64_t{sizeof(ImageShape)} << 20U) | std::uint64_t{sizeof(ImageLibrary::Wishes)};
 
 //! OpenImageIO. Throws Error where it cannot be loaded, or is another build's.
 const ImageLibrary& image_library();

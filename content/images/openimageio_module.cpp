@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "content/images/fits_file.h"
 #include "content/images/image_library.h"
 #include "content/images/openimageio_input.h"
 
@@ -19,6 +20,8 @@ OIIO::TypeDesc type_of(ImageSample sample) {
   switch (sample) {
     case ImageSample::half:
       return OIIO::TypeDesc::HALF;
+    case ImageSample::real:
+      return OIIO::TypeDesc::FLOAT;
     case ImageSample::whole_16:
       return OIIO::TypeDesc::UINT16;
     case ImageSample::whole_8:
@@ -29,6 +32,9 @@ OIIO::TypeDesc type_of(ImageSample sample) {
 
 OIIO::ImageSpec spec_of(const ImagePlan& plan) {
   OIIO::ImageSpec spec(plan.width, plan.height, plan.channels, type_of(plan.sample));
+  if (!plan.channel_names.empty()) {
+    spec.channelnames = plan.channel_names;
+  }
   for (const auto& [name, text] : plan.texts) {
     spec.attribute(name, text);
   }
@@ -132,6 +138,16 @@ class Library final : public ImageLibrary {
                 std::span<const float> colour) const override {
     OIIO::ImageBuf image = buffer_of(canvas);
     OIIO::ImageBufAlgo::render_box(image, x0, y0, x1, y1, span_of(colour));
+  }
+
+  bool write_fits(const std::string& path, std::span<const FitsCard> primary, std::span<const FitsImage> images,
+                  std::string& problem) const override {
+    return write_fits_file(path, primary, images, problem);
+  }
+
+  [[nodiscard]] std::string whole_fits_text(const std::string& path, const std::string& name,
+                                            int images) const override {
+    return text_of_whole_fits(path, name, images);
   }
 
   std::vector<float> transform(const float* cells, int side, std::string& problem) const override {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "content/files/atomic_file.h"
@@ -61,7 +62,6 @@ std::vector<std::pair<std::string, std::string>> texts_of(const FrameMetadata& m
 }
 
 ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const FrameMetadata& metadata) {
-  constexpr const char* compressions[] = {"zip", "none", "dwaa"};
   ImagePlan plan;
   plan.width = picture.width;
   plan.height = picture.height;
@@ -70,7 +70,7 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
   plan.texts = texts_of(metadata);
   plan.texts.emplace_back("Software", "Ergodome " ERGODOME_VERSION);
   if (format.image == ImageFormat::exr) {
-    plan.texts.emplace_back("compression", compressions[static_cast<int>(format.compression)]);
+    plan.texts.emplace_back("compression", exr_compression_names()[static_cast<std::size_t>(format.compression)]);
     plan.texts.emplace_back("oiio:ColorSpace", "Linear");
     plan.chromaticities.assign(std::begin(rec709), std::end(rec709));
     if (format.rate) {
@@ -235,6 +235,29 @@ void write_views(const std::filesystem::path& path, const FrameFormat& format, c
           (i == 0 || output->open_next(partial.string(), plans[i])) && write_pixels(*output, format, *pictures[i]);
     }
     if (!written || !output->close() || !is_whole(partial, left.width, left.height, 2)) {
+      throw cannot_be_written(path, output.get());
+    }
+    append_checksum(partial);
+  });
+}
+
+void write_numbers(const std::filesystem::path& path, ExrCompression compression, const NumberImage& image,
+                   const FrameMetadata& metadata) {
+  ImagePlan plan;
+  plan.width = image.width;
+  plan.height = image.height;
+  plan.channels = static_cast<int>(image.channels.size());
+  plan.sample = ImageSample::real;
+  plan.texts = texts_of(metadata);
+  plan.texts.emplace_back("Software", "Ergodome " ERGODOME_VERSION);
+  plan.texts.emplace_back("compression", exr_compression_names()[static_cast<std::size_t>(compression)]);
+  plan.chromaticities.assign(std::begin(rec709), std::end(rec709));
+  plan.channel_names = image.channels;
+  write_atomically(path, [&](const std::filesystem::path& partial) {
+    const auto output = writer_of("openexr");
+    const bool written =
+        output && output->open(partial.string(), std::span(&plan, 1)) && output->write(image.values.data());
+    if (!written || !output->close() || !is_whole(partial, image.width, image.height, 1)) {
       throw cannot_be_written(path, output.get());
     }
     append_checksum(partial);

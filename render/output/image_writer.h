@@ -25,6 +25,18 @@ void write_picture(const std::filesystem::path& path, const FrameFormat& format,
 void write_views(const std::filesystem::path& path, const FrameFormat& format, const Picture& left,
                  const Picture& right, const FrameMetadata& metadata);
 
+//! Numbers of named channels at every pixel, row by row from the top; those of one pixel lie side by side.
+struct NumberImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;
+  std::vector<float> values;
+};
+
+//! Writes numbers as an EXR of 32-bit floats, NaN among them; otherwise as write_picture does.
+void write_numbers(const std::filesystem::path& path, ExrCompression compression, const NumberImage& image,
+                   const FrameMetadata& metadata);
+
 //! Writes display-referred RGB bytes, the top row first, as a PNG; whole or not at all.
 void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height,
                const FrameMetadata& metadata = {});
