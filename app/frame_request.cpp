@@ -76,8 +76,9 @@ Show drawn_part(const RenderOptions& options, Show show) {
 
 FrameRequests::FrameRequests(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup)
     : language_(options.language) {
-  const std::string written = fmt::format("{} {} {} {} {} {}", options.format, options.compression, options.alpha,
-                                          options.size_px, options.view, options.method);
+  const std::string written =
+      fmt::format("{} {} {} {} {} {} {} {}", options.format, options.compression, options.alpha, options.size_px,
+                  options.view, options.view_range, options.method, options.channels);
   const std::string light = fmt::format("{} {}", options.lens.lens, fmt::join(options.budget, " "));
   of_all_ =
       fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", ERGODOME_VERSION, to_toml(drawn_part(options, show)),

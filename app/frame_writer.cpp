@@ -59,7 +59,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
     : options_(options),
       format_(format_of(options)),
       choice_{view_mode(options.view), options.size_px, follow_method(options.method, options.view, show),
-              options.alpha},
+              view_range(options.view_range, view_mode(options.view), !options.method.empty()), options.alpha},
       backend_(choose_backend(options.backend)),
       stream_(open_stream(show, options.lens, backend_)),
       renderer_(show, backend_, lens_choice(options.lens), stream_),
@@ -107,6 +107,10 @@ void FrameWriter::write(int frame) {
     enter(path.parent_path());
     FrameMetadata metadata = frame_facts(show, {frame, baseline, part, image.face, choice_.mode});
     metadata.emplace_back("request", request_of(frame));
+    if (const std::optional<HeatRange>& range = image.picture.heat_range) {
+      metadata.emplace_back("view", options_.view);
+      metadata.emplace_back("view_range", fmt::format("{:.12g} {:.12g}", range->low, range->high));
+    }
     if (followed_stops()) {
       metadata.emplace_back(followed_from_fact, followed_from_);
       metadata.emplace_back(followed_stops_fact, stops_text(*followed_stops()));

@@ -7,6 +7,8 @@
 
 #include "app/budget/budget_option.h"
 #include "app/budget/render_budget.h"
+#include "app/channel_frames.h"
+#include "app/channel_options.h"
 #include "app/commands.h"
 #include "app/frame_range.h"
 #include "app/frame_request.h"
@@ -79,6 +81,7 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
 //! Throws UsageError where options have no use for this show.
 void require_used_options(const RenderOptions& options, const Show& show) {
   static_cast<void>(follow_method(options.method, options.view, show));
+  static_cast<void>(view_range(options.view_range, view_mode(options.view), !options.method.empty()));
   require_two_eyes(show, "--baseline", options.baseline.has_value());
   require_two_eyes(show, "--tint-eyes", options.tint_eyes);
   require_used_memory(show, options.lens);
@@ -157,6 +160,12 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
   }
 }
 
+void write_channels(const RenderOptions& options, const Show& show) {
+  require_channels(options, show);
+  const auto [first, last] = frame_range(options.frames, frame_count(show));
+  write_channel_frames(options, show, FrameRequests(options, show, std::nullopt), first, last);
+}
+
 void run(RenderOptions options) {
   Show show = chosen_show(options);
   const std::optional<DomeSetup> setup = chosen_setup(options);
@@ -175,6 +184,9 @@ void run(RenderOptions options) {
   }
   require_features(show);
   require_used_options(options, show);
+  if (!options.channels.empty()) {
+    return write_channels(options, show);
+  }
   tell_equal_eyes(show);
   require_file_layout(options, show);
   require_movie(options, show);
@@ -212,8 +224,8 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
   idle.add("of projectors' frames, whose domemasters the setup tells",
            [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
   idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
-           {"--frames", "--movie", "--fps", "--view", "--method", "--budget", "--check", "--resume", "--baseline",
-            "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
+           {"--frames", "--movie", "--fps", "--view", "--view-range", "--method", "--budget", "--check", "--resume",
+            "--baseline", "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
   idle.add("of a test pattern for one eye",
            [options] {
              const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
@@ -260,9 +272,7 @@ void add_render_command(CLI::App& app) {
   command->add_option("--backend", options->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
-  command->add_option("--format", options->format, "png (8 bits), png16, tiff (16 bits) or exr (linear light)")
-      ->check(CLI::IsMember(image_format_names()))
-      ->capture_default_str();
+  CLI::Option* const format = add_format_option(*command, *options);
   command->add_option("--compression", options->compression, "of EXR: zip (default), none, or dwaa, which is lossy")
       ->check(CLI::IsMember(exr_compression_names()));
   command->add_flag("--alpha", options->alpha,
@@ -274,10 +284,13 @@ void add_render_command(CLI::App& app) {
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();
+  command->add_option("--view-range", options->view_range,
+                      "MIN:MAX, ends of the colours of a heat map, for instance 0.5:2 (default: those of the view)");
   command
       ->add_option("--method", options->method,
                    "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
       ->check(CLI::IsMember(follow_method_names()));
+  add_channel_option(*command, *options);
   add_budget_option(*command, options->budget);
   command
       ->add_option("--check", options->checked_moments,
@@ -292,7 +305,9 @@ void add_render_command(CLI::App& app) {
   IdleOptions idle(*command);
   add_lens_options(*command, options->lens, idle);
   add_idle_options(options, idle);
-  command->callback([options, idle] {
+  add_channel_rules(options, idle);
+  command->callback([options, idle, format] {
+    choose_number_format(*options, format->count() > 0);
     idle.refuse();
     run(*options);
   });

@@ -28,6 +28,8 @@ struct RenderOptions {
   double frame_rate_hz = 0.0;
   std::string movie;
   std::string view = "sky";
+  std::string view_range;  //!< ends of a heat map's colours, "MIN:MAX"; empty: as usual
+  std::string channels;    //!< numbers to write instead of pictures, separated by commas; empty: pictures
   std::string method;
   std::string setup;
   std::string language;  //!< of captions, by its tag

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "app/usage_error.h"
 #include "content/animated_show.h"
@@ -17,6 +20,12 @@
 namespace ergodome {
 
 namespace {
+
+//! Parses a number. Returns whether the text is nothing but one.
+bool is_number(std::string_view text, double& number) {
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return problem == std::errc() && end == text.data() + text.size();
+}
 
 std::vector<std::string> built_in_shows(const std::filesystem::path& folder) {
   std::vector<std::string> names;
@@ -143,6 +152,29 @@ std::vector<std::string> view_mode_names() { return {"sky", "steps", "error", "o
 ViewMode view_mode(const std::string& name) {
   const std::vector<std::string> names = view_mode_names();
   return static_cast<ViewMode>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::optional<ViewRange> view_range(const std::string& text, ViewMode mode, bool logarithmic_steps) {
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  const std::string option = "--view-range " + text;
+  if (mode == ViewMode::sky) {
+    throw UsageError(option, "is for heat maps; a picture of the sky has no scale",
+                     "add --view, for instance --view g");
+  }
+  const std::size_t colon = text.find(':');
+  ViewRange range{};
+  const bool parsed = colon != std::string::npos && is_number(std::string_view(text).substr(0, colon), range.low) &&
+                      is_number(std::string_view(text).substr(colon + 1), range.high);
+  if (!parsed || !std::isfinite(range.low) || !std::isfinite(range.high) || !(range.low < range.high)) {
+    throw UsageError(option, "is not two numbers, the smaller one first", "write them as MIN:MAX, for instance 0.5:2");
+  }
+  if (heat_range(mode, logarithmic_steps).logarithmic && !(range.low > 0.0)) {
+    throw UsageError(option, "begins at 0 or below, and the colours of this view are logarithmic",
+                     "choose a smallest value above 0");
+  }
+  return range;
 }
 
 std::vector<std::string> follow_method_names() { return {"taylor", "rk34", "cash_karp", "baseline_rk34"}; }

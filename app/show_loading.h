@@ -7,6 +7,7 @@
 #include "content/show.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/trace/trace_rays.h"
+#include "render/frame/eye_renderer.h"
 
 namespace ergodome {
 
@@ -50,6 +51,9 @@ void require_features(const Show& show);
 //! The words for ViewMode on the command line, and the mode of a word.
 std::vector<std::string> view_mode_names();
 ViewMode view_mode(const std::string& name);
+
+//! The ends of a heat map's colours of "MIN:MAX" (empty: the usual ones). Throws UsageError for what is no range, and for a view that has none.
+std::optional<ViewRange> view_range(const std::string& text, ViewMode mode, bool logarithmic_steps);
 
 //! The words for how rays of a heat map are followed.
 std::vector<std::string> follow_method_names();

@@ -57,7 +57,12 @@ void clear_outside(const Projection& projection, Picture& picture) {
 }  // namespace
 
 HeatRange heat_range(const PictureSettings& settings) {
-  return heat_range(settings.mode, settings.follow && settings.follow->logarithmic);
+  HeatRange range = heat_range(settings.mode, settings.follow && settings.follow->logarithmic);
+  if (settings.range) {
+    range.low = settings.range->low;
+    range.high = settings.range->high;
+  }
+  return range;
 }
 
 int rows_of_a_block(Backend backend, int width_px, int height_px) {

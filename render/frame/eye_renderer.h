@@ -22,6 +22,12 @@
 
 namespace ergodome {
 
+//! Ends of a heat map's colours, as numbers that a person reads.
+struct ViewRange {
+  double low;
+  double high;
+};
+
 //! How a picture is made of what the lens shows.
 struct PictureSettings {
   ViewMode mode = ViewMode::sky;
@@ -46,6 +52,7 @@ struct PictureSettings {
   double time_s = 0.0;                              //!< of the show, for what moves in it
   bool clear_outside = false;                       //!< stars or bloom may spread light beyond the image
   std::optional<BloomSettings> bloom;               //!< of whole pictures alone: render_in_place leaves it out
+  std::optional<ViewRange> range{};  //!< of heat maps: in place of the usual one; above 0 where colours are logarithmic
 };
 
 //! Rows of a picture that are worked on at a time: memory stays bounded at any size.

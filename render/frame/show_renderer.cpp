@@ -181,6 +181,7 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
                                                double eye_offset) const {
   PictureSettings settings;
   settings.mode = mode;
+  settings.range = range_;
   const FrameNeeds needs = frame_needs(show_, mode);
   settings.filter = show_.sky.filter;
   settings.shift = sky_.shift();
@@ -314,6 +315,7 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   const int size_px = choice.size_px > 0 ? choice.size_px : show_.view.size_px;
   const Projection projection = make_projection(show_.view, size_px, 0.0);
   method_ = choice.method;
+  range_ = choice.range;
   std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
   finish_eyes(eyes, projection, choice.mode, {time_s}, time_s);
   if (choice.alpha) {

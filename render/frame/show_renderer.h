@@ -35,6 +35,7 @@ struct ViewChoice {
   ViewMode mode = ViewMode::sky;
   int size_px = 0;                      //!< width of one eye's image; 0: as the show says
   std::optional<TraceMethod> method{};  //!< of heat maps of steps and errors: how rays are followed
+  std::optional<ViewRange> range{};     //!< of heat maps: in place of the usual one
   bool alpha = false;                   //!< pictures cover what their image covers, see set_image_alpha
 };
 
@@ -217,6 +218,7 @@ class ShowRenderer {
   double last_clock_s_ = 0.0;
   double time_s_ = 0.0;                //!< that the numbers are of
   std::optional<TraceMethod> method_;  //!< ViewChoice::method, of the pictures that are drawn
+  std::optional<ViewRange> range_;     //!< ViewChoice::range, of the same
 };
 
 //! Throws Error unless a trajectory was baked along the show's camera path, for its hole.

@@ -89,8 +89,15 @@ class BarRow {
   std::vector<BarText> texts_;
 };
 
+//! Digits that tell the numbers of a bar apart: three, and more where a range is narrow.
+int digits_of(const HeatRange& range) {
+  const double share = (range.high - range.low) / std::max(std::abs(range.low), std::abs(range.high));
+  return 3 + std::clamp(static_cast<int>(-std::log10(std::max(share, 1e-9))), 0, 9);
+}
+
 //! Numbers at the ends of a bar and at as many places between them as there is room for; none where the ends have none.
 std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& range, int from, int to) {
+  const int digits = digits_of(range);
   for (const int intervals : {4, 2, 1}) {
     BarRow row(from, to, bar.letter_px);
     bool fits = true;
@@ -98,7 +105,7 @@ std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& ran
       const double part = static_cast<double>(i) / intervals;
       const double value = range.logarithmic ? range.low * std::pow(range.high / range.low, part)
                                              : range.low + part * (range.high - range.low);
-      fits = row.add(fmt::format("{:.3g}", value), bar.left + i * bar.width / intervals,
+      fits = row.add(fmt::format("{:.{}g}", value, digits), bar.left + i * bar.width / intervals,
                      bar.top + bar.height + bar.letter_px / 3) &&
              fits;
     }

@@ -45,6 +45,16 @@ TEST(ColorBars, HaveMoreNumbersWhereThereIsRoom) {
   EXPECT_LT(color_bar_layout(200, 200, range, ViewMode::magnification).texts.size(), 6U);
 }
 
+TEST(ColorBars, TellTheNumbersOfNarrowRangesApart) {
+  const ColorBarLayout narrow = color_bar_layout(2048, 2048, HeatRange{1.0, 1.0002, true}, ViewMode::frequency_ratio);
+  ASSERT_EQ(narrow.texts.size(), 6U);
+  EXPECT_EQ(narrow.texts[0].text, "1");
+  EXPECT_EQ(narrow.texts[1].text, "1.00005");
+  EXPECT_EQ(narrow.texts[4].text, "1.0002");
+  const ColorBarLayout usual = color_bar_layout(2048, 2048, HeatRange{0.3, 3.0, true}, ViewMode::frequency_ratio);
+  EXPECT_EQ(usual.texts[1].text, "0.533");
+}
+
 TEST(ColorBars, AreLeftOutOfPicturesThatAreTooSmall) {
   EXPECT_EQ(color_bar_layout(159, 159, heat_range(ViewMode::steps), ViewMode::steps).width, 0);
 }

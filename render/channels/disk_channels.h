@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "kernels/disk/disk_emitter.h"
+#include "kernels/disk/equatorial_crossings.h"
+
+namespace ergodome {
+
+//! Where a ray meets the disk.
+struct DiskCrossing {
+  double r;                //!< [M]
+  double azimuth_deg;      //!< Boyer-Lindquist φ, in [0, 360)
+  double frequency_ratio;  //!< ν_observed / ν_emitted for the disk's matter
+  double delay;            //!< coordinate time from there to the camera [M]
+};
+
+//! A ray's first crossings of the equatorial plane; nothing at those beyond the disk's edges.
+using DiskCrossings = std::array<std::optional<DiskCrossing>, crossing_orders>;
+
+//! Edges of a disk [M].
+struct DiskEdges {
+  double inner;
+  double outer;
+};
+
+//! Follows single rays of a camera to the disk, in double precision.
+class DiskTracer {
+ public:
+  DiskTracer(const CameraStation& camera, const DiskEdges& edges);
+
+  //! Returns what the camera sees in direction `n` (e_r, e_θ, e_φ); nothing where the ray does not converge.
+  [[nodiscard]] std::optional<DiskCrossings> trace(const Vector3<double>& n) const;
+
+ private:
+  CameraStation camera_;
+  DiskEdges edges_;
+  DiskFlow<double> flow_;
+};
+
+}  // namespace ergodome
