@@ -9,6 +9,8 @@
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/make_projection.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/lens/direct_lens.h"
 #include "tests/kernels/reference_tables.h"
 #include "tests/render/eye_at.h"
 
@@ -179,6 +181,48 @@ TEST(PixelChannels, LeaveFlatSkyAsItIsFarFromTheHole) {
   // The hole's axes are equatorial ones here.
   EXPECT_EQ(values_of(found, "equatorial.ra"), values_of(found, "sky.longitude"));
   EXPECT_EQ(values_of(found, "equatorial.dec"), values_of(found, "sky.latitude"));
+}
+
+TEST(PixelChannels, AreTheNumbersBehindTheHeatMaps) {
+  ChannelScene scene = picture_of_hole(0.9, 15.0, ObserverMotion::zamo, 81);
+  scene.eye.theta = scene.eye.head_theta = 1.1;
+  const PixelChannels found =
+      traced(scene, {ChannelGroup::g, ChannelGroup::order, ChannelGroup::magnification, ChannelGroup::sky});
+  const std::vector<double>& g = values_of(found, "g");
+  std::vector<std::vector<float>> rooms(12, std::vector<float>(g.size()));
+  LensPixels lens{};
+  lens.coverage = rooms[0].data();
+  lens.frequency_ratio = rooms[1].data();
+  lens.half_orbits = rooms[2].data();
+  for (std::size_t k = 0; k < 3; ++k) {
+    lens.sky[k] = rooms[3 + k].data();
+    lens.sky_along_x[k] = rooms[6 + k].data();
+    lens.sky_along_y[k] = rooms[9 + k].data();
+  }
+  DirectLens(Backend::cpu, scene.eye, scene.projection, 0.01).fill(0, scene.projection.height_px, lens);
+  int compared = 0;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    if (lens.coverage[i] < 1.0F) {
+      continue;  // pixels on the shadow's edge show their lit part
+    }
+    ASSERT_FALSE(std::isnan(g[i])) << i;
+    EXPECT_NEAR(g[i], static_cast<double>(lens.frequency_ratio[i]), 1e-5) << i;
+    const double half_turns = values_of(found, "order.half_turns")[i];
+    EXPECT_NEAR(half_turns, static_cast<double>(lens.half_orbits[i]), 1e-3 * half_turns) << i;
+    const Vector3<float> area =
+        cross(Vector3<float>{lens.sky_along_x[0][i], lens.sky_along_x[1][i], lens.sky_along_x[2][i]},
+              Vector3<float>{lens.sky_along_y[0][i], lens.sky_along_y[1][i], lens.sky_along_y[2][i]});
+    const double magnification = values_of(found, "magnification")[i];
+    // Next to caustics and to the shadow a small error of the float's ray is a large one of the area.
+    if (std::abs(magnification) < 10.0 && half_turns < 1.3) {
+      const double on_screen =
+          pixel_solid_angle(scene.projection, static_cast<double>(i % 81) + 0.5, static_cast<double>(i / 81) + 0.5);
+      const double seen = on_screen / std::sqrt(static_cast<double>(dot(area, area)));
+      EXPECT_NEAR(std::abs(magnification), seen, 1e-2 * seen) << i;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 4000);
 }
 
 TEST(PixelChannels, AreNotNumbersBesideTheImage) {
