@@ -6,8 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! A session that is about to end says so.
-constexpr double farewell_s = 10.0;
+//! The last seconds of a session are counted down.
+constexpr double farewell_s = 20.0;
 constexpr double fade_s = 1.0;
 
 }  // namespace

@@ -6,10 +6,10 @@ namespace ergodome {
 
 //! How long an exhibit waits.
 struct ExhibitTimes {
-  double idle_s = 60.0;    //!< without a touch, after which the attract show comes back
-  double session_s = 0.0;  //!< that one visitor may fly; 0: as long as they touch it
-  double welcome_s = 8.0;  //!< that the welcome is to be read
-  double rest_s = 3.0;     //!< after a session, in which touches are not taken for a new visitor's
+  double idle_s = 60.0;      //!< without a touch, after which the attract show comes back
+  double session_s = 180.0;  //!< that one visitor may fly; 0: as long as they touch it
+  double welcome_s = 8.0;    //!< that the welcome is to be read
+  double rest_s = 3.0;       //!< after a session, in which touches are not taken for a new visitor's
 };
 
 //! What an exhibit shows: a show that runs for itself, or the flight of a visitor.

@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 constexpr double chord_s = 3.0;
-constexpr double settle_s = 2.0;
+constexpr double between_writes_s = 1.0;
 constexpr double retry_s = 10.0;
 const std::string kept_settings_file = "settings.toml";
 
@@ -53,6 +53,23 @@ void take_over(const TransportCommand& command, const PlayerStatus& status, bool
 
 }  // namespace
 
+std::string usual_attract_show(const Show& visitor) {
+  return visitor.view.projection == ViewProjection::pinhole ? "attract" : "once-around";
+}
+
+std::string attract_mismatch(const Show& visitor, const Show& attract) {
+  const bool flat = visitor.view.projection == ViewProjection::pinhole;
+  if (flat == (attract.view.projection == ViewProjection::pinhole)) {
+    return "";
+  }
+  return flat ? Error(attract.name, "is no flat show: a flat screen shows it as a disk or a strip",
+                      "leave out --attract, or add --projection pinhole")
+                    .what()
+              : Error(attract.name, "is a flat show, and visitors' pictures are for a dome",
+                      "leave out --attract, or add --projection dome")
+                    .what();
+}
+
 ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
     : options_(std::move(options)),
       visitor_(std::move(visitor)),
@@ -68,8 +85,20 @@ ExhibitScenes::ExhibitScenes(ExhibitOptions options, Show visitor, Show attract)
 bool ExhibitScenes::advance(double now_s, bool touched, bool chord_held) {
   now_s_ = now_s;
   left_ = left_ || chord_.advance(now_s, chord_held);
-  return exhibit_.advance(now_s, touched);
+  const bool another = exhibit_.advance(now_s, touched);
+  if (another) {
+    black_view_.begin();
+  }
+  return another;
 }
+
+void ExhibitScenes::note_light(double lit_part) {
+  if (scene() == ExhibitScene::visitor) {
+    black_view_.note(now_s_, lit_part);
+  }
+}
+
+bool ExhibitScenes::take_return() { return scene() == ExhibitScene::visitor && black_view_.take_return(now_s_); }
 
 void ExhibitScenes::renew(const Show& show) {
   for (Show* const own : {&visitor_, &attract_}) {
@@ -82,9 +111,12 @@ void ExhibitScenes::renew(const Show& show) {
 std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (const auto left_s = exhibit_.ending_in_s()) {
     const int seconds = static_cast<int>(std::ceil(*left_s));
-    return {caption_at(12.0, 2.0,
-                       {{"en", fmt::format("The next visitor flies in {} s", seconds)},
-                        {"de", fmt::format("In {} s fliegt der nächste Gast", seconds)}})};
+    return {caption_at(12.0, 3.0,
+                       {{"en", fmt::format("Your flight ends in {} s", seconds)},
+                        {"de", fmt::format("Ihr Flug endet in {} s", seconds)}})};
+  }
+  if (const auto back_in_s = black_view_.back_in_s(now_s_)) {
+    return black_view_captions(*back_in_s, pad);
   }
   if (exhibit_.welcome() <= 0.0) {
     return {};
@@ -113,7 +145,24 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   return all;
 }
 
-double ExhibitScenes::opacity() const { return exhibit_.ending_in_s() ? 1.0 : exhibit_.welcome(); }
+std::vector<Caption> ExhibitScenes::black_view_captions(double back_in_s, bool pad) const {
+  const int seconds = static_cast<int>(std::ceil(back_in_s));
+  return {
+      caption_at(14.0, 2.4,
+                 {{"en", "Only black is in view. Turn around,"}, {"de", "Hier ist nur Schwarz. Drehen Sie sich um,"}}),
+      caption_at(
+          9.5, 2.4,
+          pad ? LocalText{{"en", "or press the right stick to start again."},
+                          {"de", "oder drücken Sie den rechten Stick: zum Start."}}
+              : LocalText{{"en", "or press Delete to start again."}, {"de", "oder drücken Sie Entf: zum Start."}}),
+      caption_at(5.0, 2.4,
+                 {{"en", fmt::format("You will be back at the start in {} s.", seconds)},
+                  {"de", fmt::format("In {} s sind Sie wieder am Start.", seconds)}})};
+}
+
+double ExhibitScenes::opacity() const {
+  return exhibit_.ending_in_s() || black_view_.back_in_s(now_s_) ? 1.0 : exhibit_.welcome();
+}
 
 std::vector<TransportCommand> ExhibitScenes::kept_commands() const {
   using Kind = TransportCommand::Kind;
@@ -156,11 +205,16 @@ void ExhibitScenes::keep(const PlayerStatus& status, bool baseline_set) {
   }
   if (now != noted_) {
     noted_ = now;
-    changed_s_ = now_s_;
   }
   if (noted_ == kept_ || options_.state.empty()) {
     problem_.clear();
-  } else if (now_s_ - changed_s_ >= settle_s && now_s_ - refused_s_ >= retry_s) {
+  } else if (now_s_ - wrote_s_ >= between_writes_s && now_s_ - refused_s_ >= retry_s) {
+    write_settings();
+  }
+}
+
+void ExhibitScenes::keep_last() {
+  if (noted_ != kept_ && !options_.state.empty()) {
     write_settings();
   }
 }
@@ -170,6 +224,7 @@ void ExhibitScenes::write_settings() {
   try {
     write_kept_settings(file, noted_);
     kept_ = noted_;
+    wrote_s_ = now_s_;
     problem_.clear();
   } catch (const std::exception& error) {
     refused_s_ = now_s_;

@@ -39,8 +39,12 @@ struct TransportCommand {
   Kind kind = Kind::play;
   double value = 0.0;
   std::string text;
+  std::string source{};  //!< who asked, for the log: "web 192.168.1.20"; empty: this program
 
-  bool operator==(const TransportCommand&) const = default;
+  //! Whether two commands do the same, whoever asked for them.
+  bool operator==(const TransportCommand& other) const {
+    return kind == other.kind && value == other.value && text == other.text;
+  }
 };
 
 //! Whether a command moves the show's time, which a clock from outside does alone.

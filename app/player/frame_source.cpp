@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/player/picture_error.h"
+#include "app/player/picture_light.h"
 #include "render/output/color_bar.h"
 #include "render/output/stereo_layout.h"
 
@@ -102,6 +103,12 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
   const ShowMoment moment = {frame.path_time_s, request.patience_s};
   PictureAnswer answer;
+  if (request.light_asked_s) {
+    const auto begun = Clock::now();
+    // Before the picture itself, which may stay in the renderer's memory.
+    answer.light = ViewLight{*request.light_asked_s, lit_part_of_view(renderer, request, moment)};
+    answer.measuring_ms += std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+  }
   answer.eyes = eyes_in_window(frame.stereo.layout);
   if (renderer.may_stay_in_place(frame.mode)) {
     const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
@@ -121,7 +128,7 @@ PictureAnswer render_for_window(const PictureRequest& request) {
   if (request.errors_asked) {
     const auto begun = Clock::now();
     answer.errors_px = picture_errors(renderer, request, projection, moment);
-    answer.measuring_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+    answer.measuring_ms += std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
   }
   if (request.disparity_asked) {
     Show shown = renderer.show();

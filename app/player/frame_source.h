@@ -29,11 +29,18 @@ struct PictureRequest {
   int whole_px = 0;
   double patience_s = 0.02;  //!< how long the picture waits for its lens before it takes an older one
   bool errors_asked = false;
-  std::uint64_t error_seed = 0;  //!< of the pixels that are looked at
+  std::uint64_t error_seed = 0;         //!< of the pixels that are looked at
+  std::optional<double> light_asked_s;  //!< asks for the lit part of the view, at this time; none: does not
 };
 
 //! How the pictures of eyes fill a window: as one picture, or each by itself, in the buffer of each or in every other row.
 enum class EyesInWindow { as_one, in_buffers, in_rows };
+
+//! How much of a view is lit.
+struct ViewLight {
+  double asked_s = 0.0;   //!< PictureRequest::light_asked_s
+  double lit_part = 0.0;  //!< of the image's pixels, without words over it
+};
 
 //! A finished picture and what it took.
 struct PictureAnswer {
@@ -46,6 +53,7 @@ struct PictureAnswer {
   int size_px = 0;
   std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes
   std::optional<std::vector<double>> errors_px;  //!< where they were asked for (app/player/picture_error.h)
+  std::optional<ViewLight> light;                //!< where it was asked for
   std::optional<NarrowedEyes> narrowed;          //!< where eyes stand closer than the request has them
   double measuring_ms = 0.0;                     //!< what they took; not in time_ms
   std::string problem;                           //!< why there is none; the last good one stays on the screen

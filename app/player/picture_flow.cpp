@@ -106,6 +106,7 @@ PictureNews PictureFlow::receive() {
   report_.lens = answer->picture.lens;
   report_.disparity = answer->disparity;
   report_.narrowed = answer->narrowed;
+  report_.light = answer->light ? answer->light : report_.light;
   ++report_.pictures;
   show_(*answer);
   return PictureNews::picture;

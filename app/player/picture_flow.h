@@ -16,6 +16,7 @@ struct PictureReport {
   int size_px = 0;        //!< width of one eye's image in the last picture; 0: none yet
   const char* lens = "";  //!< where the last picture's lens came from
   std::optional<Disparity> disparity;
+  std::optional<ViewLight> light;        //!< of the last view for which it was asked
   std::optional<NarrowedEyes> narrowed;  //!< where the last picture's eyes stand closer than was asked
   std::string problem;                   //!< why the last request made none
   long pictures = 0;

@@ -112,8 +112,11 @@ std::filesystem::path exhibit_log() {
 }
 
 //! An exhibit keeps its settings and its log, and says nothing on the terminal that nobody sees.
-void use_exhibit(PlayArguments& arguments) {
+void use_exhibit(PlayArguments& arguments, const Show& visitor) {
   PlayOptions& options = arguments.options;
+  if (arguments.exhibit_options.attract.empty()) {
+    arguments.exhibit_options.attract = usual_attract_show(visitor);
+  }
   arguments.exhibit_options.state = state_folder();
   options.services.log_file = exhibit_log();
   if (arguments.exhibit_options.state.empty()) {
@@ -152,16 +155,22 @@ void run(PlayArguments arguments) {
   }
   require_output_file("--record", options.record, {arguments.show, arguments.setup, options.controls});
   options.free_flight = options.free_flight || arguments.show.empty();
+  if (const std::filesystem::path state = state_folder(); !state.empty()) {
+    options.services.remote.kept_token_file = state / "web-token";
+  }
   if (!arguments.setup.empty()) {
     use_setup(arguments);
   }
   if (arguments.exhibit) {
     require_no_record(options.record, arguments.show);
     require_no_record(options.record, arguments.exhibit_options.attract);
-    use_exhibit(arguments);
   }
   options.load = [arguments](const std::string& name) { return loaded_show(arguments, name); };
-  const Show show = options.load(arguments.show.empty() ? "free-flight" : arguments.show);
+  const std::string usual_show = arguments.exhibit ? usual_visitor_show : "free-flight";
+  const Show show = options.load(arguments.show.empty() ? usual_show : arguments.show);
+  if (arguments.exhibit) {
+    use_exhibit(arguments, show);
+  }
   if (!arguments.exhibit) {
     require_used_memory(show, arguments.lens);
   }
@@ -284,14 +293,17 @@ void add_play_command(CLI::App& app) {
       command->add_flag("--exhibit", arguments->exhibit,
                         "full screen, locked: an attract show until somebody touches something, then free flight");
   ExhibitOptions& exhibit = arguments->exhibit_options;
-  command->add_option("--attract", exhibit.attract, "with --exhibit: the show that runs by itself")
-      ->needs(locked)
-      ->capture_default_str();
+  command
+      ->add_option("--attract", exhibit.attract,
+                   "with --exhibit: the show that runs by itself; without: attract, or on domes once-around")
+      ->needs(locked);
   command->add_option("--idle", exhibit.times.idle_s, "with --exhibit: seconds without a touch that end a flight")
       ->check(number_between(1.0, 86400.0))
       ->needs(locked)
       ->capture_default_str();
-  command->add_option("--session", exhibit.times.session_s, "with --exhibit: seconds of one flight; 0: no limit")
+  command
+      ->add_option("--session", exhibit.times.session_s,
+                   "with --exhibit: seconds after which a flight ends; 0: no limit")
       ->check(number_between(0.0, 86400.0))
       ->needs(locked)
       ->capture_default_str();

@@ -96,6 +96,7 @@ Player::Player(const Show& show, const RendererLoader::Make& make, const PlayOpt
     services_.watch(show, options_.read_at, options_.load);
     inputs_.set_lock(InputLock::visitors);
     services_.tell(spdlog::level::warn, exhibit_->damage());
+    services_.tell(spdlog::level::warn, attract_mismatch(show, exhibit_->show()));
     for (const std::string& damage : damage_) {
       services_.tell(spdlog::level::warn, damage);
     }
@@ -152,6 +153,8 @@ void Player::run() {
   if (exhibit_) {
     // The log has the end, too, where the disk is full.
     keep_recording(RecordingMoment::end);
+    exhibit_->keep_last();
+    services_.log_changes(operator_log_.take_all());
   } else {
     recording_.save(*session_);
   }
@@ -239,7 +242,8 @@ void Player::update_picture() {
   wish.disparity_asked = session_->times_shown();
   add_budget(wish);
   const bool words_changed = add_words(wish);
-  note(pictures_.advance(wish, words_changed || session_->changed(), session_->moving()));
+  const bool light_asked = add_light(wish);
+  note(pictures_.advance(wish, words_changed || light_asked || session_->changed(), session_->moving()));
 }
 
 void Player::add_budget(PictureRequest& wish) {
@@ -278,6 +282,7 @@ void Player::note(PictureNews news) {
   }
   if (news == PictureNews::picture) {
     session_->playback().note_shown(session_->playback().instant());
+    note_light();
     tell_narrowed_eyes();
     if (budget_) {
       note_budget();

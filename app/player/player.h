@@ -7,6 +7,7 @@
 
 #include "app/budget/play_budget.h"
 #include "app/exhibit/exhibit_scenes.h"
+#include "app/exhibit/operator_log.h"
 #include "app/navigation/controls.h"
 #include "app/pads/hid_api.h"
 #include "app/player/eye_notice.h"
@@ -82,6 +83,9 @@ class Player {
   //! Puts what the budget asks of the next picture into a wish.
   void add_budget(PictureRequest& wish);
   void note_budget();
+  //! Asks for the lit part of a visitor's view where it changed since that was last measured, at most once a second. Returns whether it did.
+  bool add_light(PictureRequest& wish);
+  void note_light();
   //! Puts what visitors are to read into the picture; whether that is something else than before.
   bool add_words(PictureRequest& wish);
   [[nodiscard]] std::string help_text(HelpForm form) const;
@@ -112,7 +116,11 @@ class Player {
   PictureFlow pictures_;
   PlayerServices services_;
   std::optional<ExhibitScenes> exhibit_;
-  std::vector<LocalText> words_;  //!< in the picture, for visitors
+  OperatorLog operator_log_;
+  double view_changed_s_ = 0.0;  //!< when the session last asked for another picture
+  double scene_began_s_ = 0.0;
+  double light_noted_s_ = -1e300;  //!< ViewLight::asked_s of the last answer
+  std::vector<LocalText> words_;   //!< in the picture, for visitors
   double words_opacity_ = 0.0;
   int failures_ = 0;  //!< pictures that failed in a row
   FrameTimes frame_times_;

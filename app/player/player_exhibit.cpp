@@ -21,12 +21,45 @@ void Player::advance_exhibit(PlayerInput& input) {
     input.steering = {};
   }
   exhibit_->note(input.commands);
+  operator_log_.note(input.commands, session_->now_s());
+  services_.log_changes(operator_log_.take(session_->now_s()));
+  if (exhibit_->take_return()) {
+    input.actions.push_back(KeyAction::reset);
+    services_.tell(spdlog::level::info, "nothing but black was in view: the camera is back at the start");
+  }
   if (std::erase(input.actions, KeyAction::reset) > 0) {
     const std::vector<TransportCommand> reset = exhibit_->reset_commands();
     input.commands.insert(input.commands.end(), reset.begin(), reset.end());
   }
   if (another) {
     change_scene();
+  }
+}
+
+bool Player::add_light(PictureRequest& wish) {
+  constexpr double between_measurements_s = 1.0;
+  if (!exhibit_ || exhibit_->scene() != ExhibitScene::visitor) {
+    return false;
+  }
+  const double now_s = session_->now_s();
+  if (session_->changed()) {
+    view_changed_s_ = now_s;
+  }
+  if (view_changed_s_ <= light_noted_s_ || now_s - light_noted_s_ < between_measurements_s) {
+    return false;
+  }
+  wish.light_asked_s = now_s;
+  return true;
+}
+
+void Player::note_light() {
+  const std::optional<ViewLight>& light = pictures_.report().light;
+  if (exhibit_ && light && light->asked_s > light_noted_s_) {
+    light_noted_s_ = light->asked_s;
+    // A picture that was asked for before the scene changed is of the other one.
+    if (light->asked_s >= scene_began_s_) {
+      exhibit_->note_light(light->lit_part);
+    }
   }
 }
 
@@ -39,6 +72,7 @@ void Player::change_scene() {
   }
   renderers_.enter(exhibit_->scene(), exhibit_->show());
   begin(exhibit_->show(), visitor);
+  scene_began_s_ = session_->now_s();
   services_.tell(spdlog::level::info, visitor ? "a visitor has come" : "the attract show");
 }
 

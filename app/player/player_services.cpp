@@ -133,6 +133,13 @@ std::string PlayerServices::remote_text() const {
   return (web ? "status page at " + web->text() : "no status page") + (osc ? ", OSC at " + osc->text() : "");
 }
 
+void PlayerServices::log_changes(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    log_->info("{}", line);
+    told_ = line;
+  }
+}
+
 void PlayerServices::tell(spdlog::level::level_enum level, const std::string& message) {
   if (!message.empty() && message != told_) {
     log_->log(level, "{}", message);

@@ -68,6 +68,9 @@ class PlayerServices {
   //! Once a frame: looks at the files of shows that wait, and logs what became of them.
   void look_at_waiting_shows();
 
+  //! Writes lines to the log, whatever was written before.
+  void log_changes(const std::vector<std::string>& lines);
+
   //! Writes a line to the log, unless it is the one that was written last.
   void tell(spdlog::level::level_enum level, const std::string& message);
 

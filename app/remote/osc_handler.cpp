@@ -182,7 +182,7 @@ std::optional<OscHandler::Answer> OscHandler::heed(const OscMessage& message, co
   } else if (message.address == "/ergodome/ping") {
     return Answer{from, {"/ergodome/pong", {}}};
   } else {
-    command(message, now);
+    command(message, from, now);
   }
   return std::nullopt;
 }
@@ -193,13 +193,14 @@ void OscHandler::warn(const NetAddress& from, const std::string& problem, steady
   }
 }
 
-void OscHandler::command(const OscMessage& message, const OscInstant& now) {
+void OscHandler::command(const OscMessage& message, const NetAddress& from, const OscInstant& now) {
   for (const CommandRule* const rule : rules_at(message.address)) {
-    command(*rule, message, now);
+    command(*rule, message, from, now);
   }
 }
 
-void OscHandler::command(const CommandRule& rule, const OscMessage& message, const OscInstant& now) {
+void OscHandler::command(const CommandRule& rule, const OscMessage& message, const NetAddress& from,
+                         const OscInstant& now) {
   // Further arguments are ignored, as OSC's receivers do: control surfaces add coordinates or names.
   CommandArgument argument = argument_at(message, 0);
   argument = takes_number(rule.argument) ? numeric(std::move(argument)) : std::move(argument);
@@ -207,6 +208,7 @@ void OscHandler::command(const CommandRule& rule, const OscMessage& message, con
     return;
   }
   TransportCommand command = checked_command(rule, argument, board_.read());
+  command.source = "OSC " + from.host();
   const double wait = wait_s(message, now);
   if (wait == 0.0) {
     commands_.push(std::move(command));

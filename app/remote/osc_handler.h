@@ -70,8 +70,8 @@ class OscHandler {
 
   std::optional<Answer> heed(const OscMessage& message, const NetAddress& from, const OscInstant& now);
   void warn(const NetAddress& from, const std::string& problem, std::chrono::steady_clock::time_point now);
-  void command(const OscMessage& message, const OscInstant& now);
-  void command(const CommandRule& rule, const OscMessage& message, const OscInstant& now);
+  void command(const OscMessage& message, const NetAddress& from, const OscInstant& now);
+  void command(const CommandRule& rule, const OscMessage& message, const NetAddress& from, const OscInstant& now);
   void follow_clock(const OscMessage& message, const OscInstant& now);
   std::optional<Answer> subscribe(const OscMessage& message, const NetAddress& from, const OscInstant& now);
   void confirm(const OscMessage& message, const NetAddress& from, const OscInstant& now);

@@ -8,6 +8,7 @@
 #include "app/remote/web_server.h"
 #include "app/remote/web_token.h"
 #include "app/usage_error.h"
+#include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
@@ -43,15 +44,33 @@ std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAd
   return subscribers;
 }
 
-//! The token that others have to give; none is needed where nobody else can reach the page.
-std::string token_of(const RemoteOptions& options, const NetAddress& address) {
+//! Returns the token that is kept from start to start, or a new one where it cannot be kept; `warning` says why. A show must start.
+std::string kept_token(const std::filesystem::path& file, std::string& warning) {
+  if (file.empty()) {
+    return new_web_token();
+  }
+  try {
+    make_folder(file.parent_path());
+    std::string token = web_token_in(file);
+    warning = web_token_exposure(file);
+    return token;
+  } catch (const std::exception& problem) {
+    warning = fmt::format("this start has a token of its own, as the usual one cannot be used: {}", problem.what());
+    return new_web_token();
+  }
+}
+
+//! Returns the token that others have to give; none is needed where nobody else can reach the page.
+std::string token_of(const RemoteOptions& options, const NetAddress& address, std::string& warning) {
   if (!options.web_token.empty()) {
     return checked_web_token(options.web_token, "--web-token");
   }
   if (!options.web_token_file.empty()) {
-    return web_token_in(options.web_token_file);
+    std::string token = web_token_in(options.web_token_file);
+    warning = web_token_exposure(options.web_token_file);
+    return token;
   }
-  return address.is_loopback() ? "" : new_web_token();
+  return address.is_loopback() ? "" : kept_token(options.kept_token_file, warning);
 }
 
 //! Addresses that a person can type: all of the machine's where the server listens at any.
@@ -82,7 +101,7 @@ void add_remote_options(CLI::App& command, RemoteOptions& options) {
       ->capture_default_str();
   command
       .add_option("--web-token", options.web_token,
-                  "token that other machines have to give (default: a new one, printed once)")
+                  "token that other machines have to give (default: made once, then kept; printed at each start)")
       ->needs(web);
   command.add_option("--web-token-file", options.web_token_file, "file that holds the token, made where there is none")
       ->needs(web);
@@ -103,8 +122,7 @@ RemoteControl::RemoteControl(const RemoteOptions& options, CommandQueue& command
                              std::shared_ptr<LogRing> log, OscListeners listeners) {
   if (options.web_port) {
     const NetAddress address = address_of(options.web_bind, *options.web_port, "--web-bind");
-    token_ = token_of(options, address);
-    warning_ = options.web_token_file.empty() ? "" : web_token_exposure(options.web_token_file);
+    token_ = token_of(options, address, warning_);
     web_ = std::make_unique<WebServer>(address, token_, commands, board, std::move(log));
   }
   if (options.osc_port) {

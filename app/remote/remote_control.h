@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,8 @@ struct RemoteOptions {
   std::string web_bind = "127.0.0.1";
   std::string web_token;
   std::string web_token_file;
+  //! Keeps the token from start to start where the other two are empty; empty: each start makes a new one.
+  std::filesystem::path kept_token_file;
   std::optional<int> osc_port;
   std::string osc_bind = "127.0.0.1";
   std::vector<std::string> osc_subscribers;  //!< HOST:PORT

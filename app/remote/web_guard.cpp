@@ -148,8 +148,8 @@ bool WebGuard::has_token(std::string_view head) const {
 }
 
 std::string WebGuard::set_cookie() const {
-  constexpr int month_s = 30 * 24 * 3600;
-  return std::string(cookie_name) + token_ + "; Path=/; Max-Age=" + std::to_string(month_s) +
+  constexpr int year_s = 365 * 24 * 3600;
+  return std::string(cookie_name) + token_ + "; Path=/; Max-Age=" + std::to_string(year_s) +
          "; HttpOnly; SameSite=Strict";
 }
 

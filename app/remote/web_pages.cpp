@@ -168,7 +168,9 @@ void WebPages::take_command(const httplib::Request& request, httplib::Response& 
     return;
   }
   try {
-    commands_.push(parse_json_command(request.body, board_.read()));
+    TransportCommand command = parse_json_command(request.body, board_.read());
+    command.source = "web " + request.remote_addr;
+    commands_.push(std::move(command));
     response.set_content(answer_json(""), json_type);
   } catch (const Error& error) {
     response.status = 400;

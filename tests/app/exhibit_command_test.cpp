@@ -92,6 +92,12 @@ TEST_F(ExhibitInAWindow, ShowsTheAttractShowWhenNobodyComes) {
   EXPECT_THAT(log(), testing::Not(HasSubstr("a visitor has come")));
 }
 
+TEST_F(ExhibitInAWindow, NotesInItsLogThatAnAttractShowDoesNotFitTheScreen) {
+  write("visitor.toml", scene_ + "projection = \"pinhole\"\n");
+  ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;
+  EXPECT_THAT(log(), HasSubstr("attract: is no flat show"));
+}
+
 TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
   ASSERT_EQ(run("bake attract.toml --out attract.trajectory --size 16 --no-derivatives"), 0) << output_;
   ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;

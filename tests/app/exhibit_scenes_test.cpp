@@ -8,6 +8,8 @@
 #include <cstdlib>
 
 #include "app/exhibit/supervisor.h"
+#include "app/navigation/flight_space.h"
+#include "app/show_loading.h"
 #include "render/overlay/caption_image.h"
 #include "tests/support/folder_test.h"
 
@@ -110,13 +112,84 @@ TEST_F(KeptByAnExhibit, AnOperatorsExposureOutlastsAVisitorsReset) {
               testing::ElementsAre(TransportCommand{Kind::reset, 0.0, {}}, TransportCommand{Kind::exposure, -2.0, {}}));
 }
 
+TEST_F(KeptByAnExhibit, SettingsAreWrittenAtOnceAndAFaderThatMovesOnceASecond) {
+  const auto set_volume = [&](double volume, double after_s) {
+    status_.volume = volume;
+    exhibit_->note({{Kind::volume, volume, {}}});
+    keep_after(after_s);
+  };
+  set_volume(0.5, 0.01);
+  EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.5"));
+  set_volume(0.25, 0.5);
+  EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.5"));
+  keep_after(0.6);
+  EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.25"));
+  set_volume(0.75, 0.01);
+  exhibit_->keep_last();
+  EXPECT_THAT(text("settings.toml"), HasSubstr("volume = 0.75"));
+}
+
+TEST_F(KeptByAnExhibit, AVisitorWhoSeesOnlyBlackIsToldHowToGetBackAndThenTakenThere) {
+  exhibit_->advance(10.0, true, false);
+  exhibit_->note_light(0.0);
+  exhibit_->advance(15.0, true, false);
+  ASSERT_FALSE(exhibit_->captions(false).empty());
+  EXPECT_THAT(exhibit_->captions(false).at(1).text.at("en"), HasSubstr("Delete"));
+  EXPECT_THAT(exhibit_->captions(true).at(1).text.at("en"), HasSubstr("right stick"));
+  EXPECT_THAT(exhibit_->captions(true).at(2).text.at("en"), HasSubstr("in 15 s"));
+  EXPECT_EQ(exhibit_->opacity(), 1.0);
+  EXPECT_FALSE(exhibit_->take_return());
+  exhibit_->advance(30.0, true, false);
+  EXPECT_TRUE(exhibit_->take_return());
+  EXPECT_FALSE(exhibit_->take_return());
+}
+
+TEST_F(KeptByAnExhibit, ABlackAttractShowIsNobodysToLeave) {
+  exhibit_->advance(100.0, false, false);
+  ASSERT_EQ(exhibit_->scene(), ExhibitScene::attract);
+  exhibit_->note_light(0.0);
+  exhibit_->advance(150.0, false, false);
+  EXPECT_FALSE(exhibit_->take_return());
+  EXPECT_TRUE(exhibit_->captions(false).empty());
+}
+
+TEST(ExhibitShows, AreFlatOnFlatScreensWithStarsAndADisk) {
+  const Show visitor = load_show(usual_visitor_show);
+  EXPECT_EQ(visitor.view.projection, ViewProjection::pinhole);
+  EXPECT_TRUE(visitor.disk.has_value());
+  EXPECT_FALSE(visitor.sky.stars.empty());
+  EXPECT_TRUE(may_fall_through_horizon(visitor));
+  const Show attract = load_show(usual_attract_show(visitor));
+  EXPECT_EQ(attract.view.projection, ViewProjection::pinhole);
+  EXPECT_EQ(attract_mismatch(visitor, attract), "");
+}
+
+TEST(ExhibitShows, AreForDomesOnDomes) {
+  Show visitor = load_show(usual_visitor_show);
+  override_view(visitor, "dome", "");
+  const Show attract = load_show(usual_attract_show(visitor));
+  EXPECT_EQ(attract.view.projection, ViewProjection::dome);
+  EXPECT_EQ(attract_mismatch(visitor, attract), "");
+}
+
+TEST(ExhibitShows, ThatDoNotFitTheDisplayAreAWarningWithARemedy) {
+  Show flat;
+  flat.view.projection = ViewProjection::pinhole;
+  flat.name = "flat";
+  Show dome;
+  dome.view.projection = ViewProjection::dome;
+  dome.name = "evening";
+  EXPECT_THAT(attract_mismatch(flat, dome),
+              testing::AllOf(HasSubstr("evening: is no flat show"), HasSubstr("--projection pinhole")));
+  EXPECT_THAT(attract_mismatch(dome, flat),
+              testing::AllOf(HasSubstr("flat: is a flat show"), HasSubstr("--projection dome")));
+}
+
 TEST_F(KeptByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
   std::filesystem::create_directory(folder_ / "settings.toml");
   status_.volume = 0.5;
   exhibit_->note({{Kind::volume, 0.5, {}}});
   keep_after(1.0);
-  EXPECT_EQ(exhibit_->problem(), "") << "before it was tried";
-  keep_after(3.0);
   EXPECT_THAT(exhibit_->problem(),
               testing::AllOf(HasSubstr("settings.toml: settings are not kept"), HasSubstr("free space")));
 }
@@ -126,7 +199,7 @@ TEST_F(KeptByAnExhibit, SettingsAreWrittenOnceTheDiskTakesThemAgain) {
   status_.volume = 0.5;
   exhibit_->note({{Kind::volume, 0.5, {}}});
   keep_after(1.0);
-  keep_after(3.0);
+  EXPECT_NE(exhibit_->problem(), "");
   std::filesystem::remove(folder_ / "settings.toml");
   keep_after(11.0);
   EXPECT_EQ(exhibit_->problem(), "");

@@ -49,6 +49,14 @@ TEST(Exhibit, EndsALimitedSessionHoweverItIsTouched) {
   EXPECT_EQ(exhibit.scene(), ExhibitScene::attract);
 }
 
+TEST(Exhibit, GivesTheNextVisitorATurnAfterThreeMinutesByItself) {
+  Exhibit exhibit{ExhibitTimes{}};
+  exhibit.advance(0.0, true);
+  EXPECT_FALSE(exhibit.advance(179.0, true));
+  EXPECT_DOUBLE_EQ(exhibit.ending_in_s().value_or(-1.0), 1.0);
+  EXPECT_TRUE(exhibit.advance(180.0, true));
+}
+
 TEST(Exhibit, RestsAfterALimitedSession) {
   Exhibit exhibit({.idle_s = 60.0, .session_s = 120.0, .welcome_s = 8.0, .rest_s = 3.0});
   exhibit.advance(0.0, true);
@@ -60,7 +68,7 @@ TEST(Exhibit, RestsAfterALimitedSession) {
 TEST(Exhibit, SaysWhenASessionIsAboutToEnd) {
   Exhibit exhibit({.idle_s = 600.0, .session_s = 120.0, .welcome_s = 8.0, .rest_s = 3.0});
   exhibit.advance(0.0, true);
-  exhibit.advance(109.0, false);
+  exhibit.advance(99.0, false);
   EXPECT_FALSE(exhibit.ending_in_s().has_value());
   exhibit.advance(113.0, false);
   EXPECT_DOUBLE_EQ(exhibit.ending_in_s().value_or(-1.0), 7.0);

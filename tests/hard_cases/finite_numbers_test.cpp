@@ -112,7 +112,8 @@ TEST_P(BuiltInShows, LetNothingLeaveAKernelThatIsNoNumberThroughAGrid) {
 INSTANTIATE_TEST_SUITE_P(Of, BuiltInShows,
                          testing::Values("once-around", "fall", "zoom-whirl", "through", "plunge", "eyes",
                                          "first-light", "dome-still", "grid-sky", "prograde-edge", "free-flight",
-                                         "star-field", "star-trails", "disk", "shells", "planet", "published-effects"),
+                                         "exhibit", "attract", "star-field", "star-trails", "disk", "shells", "planet",
+                                         "published-effects"),
                          [](const auto& each) {
                            std::string name = each.param;
                            std::replace(name.begin(), name.end(), '-', '_');

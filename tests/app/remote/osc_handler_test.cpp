@@ -211,6 +211,12 @@ TEST_F(Osc, WhatIsWrongIsALineOfTheLogAndAFloodDoesNotFillIt) {
   EXPECT_NEAR(static_cast<double>(warnings_.size()), 110.0, 1.0) << "ten at once, and one a second";
 }
 
+TEST_F(Osc, CommandsNameTheAddressThatTheyCameFrom) {
+  const std::deque<TransportCommand> commands = commands_of("/ergodome/play", "");
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(commands[0].source, "OSC 127.0.0.1");
+}
+
 TEST_F(Osc, BundlesWaitForTheirTime) {
   receive(bundle_of(in_seconds(2.0), {packet_of("/ergodome/play", ""), packet_of("/ergodome/seek", "i", 5)}));
   EXPECT_THAT(commands_.take_all(), IsEmpty());

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "tests/support/errors.h"
+#include "tests/support/folder_test.h"
 
 namespace ergodome {
 namespace {
@@ -67,6 +68,52 @@ TEST_F(RemoteControlTest, MakesATokenForTheNetworkAndPrintsItsUse) {
   httplib::Client inside("127.0.0.1", remote->web_address()->port());
   EXPECT_EQ(inside.Get("/api/status")->status, 200) << "loopback needs no token, wherever else the page listens";
   EXPECT_TRUE(log_->after(0).empty()) << "a token in the log";
+}
+
+class KeptToken : public test::FolderTest {
+ protected:
+  //! Starts a page for others; returns its first address with a token, and what it warns of.
+  std::string start(const std::filesystem::path& file) {
+    RemoteOptions options = parsed({"--web", "0", "--web-bind", "0.0.0.0"});
+    options.kept_token_file = file;
+    CommandQueue commands;
+    const StatusBoard board;
+    const RemoteControl remote(options, commands, board, std::make_shared<LogRing>(), OscListeners());
+    warning_ = remote.warning();
+    const std::string last = remote.greeting().back();
+    const std::size_t at = last.find("token=");
+    return at == std::string::npos ? "" : last.substr(at);
+  }
+
+  std::string warning_;
+};
+
+TEST_F(KeptToken, IsTheSameAfterARestartAndItsOwnersAlone) {
+  if (outward_addresses().empty()) {
+    GTEST_SKIP() << "this machine has no address but loopback";
+  }
+  const std::filesystem::path file = folder_ / "state" / "web-token";
+  const std::string first = start(file);
+  EXPECT_EQ(first.size(), std::string("token=").size() + 32U);
+  EXPECT_EQ(start(file), first);
+  EXPECT_EQ(warning_, "");
+  EXPECT_EQ(std::filesystem::status(file).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+TEST_F(KeptToken, ThatOthersMayHaveReadIsWarnedOf) {
+  const std::filesystem::path file = folder_ / "web-token";
+  start(file);
+  std::filesystem::permissions(file, std::filesystem::perms::others_read, std::filesystem::perm_options::add);
+  start(file);
+  EXPECT_THAT(warning_, HasSubstr("chmod 600"));
+}
+
+TEST_F(KeptToken, ThatCannotBeReadDoesNotKeepTheShowFromStarting) {
+  std::filesystem::create_directory(folder_ / "web-token");
+  const std::string token = start(folder_ / "web-token");
+  EXPECT_THAT(warning_, HasSubstr("this start has a token of its own"));
+  EXPECT_EQ(token.empty(), outward_addresses().empty());
 }
 
 TEST_F(RemoteControlTest, NamesTheRemedyWhereAPortIsInUse) {

@@ -71,7 +71,9 @@ TEST_F(OnLoopback, CommandsReachTheQueue) {
   const auto answer = client().Post("/api/command", R"({"kind": "exposure", "value": 1.5})", json_type);
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->status, 200);
-  EXPECT_THAT(commands_.take_all(), testing::ElementsAre(TransportCommand{TransportCommand::Kind::exposure, 1.5, ""}));
+  const std::deque<TransportCommand> commands = commands_.take_all();
+  ASSERT_THAT(commands, testing::ElementsAre(TransportCommand{TransportCommand::Kind::exposure, 1.5, ""}));
+  EXPECT_EQ(commands[0].source, "web 127.0.0.1");
 }
 
 TEST_F(OnLoopback, WhatIsRefusedIsSaidAndDoesNothing) {
