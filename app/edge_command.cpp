@@ -10,7 +10,7 @@
 #include "app/commands.h"
 #include "app/output_file.h"
 #include "app/ray_groups.h"
-#include "content/files/atomic_file.h"
+#include "app/table_file.h"
 #include "content/ray_table.h"
 #include "kernels/core/angles.h"
 #include "kernels/shadow/critical_curve.h"
@@ -54,7 +54,7 @@ void run_edge(const EdgeOptions& options) {
       text += fmt::format("{},{:.17g}\n", rows[i].id, edge_distance(camera, chart, rows[i].direction));
     }
   });
-  write_text_atomically(options.out, text);
+  write_table(options.out, text);
 }
 
 }  // namespace
@@ -67,7 +67,11 @@ void add_edge_command(CLI::App& app) {
   command->add_option("--out", options->out, "table to write")->required();
   command->add_option("--points", options->points, "write this many points of the edge for each camera instead")
       ->check(CLI::Range(1, 1'000'000));
+  command->footer(
+      ray_table_help() +
+      "\nedge_distance: angle from the shadow's edge [rad], positive outside. Points are directions as n_* are.");
   command->callback([options] {
+    require_table_ending("--out", options->out);
     require_output_file("--out", options->out, {options->rays});
     run_edge(*options);
   });

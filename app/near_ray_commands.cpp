@@ -10,8 +10,8 @@
 #include "app/ray_groups.h"
 #include "app/shell_crossing_table.h"
 #include "app/show_loading.h"
+#include "app/table_file.h"
 #include "app/usage_error.h"
-#include "content/files/atomic_file.h"
 #include "content/ray_table.h"
 
 namespace ergodome {
@@ -26,7 +26,7 @@ void write_lines(const RayFiles& files, const char* head, const LinesOf& lines) 
   std::string text = head;
   for_each_camera(
       rows, [&](std::size_t begin, std::size_t end) { text += lines(std::span(rows).subspan(begin, end - begin)); });
-  write_text_atomically(files.out, text);
+  write_table(files.out, text);
 }
 
 void run_disk(const NearRayOptions& options, const RayFiles& files) {

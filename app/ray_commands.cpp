@@ -17,7 +17,7 @@
 #include "app/output_file.h"
 #include "app/pixel_text.h"
 #include "app/ray_groups.h"
-#include "content/files/atomic_file.h"
+#include "app/table_file.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"
 #include "content/ray_table.h"
@@ -229,8 +229,8 @@ void run_trace(const RayOptions& options) {
       trace_group<double>(rows, begin, end, options, table);
     }
   });
-  write_text_atomically(options.out, "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" +
-                                         joined_in_place(table.lines, grouped.place));
+  write_table(options.out,
+              "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" + joined_in_place(table.lines, grouped.place));
   if (table.unresolved > 0) {
     print_note("{} of {} did not converge; give {}another --method", table.unresolved, counted(rows.size(), "ray"),
                options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
@@ -242,8 +242,7 @@ void run_trace(const RayOptions& options) {
 void add_trace_command(CLI::App& app) {
   auto options = std::make_shared<RayOptions>();
   CLI::App* command = app.add_subcommand("trace", "Trace single light rays from a table to a table");
-  command->add_option("--rays", options->rays, "table of rays (CSV: a,r,theta,observer,n_r,n_theta,n_phi[,beta_*,id])")
-      ->required();
+  command->add_option("--rays", options->rays, "table of rays (CSV; its columns are listed below)")->required();
   command->add_option("--out", options->out, "table to write")->required();
   CLI::Option* const method =
       command
@@ -285,8 +284,14 @@ void add_trace_command(CLI::App& app) {
            {"--tolerance", "--precision"});
   idle.add("with --method quadtree", [options] { return options->method == "quadtree"; },
            {"--tolerance", "--precision"});
+  command->footer(
+      ray_table_help() +
+      "\nsky_x, sky_y, sky_z: unit vector to where light that escapes comes from, far away: z along the spin "
+      "axis, x\ntowards phi = 0, y towards phi = 90 degrees. g: frequency that the camera sees, of light that "
+      "is sent out with 1 there.");
   command->callback([options, near_field, idle] {
     idle.refuse();
+    require_table_ending("--out", options->out);
     require_output_file("--out", options->out, {options->rays, near_field->objects});
     if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
       run_trace(*options);

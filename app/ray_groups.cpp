@@ -23,6 +23,21 @@ bool same_camera(const RayRow& a, const RayRow& b) { return camera_of(a) == came
 
 }  // namespace
 
+std::string ray_table_help() {
+  return "Columns of the table of rays (a line each, named in the first; others are ignored; M = 1):\n"
+         "  a or spin             of the hole, -1 to 1\n"
+         "  r                     of the camera [M]\n"
+         "  theta or theta_deg    its angle from the spin axis [rad or degrees]: 0 over the pole, pi/2 on the equator\n"
+         "  observer              zamo, static, geodesic, retrograde, rain, boost, rain_boost: how the camera moves\n"
+         "  beta_r, beta_theta, beta_phi   of boost and rain_boost: velocity against the zamo or the rain, below 1\n"
+         "  n_r, n_theta, n_phi   to where the light seems to come from, in the observer's frame; of any length but 0\n"
+         "  id                    any text that comes back with the ray's results (else: its number, from 0)\n"
+         "Axes: e_r away from the hole, e_theta away from the spin axis's north (towards larger theta), e_phi the way "
+         "a hole\n"
+         "of positive spin turns. The camera is at phi = 0.\n"
+         "The ending of --out chooses the format: .csv, .tsv (tabs) or .json (an array of objects).";
+}
+
 GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
   std::map<decltype(camera_of(rows[0])), std::size_t> number_of;
   std::vector<std::size_t> camera(rows.size());

@@ -21,7 +21,7 @@ struct RayRow {
   Vector3<double> direction{};  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
 };
 
-//! Reads a table of rays (CSV with a header; columns a, r, theta, observer, n_r, n_theta, n_phi, and beta_r, beta_theta, beta_phi
+//! Reads a table of rays (CSV with a header; columns a or spin, r, theta or theta_deg, observer, n_r, n_theta, n_phi, and beta_r, beta_theta, beta_phi
 //! for the observers "boost" and "rain_boost"; `id` is optional, others are ignored). Throws Error with file and line for missing columns, those of a velocity where a row has such an observer among them,
 //! what is not a number, cameras within the horizon whose observer is no rain, or that are too near to the inner one, observers that cannot
 //! exist, directions without length.

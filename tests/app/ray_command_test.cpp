@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/app/command_line.h"
@@ -38,6 +39,44 @@ TEST_F(RayCommands, TraceGivesTheReferenceForEveryRayByEveryExactMethod) {
       }
     }
   }
+}
+
+TEST_F(RayCommands, AxesAreAsTheHelpSays) {
+  // Without spin, light from straight out comes from there; far from the hole directions are as they seem, but for its bending
+  // by some 2 M / r.
+  write("rays.csv",
+        "spin,r,theta_deg,observer,n_r,n_theta,n_phi,id\n0,10,90,zamo,5,0,0,out\n0,10,30,zamo,1,0,0,high\n"
+        "0.9,1e9,60,zamo,0,3,0,south\n0.9,1e9,60,zamo,0,0,0.5,east\n");
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv"), 0) << output_;
+  const auto rows = test::read_csv(folder_ / "sky.csv");
+  const double half_root_3 = 0.5 * std::sqrt(3.0);
+  const double expected[4][3] = {{1, 0, 0}, {0.5, 0, half_root_3}, {0.5, 0, -half_root_3}, {0, 1, 0}};
+  ASSERT_EQ(rows.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(std::stod(rows[i].at("sky_x")), expected[i][0], 1e-8) << rows[i].at("id");
+    EXPECT_NEAR(std::stod(rows[i].at("sky_y")), expected[i][1], 1e-8) << rows[i].at("id");
+    EXPECT_NEAR(std::stod(rows[i].at("sky_z")), expected[i][2], 1e-8) << rows[i].at("id");
+  }
+}
+
+TEST_F(RayCommands, EndingsOfOutChooseTheFormat) {
+  write("rays.csv",
+        "a,r,theta,observer,n_r,n_theta,n_phi,id\n0.9,6,1.2,zamo,-0.2,0.3,0.9,007\n0.9,6,1.2,zamo,-1,0,0,in\n");
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.csv"), 0) << output_;
+  const auto csv = test::read_csv(folder_ / "sky.csv");
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.TSV"), 0) << output_;
+  EXPECT_THAT(text("sky.TSV"), HasSubstr("007\tescaped\t" + csv[0].at("sky_x") + "\t"));
+  ASSERT_EQ(run("trace --rays rays.csv --out sky.json"), 0) << output_;
+  const nlohmann::json json = nlohmann::json::parse(text("sky.json"));
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(json[0]["id"], "007");
+  EXPECT_EQ(json[0]["sky_x"].get<double>(), std::stod(csv[0].at("sky_x")));
+  EXPECT_EQ(json[1]["status"], "captured");
+  EXPECT_TRUE(json[1]["sky_x"].is_null());
+  ASSERT_EQ(run("edge --rays rays.csv --out edge.json --points 4"), 0) << output_;
+  EXPECT_EQ(nlohmann::json::parse(text("edge.json")).size(), 4U);
+  EXPECT_EQ(run("edge --rays rays.csv --out edge.xlsx"), 2);
+  EXPECT_THAT(output_, HasSubstr("let it end in .csv, .tsv or .json"));
 }
 
 TEST_F(RayCommands, TraceWorksByEveryMethodInBothPrecisions) {
@@ -144,14 +183,14 @@ TEST_F(RayCommands, TraceBuildsAGridOnceForEachCameraWhereverItsRowsStand) {
   const std::string near = "0.5,8,1.2,zamo,-0.2,0.3,0.9,near\n";
   const std::string far = "0.5,12,1.2,zamo,-0.2,0.3,0.9,far\n";
   write("mixed.csv", header + near + far + near + far + near);
-  ASSERT_EQ(run("trace --rays mixed.csv --out mixed.out --method grid --size 512"), 0) << output_;
+  ASSERT_EQ(run("trace --rays mixed.csv --out sky.csv --method grid --size 512"), 0) << output_;
   std::istringstream told(output_);
   int grids = 0;
   for (std::string line; std::getline(told, line);) {
     grids += line.starts_with("a 0.5 r ") ? 1 : 0;
   }
   EXPECT_EQ(grids, 2) << output_;
-  const auto rows = test::read_csv(folder_ / "mixed.out");
+  const auto rows = test::read_csv(folder_ / "sky.csv");
   ASSERT_EQ(rows.size(), 5U);
   const char* const ids[] = {"near", "far", "near", "far", "near"};
   for (std::size_t i = 0; i < rows.size(); ++i) {

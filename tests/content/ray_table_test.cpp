@@ -73,7 +73,9 @@ TEST(RayTable, ProblemsNameTheLine) {
               AllOf(HasSubstr("rays.csv:3"), HasSubstr("\"x\"")));
   EXPECT_THAT(ray_problem(header + "0,nan,1,zamo,1,0,0\n"), HasSubstr("not a number"));
   EXPECT_THAT(ray_problem(header + "0,9,1,zamo,inf,0,0\n"), HasSubstr("not a number"));
-  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,0,0,0\n"), HasSubstr("no length"));
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,0,0,0\n"),
+              HasSubstr("n_r, n_theta, n_phi are all 0, which is no direction"));
+  EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1,nan,0\n"), HasSubstr("n_theta is \"nan\", not a number"));
   EXPECT_THAT(ray_problem(header + "0,9,1,zamo,1\n"), HasSubstr("not a number"));
   EXPECT_THAT(ray_problem(header + "0,1.9,1,zamo,1,0,0\n"), HasSubstr("horizon"));
   EXPECT_THAT(ray_problem(header + "1.1,9,1,zamo,1,0,0\n"), HasSubstr("a is 1.1"));
@@ -81,6 +83,26 @@ TEST(RayTable, ProblemsNameTheLine) {
   EXPECT_THAT(ray_problem(header + "0,9,1,tourist,1,0,0\n"), HasSubstr("tourist"));
   EXPECT_THAT(ray_problem(header + "0.9,1.95,1.57,static,1,0,0\n"), HasSubstr("outrun light"));
   EXPECT_THAT(ray_problem(header + std::string(70'000, '1') + "\n"), HasSubstr("too much"));
+}
+
+TEST(RayTable, TakesSpinAndDegreesByTheirColumnsNames) {
+  const auto rows =
+      parsed_rays("spin,r,theta_deg,observer,n_r,n_theta,n_phi\n0.5,6,60,zamo,0,0,2\n-1,6,180,zamo,0,0,2\n");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].spin, 0.5);
+  EXPECT_NEAR(rows[0].theta, 1.0471975511965976, 1e-15);
+  EXPECT_EQ(rows[0].direction.z, 1.0);
+  EXPECT_EQ(rows[1].spin, -1.0);
+  EXPECT_NEAR(rows[1].theta, 3.141592653589793, 1e-15);
+  const std::string degrees = "spin,r,theta_deg,observer,n_r,n_theta,n_phi\n";
+  EXPECT_THAT(ray_problem(degrees + "0.5,6,181,zamo,1,0,0\n"), HasSubstr("theta_deg is 181"));
+  EXPECT_THAT(ray_problem(degrees + "0.5,6,x,zamo,1,0,0\n"), HasSubstr("theta_deg is \"x\""));
+  EXPECT_THAT(ray_problem(degrees + "1.5,6,90,zamo,1,0,0\n"), HasSubstr("spin is 1.5"));
+  EXPECT_THAT(ray_problem(header + "0.5,6,60,zamo,1,0,0\n"), HasSubstr("name the column theta_deg"));
+  EXPECT_THAT(ray_problem("a,spin,r,theta,observer,n_r,n_theta,n_phi\n"), HasSubstr("both columns a and spin"));
+  EXPECT_THAT(ray_problem("a,r,theta,theta_deg,observer,n_r,n_theta,n_phi\n"),
+              HasSubstr("both columns theta and theta_deg"));
+  EXPECT_THAT(ray_problem("r,theta,observer,n_r,n_theta,n_phi\n"), HasSubstr("no column a (nor spin)"));
 }
 
 TEST(RayTable, NothingInALineIsIgnored) {
