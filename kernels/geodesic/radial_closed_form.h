@@ -115,47 +115,121 @@ struct RadialMotion {
   double drag_error;  //!< what ψ may be off by: its two parts nearly cancel where the horizons are close [rad]
 };
 
+namespace detail {
+
+//! Horizons for the partial fractions of the frame dragging, and the weight of what they give.
+struct HorizonPair {
+  double outer;
+  double inner;
+  double spin2;  //!< their product [M²]
+  double weight;
+};
+
+//! Pairs of horizons whose weighted drags are the hole's.
+struct HorizonPairs {
+  HorizonPair pair[4];
+  int count;
+};
+
+//! Returns the hole's own horizons, or four pairs that stand for them. Partial fractions over the own horizons lose as many
+//! digits as the gap between these is smaller than the ray's distance from them. Where the gap is too small, the drag is
+//! extrapolated: a (2u - a L u²) / ((1 - u)² - x u²) is an analytic function of x, the square of half the gap, and Lagrange's
+//! polynomial through four larger x gives its value at the hole's own x to 1e-14.
+ERGO_HD HorizonPairs horizon_pairs(double spin, double largest_u) {
+  const double a2 = spin * spin;
+  const double half_gap = ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
+  const double h = ::fmin(8e-3 * (1.0 - largest_u) / largest_u, 3e-3);
+  if (h > 0.0 && half_gap < 4.0 * h) {
+    HorizonPairs pairs{{}, 4};
+    const double target = half_gap / h;
+    for (int i = 0; i < 4; ++i) {
+      const double own = i + 1.0;
+      double weight = 1.0;
+      for (int j = 0; j < 4; ++j) {
+        const double other = j + 1.0;
+        weight *= i == j ? 1.0 : (target * target - other * other) / (own * own - other * other);
+      }
+      pairs.pair[i] = {1.0 + own * h, 1.0 - own * h, (1.0 - own * h) * (1.0 + own * h), weight};
+    }
+    return pairs;
+  }
+  // At the horizon and within it those of an extremal hole are held apart.
+  const double held = ::fmax(half_gap, 3e-6);
+  const bool apart = held > half_gap;
+  const double outer = 1.0 + held;
+  const double inner = apart ? 1.0 - held : a2 / outer;
+  return {{{outer, inner, apart ? outer * inner : a2, 1.0}}, 1};
+}
+
+//! A drag, and what rounding of its parts may have done to it [rad].
+struct Drag {
+  double angle;
+  double error;
+};
+
+//! ∫_0^x a (2u - a L u²) / Δu² du / √U in partial fractions over the horizons, and the Mino time on the way.
+ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const RadialRoots& roots, double x, double rate,
+                     double& time) {
+  Drag drag{0.0, 0.0};
+  for (int i = 0; i < pairs.count; ++i) {
+    const HorizonPair& p = pairs.pair[i];
+    const double rho[2] = {p.outer, p.inner};
+    const RadialIntegrals integrals = radial_integrals(roots, x, rate, rho);
+    time = integrals.time;
+    if (spin == 0.0) {
+      break;  // none, and the inner pole of a ray straight out is where its roots are
+    }
+    // With inner = a²/outer: a (2 inner - a L) / (inner (inner - outer)) = (2 a - L outer) / (inner - outer), good at a = 0.
+    const double share = pairs.count > 1 || p.spin2 != spin * spin ? spin * spin / p.spin2 : 1.0;
+    const double gap = p.outer - p.inner;
+    const double at_outer = spin * (2.0 * p.outer - spin * l) / (p.outer * gap) * integrals.pole[0];
+    const double at_inner = -(2.0 * spin - share * l * p.outer) / gap * integrals.pole[1];
+    drag.angle += p.weight * (at_outer + at_inner - l * share * integrals.time);
+    // Some ten operations each.
+    drag.error += 2e-15 * ::fabs(p.weight) * (::fabs(at_outer) + ::fabs(at_inner));
+  }
+  return drag;
+}
+
+//! Estimates the error of a drag up to u that is not the rounding of its parts [rad]: the camera's position is rounded, which
+//! matters beside a horizon; so are the ray's constants, and where the horizons are close the drag amplifies that by the third
+//! power of 1 / (1 - u); and horizons may be held apart.
+ERGO_HD double drag_error_at(double spin, const HorizonPairs& pairs, double u) {
+  if (spin == 0.0) {
+    return 0.0;
+  }
+  const double half_gap = ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
+  const double beside = ::fabs(1.0 - (1.0 + half_gap) * u);
+  const double placed = beside < 0.01 ? 2e-16 / (beside * ::fmax(beside, 2.0 * half_gap) + 1e-300) : 0.0;
+  const double to_horizon = ::fmax(::fmax(::fabs(1.0 - u), half_gap), 1e-4);
+  const bool held = pairs.count == 1 && half_gap < 3e-6;
+  return placed + (held ? 1e-11 : 4e-15) / (to_horizon * to_horizon * to_horizon);
+}
+
+}  // namespace detail
+
 ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
   const RadialRoots roots = radial_roots(spin, ray);
-  // a (2u - a L u²) / Δu² in partial fractions over the horizons; those of an extremal hole are held 6e-6 apart, which changes the
-  // integrand by less than 1e-11 / (1 - u)⁴.
-  const double half_gap = ::fmax(::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin))), 3e-6);
-  const double outer = 1.0 + half_gap;
-  const double inner = half_gap > 3e-6 ? spin * spin / outer : 1.0 - half_gap;
   const double l = ray.axial_angular_momentum;
-  const double gap = outer - inner;
-  const double product = outer * inner;
-  // With inner = a²/outer: a (2 inner - a L) / (inner (inner - outer)) = (2 a - L outer) / (inner - outer), good at a = 0.
-  const double at_outer = spin * (2.0 * outer - spin * l) / (outer * gap);
-  const double share = half_gap > 3e-6 ? 1.0 : spin * spin / product;
-  const double at_inner = -(2.0 * spin - share * l * outer) / gap;
-  const double constant = -l * share;
-  const double rho[2] = {outer, inner};
-  const auto drag = [&](const RadialIntegrals& i) {
-    // Without spin there is none, and the inner pole of a ray straight out is where its roots are.
-    return spin == 0.0 ? 0.0 : constant * i.time + at_outer * i.pole[0] + at_inner * i.pole[1];
-  };
-  const auto drag_error = [&](const RadialIntegrals& i, double u) {
-    // Rounding of the parts, some ten operations each; and the integral over 1/u of what holding the horizons apart changes.
-    const double to_horizon = ::fmax(::fabs(1.0 - u), 1e-4);
-    const double held = half_gap > 3e-6 ? 0.0 : 1e-11 / (to_horizon * to_horizon * to_horizon);
-    // And of the camera's own place, where the drag changes as 1 over its distance from the horizon.
-    const double beside = ::fabs(1.0 - outer * u);
-    const double placed = beside < 0.01 ? 2e-16 / (gap * beside) : 0.0;
-    return spin == 0.0 ? 0.0 : 2e-15 * (::fabs(at_outer * i.pole[0]) + ::fabs(at_inner * i.pole[1])) + held + placed;
-  };
-  const RadialIntegrals to_camera = radial_integrals(roots, ray.u, ray.u_rate, rho);
   const double r = 1.0 / ray.u;
-  if (!(r > horizon_radius(spin))) {
-    // Principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
-    return {to_camera.time, -(drag(to_camera) + ingoing_turn(spin, r)), drag_error(to_camera, ray.u)};
+  const bool within = !(r > horizon_radius(spin));
+  const bool turns = !within && ray.u_rate > 0.0;
+  const double turn_u = 1.0 / roots.r[3].re;
+  const detail::HorizonPairs pairs = detail::horizon_pairs(spin, within ? 1.0 : turns ? ::fmax(turn_u, ray.u) : ray.u);
+  RadialMotion motion{};
+  const detail::Drag to_camera = detail::drag_to(spin, l, pairs, roots, ray.u, ray.u_rate, motion.time);
+  motion.drag_error = to_camera.error + detail::drag_error_at(spin, pairs, ray.u);
+  if (!turns) {
+    // Within, principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
+    motion.drag = -(to_camera.angle + (within ? ingoing_turn(spin, r) : 0.0));
+    return motion;
   }
-  if (ray.u_rate <= 0.0) {
-    return {to_camera.time, -drag(to_camera), drag_error(to_camera, ray.u)};
-  }
-  const RadialIntegrals to_turn = radial_integrals(roots, 1.0 / roots.r[3].re, 0.0, rho);
-  return {2.0 * to_turn.time - to_camera.time, -(2.0 * drag(to_turn) - drag(to_camera)),
-          2.0 * drag_error(to_turn, 1.0 / roots.r[3].re) + drag_error(to_camera, ray.u)};
+  double turn_time = 0.0;
+  const detail::Drag to_turn = detail::drag_to(spin, l, pairs, roots, turn_u, 0.0, turn_time);
+  motion.time = 2.0 * turn_time - motion.time;
+  motion.drag = -(2.0 * to_turn.angle - to_camera.angle);
+  motion.drag_error += 2.0 * (to_turn.error + detail::drag_error_at(spin, pairs, turn_u));
+  return motion;
 }
 
 }  // namespace ergodome::inline ERGO_TARGET

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "kernels/core/angles.h"
@@ -202,6 +203,55 @@ TEST(Taylor, MeetsItsToleranceWhereTheLastTermsOfTheSeriesVanish) {
     const RayEnd<double> end = trace_taylor<20>(0.0, start, true, {1e-12, 1000}, steps, reached);
     ASSERT_TRUE(reached);
     EXPECT_LT(test::length(end.sky - trace_closed_form(0.0, start).sky), 1e-11) << inwards;
+  }
+}
+
+//! How far a ray's sky direction moves when its direction is rounded otherwise [rad]; more than a turn where it becomes dark.
+double moved_by_rounding(const CameraStation& camera, const Vector3<double>& n, const Vector3<double>& sky) {
+  constexpr double ulps = 4.0 * std::numeric_limits<double>::epsilon();
+  double moved = 0.0;
+  for (const Vector3<double>& other :
+       {Vector3<double>{n.x * (1.0 - ulps), n.y, n.z}, Vector3<double>{n.x, n.y * (1.0 + ulps), n.z},
+        Vector3<double>{n.x, n.y, n.z * (1.0 + ulps)}}) {
+    const Traced neighbour = trace(camera, other);
+    moved = std::max(moved, neighbour.reached ? test::length(neighbour.sky - sky) : 10.0);
+  }
+  return moved;
+}
+
+//! Compares the closed form with the series for rays at a distance outside the shadow's edge; returns how many rounding leaves their digits.
+int compare_beside_edge(const CameraStation& camera, double distance) {
+  const ShadowChart chart = make_shadow_chart(camera);
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double gamma = 2.0 * pi * (i + 0.3) / 40.0;
+    const double alpha = edge_polar_angle(camera, chart, gamma) + distance;
+    const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+    const Traced series = trace(camera, n);
+    const double allowed = 1e-10 + 1e-13 / distance;
+    const double moved = moved_by_rounding(camera, n, series.sky);
+    if (!series.reached || moved > 0.3 * allowed) {
+      continue;
+    }
+    const RayEnd<double> closed = trace_closed_form(camera.spin, start_ray(camera, n));
+    // The constants of the ray are rounded some times each.
+    EXPECT_LT(test::length(series.sky - closed.sky), allowed + 4.0 * moved)
+        << camera.spin << " " << 1.0 / camera.u << " " << distance << " " << gamma;
+    ++compared;
+  }
+  return compared;
+}
+
+TEST(ClosedForm, KeepsItsDigitsWhereTheHorizonsMeet) {
+  for (const double spin : {1.0, -1.0, 1.0 - 1e-13, 1.0 - 1e-10, -1.0 + 1e-7}) {
+    int compared = 0;
+    for (const double r : {1.5, 2.0, 3.0, 6.0}) {
+      for (const double theta : {0.3, 1.0, 1.57}) {
+        const CameraStation camera = make_camera_station(spin, r, theta, 0.0, ObserverMotion::zamo);
+        compared += compare_beside_edge(camera, 1e-2) + compare_beside_edge(camera, 1e-4);
+      }
+    }
+    EXPECT_GT(compared, 700) << spin;
   }
 }
 
