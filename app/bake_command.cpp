@@ -37,6 +37,7 @@ namespace fs = std::filesystem;
 
 struct BakeOptions {
   std::string show;
+  ShowSettings set;
   std::string out;
   std::string part;
   int size_px = 0;
@@ -173,7 +174,7 @@ void say(const fs::path& file, const BakeResult& result, double seconds) {
 void run(const BakeOptions& options) {
   require_output_file("--out", options.out, {options.show});
   const auto start = std::chrono::steady_clock::now();
-  const Show show = load_show(options.show);
+  const Show show = load_show(options.show, options.set);
   if (show.grid_scheme != GridScheme::conforming) {
     throw Error(show.name, "the quadtree grid is for comparison and is not baked", "leave grid.scheme out of the show");
   }
@@ -218,6 +219,7 @@ void add_bake_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "bake", "Compute the lenses along a show's camera path beforehand; goes on where an earlier run was stopped");
   command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
+  add_set_option(*command, options->set);
   command->add_option("--out", options->out, "trajectory file to write")->required();
   command->add_option("--part", options->part, "K/N: bake this stretch alone, beside other processes with the others")
       ->check([](const std::string& text) {

@@ -29,6 +29,7 @@ namespace {
 
 struct DiagramOptions {
   std::string show;
+  ShowSettings set;
   std::string out;
   double time_s = 0.0;
   std::string frames;
@@ -173,7 +174,7 @@ void draw_film(const DiagramOptions& options, const Show& show, const Diagram& d
 }
 
 void run_diagram(const DiagramOptions& options) {
-  const Show show = load_show(options.show);
+  const Show show = load_show(options.show, options.set);
   const auto [width_px, height_px] = size_of(options.size);
   const DiagramSettings settings{images_of(options.images), options.rays};
   static_cast<void>(outside_direction_of(options, show, 0.0));
@@ -193,6 +194,7 @@ void add_diagram_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "diagram", "Draw a show's hole, observer and objects from outside, where they seem to be, and light rays");
   command->add_option("show", options->show, "show with objects (.toml, or the name of a built-in one)")->required();
+  add_set_option(*command, options->set);
   command->add_option("--out", options->out, "picture to write (.png); with --frames: folder for them")->required();
   CLI::Option* at = command->add_option("--at", options->time_s, "time of the show [s]")->capture_default_str();
   command

@@ -63,8 +63,9 @@ void add_tone(const ToneSettings& tone, FrameMetadata& facts) {
 FrameMetadata frame_facts(const Show& show, const FrameFile& file) {
   constexpr const char* parts[] = {"whole", "left", "right"};
   const double time_s = frame_time_s(show, file.frame);
-  FrameMetadata facts = {
-      {"show", show.title}, {"frame", std::to_string(file.frame + 1)}, {"time_s", fmt::format("{:.6f}", time_s)}};
+  FrameMetadata facts = {{"show", text_in(show.title, "")},
+                         {"frame", std::to_string(file.frame + 1)},
+                         {"time_s", fmt::format("{:.6f}", time_s)}};
   add_camera(show, time_s, facts);
   facts.emplace_back("projection", projection_names()[static_cast<std::size_t>(show.view.projection)]);
   add_angles(show.view, facts);

@@ -11,6 +11,7 @@
 #include "content/mesh/mesh_files.h"
 #include "content/show_files.h"
 #include "content/show_reader.h"
+#include "render/overlay/camera_readout.h"
 #include "render/overlay/overlay_place.h"
 
 namespace ergodome {
@@ -79,10 +80,12 @@ FrameRequests::FrameRequests(const RenderOptions& options, const Show& show, con
   const std::string written =
       fmt::format("{} {} {} {} {} {} {} {}", options.format, options.compression, options.alpha, options.size_px,
                   options.view, options.view_range, options.method, options.channels);
+  // A readout has no other words that tell languages apart.
+  const std::string words = show.readout ? text_in(readout_text(0.0, 0.0, 0.0), options.language) : "";
   const std::string light = fmt::format("{} {}", options.lens.lens, fmt::join(options.budget, " "));
-  of_all_ =
-      fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", ERGODOME_VERSION, to_toml(drawn_part(options, show)),
-                              setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup)));
+  of_all_ = fingerprint(fmt::format("{}\n{}\n{}\n{}\n{}\n{}{}", ERGODOME_VERSION, to_toml(drawn_part(options, show)),
+                                    setup ? to_toml(*setup) : "", written, light, states_of_files(options, show, setup),
+                                    words));
   // Heat maps have none.
   if (view_mode(options.view) == ViewMode::sky) {
     captions_ = show.timeline.captions;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "content/files/console.h"
 #include "content/idle_lines.h"
@@ -12,7 +13,8 @@ namespace ergodome {
 nlohmann::json facts_of_idle_lines(const Show& show) {
   nlohmann::json lines = nlohmann::json::array();
   for (const IdleLine& idle : idle_lines(show)) {
-    lines.push_back({{"key", idle.key}, {"line", idle.line}, {"why", idle.why}});
+    const nlohmann::json line = idle.line == key_set_outside ? nlohmann::json(nullptr) : nlohmann::json(idle.line);
+    lines.push_back({{"key", idle.key}, {"line", line}, {"why", idle.why}});
   }
   return lines;
 }
@@ -22,8 +24,9 @@ void print_idle_lines(const nlohmann::json& lines) {
     print_out("\nlines that change nothing\n");
   }
   for (const nlohmann::json& idle : lines) {
-    print_out("  {:>5}  {:<40} {}\n", idle["line"].get<int>(), idle["key"].get<std::string>(),
-              idle["why"].get<std::string>());
+    const nlohmann::json& line = idle["line"];
+    print_out("  {:>5}  {:<40} {}\n", line.is_null() ? show_setting_option : std::to_string(line.get<int>()),
+              idle["key"].get<std::string>(), idle["why"].get<std::string>());
   }
 }
 

@@ -46,6 +46,7 @@ namespace {
 
 struct InspectOptions {
   std::string file;
+  ShowSettings set;
   bool json = false;
   std::string picture;
   double time_s = 0.0;
@@ -70,7 +71,8 @@ nlohmann::json facts_of(const Show& show) {
   constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
   constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
   nlohmann::json facts;
-  facts["title"] = show.title;
+  const bool one_title = show.title.size() == 1 && show.title.contains("");
+  facts["title"] = one_title ? nlohmann::json(show.title.at("")) : nlohmann::json(show.title);
   facts["duration_s"] = show.duration_s;
   facts["frames"] = frame_count(show);
   facts["spin"] = show.spin;
@@ -273,7 +275,7 @@ void run(const InspectOptions& options) {
   if (is_image(file)) {
     facts = facts_of(read_environment_image(options.file));
   } else {
-    const Show show = load_show(options.file);
+    const Show show = load_show(options.file, options.set);
     facts = facts_of(show);
     if (!options.picture.empty()) {
       require_time("inspect --time", show, options.time_s);
@@ -305,6 +307,7 @@ void add_inspect_command(CLI::App& app) {
           "file", options->file,
           "show (.toml or the name of a built-in one), trajectory, dome setup (.toml), or equirectangular image")
       ->required();
+  add_set_option(*command, options->set);
   CLI::Option* const picture = command->add_option(
       "--picture", options->picture,
       "draw the lens grid of the show's camera or of a trajectory's station, or a dome's projectors, to this PNG");
@@ -319,8 +322,9 @@ void add_inspect_command(CLI::App& app) {
   command->add_flag("--json", options->json, "as JSON");
   IdleOptions idle(*command);
   idle.add("of a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
-           {"--picture"});
-  idle.add("of a dome setup", [options] { return is_dome_setup(options->file); }, {"--time"});
+           {"--picture", "--set"});
+  idle.add("of a dome setup", [options] { return is_dome_setup(options->file); }, {"--time", "--set"});
+  idle.add("of a trajectory", [options] { return is_trajectory(options->file); }, {"--set"});
   command->callback([options, idle] {
     idle.refuse();
     run(*options);

@@ -61,7 +61,7 @@ std::string times(const json& facts) {
 
 json facts_of_timeline(const Show& show, const std::map<std::string, std::string>& unusable) {
   const Timeline& timeline = show.timeline;
-  json facts = {{"languages", languages(timeline)}, {"duration_s", show.duration_s}};
+  json facts = {{"languages", languages(show)}, {"duration_s", show.duration_s}};
   for (const NamedFile& file : files_of_pictures(show)) {
     json& added = facts["files"].emplace_back(file_facts(show, file, unusable));
     added["key"] = file.key;

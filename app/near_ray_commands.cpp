@@ -43,7 +43,7 @@ void run_shell(const NearRayOptions& options, const RayFiles& files) {
 }
 
 void run_objects(const NearRayOptions& options, const RayFiles& files) {
-  const Show show = load_show(options.objects);
+  const Show show = load_show(options.objects, options.set);
   if (show.objects.empty()) {
     throw UsageError("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
   }
@@ -83,6 +83,7 @@ std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const st
                       "and third corner, place, delay")
           ->excludes(disk)
           ->excludes(shell);
+  add_set_option(command, options->set)->needs(objects);
   command.add_option("--at", options->time_s, "with --objects: time of the show [s]")
       ->check(show_time())
       ->needs(objects);

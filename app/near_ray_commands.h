@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "content/show.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -18,6 +20,7 @@ struct NearRayOptions {
   bool plunging = false;
   std::optional<double> shell_r;
   std::string objects;  //!< a show whose objects are looked for; empty: none
+  ShowSettings set;     //!< keys of that show that --set changes
   double time_s = 0.0;  //!< of that show
 };
 

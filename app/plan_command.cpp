@@ -26,6 +26,7 @@ namespace {
 
 struct PlanOptions {
   std::string show;
+  ShowSettings set;
   std::string projection;
   std::string objects;
   std::string stereo;
@@ -73,7 +74,7 @@ nlohmann::json known(long number) { return number > 0 ? nlohmann::json(number) :
 
 nlohmann::json json_of(const Show& show, const FramePlan& plan) {
   constexpr const char* moments[] = {"start", "place", "picture"};
-  nlohmann::json all = {{"show", show.title},
+  nlohmann::json all = {{"show", text_in(show.title, "")},
                         {"width_px", plan.width_px},
                         {"height_px", plan.height_px},
                         {"eyes", plan.eyes},
@@ -144,7 +145,7 @@ void print(const Measured& measured) {
 }
 
 void run(const PlanOptions& options) {
-  Show show = load_show(options.show);
+  Show show = load_show(options.show, options.set);
   if (options.measure) {
     require_time("plan --time", show, options.time_s);
   }
@@ -206,6 +207,7 @@ void add_plan_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("plan", "Tell what a picture of a show takes, and which lines of the show call for it");
   command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
+  add_set_option(*command, options->set);
   command->add_option("--view", options->view, "what to show")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();

@@ -53,7 +53,7 @@ Show chosen_show(const RenderOptions& options) {
   if (options.show.empty() && options.pattern.empty()) {
     throw UsageError("render", "needs a show, or --pattern", "name a show file or a built-in show");
   }
-  Show show = options.show.empty() ? Show{} : load_show(options.show);
+  Show show = options.show.empty() ? Show{} : load_show(options.show, options.set);
   override_view(show, options.projection, options.stereo);
   override_baseline(show, options.baseline);
   override_tilt(show, options.tilt_deg, !options.setup.empty());
@@ -87,9 +87,12 @@ void require_used_options(const RenderOptions& options, const Show& show) {
   require_used_memory(show, options.lens);
   const bool narrated =
       std::ranges::any_of(show.timeline.audio, [](const AudioTrack& track) { return !track.language.empty(); });
-  if (!options.language.empty() && show.timeline.captions.empty() && (options.movie.empty() || !narrated)) {
+  const bool titled = std::ranges::any_of(show.title, [](const auto& each) { return !each.first.empty(); });
+  if (!options.language.empty() && !titled && !show.readout && show.timeline.captions.empty() &&
+      (options.movie.empty() || !narrated)) {
     throw UsageError("--language " + options.language,
-                     fmt::format("{} has no captions{}", show.name, options.movie.empty() ? "" : " and no narration"),
+                     fmt::format("{} has no captions{}, no readout and no title in several languages", show.name,
+                                 options.movie.empty() ? "" : ", no narration"),
                      "leave it out");
   }
 }
@@ -192,6 +195,8 @@ void run(RenderOptions options) {
   require_movie(options, show);
   tell_movie_losses(options, show);
   tell_language(options, show);
+  // Files hold the title in one language.
+  show.title = {{"", text_in(show.title, options.language)}};
   const auto [first, last] = frame_range(options.frames, frame_count(show));
   // What a budget leaves open is chosen by times that are others in each run.
   const FrameRequests requests(options, show, setup);
@@ -226,6 +231,7 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
   idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
            {"--frames", "--movie", "--fps", "--view", "--view-range", "--method", "--budget", "--check", "--resume",
             "--baseline", "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
+  idle.add("without a show", [options] { return options->show.empty(); }, {"--set"});
   idle.add("of a test pattern for one eye",
            [options] {
              const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
@@ -250,6 +256,7 @@ void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a display");
   command->add_option("show", options->show, "show file (.toml), or the name of a built-in show");
+  add_set_option(*command, options->set);
   command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
   command->add_option("--frames", options->frames, std::string(frame_range_words) + " (default: all)");
   command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));

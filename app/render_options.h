@@ -11,6 +11,7 @@ namespace ergodome {
 //! What a person asks of `render`.
 struct RenderOptions {
   std::string show;
+  ShowSettings set;  //!< keys of the show that --set changes
   std::string out = "frames";
   std::string frames;
   int size_px = 0;

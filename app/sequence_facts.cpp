@@ -130,7 +130,7 @@ Facts facts_of(const Show& show, const FrameFormat& format, FrameSpan frames, in
   const int count = frames.last - frames.first + 1;
   const bool all = count == frame_count(show);
   Facts facts;
-  facts["title"] = show.title;
+  facts["title"] = text_in(show.title, "");
   facts["made_by"] = "Ergodome " ERGODOME_VERSION;
   facts["files"] = files_of(show, format, frames.first);
   facts["frames"] = count;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -39,21 +40,41 @@ std::vector<std::string> built_in_shows(const std::filesystem::path& folder) {
   return names;
 }
 
+//! Reads a show file. What its settings are blamed for is an error of the command line.
+Show read_set_show(const std::filesystem::path& path, const ShowSettings& settings) {
+  try {
+    return read_show_with_settings(path, settings);
+  } catch (const Error& error) {
+    if (error.place().starts_with(show_setting_option)) {
+      throw UsageError(error.place(), error.problem(), error.remedy());
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
-Show load_show(const std::string& name_or_path) {
+Show load_show(const std::string& name_or_path, const ShowSettings& settings) {
   std::error_code problem;
   // A folder that happens to have a built-in show's name does not hide it.
   if (std::filesystem::exists(name_or_path, problem) && !std::filesystem::is_directory(name_or_path, problem)) {
-    return read_show(name_or_path);
+    return read_set_show(name_or_path, settings);
   }
   const std::filesystem::path folder = built_in_content_folder() / "shows";
   const std::filesystem::path built_in = folder / (name_or_path + ".toml");
   if (name_or_path.find('/') == std::string::npos && std::filesystem::exists(built_in, problem)) {
-    return read_show(built_in);
+    return read_set_show(built_in, settings);
   }
   throw Error(name_or_path.empty() ? "\"\"" : name_or_path, "is neither a file nor a built-in show",
               fmt::format("built in are {}", fmt::join(built_in_shows(folder), ", ")));
+}
+
+CLI::Option* add_set_option(CLI::App& command, ShowSettings& settings) {
+  return command
+      .add_option(show_setting_option, settings,
+                  "KEY=VALUE: change a key of the show, as if it stood in the file: hole.spin=0.5, camera.key.0.r=30; "
+                  "may be repeated")
+      ->allow_extra_args(false);
 }
 
 std::vector<std::string> object_method_names() { return {"polygon", "trace"}; }

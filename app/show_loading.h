@@ -9,10 +9,19 @@
 #include "kernels/trace/trace_rays.h"
 #include "render/frame/eye_renderer.h"
 
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace ergodome {
 
-//! Reads a show from a path, or a built-in one by its name ("first-light").
-Show load_show(const std::string& name_or_path);
+//! Reads a show from a path, or a built-in one by its name ("first-light"), with what --set changes in it. Throws UsageError
+//! where that makes no sense.
+Show load_show(const std::string& name_or_path, const ShowSettings& settings = {});
+
+//! Adds --set, which may be repeated. `settings` outlive the command.
+CLI::Option* add_set_option(CLI::App& command, ShowSettings& settings);
 
 //! The words for ViewProjection, in its order.
 std::vector<std::string> projection_names();

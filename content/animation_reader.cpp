@@ -118,7 +118,8 @@ void read_animations(TomlTable& root, const std::string& file, Show& show) {
     TomlTable table(*each, file, fmt::format("animate[{}]", show.timeline.animations.size()));
     Animation animation = read_animation(table, file, show);
     table.refuse_unknown_keys();
-    show.lines["animate." + animation.path] = static_cast<int>(each->source().begin.line);
+    show.lines["animate." + animation.path] =
+        is_from(each->source(), file) ? static_cast<int>(each->source().begin.line) : key_set_outside;
     show.timeline.animations.push_back(std::move(animation));
   }
   check_order(root, show, "stereo.fade.from_deg", "stereo.fade.to_deg", least_fade_deg);

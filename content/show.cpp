@@ -16,6 +16,16 @@ double usual_field_of_view_deg(ViewProjection projection) {
   }
 }
 
+std::vector<std::string> languages(const Show& show) {
+  std::vector<std::string> tags = languages(show.timeline);
+  if (tags.empty()) {
+    Timeline of_title;
+    of_title.chapters = {{0.0, show.title}};
+    tags = languages(of_title);
+  }
+  return tags;
+}
+
 int frame_count(const Show& show) {
   const double frames = std::round(show.duration_s * show.frame_rate_hz);
   return static_cast<int>(std::clamp(frames, 1.0, 1e9));

@@ -228,12 +228,27 @@ struct QualitySettings {
 //! How lens grids are laid out: the conforming chart, or the quadtree of Verbraeck & Eisemann (2021), for comparison.
 enum class GridScheme { conforming, quadtree };
 
+//! Keys and values of the command line that change a show before it is read, each as "hole.spin=0.5".
+using ShowSettings = std::vector<std::string>;
+
+//! The option that gives them, by which messages name them: "--set hole.spin".
+inline constexpr const char* show_setting_option = "--set";
+
+//! The line of a key that is not in the show's file but was set on the command line.
+inline constexpr int key_set_outside = 0;
+
+//! Spin and camera position in the picture, as a line of text.
+struct ReadoutSettings {
+  DomePlace place = {.elevation_deg = 8.0};
+  double letter_deg = 2.0;  //!< height of a line
+};
+
 //! A show as its file tells it; angles in radians but where a name says degrees.
 struct Show {
   std::string name;                  //!< file name without folder and ending
   std::string folder;                //!< where relative paths start
-  std::map<std::string, int> lines;  //!< where the file gives each key, by its path ("sky.stars")
-  std::string title;
+  std::map<std::string, int> lines;  //!< of each key in the file, by its path ("sky.stars")
+  LocalText title;
   double duration_s = 0.0;
   double frame_rate_hz = 30.0;
   double spin = 0.0;
@@ -249,6 +264,7 @@ struct Show {
   ToneSettings tone;
   QualitySettings quality;
   GridScheme grid_scheme = GridScheme::conforming;
+  std::optional<ReadoutSettings> readout;  //!< absent: not shown
   Timeline timeline;
   FlightSettings flight;
 };
@@ -258,6 +274,9 @@ double usual_field_of_view_deg(ViewProjection projection);
 
 //! Number of frames of the whole show; at least one.
 int frame_count(const Show& show);
+
+//! Tags of the languages that a show has captions, chapters or narration in; where it has none, those of its title.
+std::vector<std::string> languages(const Show& show);
 
 //! Show time of a frame, counted from 0 [s].
 double frame_time_s(const Show& show, int frame);

@@ -8,12 +8,18 @@
 
 namespace ergodome {
 
+std::string place_of(const Show& show, const std::string& key) {
+  const auto line = show.lines.find(key);
+  if (line == show.lines.end()) {
+    return show.name + ".toml";
+  }
+  return line->second == key_set_outside ? show_setting_option : fmt::format("{}.toml:{}", show.name, line->second);
+}
+
 Error named_by(const Show& show, const std::string& key, const Error& error) {
   std::string place = key;
   if (!show.name.empty()) {
-    const auto line = show.lines.find(key);
-    place += fmt::format(", {}.toml", show.name);
-    place += line == show.lines.end() ? "" : fmt::format(":{}", line->second);
+    place += ", " + place_of(show, key);
   }
   return {error.place(), fmt::format("{} ({})", error.problem(), place), error.remedy()};
 }

@@ -10,6 +10,9 @@
 // Files that a show names.
 namespace ergodome {
 
+//! Returns where a show gives a key: "evening.toml:12", or "--set"; "evening.toml" where it does not.
+std::string place_of(const Show& show, const std::string& key);
+
 //! `error` of a file that `show` names under `key` ("sky.stars", "shells[1].texture"): says in its problem under which key, of which show,
 //! and at which line where that came from a file.
 Error named_by(const Show& show, const std::string& key, const Error& error);

@@ -14,6 +14,7 @@
 #include "content/objects/object_reader.h"
 #include "content/own_number.h"
 #include "content/shell_reader.h"
+#include "content/show_settings.h"
 #include "content/sky_map.h"
 #include "content/timeline_reader.h"
 #include "content/view_reader.h"
@@ -111,6 +112,7 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
     show.quality.budget_px = quality.number("budget_px", show.quality.budget_px, 1e-6, 100.0);
     quality.refuse_unknown_keys();
   });
+  part("readout", [&](const toml::table& table) { show.readout = read_readout(table, file); });
   read_objects(root, file, show);
   read_fall(root.table("camera"), file, show);
   // Of these numbers' limits, and of the spin that the camera meets.
@@ -123,45 +125,67 @@ void read_parts(TomlTable& root, const std::string& file, Show& show) {
   check_sights_within(root, file, show);
 }
 
+//! Returns the line of a node; key_set_outside for one that is not from the file.
+int line_in(const std::string& file, const toml::node& node) {
+  return is_from(node.source(), file) ? static_cast<int>(node.source().begin.line) : key_set_outside;
+}
+
 //! Notes where the keys of tables stand that a show has several of ("shells[1].texture").
-void note_tables(const toml::array& tables, const std::string& path, std::map<std::string, int>& lines) {
+void note_tables(const toml::array& tables, const std::string& path, const std::string& file,
+                 std::map<std::string, int>& lines) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     if (const toml::table* table = tables[i].as_table()) {
       for (const auto& [key, node] : *table) {
-        lines[fmt::format("{}[{}].{}", path, i, key.str())] = static_cast<int>(node.source().begin.line);
+        lines[fmt::format("{}[{}].{}", path, i, key.str())] = line_in(file, node);
       }
     }
   }
 }
 
 //! Notes where each key of a table stands. What lies beyond a number of keys that no valid show has is left out.
-void note_lines(const toml::table& table, const std::string& path, std::map<std::string, int>& lines) {
+void note_lines(const toml::table& table, const std::string& path, const std::string& file,
+                std::map<std::string, int>& lines) {
   constexpr std::size_t most_lines = 100'000;
   for (const auto& [key, node] : table) {
     if (lines.size() >= most_lines) {
       return;
     }
     const std::string own = path.empty() ? std::string(key.str()) : fmt::format("{}.{}", path, key.str());
-    lines[own] = static_cast<int>(node.source().begin.line);
+    lines[own] = line_in(file, node);
     if (const toml::table* below = node.as_table()) {
-      note_lines(*below, own, lines);
+      note_lines(*below, own, file, lines);
     } else if (const toml::array* several = node.as_array(); several != nullptr && path.empty()) {
-      note_tables(*several, own, lines);
+      note_tables(*several, own, file, lines);
     }
   }
 }
 
+//! Reads the title, which fits one line in every language.
+LocalText read_title(TomlTable& root, const std::string& file, const std::string& otherwise) {
+  const toml::node* const node = root.node("title");
+  if (node == nullptr || !node->is_table()) {
+    return {{"", root.text("title", otherwise)}};
+  }
+  LocalText title = read_local_text(root, file, "title");
+  TomlTable languages(*node->as_table(), file, "title");
+  for (const auto& [tag, words] : title) {
+    languages.text(tag, "");
+  }
+  return title;
+}
+
 }  // namespace
 
-Show parse_show(std::string_view text, const std::string& file) {
-  const toml::table parsed = parse_toml(text, file, largest_mib, "a show");
+Show parse_show(std::string_view text, const std::string& file, const ShowSettings& settings) {
+  toml::table parsed = parse_toml(text, file, largest_mib, "a show");
+  apply_settings(parsed, settings, file);
   Show show;
-  note_lines(parsed, "", show.lines);
+  note_lines(parsed, "", file, show.lines);
   const std::filesystem::path path(file);
   show.name = path.stem().string();
   show.folder = path.parent_path().string();
   TomlTable root(parsed, file, "");
-  show.title = root.text("title", show.name);
+  show.title = read_title(root, file, show.name);
   show.duration_s = root.number("duration_s", 0.0, 0.0, 1e9);
   show.frame_rate_hz = exact_rate_hz(root.number("frame_rate_hz", 30.0, 0.001, 1000.0));
   read_parts(root, file, show);
@@ -169,12 +193,14 @@ Show parse_show(std::string_view text, const std::string& file) {
   return show;
 }
 
-Show read_show(const std::filesystem::path& path) {
+Show read_show(const std::filesystem::path& path) { return read_show_with_settings(path, {}); }
+
+Show read_show_with_settings(const std::filesystem::path& path, const ShowSettings& settings) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
     throw Error(path.string(), "is not a file that can be read", "give the path of a show (.toml)");
   }
-  return parse_show(read_whole_file(path, largest_mib << 20U, "a show is a short text file"), path.string());
+  return parse_show(read_whole_file(path, largest_mib << 20U, "a show is a short text file"), path.string(), settings);
 }
 
 }  // namespace ergodome

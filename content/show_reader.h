@@ -15,8 +15,11 @@ inline constexpr double fastest_observer = 0.999999;
 //! values out of range, cameras inside the horizon, observers that cannot exist there.
 Show read_show(const std::filesystem::path& path);
 
+//! The same of a show that settings change before it is read.
+Show read_show_with_settings(const std::filesystem::path& path, const ShowSettings& settings);
+
 //! The same from text; `file` is how messages call it.
-Show parse_show(std::string_view text, const std::string& file);
+Show parse_show(std::string_view text, const std::string& file, const ShowSettings& settings = {});
 
 //! A show as TOML text that parse_show reads back to the same show.
 std::string to_toml(const Show& show);

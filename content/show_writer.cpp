@@ -177,8 +177,7 @@ std::string to_toml(const Show& show) {
   constexpr const char* methods[] = {"inverse", "gather"};
   constexpr const char* filters[] = {"ewa", "point", "polygon"};
   const bool fitted = show.sky.shift == SkyShift::blackbody_fit;
-  toml::table root{{"title", show.title},
-                   {"duration_s", show.duration_s},
+  toml::table root{{"duration_s", show.duration_s},
                    {"frame_rate_hz", show.frame_rate_hz},
                    {"hole", toml::table{{"spin", show.spin}}},
                    {"camera", camera_of(show.camera)},
@@ -199,6 +198,14 @@ std::string to_toml(const Show& show) {
                    {"flight", flight_table(show.flight)},
                    {"grid", toml::table{{"scheme", schemes[static_cast<int>(show.grid_scheme)]}}},
                    {"quality", toml::table{{"budget_px", show.quality.budget_px}}}};
+  if (show.readout) {
+    root.insert("readout", toml::table{{"azimuth_deg", show.readout->place.azimuth_deg},
+                                       {"elevation_deg", show.readout->place.elevation_deg},
+                                       {"letter_deg", show.readout->letter_deg}});
+  }
+  if (!show.title.empty()) {
+    add_local_text(show.title, "title", root);
+  }
   if (show.sky.map_layout != MapLayout{}) {
     root["sky"].as_table()->insert("map_layout", map_layout_table(show.sky.map_layout));
   }

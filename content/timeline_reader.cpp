@@ -17,6 +17,8 @@ constexpr std::size_t most_entries = 10'000;
 constexpr std::size_t most_languages = 64;
 constexpr double longest_s = 1e9;
 constexpr double usual_fade_s = 0.5;
+constexpr double least_letter_deg = 0.05;
+constexpr double largest_letter_deg = 45.0;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -46,31 +48,6 @@ std::string read_words(TomlTable& table, std::string_view key) {
     throw table.error_at(key, "is empty", "write a text");
   }
   return words;
-}
-
-LocalText read_text(TomlTable& table, const std::string& file, std::string_view key) {
-  const toml::node* const node = table.node(key);
-  if (node == nullptr) {
-    throw table.error_at(key, "is missing", "write \"...\", or { en = \"...\", de = \"...\" }");
-  }
-  if (!node->is_table()) {
-    return {{"", read_words(table, key)}};
-  }
-  const toml::table& languages = *node->as_table();
-  if (languages.empty() || languages.size() > most_languages) {
-    throw table.error_at(key, languages.empty() ? "has no language" : "has too many languages",
-                         fmt::format("give it 1 to {}", most_languages));
-  }
-  TomlTable reader(languages, file, table.path_of(key));
-  LocalText text;
-  for (const auto& [tag, words] : languages) {
-    // The empty one is for languages that are not there.
-    if (!tag.str().empty() && !is_language_tag(tag.str())) {
-      throw reader.error_at(tag.str(), "is no language tag", "write one such as en, de or pt-BR");
-    }
-    text[std::string(tag.str())] = read_words(reader, tag.str());
-  }
-  return text;
 }
 
 Presence read_presence(TomlTable& table) {
@@ -120,18 +97,18 @@ Chapter read_chapter(TomlTable& table, const std::string& file) {
   if (!table.has("t_s")) {
     throw table.error_at("t_s", "is missing", "write when the chapter begins");
   }
-  return {table.number("t_s", 0.0, 0.0, longest_s), read_text(table, file, "title")};
+  return {table.number("t_s", 0.0, 0.0, longest_s), read_local_text(table, file, "title")};
 }
 
 Caption read_caption(TomlTable& table, const std::string& file) {
   Caption caption;
   caption.presence = read_presence(table);
   caption.place = read_place(table);
-  caption.letter_deg = table.number("letter_deg", caption.letter_deg, 0.05, 45.0);
+  caption.letter_deg = table.number("letter_deg", caption.letter_deg, least_letter_deg, largest_letter_deg);
   caption.width_deg = table.number("width_deg", caption.width_deg, 0.5, 360.0);
   const std::vector<double> color = table.numbers("color", 3, 3, 0.0, 1e6);
   std::ranges::copy(color, caption.color.begin());
-  caption.text = read_text(table, file, "text");
+  caption.text = read_local_text(table, file, "text");
   return caption;
 }
 
@@ -190,6 +167,41 @@ void read_each(TomlTable& root, const std::string& file, const char* name, std::
 
 }  // namespace
 
+ReadoutSettings read_readout(const toml::table& table, const std::string& file) {
+  TomlTable reader(table, file, "readout");
+  ReadoutSettings readout;
+  readout.place.azimuth_deg = reader.number("azimuth_deg", readout.place.azimuth_deg, -360.0, 360.0);
+  readout.place.elevation_deg = reader.number("elevation_deg", readout.place.elevation_deg, -90.0, 90.0);
+  readout.letter_deg = reader.number("letter_deg", readout.letter_deg, least_letter_deg, largest_letter_deg);
+  reader.refuse_unknown_keys();
+  return readout;
+}
+
+LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key) {
+  const toml::node* const node = table.node(key);
+  if (node == nullptr) {
+    throw table.error_at(key, "is missing", "write \"...\", or { en = \"...\", de = \"...\" }");
+  }
+  if (!node->is_table()) {
+    return {{"", read_words(table, key)}};
+  }
+  const toml::table& languages = *node->as_table();
+  if (languages.empty() || languages.size() > most_languages) {
+    throw table.error_at(key, languages.empty() ? "has no language" : "has too many languages",
+                         fmt::format("give it 1 to {}", most_languages));
+  }
+  TomlTable reader(languages, file, table.path_of(key));
+  LocalText text;
+  for (const auto& [tag, words] : languages) {
+    // The empty one is for languages that are not there.
+    if (!tag.str().empty() && !is_language_tag(tag.str())) {
+      throw reader.error_at(tag.str(), "is no language tag", "write one such as en, de or pt-BR");
+    }
+    text[std::string(tag.str())] = read_words(reader, tag.str());
+  }
+  return text;
+}
+
 void read_timeline(TomlTable& root, const std::string& file, Show& show) {
   read_animations(root, file, show);
   Timeline& timeline = show.timeline;
@@ -221,7 +233,8 @@ void check_spin_on_path(const std::string& file, const Show& show) {
       const double horizon = horizon_radius(value_at(*spin, time_s));
       const double r = camera_pose(show, time_s).r;
       if (!(r > horizon)) {
-        throw Error(fmt::format("{}:{}", file, show.lines.at("animate.hole.spin")),
+        const int line = show.lines.at("animate.hole.spin");
+        throw Error(line == key_set_outside ? show_setting_option : fmt::format("{}:{}", file, line),
                     fmt::format("at {:.6g} s this spin has a horizon at {:.6g} M, and the camera at {:.6g} M in it",
                                 time_s, horizon, r),
                     "keep the camera further out, or the spin higher");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "content/files/toml_table.h"
 #include "content/show.h"
@@ -12,6 +13,12 @@ inline constexpr double least_key_gap_s = 1e-6;
 
 //! The baseline of StereoModel::omni fades over so much elevation at least [deg].
 inline constexpr double least_fade_deg = 1.0;
+
+//! Reads a text that is either a string or a table of strings by language tags. Throws Error where it is missing or empty.
+LocalText read_local_text(TomlTable& table, const std::string& file, std::string_view key);
+
+//! Reads [readout], which shows spin and camera position.
+ReadoutSettings read_readout(const toml::table& table, const std::string& file);
 
 //! Reads what a show does with time: [[animate]], [[chapter]], [[caption]], [[overlay]] and [[audio]]. All other numbers of the show, but
 //! its camera, must have been read. Throws Error with file, line and key.

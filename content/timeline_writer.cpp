@@ -6,18 +6,6 @@ namespace ergodome {
 
 namespace {
 
-void add_text(const LocalText& text, const char* key, toml::table& table) {
-  if (text.size() == 1 && text.begin()->first.empty()) {
-    table.insert(key, text.begin()->second);
-    return;
-  }
-  toml::table languages;
-  for (const auto& [tag, words] : text) {
-    languages.insert(tag, words);
-  }
-  table.insert(key, std::move(languages));
-}
-
 void add_presence(const Presence& presence, toml::table& table) {
   table.insert("from_s", presence.from_s);
   table.insert("to_s", presence.to_s);
@@ -42,7 +30,7 @@ toml::table table_of(const Animation& animation) {
 
 toml::table table_of(const Chapter& chapter) {
   toml::table table{{"t_s", chapter.time_s}};
-  add_text(chapter.title, "title", table);
+  add_local_text(chapter.title, "title", table);
   return table;
 }
 
@@ -52,7 +40,7 @@ toml::table table_of(const Caption& caption) {
                     {"color", toml::array{caption.color[0], caption.color[1], caption.color[2]}}};
   add_presence(caption.presence, table);
   add_place(caption.place, table);
-  add_text(caption.text, "text", table);
+  add_local_text(caption.text, "text", table);
   return table;
 }
 
@@ -89,6 +77,18 @@ void add_each(const std::vector<Entry>& entries, const char* name, toml::table& 
 }
 
 }  // namespace
+
+void add_local_text(const LocalText& text, const char* key, toml::table& table) {
+  if (text.size() == 1 && text.begin()->first.empty()) {
+    table.insert(key, text.begin()->second);
+    return;
+  }
+  toml::table languages;
+  for (const auto& [tag, words] : text) {
+    languages.insert(tag, words);
+  }
+  table.insert(key, std::move(languages));
+}
 
 void add_timeline(const Timeline& timeline, toml::table& root) {
   add_each(timeline.animations, "animate", root);

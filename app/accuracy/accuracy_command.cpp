@@ -26,6 +26,7 @@ namespace {
 
 struct AccuracyOptions {
   std::string show;
+  ShowSettings set;
   std::string out;
   std::string at = "0.1px";
   std::vector<std::string> axes;
@@ -62,7 +63,7 @@ AccuracyReport measure_with_progress(const Show& show, const AccuracySettings& s
 
 void run(const AccuracyOptions& options) {
   const double at_px = pixels_of("--at", options.at);
-  const Show show = load_show(options.show);
+  const Show show = load_show(options.show, options.set);
   require_features(show);
   const auto measured = accuracy_axes(show, settings_of(options));
   if (measured.empty()) {
@@ -94,6 +95,7 @@ void add_accuracy_command(CLI::App& app) {
       "accuracy",
       "Measure what accuracy costs in time, on this machine, for a show: a table, and a page that anyone can read");
   command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
+  add_set_option(*command, options->set);
   command->add_option("--out", options->out, "folder for report.html, accuracy.csv and accuracy.json");
   command->add_flag("--quick", options->quick,
                     "a minute's look: smaller pictures, one moment of the show, fewer choices");

@@ -194,7 +194,7 @@ std::vector<TransportCommand> ExhibitScenes::reset_commands() const {
 std::string ExhibitScenes::state_text(const PlayerStatus& status) const {
   return fmt::format("{} {}{}{}",
                      scene() == ExhibitScene::visitor ? "A visitor flies through" : "Nobody is here; it shows",
-                     show().title, status.blackout ? ", blacked out by an operator" : "",
+                     text_in(show().title, status.language), status.blackout ? ", blacked out by an operator" : "",
                      status.problem.empty() ? "" : ". Problem: " + status.problem);
 }
 

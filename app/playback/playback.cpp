@@ -66,7 +66,7 @@ void Playback::set_show(const Show& show) {
   show_baseline_ = show.stereo.baseline;
   stereo_ = eye_count(show.stereo) > 1;
   chapters_ = show.timeline.chapters;
-  languages_ = languages(show.timeline);
+  languages_ = languages(show);
   if (!has_language(languages_, language_) && !languages_.empty()) {
     language_ = has_language(languages_, wider(language_)) ? wider(language_) : spoken_instead(languages_);
   }
@@ -276,7 +276,7 @@ void Playback::fill_clock(PlayerStatus& status) const {
 }
 
 void Playback::fill(PlayerStatus& status) const {
-  status.title = title_;
+  status.title = text_in(title_, language_);
   status.time_s = seconds_of(instant_.time);
   status.duration_s = seconds_of(clock_.duration());
   status.playing = instant_.playing;

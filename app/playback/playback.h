@@ -87,7 +87,7 @@ class Playback {
   void fill_clock(PlayerStatus& status) const;
 
   TimeSource source_;
-  std::string title_;
+  LocalText title_;
   double show_baseline_ = 0.0;
   bool stereo_ = false;
   std::vector<Chapter> chapters_;

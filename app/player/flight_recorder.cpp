@@ -187,7 +187,7 @@ RecordedPath FlightRecorder::path(const Show& scene, const RecordTolerance& tole
 
 Show recorded_show(const Show& scene, RecordedPath path, const std::string& title) {
   Show show = bare_path(scene);
-  show.title = title;
+  show.title = {{"", title}};
   show.duration_s = path.keys.empty() ? 0.0 : path.keys.back().time_s;
   show.camera.keys = std::move(path.keys);
   if (path.fall) {

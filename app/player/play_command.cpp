@@ -35,6 +35,7 @@ namespace {
 
 struct PlayArguments {
   std::string show;
+  ShowSettings set;
   std::string backend = "auto";
   std::string projection;
   std::string objects;
@@ -75,7 +76,7 @@ void use_setup(PlayArguments& arguments) {
 
 //! A show as the command line wants it.
 Show loaded_show(const PlayArguments& arguments, const std::string& name) {
-  Show show = load_show(name);
+  Show show = load_show(name, arguments.set);
   override_view(show, arguments.projection, arguments.stereo);
   override_baseline(show, arguments.baseline);
   override_tilt(show, arguments.tilt_deg, arguments.options.setup.has_value());
@@ -218,6 +219,7 @@ void add_play_command(CLI::App& app) {
   command->footer(key_help());
   command->add_option("show", arguments->show,
                       "show file (.toml) or the name of a built-in show; without: free flight");
+  add_set_option(*command, arguments->set);
   command->add_option("--backend", arguments->backend, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->capture_default_str();
@@ -251,7 +253,7 @@ void add_play_command(CLI::App& app) {
       ->needs(setup);
   command->add_flag("--full-screen", arguments->options.full_screen, "fill the monitor");
   command->add_flag("--times", arguments->options.times_shown,
-                    "show the frame time and the lens in the picture (key I)");
+                    "show the frame time, the lens, the spin and the camera position in the picture (key I)");
   command->add_flag("--quiet", arguments->options.quiet,
                     "nothing is said in the picture but what keys ask for (F1, I); the log and the status page say it");
   command->add_flag("--fly", arguments->options.free_flight, "start in free flight");

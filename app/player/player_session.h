@@ -76,6 +76,8 @@ class PlayerSession {
   [[nodiscard]] Playback& playback() { return playback_; }
   [[nodiscard]] const Playback& playback() const { return playback_; }
   [[nodiscard]] const Show& show() const { return show_; }
+  //! The hole's spin as it is now.
+  [[nodiscard]] double spin() const { return show_now_.spin; }
 
  private:
   void apply(const TransportCommand& command);

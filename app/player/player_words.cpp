@@ -8,6 +8,7 @@
 #include "app/player/player_texts.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"
+#include "render/overlay/camera_readout.h"
 
 // What a player says: on the screen, to whoever asks for its status, and at its end.
 namespace ergodome {
@@ -54,6 +55,9 @@ void Player::update_texts() {
   if (session_->times_shown()) {
     times =
         times_text(pictures_.report(), session_->frame().stereo, renderers_.backend(), session_->playback().language());
+    const CameraPose& pose = session_->frame().pose;
+    times += '\n';
+    times += text_in(readout_text(session_->spin(), pose.r, pose.theta), session_->playback().language());
     times += budget_ ? fmt::format("\n{}", budget_->display_text()) : "";
   }
   screen_.set_text(PanelPlace::top_left, times);

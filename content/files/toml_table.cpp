@@ -60,9 +60,13 @@ std::string TomlTable::path_of(std::string_view key) const {
 
 Error TomlTable::error_at(std::string_view key, const std::string& problem, const std::string& remedy) const {
   const toml::node* at = table_.get(key);
-  const auto line = at != nullptr ? at->source().begin.line : table_.source().begin.line;
-  const std::string place = line > 0 ? fmt::format("{}:{}", file_, line) : file_;
-  return {place, fmt::format("{} {}", path_of(key), problem), remedy};
+  const toml::source_region& source = at != nullptr ? at->source() : table_.source();
+  const std::string place = source.begin.line > 0 ? fmt::format("{}:{}", file_, source.begin.line) : file_;
+  return {is_from(source, file_) ? place : *source.path, fmt::format("{} {}", path_of(key), problem), remedy};
+}
+
+bool is_from(const toml::source_region& source, const std::string& file) {
+  return source.path == nullptr || *source.path == file;
 }
 
 const toml::node* TomlTable::node(std::string_view key) {

@@ -45,7 +45,8 @@ class TomlTable {
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
   [[nodiscard]] std::string path_of(std::string_view key) const;
 
-  //! Complains about a key: "FILE:LINE: KEY PROBLEM; REMEDY".
+  //! Complains about a key: "FILE:LINE: KEY PROBLEM; REMEDY". For a key that was set on the command
+  //! line, the option and the key stand in place of file and line.
   [[nodiscard]] Error error_at(std::string_view key, const std::string& problem, const std::string& remedy) const;
 
   //! Call when all keys have been read: an unknown key is an error that names the nearest known one.
@@ -57,6 +58,10 @@ class TomlTable {
   std::string path_;
   std::set<std::string, std::less<>> known_;
 };
+
+//! Returns whether a node comes from this file. A node that does not was set on the command line, and the path of its source
+//! names the option and the key.
+bool is_from(const toml::source_region& source, const std::string& file);
 
 //! Parses a TOML file of at most `largest_mib` MiB and within the limits of toml_bounds.h; `kind` is what such a file is ("a
 //! show"). Throws Error with file and line.

@@ -31,7 +31,7 @@ AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const
   AccuracyReport report;
   const AccuracyMoment& first = moments.front();
   report.show = show.name;
-  report.title = show.title;
+  report.title = text_in(show.title, "");
   report.machine = fmt::format("processor, {}, {} threads", name_of(active_instruction_set()), thread_count());
   report.date = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
   report.width_px = first.projection.width_px;

@@ -119,7 +119,7 @@ DiagramScene Diagram::at(double time_s) const {
                                                 object.size * radius_of(meshes_.meshes[meshes_.mesh_of[i]]));
   }
   DiagramScene scene;
-  scene.legend.push_back({LegendLine::Sign::none, {}, fmt::format("{}, {:.6g} s", show_.title, time_s)});
+  scene.legend.push_back({LegendLine::Sign::none, {}, fmt::format("{}, {:.6g} s", text_in(show_.title, ""), time_s)});
   // What comes later is drawn over lines in the same place.
   add_grid(moment.extent, eye.phi - 0.3 * pi, scene);
   add_hole(now.spin, scene);

@@ -14,6 +14,7 @@
 #include "kernels/metric/kerr.h"
 #include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
+#include "render/overlay/camera_readout.h"
 #include "render/overlay/caption_notes.h"
 #include "render/overlay/overlay_place.h"
 #include "render/plan/frame_needs.h"
@@ -236,12 +237,15 @@ PictureInPlace ShowRenderer::render_eye_in_place(const CameraPose& pose, double 
                                                  const ShowMoment& moment) {
   const PictureInPlace made = renderer_.render_in_place(eye_camera(show_, pose, eye_offset), projection, sky_.cube(),
                                                         picture_settings(pose, mode, moment, eye_offset));
-  draw_overlays({backend(), made.rgba, tone(), mode != ViewMode::sky}, projection, eye_offset, mode, moment);
+  draw_overlays({backend(), made.rgba, tone(), mode != ViewMode::sky}, pose, projection, eye_offset, mode, moment);
   return made;
 }
 
-void ShowRenderer::draw_overlays(const OverlayTarget& target, const Projection& projection, double eye_offset,
-                                 ViewMode mode, const ShowMoment& moment) {
+void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& pose, const Projection& projection,
+                                 double eye_offset, ViewMode mode, const ShowMoment& moment) {
+  const bool reads = show_.readout && mode == ViewMode::sky;
+  overlays_.set_readout(reads ? std::optional(readout_caption(*show_.readout, show_.spin, pose.r, pose.theta))
+                              : std::nullopt);
   const std::optional<double> time_s = mode == ViewMode::sky ? moment.time_s : std::nullopt;
   if (!overlays_.draws_at(time_s)) {
     return;
@@ -252,12 +256,12 @@ void ShowRenderer::draw_overlays(const OverlayTarget& target, const Projection& 
   overlays_.draw(target, overlay_projection(projection, offset, stereo.convergence, overlay_distance_), time_s);
 }
 
-void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, const Projection& projection, ViewMode mode,
-                               const ShowMoment& moment, double clock_s) {
+void ShowRenderer::finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection,
+                               ViewMode mode, const ShowMoment& moment, double clock_s) {
   expose(eyes, clock_s);
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     const double side = eyes.size() < 2 ? 0.0 : i == 0 ? -0.5 : 0.5;
-    draw_overlays({Backend::cpu, eyes[i].rgba.data(), eyes[i].tone, eyes[i].heat_range.has_value()}, projection,
+    draw_overlays({Backend::cpu, eyes[i].rgba.data(), eyes[i].tone, eyes[i].heat_range.has_value()}, pose, projection,
                   side * baseline_, mode, moment);
   }
   if (eyes.size() == 2) {
@@ -295,7 +299,7 @@ std::vector<Picture> ShowRenderer::render_window_parts(const CameraPose& pose, c
   std::vector<Picture> eyes = render_eyes(pose, projection, mode, moment);
   // A visitor's eye follows by the clock on the wall, show or no show.
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  finish_eyes(eyes, projection, mode, moment, std::chrono::duration<double>(now).count());
+  finish_eyes(eyes, pose, projection, mode, moment, std::chrono::duration<double>(now).count());
   if (eyes.size() == 2 && !shows_eyes_whole(show_.stereo.layout)) {
     eyes.front() = joined_eyes(eyes[0], eyes[1], show_.stereo.layout);
     eyes.pop_back();
@@ -317,7 +321,7 @@ std::vector<FrameImage> ShowRenderer::render(double time_s, const ViewChoice& ch
   method_ = choice.method;
   range_ = choice.range;
   std::vector<Picture> eyes = render_eyes(pose, projection, choice.mode, {time_s});
-  finish_eyes(eyes, projection, choice.mode, {time_s}, time_s);
+  finish_eyes(eyes, pose, projection, choice.mode, {time_s}, time_s);
   if (choice.alpha) {
     std::ranges::for_each(eyes, [&](Picture& eye) { set_image_alpha(projection, eye); });
   }

@@ -170,12 +170,12 @@ class ShowRenderer {
   void expose(std::span<Picture> eyes, double clock_s);
 
   //! What is laid over finished pictures of a view: the show's in its pictures of the sky, and what others give in all.
-  void draw_overlays(const OverlayTarget& target, const Projection& projection, double eye_offset, ViewMode mode,
-                     const ShowMoment& moment);
+  void draw_overlays(const OverlayTarget& target, const CameraPose& pose, const Projection& projection,
+                     double eye_offset, ViewMode mode, const ShowMoment& moment);
 
   //! Exposes, draws overlays, tints and swaps as the show says.
-  void finish_eyes(std::vector<Picture>& eyes, const Projection& projection, ViewMode mode, const ShowMoment& moment,
-                   double clock_s);
+  void finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection, ViewMode mode,
+                   const ShowMoment& moment, double clock_s);
 
   //! The cameras of the eyes that turn with the direction, at a pose, `baseline` M apart; cameras may be off by `tolerance` [rad].
   [[nodiscard]] std::shared_ptr<const OmniCamera> omni_cameras(const CameraPose& pose, double baseline,

@@ -112,7 +112,7 @@ void OverlayPass::set_extra(std::vector<Caption> captions, double opacity) {
 
 bool OverlayPass::draws_at(std::optional<double> time_s) const {
   const auto seen = [&](const auto& thing) { return presence_at(thing.presence, *time_s) > 0.0; };
-  return (!extra_.empty() && extra_opacity_ > 0.0) ||
+  return (!extra_.empty() && extra_opacity_ > 0.0) || (readout_ && captions_shown_) ||
          (time_s &&
           (std::ranges::any_of(overlays_, seen) || (captions_shown_ && std::ranges::any_of(captions_, seen))));
 }
@@ -129,6 +129,9 @@ void OverlayPass::draw(const OverlayTarget& target, const Projection& projection
     for (const Caption& caption : captions_) {
       draw_caption(target, projection, caption, captions_shown_ ? presence_at(caption.presence, *time_s) : 0.0);
     }
+  }
+  if (readout_ && captions_shown_) {
+    draw_caption(target, projection, *readout_, 1.0);
   }
   for (const Caption& caption : extra_) {
     draw_caption(target, projection, caption, extra_opacity_);

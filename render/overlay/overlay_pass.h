@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "content/show.h"
@@ -46,6 +47,9 @@ class OverlayPass {
   //! with this opacity, until others are set.
   void set_extra(std::vector<Caption> captions, double opacity = 1.0);
 
+  //! Sets the show's readout of the picture that is drawn next; none where it is not to be seen. It goes with the show's captions.
+  void set_readout(std::optional<Caption> readout) { readout_ = std::move(readout); }
+
   //! Whether there may be anything to draw. `time_s`: of the show; none: only what does not come from it.
   [[nodiscard]] bool draws_at(std::optional<double> time_s) const;
 
@@ -88,6 +92,7 @@ class OverlayPass {
 
   std::vector<Caption> captions_;
   std::vector<Overlay> overlays_;
+  std::optional<Caption> readout_;
   std::vector<Caption> extra_;
   double extra_opacity_ = 0.0;
   std::string language_;

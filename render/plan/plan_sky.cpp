@@ -123,15 +123,18 @@ void Planner::plan_overlays() {
   if (!timeline.overlays.empty()) {
     buffer("overlay images", WorkMoment::start, request_.overlay_bytes, why("overlay"));
   }
-  if (request_.mode != ViewMode::sky || (timeline.overlays.empty() && timeline.captions.empty())) {
+  const bool words = !timeline.captions.empty() || show_.readout;
+  if (request_.mode != ViewMode::sky || (timeline.overlays.empty() && !words)) {
     return;
   }
-  if (!timeline.captions.empty()) {
-    pass("set_captions", WorkMoment::start, 0, 0, why("caption"), true);
-    buffer("captions", WorkMoment::start, 0, why("caption"));
+  std::string of_words = timeline.captions.empty() ? "" : why("caption");
+  of_words += show_.readout ? (of_words.empty() ? "" : ", ") + why("readout") : "";
+  if (words) {
+    pass("set_captions", WorkMoment::start, 0, 0, of_words, true);
+    buffer("captions", WorkMoment::start, 0, of_words);
   }
   std::string shown = timeline.overlays.empty() ? "" : why("overlay");
-  shown += timeline.captions.empty() ? "" : (shown.empty() ? "" : ", ") + why("caption");
+  shown += words ? (shown.empty() ? "" : ", ") + of_words : "";
   pass("draw_overlay", WorkMoment::picture, 0, 0, shown, true);
 }
 

@@ -75,9 +75,10 @@ FramePlan Planner::plan() {
 
 std::string Planner::why(const std::string& key) const {
   const auto line = show_.lines.find(key);
-  const std::string reason = line != show_.lines.end()
-                                 ? fmt::format("{} ({}.toml line {})", key, show_.name, line->second)
-                                 : fmt::format("{} (by default)", key);
+  const std::string reason = line == show_.lines.end() ? fmt::format("{} (by default)", key)
+                             : line->second == key_set_outside
+                                 ? fmt::format("{} ({})", key, show_setting_option)
+                                 : fmt::format("{} ({}.toml line {})", key, show_.name, line->second);
   return reason + why_animated(key);
 }
 
@@ -87,7 +88,9 @@ std::string Planner::why_animated(const std::string& key) const {
     const auto line = show_.lines.find("animate." + animation.path);
     if ((animation.path == key || animation.path.starts_with(key + ".") || animation.path.starts_with(key + "[")) &&
         line != show_.lines.end()) {
-      lines += fmt::format("{}{}", lines.empty() ? ", animated from line " : ", ", line->second);
+      const std::string from =
+          line->second == key_set_outside ? show_setting_option : fmt::format("line {}", line->second);
+      lines += (lines.empty() ? ", animated from " : ", ") + from;
     }
   }
   return lines;

@@ -96,7 +96,7 @@ TEST_F(SceneRenderersTest, AVersionComesWithItsRendererAndEndsThoseOfOtherScenes
   renderers.prepare(ExhibitScene::attract, show("a"));
   renderers.enter(ExhibitScene::attract, show("a"));
   Show next = show("a");
-  next.title = "Next";
+  next.title = {{"", "Next"}};
   renderers.renew(next);
   EXPECT_TRUE(renderers.renews());
   std::optional<Show> version;
@@ -105,8 +105,8 @@ TEST_F(SceneRenderersTest, AVersionComesWithItsRendererAndEndsThoseOfOtherScenes
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   ASSERT_TRUE(version);
-  EXPECT_EQ(version->title, "Next");
-  EXPECT_EQ(renderers.current()->show().title, "Next");
+  EXPECT_EQ(text_in(version->title, ""), "Next");
+  EXPECT_EQ(text_in(renderers.current()->show().title, ""), "Next");
   EXPECT_FALSE(renderers.renews());
   renderers.enter(ExhibitScene::visitor, next);
   EXPECT_EQ(renderers.current(), nullptr) << "the old version's";

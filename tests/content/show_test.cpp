@@ -19,6 +19,18 @@ std::string problem_of(const std::string& text) {
   return error_of([&] { parse_show(text, "show.toml"); });
 }
 
+TEST(Show, HasATitleInSeveralLanguages) {
+  const Show show = parse_show("title = { en = \"The shadow\", de = \"Der Schatten\" }\n" + minimal, "a.toml");
+  EXPECT_EQ(text_in(show.title, "de-AT"), "Der Schatten");
+  EXPECT_EQ(text_in(show.title, "fr"), "The shadow");
+  EXPECT_EQ(languages(show), (std::vector<std::string>{"de", "en"}));
+  EXPECT_EQ(parse_show(to_toml(show), "a.toml").title, show.title);
+  EXPECT_EQ(text_in(parse_show(minimal, "shows/evening.toml").title, ""), "evening");
+  EXPECT_THAT(problem_of("title = { en = \"A\\nB\" }\n" + minimal), HasSubstr("title.en holds a line break"));
+  EXPECT_THAT(problem_of("title = { e = \"A\" }\n" + minimal), HasSubstr("title.e is no language tag"));
+  EXPECT_THAT(problem_of("title = {}\n" + minimal), HasSubstr("title has no language"));
+}
+
 TEST(Show, OfTheDesignReadsBackAsItIsWritten) {
   const Show show = parse_show(R"(
 title = "Once around"
@@ -60,7 +72,7 @@ baseline = 0.02
 budget_px = 0.25
 )",
                                "shows/once.toml");
-  EXPECT_EQ(show.title, "Once around");
+  EXPECT_EQ(show.title, (LocalText{{"", "Once around"}}));
   EXPECT_EQ(show.name, "once");
   EXPECT_EQ(show.folder, "shows");
   EXPECT_EQ(show.spin, 0.999);
@@ -79,7 +91,7 @@ budget_px = 0.25
 
 TEST(Show, WrittenAsTextReadsBackTheSame) {
   Show show = parse_show(minimal, "show.toml");
-  show.title = "A \"quoted\" title, ünïcode";
+  show.title = {{"", "A \"quoted\" title, ünïcode"}};
   show.duration_s = 12.5;
   show.spin = -0.7;
   show.camera.motion = ObserverMotion::velocity;

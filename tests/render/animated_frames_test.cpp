@@ -162,16 +162,16 @@ TEST(AnotherShow, ReadsTheSkyAnewOnlyWhereItIsAnother) {
 TEST(AnotherShow, ThatCannotBeReadLeavesTheOldOne) {
   ShowRenderer renderer(starry_show(), Backend::cpu);
   Show broken = starry_show();
-  broken.title = "broken";
+  broken.title = {{"", "broken"}};
   broken.sky.map = "nothing.png";
   EXPECT_THROW(renderer.set_show(broken), Error);
   broken = starry_show();
-  broken.title = "broken";
+  broken.title = {{"", "broken"}};
   broken.stereo.layout = StereoLayout::side_by_side;
   broken.stereo.convergence = 5.0;
   broken.view.projection = ViewProjection::equirect;
   EXPECT_THROW(renderer.set_show(broken), Error);
-  EXPECT_NE(renderer.show().title, "broken");
+  EXPECT_NE(text_in(renderer.show().title, ""), "broken");
   EXPECT_EQ(picture_at(renderer, 0.0).rgba, still_picture(starry_show()).rgba);
 }
 

@@ -9,7 +9,9 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/make_projection.h"
+#include "render/frame/show_renderer.h"
 #include "render/frame/view_projection.h"
+#include "render/overlay/camera_readout.h"
 #include "tests/render/overlay_scene.h"
 #include "tests/support/errors.h"
 
@@ -48,6 +50,30 @@ TEST_F(Overlays, BehindTheDomeAreWhereThePictureHasTheSky) {
     const Vector3<double> b = direction_from_pixel(behind, x, 350.0);
     EXPECT_NEAR(dot(a, b), 1.0, 1e-12);
   }
+}
+
+TEST(CameraReadout, SaysSpinDistanceAndLatitude) {
+  const LocalText text = readout_text(0.999, 14.2, 80.0 * one_degree);
+  EXPECT_EQ(text_in(text, "en"), "spin a/M 0.999, distance r 14.20 M, latitude 10.0°");
+  EXPECT_EQ(text_in(text, "de-AT"), "Spin a/M 0.999, Abstand r 14.20 M, Breite 10.0°");
+  EXPECT_EQ(text_in(text, "fr"), text_in(text, "en"));
+  EXPECT_EQ(text_in(readout_text(-1.0, 1.5e6, 0.5 * pi + 1e-9), "en"),
+            "spin a/M -1, distance r 1.5e+06 M, latitude 0.0°");
+}
+
+TEST_F(Overlays, OfAShowWithAReadoutSayWhereItsCameraIs) {
+  const std::string without = "[[camera.key]]\nr = 8\n[sky]\nmap = \"black\"\n[view]\nsize_px = 128\n";
+  const std::string with = without + "[readout]\nletter_deg = 6\nelevation_deg = 30\n";
+  ShowRenderer dark(parse_show(without, "dark.toml"), Backend::cpu);
+  ShowRenderer read(parse_show(with, "read.toml"), Backend::cpu);
+  EXPECT_EQ(sum_of_light(dark.render(0.0, {}).front().picture), 0.0);
+  const Picture picture = read.render(0.0, {}).front().picture;
+  // At 30 degrees above the front of a dome: a third of the way from the rim, which is at the bottom.
+  const Spot middle = middle_of(picture);
+  EXPECT_NEAR(middle.x_px, 64.0, 2.0);
+  EXPECT_NEAR(middle.y_px, 64.0 + 64.0 * 60.0 / 90.0, 3.0);
+  read.overlays().set_captions(false);
+  EXPECT_EQ(sum_of_light(read.render(0.0, {}).front().picture), 0.0);
 }
 
 TEST_F(Overlays, AreSetInTheLanguageThatIsChosen) {

@@ -23,7 +23,7 @@ namespace {
 Show approach() {
   Show show;
   show.name = "approach";
-  show.title = "Approach";
+  show.title = {{"", "Approach"}};
   show.duration_s = 12.0;
   show.spin = 0.999;
   show.camera.motion = ObserverMotion::geodesic;

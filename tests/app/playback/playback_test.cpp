@@ -16,7 +16,7 @@ using test::FakeTime;
 
 Show show_with_chapters() {
   Show show;
-  show.title = "Once around";
+  show.title = {{"", "Once around"}};
   show.duration_s = 60.0;
   show.frame_rate_hz = 30.0;
   show.stereo.baseline = 0.1;

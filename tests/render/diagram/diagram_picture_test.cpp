@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 Show small_show(double spin) {
   Show show;
   show.name = "small";
-  show.title = "A ball";
+  show.title = {{"", "A ball"}};
   show.duration_s = 10.0;
   show.spin = spin;
   show.camera.keys.resize(1);
