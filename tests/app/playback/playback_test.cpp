@@ -170,6 +170,19 @@ TEST_F(TransportCommands, WhatIsSetIsInTheStatus) {
   EXPECT_EQ(all.clock, "own");
 }
 
+TEST(PlaybackTitle, IsInTheLanguageThatIsChosen) {
+  Show show;
+  show.title = {{"en", "Night"}, {"de", "Nacht"}};
+  Playback playback(show, {.language = "de-AT"});
+  PlayerStatus status;
+  playback.fill(status);
+  EXPECT_EQ(status.title, "Nacht");
+  EXPECT_THAT(status.languages, testing::ElementsAre("de", "en"));
+  playback.apply({Kind::next_language, 0.0, {}});
+  playback.fill(status);
+  EXPECT_EQ(status.title, "Night");
+}
+
 TEST_F(TransportCommands, ResetTakesBackWhatWasSetAndIsForOthersToo) {
   tell(Kind::exposure, 1.5);
   tell(Kind::baseline, 0.3);
