@@ -62,16 +62,17 @@ TEST(CameraReadout, SaysSpinDistanceAndLatitude) {
 }
 
 TEST_F(Overlays, OfAShowWithAReadoutSayWhereItsCameraIs) {
-  const std::string without = "[[camera.key]]\nr = 8\n[sky]\nmap = \"black\"\n[view]\nsize_px = 128\n";
-  const std::string with = without + "[readout]\nletter_deg = 6\nelevation_deg = 30\n";
+  const std::string without = "[[camera.key]]\nr = 8\n[sky]\nmap = \"black\"\n[view]\nsize_px = 256\n";
+  const std::string with = without + "[readout]\nletter_deg = 1.5\nelevation_deg = 30\n";
   ShowRenderer dark(parse_show(without, "dark.toml"), Backend::cpu);
   ShowRenderer read(parse_show(with, "read.toml"), Backend::cpu);
   EXPECT_EQ(sum_of_light(dark.render(0.0, {}).front().picture), 0.0);
   const Picture picture = read.render(0.0, {}).front().picture;
-  // At 30 degrees above the front of a dome: a third of the way from the rim, which is at the bottom.
+  // At 30 degrees above the front of a dome: a third of the way from the rim, which is at the bottom. The
+  // line bends around the middle, which moves that of its light inwards.
   const Spot middle = middle_of(picture);
-  EXPECT_NEAR(middle.x_px, 64.0, 2.0);
-  EXPECT_NEAR(middle.y_px, 64.0 + 64.0 * 60.0 / 90.0, 3.0);
+  EXPECT_NEAR(middle.x_px, 128.0, 2.0);
+  EXPECT_NEAR(middle.y_px, 128.0 + 128.0 * 60.0 / 90.0, 3.0);
   read.overlays().set_captions(false);
   EXPECT_EQ(sum_of_light(read.render(0.0, {}).front().picture), 0.0);
 }
