@@ -40,6 +40,9 @@ void print_summary(const StarCatalogue& catalogue) {
   const auto colourless = std::ranges::count_if(stars, [](const CatalogueStar& star) { return std::isnan(star.b_v); });
   print_out("{}: {}, {} without a colour, {}\n", catalogue.name, counted(stars.size(), "star"), colourless,
             text_of(catalogue.left_out));
+  if (!catalogue.read_as.empty()) {
+    print_out("read as {}\n", catalogue.read_as);
+  }
   if (!stars.empty()) {
     print_out("V {:.2f} to {:.2f}; the brightest:\n  number   RA [deg]  Dec [deg]       V     B-V\n",
               stars.front().v_mag, stars.back().v_mag);
@@ -79,7 +82,7 @@ void add_catalogue_command(CLI::App& app) {
   auto options = std::make_shared<CatalogueOptions>();
   command
       ->add_option("stars", options->stars,
-                   "bright_stars, all_stars, or a file: a table (.csv) or the project's own form")
+                   "bright_stars, all_stars, or a file: a table (.csv, .tsv, .csv.gz) or the project's own form")
       ->required();
   CLI::Option* const out = command->add_option("--out", options->out, "file to write, in the project's own form");
   command->add_option("--faintest", options->faintest, "leave out what is fainter than this V magnitude")

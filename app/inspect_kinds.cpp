@@ -24,7 +24,7 @@ struct OtherKind {
 const OtherKind other_kinds[] = {
     {{".mpcdi"}, "is a calibration", "make a setup of it, and inspect that: ergodome convert {0} dome.toml"},
     {{".data", ".pfm"}, "is a warp mesh", "name it in a dome setup, as a projector's warp = \"{1}\", and inspect that"},
-    {{".csv", ".tsv", ".txt", ".stars"},
+    {{".csv", ".tsv", ".txt", ".ecsv", ".gz", ".stars"},
      "is no show and no map",
      "look into a catalogue of stars by ergodome catalogue {0}"},
     {{".obj", ".gltf", ".glb"}, "is a mesh", "name it in a show, as an object's mesh = \"{1}\", and inspect that"},

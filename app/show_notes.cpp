@@ -31,6 +31,7 @@ void take_stars(const Show& show, ShowNotes& notes) {
   const StarCatalogue catalogue = load_stars(show);
   notes.stars = catalogue.stars.size();
   notes.left_out = catalogue.left_out;
+  notes.stars_read_as = catalogue.read_as;
   if (catalogue.stars.empty()) {
     notes.unseen.push_back(note_of_no_stars(show));
   }

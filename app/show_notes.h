@@ -19,6 +19,7 @@ struct ShowNotes {
   std::vector<std::string> repaired;  //!< sentences about maps with what is no light (the same)
   std::optional<std::size_t> stars;   //!< how many there are, if there is a catalogue that can be read
   std::vector<RowsLeftOut> left_out;  //!< of their catalogue
+  std::string stars_read_as;          //!< which columns of their catalogue were read, if it is a table
   std::vector<MeshFacts> meshes;      //!< of files that could be read
 };
 

@@ -18,6 +18,9 @@ nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes) {
   if (!notes.left_out.empty()) {
     facts["text"] = text_of(notes.left_out);
   }
+  if (!notes.stars_read_as.empty()) {
+    facts["read_as"] = notes.stars_read_as;
+  }
   return facts;
 }
 
@@ -25,6 +28,9 @@ void print_stars(const nlohmann::json& facts) {
   print_out("{:<16}{}: {}{}\n", "stars", facts["catalogue"].get<std::string>(),
             counted(facts["count"].get<std::size_t>(), "star"),
             facts.contains("text") ? ", " + facts["text"].get<std::string>() : "");
+  if (facts.contains("read_as")) {
+    print_out("{:<16}read as {}\n", "", facts["read_as"].get<std::string>());
+  }
 }
 
 }  // namespace ergodome

@@ -104,7 +104,7 @@ std::string note_of_no_stars(const Show& show) {
 
 StarCatalogue read_stars(const std::filesystem::path& path) {
   StarCatalogue catalogue = is_star_file(path) ? read_star_file(path) : read_star_table(path);
-  catalogue.name = path.stem().string();
+  catalogue.name = (path.extension() == ".gz" ? path.stem() : path).stem().string();
   return catalogue;
 }
 

@@ -32,6 +32,7 @@ struct StarCatalogue {
   std::string name;
   std::vector<CatalogueStar> stars;
   std::vector<RowsLeftOut> left_out;
+  std::string read_as;  //!< of a table: which columns were read, and the unit of the right ascension; or empty
 };
 
 //! How many rows they are in all.

@@ -1,285 +1,27 @@
 #include "content/stars/star_table.h"
 
 #include <csv.h>
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <fstream>
-#include <limits>
+#include <new>
 #include <optional>
 #include <string_view>
+#include <utility>
 
-#include "content/files/printable.h"
-#include "content/files/reading_stop.h"
+#include "content/stars/column_names.h"
+#include "content/stars/table_builder.h"
+#include "content/stars/table_text.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {
 
 namespace {
 
-constexpr std::size_t most_stars = 100'000'000;
 constexpr std::size_t longest_cell = 65'536;
-constexpr std::size_t chunk_bytes = 1U << 18U;
-
-enum Column { ra_deg, ra_hours, dec_deg, magnitude, colour, catalogue_number, distance, column_count };
-
-//! Magnitude of what is so near that it is the Sun, for which catalogues have a distance of 0.
-constexpr double brightest_but_the_sun = -20.0;
-
-//! What a problem calls a column.
-constexpr const char* column_words[column_count] = {"a right ascension", "a right ascension", "a declination",
-                                                    "a magnitude",       "a colour",          "a catalogue's number",
-                                                    "a distance"};
-
-//! Colours are farther than this from 0 where catalogues write 99 for one that is not known.
-constexpr double most_colour = 20.0;
-
-//! Names under which catalogues have a column, in capitals or not; HYG: ra in hours, dec, mag, ci.
-constexpr std::pair<std::string_view, Column> column_names[] = {
-    {"ra_deg", ra_deg}, {"radeg", ra_deg},    {"ra", ra_hours},          {"dec_deg", dec_deg},     {"dedeg", dec_deg},
-    {"dec", dec_deg},   {"v_mag", magnitude}, {"vmag", magnitude},       {"mag", magnitude},       {"b_v", colour},
-    {"b-v", colour},    {"ci", colour},       {"hip", catalogue_number}, {"id", catalogue_number}, {"dist", distance}};
-
-//! All of them, by what they hold, for who has named none of a kind.
-constexpr const char* all_column_names =
-    "right ascension: ra_deg or RAdeg in degrees, ra in hours; declination: dec_deg, DEdeg or dec; magnitude: v_mag, "
-    "Vmag or mag; where they are known, colour: b_v, B-V or ci; number: hip or id; distance: dist";
-
-std::optional<Column> column_named(std::string_view name) {
-  const auto same = [](char known, char given) {
-    return known == (given >= 'A' && given <= 'Z' ? static_cast<char>(given - 'A' + 'a') : given);
-  };
-  for (const auto& [known, column] : column_names) {
-    if (std::ranges::equal(known, name, same)) {
-      return column;
-    }
-  }
-  return std::nullopt;
-}
-
-//! True if a cell stands for a number that is not known, in the words of Gaia's archive and VizieR.
-bool is_blank(std::string_view cell) {
-  constexpr std::string_view blanks[] = {"", "null", "NULL", "nan", "NaN", "--", "---"};
-  return std::ranges::find(blanks, cell) != std::end(blanks);
-}
-
-//! Returns the character between the cells of a header: comma, semicolon or tab, whichever it has most of.
-char separator_of(std::string_view text) {
-  const std::string_view header = text.substr(0, text.find_first_of("\r\n"));
-  char most = ',';
-  for (const char separator : {';', '\t'}) {
-    most = std::ranges::count(header, separator) > std::ranges::count(header, most) ? separator : most;
-  }
-  return most;
-}
-
-//! Throws Error if a file is compressed, or no text of single bytes.
-void require_plain_text(std::string_view text, const std::string& file) {
-  if (text.starts_with("\x1F\x8B")) {
-    throw Error(file, "is compressed (gzip)", "unpack it with gunzip");
-  }
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw Error(file, "is text in UTF-16", "save it as UTF-8");
-  }
-}
-
-//! Takes cells and rows from the parser. It must not throw through the parser's frames: the first problem is kept.
-class TableBuilder {
- public:
-  explicit TableBuilder(std::string file) : file_(std::move(file)) {}
-
-  //! Sets the character between cells.
-  void set_separator(char separator) { separator_ = separator; }
-
-  void take_cell(std::string_view cell) {
-    if (problem_) {
-      return;
-    }
-    if (cell.find('\n') != std::string_view::npos) {
-      count_lines(cell);
-    }
-    if (in_header_) {
-      name_column(cell);
-    } else if (cell_ < columns_.size() && columns_[cell_]) {
-      take_number(*columns_[cell_], cell);
-    } else if (cell_ >= named_ && !cell.empty()) {
-      fail(fmt::format("has more cells than the {} that the first line names", named_),
-           "name every column, and put cells that hold commas in quotes");
-    }
-    ++cell_;
-  }
-
-  //! `end` is the character that ended it; a carriage return has a line feed behind it.
-  void end_row(int end) {
-    if (!problem_ && cell_ > 0) {
-      in_header_ ? end_header() : end_star();
-    }
-    line_ += lines_in_row_ + (end != '\r' ? 1 : 0);
-    lines_in_row_ = 0;
-    cell_ = 0;
-    values_.fill(std::numeric_limits<double>::quiet_NaN());
-  }
-
-  //! Throws the first problem.
-  void check() const {
-    if (problem_) {
-      throw Error(*problem_);
-    }
-  }
-
-  StarCatalogue take() {
-    check();
-    if (in_header_) {
-      throw Error(file_, "is empty", "name the columns in its first line: ra_deg,dec_deg,v_mag,b_v");
-    }
-    sort_by_brightness(catalogue_.stars);
-    return std::move(catalogue_);
-  }
-
-  void fail(const std::string& problem, const std::string& remedy) {
-    if (!problem_) {
-      problem_ = Error(fmt::format("{}:{}", file_, line_), problem, remedy);
-    }
-  }
-
- private:
-  //! Counts the lines that a cell in quotes ends. A quote that is closed in another row swallows one with each of them, which the commas tell: in a name there
-  //! may well be an end of a line, but not as many commas as in a row.
-  void count_lines(std::string_view cell) {
-    const auto lines = static_cast<std::size_t>(std::ranges::count(cell, '\n'));
-    const auto commas = static_cast<std::size_t>(std::ranges::count(cell, separator_));
-    if (!in_header_ && named_ > 1 && commas >= (named_ - 1) * lines) {
-      leave_out({"within quotes that go on into the next line", lines, line_ + lines_in_row_, false});
-    }
-    lines_in_row_ += lines;
-  }
-
-  void leave_out(const RowsLeftOut& rows) {
-    const auto known = std::ranges::find(catalogue_.left_out, rows.why, &RowsLeftOut::why);
-    if (known == catalogue_.left_out.end()) {
-      catalogue_.left_out.push_back(rows);
-    } else {
-      known->count += rows.count;
-    }
-  }
-
-  void name_column(std::string_view cell) {
-    if (cell_ == 0 && cell.starts_with("\xEF\xBB\xBF")) {
-      cell.remove_prefix(3);
-    }
-    auto column = column_named(cell);
-    // The first of several names wins: HYG has hip after id, but a star is known by its first catalogue_number.
-    if (column && *column == catalogue_number && has_[catalogue_number]) {
-      column.reset();
-    }
-    if (column) {
-      if (has_[*column]) {
-        fail(fmt::format("has two columns for {}", column_words[*column]), "leave one of them, or rename it");
-      }
-      has_[*column] = true;
-    }
-    if (columns_.size() < 4096) {
-      columns_.push_back(column);
-    }
-  }
-
-  void end_header() {
-    in_header_ = false;
-    named_ = cell_;
-    values_.fill(std::numeric_limits<double>::quiet_NaN());
-    std::string missing;
-    const auto require = [&](bool there, Column column) {
-      if (!there) {
-        missing += fmt::format("{}{}", missing.empty() ? "" : ", ", column_words[column]);
-      }
-    };
-    require(has_[ra_deg] || has_[ra_hours], ra_deg);
-    require(has_[dec_deg], dec_deg);
-    require(has_[magnitude], magnitude);
-    if (!missing.empty()) {
-      fail(fmt::format("names no column for {}", missing),
-           fmt::format("name them in the first line, in capitals or not; {}", all_column_names));
-    }
-  }
-
-  void take_number(Column column, std::string_view cell) {
-    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '+')) {
-      cell.remove_prefix(1);
-    }
-    while (!cell.empty() && cell.back() == ' ') {
-      cell.remove_suffix(1);
-    }
-    if (is_blank(cell)) {
-      return;
-    }
-    // Where semicolons separate cells, commas are decimal points.
-    std::string point;
-    if (separator_ == ';' && cell.find(',') != std::string_view::npos) {
-      point = cell;
-      std::ranges::replace(point, ',', '.');
-      cell = point;
-    }
-    if (cell.find('\n') != std::string_view::npos) {
-      return fail(fmt::format("has a cell of more than one line where {} should be", column_words[column]),
-                  "close its quotes");
-    }
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size()) {
-      return fail(fmt::format("has \"{}\" where {} should be", printable(cell.substr(0, 40)), column_words[column]),
-                  "write a number, or nothing");
-    }
-    values_[column] = value;
-  }
-
-  void end_star() {
-    const double ra = has_[ra_deg] ? values_[ra_deg] : 15.0 * values_[ra_hours];
-    const double dec = values_[dec_deg];
-    const double v_mag = values_[magnitude];
-    if (!std::isfinite(ra) || !std::isfinite(dec)) {
-      return leave_out({"without a place", 1, line_, false});
-    }
-    if (!std::isfinite(v_mag)) {
-      return leave_out({"without a magnitude", 1, line_, false});
-    }
-    // Other stars have a distance of 0 where it is not known.
-    if (has_[distance] && values_[distance] == 0.0 && v_mag < brightest_but_the_sun) {
-      return leave_out({"of the Sun", 1, line_, true});
-    }
-    if (std::abs(dec) > 90.0 || std::abs(ra) > 360.0) {
-      return fail(fmt::format("has a star at right ascension {} deg, declination {} deg", ra, dec),
-                  "places are within 360 and 90 degrees; a column ra is in hours, ra_deg in degrees");
-    }
-    if (v_mag < -30.0 || v_mag > 60.0) {
-      return fail(fmt::format("has a star of magnitude {}", v_mag), "magnitudes are between -30 and 60");
-    }
-    if (catalogue_.stars.size() >= most_stars) {
-      return fail("has more than 100 million stars", "leave the faint ones out");
-    }
-    const double own = values_[catalogue_number];
-    const bool counted = own >= 0.0 && own <= 4e9;
-    const bool coloured = std::abs(values_[colour]) <= most_colour;
-    const double b_v = coloured ? values_[colour] : std::numeric_limits<double>::quiet_NaN();
-    catalogue_.stars.push_back({counted ? static_cast<std::uint32_t>(own) : 0U, std::fmod(ra + 360.0, 360.0), dec,
-                                static_cast<float>(v_mag), static_cast<float>(b_v)});
-  }
-
-  std::string file_;
-  std::size_t line_ = 1;          //!< where the row begins
-  std::size_t lines_in_row_ = 0;  //!< that cells of it have ended
-  std::size_t cell_ = 0;
-  std::size_t named_ = 0;  //!< columns of the header
-  bool in_header_ = true;
-  char separator_ = ',';
-  std::vector<std::optional<Column>> columns_;
-  std::array<bool, column_count> has_{};
-  std::array<double, column_count> values_{};
-  StarCatalogue catalogue_;
-  std::optional<Error> problem_;
-};
+//! Lines before the header, and the header, are kept whole up to this size [bytes].
+constexpr std::size_t longest_kept_line = 1U << 20U;
+constexpr std::size_t most_described_columns = 4096;
 
 //! The library's parser, freed at the end.
 class CsvParser {
@@ -322,29 +64,190 @@ class CsvParser {
   csv_parser parser_{};
 };
 
+//! Returns the character between the cells of a header: the most frequent of comma, semicolon, tab
+//! and bar, or else a space.
+char separator_of(std::string_view header) {
+  char most = ',';
+  for (const char separator : {';', '\t', '|'}) {
+    most = std::ranges::count(header, separator) > std::ranges::count(header, most) ? separator : most;
+  }
+  return header.find(most) == std::string_view::npos && header.find(' ') != std::string_view::npos ? ' ' : most;
+}
+
+std::string_view without_blanks(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = line.find_first_not_of(blanks);
+  return first == std::string_view::npos ? "" : line.substr(first, line.find_last_not_of(blanks) - first + 1);
+}
+
+//! Returns the value of a key in a comment of an ECSV file: `# - {name: ra, unit: deg, datatype:
+//! float64}`.
+std::string_view ecsv_value(std::string_view comment, std::string_view key) {
+  const std::size_t at = comment.find(key);
+  if (at == std::string_view::npos) {
+    return "";
+  }
+  const std::string_view rest = comment.substr(at + key.size());
+  const std::string_view value = without_blanks(rest.substr(0, rest.find_first_of(",}")));
+  return value.size() > 1 && (value.front() == '"' || value.front() == '\'') ? value.substr(1, value.size() - 2)
+                                                                             : value;
+}
+
+//! Splits a text into lines: skips comments, finds the header, and gives the rest to the CSV
+//! parser.
+class TableLines {
+ public:
+  explicit TableLines(std::string file) : file_(std::move(file)), table_(file_) {}
+
+  void take(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = text.find_first_of("\r\n");
+      const std::string_view piece = text.substr(0, end == std::string_view::npos ? end : end + 1);
+      text.remove_prefix(piece.size());
+      take_piece(piece, end != std::string_view::npos);
+    }
+    table_.check();
+  }
+
+  StarCatalogue finish() {
+    if (!header_found_ && !kept_.empty()) {
+      take_line_before_rows();
+    }
+    parser_.finish(table_);
+    return table_.finish();
+  }
+
+ private:
+  //! Takes a line, or a part of it where it goes on in the next part of the text.
+  void take_piece(std::string_view piece, bool ended) {
+    if (!header_found_) {
+      kept_ += piece;
+      if (ended || kept_.size() > longest_kept_line) {
+        take_line_before_rows();
+        kept_.clear();
+      }
+      return;
+    }
+    if (at_line_start_ && table_.is_between_rows()) {
+      in_comment_ = piece.front() == '#';
+    }
+    at_line_start_ = ended;
+    if (!in_comment_) {
+      return parse(piece);
+    }
+    if (ended) {
+      table_.skip_line(piece.back());
+      in_comment_ = false;
+    }
+  }
+
+  void take_line_before_rows() {
+    const std::string_view line = without_blanks(kept_);
+    if (line.starts_with('#')) {
+      note_comment(line);
+      return table_.skip_line(kept_.back());
+    }
+    if (line.starts_with("sep=") && line.size() == 5) {
+      told_separator_ = line[4];
+      return table_.skip_line(kept_.back());
+    }
+    if (line.empty() && kept_.find('\t') == std::string::npos) {
+      return table_.skip_line(kept_.back());
+    }
+    begin_table(line);
+  }
+
+  //! Begins with the first line that is no comment: the header, or data whose header is the last
+  //! comment.
+  void begin_table(std::string_view line) {
+    const std::size_t first = line.find_first_not_of("\" ");
+    const bool data = first != std::string_view::npos &&
+                      (std::string_view("+-.0123456789").find(line[first]) != std::string_view::npos);
+    if (data && last_comment_.empty()) {
+      throw Error(file_, "does not name its columns: its first line begins with a number",
+                  "name them in the first line; save a table of fixed widths as CSV first");
+    }
+    const std::string header = data ? last_comment_ : std::string(line);
+    separator_ = told_separator_.value_or(separator_of(header));
+    parser_.set_separator(separator_);
+    table_.begin(separator_, std::move(units_));
+    header_found_ = true;
+    if (data) {
+      // The line of this header is counted: a carriage return does not count again.
+      parse(header + '\r');
+    }
+    at_line_start_ = kept_.ends_with('\n') || kept_.ends_with('\r');
+    parse(kept_);
+  }
+
+  void note_comment(std::string_view comment) {
+    comment.remove_prefix(std::min(comment.find_first_not_of("# \t"), comment.size()));
+    if (const std::string_view name = ecsv_value(comment, "name: "); !name.empty()) {
+      const std::string_view unit = ecsv_value(comment, "unit: ");
+      if (!unit.empty() && units_.size() < most_described_columns) {
+        units_.emplace(plain_column_name(name), unit);
+      }
+    }
+    last_comment_ = comment;
+  }
+
+  void parse(std::string_view text) {
+    if (separator_ != ' ') {
+      table_.begin_row();
+      return parser_.parse(text, table_);
+    }
+    std::string single;
+    for (const char c : text) {
+      add_with_single_spaces(c, single);
+    }
+    if (!single.empty()) {
+      table_.begin_row();
+      parser_.parse(single, table_);
+    }
+  }
+
+  //! Turns spaces and tabs outside of quotes into one space between cells, and none at the ends of
+  //! a line.
+  void add_with_single_spaces(char c, std::string& text) {
+    const bool line_end = c == '\n' || c == '\r';
+    if (!in_quotes_ && (c == ' ' || c == '\t')) {
+      space_waits_ = in_line_;
+      return;
+    }
+    if (space_waits_ && !line_end) {
+      text += ' ';
+    }
+    space_waits_ = false;
+    in_line_ = in_quotes_ || !line_end;
+    in_quotes_ = in_quotes_ != (c == '"');
+    text += c;
+  }
+
+  std::string file_;
+  TableBuilder table_;
+  CsvParser parser_;
+  char separator_ = ',';
+  std::optional<char> told_separator_;  //!< by a spreadsheet's line sep=;
+  std::string kept_;                    //!< a line before the rows
+  std::string last_comment_;
+  UnitsByName units_;
+  bool header_found_ = false;
+  bool at_line_start_ = true;
+  bool in_comment_ = false;
+  bool in_quotes_ = false;    //!< where spaces separate cells
+  bool in_line_ = false;      //!< the same: the line has begun
+  bool space_waits_ = false;  //!< the same: before the next cell
+};
+
 }  // namespace
 
 StarCatalogue parse_star_table(std::istream& stream, const std::string& file) {
-  TableBuilder table(file);
-  CsvParser parser;
-  std::string chunk(chunk_bytes, '\0');
-  for (bool first = true; stream; first = false) {
-    require_reading_goes_on(file);
-    stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    const std::string_view text(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-    if (first) {
-      require_plain_text(text, file);
-      parser.set_separator(separator_of(text));
-      table.set_separator(separator_of(text));
-    }
-    parser.parse(text, table);
-    table.check();
+  TableText text(stream, file);
+  TableLines lines(file);
+  for (std::string_view part = text.next(); !part.empty(); part = text.next()) {
+    lines.take(part);
   }
-  if (stream.bad()) {
-    throw Error(file, "cannot be read", "check its disk");
-  }
-  parser.finish(table);
-  return table.take();
+  return lines.finish();
 }
 
 StarCatalogue read_star_table(const std::filesystem::path& path) {

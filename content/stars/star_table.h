@@ -8,9 +8,9 @@
 
 namespace ergodome {
 
-//! Reads a table of stars as comma-separated text, columns named in its first line, in any order, others ignored:
-//!   ra_deg [deg] (or ra, in hours, as HYG has it), dec_deg or dec [deg], v_mag, Vmag or mag, and where they are known b_v, B-V or ci, and
-//!   hip or id; in capitals or not.
+//! Reads a table of stars as text: our own, and those of HYG, Gaia's archive, VizieR, TOPCAT, AstroPy (ECSV), Stellarium and spreadsheets.
+//! gzip and UTF-16 are read as well (table_text.h). Cells are separated by commas, semicolons, tabs, bars or spaces; the first line that
+//! is no comment names the columns (table_columns.h), in any order, others are ignored. Coordinates may be sexagesimal (sky_angle.h).
 //! Rows whose place or magnitude is empty or not a number are left out and counted by cause; so are HYG's own row of the Sun (dist = 0, brighter than -20)
 //! and lines like rows that a cell's quotes have swallowed. A missing colour stays NaN, and so does one beyond 20: catalogues write 99 for what is not known.
 //! Throws Error with file and line for text where a number should be, quotes that are not closed, places off the sphere, and magnitudes beyond -30 to 60.

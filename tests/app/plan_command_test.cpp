@@ -110,6 +110,7 @@ TEST_F(CommandLine, ShowsTellWhichRowsOfTheirCatalogueAreLeftOut) {
   const auto stars = json_in(output_)["stars"];
   EXPECT_EQ(stars["count"], 1);
   EXPECT_EQ(stars["left_out"][0]["first_line"], 3);
+  EXPECT_EQ(stars["read_as"], "ra_deg in degrees, dec; V from mag");
   ASSERT_EQ(run("render own.toml --out o --backend cpu"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("own.csv: has " + told));
 }

@@ -135,8 +135,8 @@ TEST(StarTable, EmptyFileIsAnError) { EXPECT_THAT(catalogue_problem(""), HasSubs
 
 TEST(StarTable, MissingColumnIsToldWithAllNames) {
   EXPECT_THAT(catalogue_problem("ra_deg,mag\n1,2\n"),
-              AllOf(HasSubstr("stars.csv:1: names no column for a declination; "), HasSubstr("dec_deg, DEdeg or dec"),
-                    HasSubstr("b_v, B-V or ci")));
+              AllOf(HasSubstr("stars.csv:1: names no column for a declination; "), HasSubstr("DE_ICRS or dec"),
+                    HasSubstr("b_v, B-V, ci")));
 }
 
 TEST(StarTable, BytesThatATerminalDoesNotShowAreToldByTheirNumbers) {
@@ -159,7 +159,7 @@ TEST(StarTable, CellsWithoutAColumnAndColumnsGivenTwiceAreErrors) {
   EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag\n1,2,3,4\n"),
               AllOf(HasSubstr("stars.csv:2"), HasSubstr("more cells")));
   EXPECT_EQ(parsed_stars("ra_deg,dec_deg,v_mag\n1,2,3,,\n").stars.size(), 1U);
-  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,v_mag,mag\n1,2,3,4\n"), HasSubstr("two columns for a magnitude"));
+  EXPECT_THAT(catalogue_problem("ra_deg,dec_deg,mag,Mag\n1,2,3,4\n"), HasSubstr("two columns for a magnitude"));
 }
 
 TEST(StarTable, ColumnsMayBeNamedInCapitals) {
@@ -186,11 +186,6 @@ TEST(StarTable, WordsForUnknownNumbersAreBlank) {
   const StarCatalogue read = parsed_stars("ra_deg,dec_deg,v_mag,b_v\n1,2,3,null\n1,2,null,0.5\n1,2,3,--\n");
   ASSERT_EQ(read.stars.size(), 2U);
   EXPECT_TRUE(std::isnan(read.stars[0].b_v) && std::isnan(read.stars[1].b_v));
-}
-
-TEST(StarTable, CompressedOrWideTextIsNamed) {
-  EXPECT_THAT(catalogue_problem("\x1F\x8B\x08 and so on"), HasSubstr("gunzip"));
-  EXPECT_THAT(catalogue_problem("\xFF\xFEr"), HasSubstr("UTF-16"));
 }
 
 TEST(StarTable, ColourThatNoStarHasIsNotKnown) {

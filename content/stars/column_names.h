@@ -1,0 +1,49 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "content/stars/table_columns.h"
+
+namespace ergodome {
+
+//! A name under which tables have a column.
+struct KnownName {
+  std::string_view name;
+  Quantity quantity;
+  int pair = 0;  //!< a right ascension and a declination of one number belong together; small numbers first
+  AngleUnit unit = AngleUnit::open;
+};
+
+//! Returns all names in the order of preference.
+std::span<const KnownName> known_column_names();
+
+//! What to name columns, for messages.
+inline constexpr const char* column_names_to_use =
+    "right ascension: ra_deg, RAdeg, RAJ2000 or RA_ICRS in degrees, ra_hours in hours, ra in either; declination: "
+    "dec_deg, DEdeg, DEJ2000, DE_ICRS or dec; magnitude: v_mag, Vmag, mag, Gmag or phot_g_mean_mag; where they are "
+    "known, colour: b_v, B-V, ci, bp_rp or teff; number: hip or id; distance: dist";
+
+//! Columns that say why a quantity is missing.
+struct Substitute {
+  Quantity missing;
+  std::initializer_list<std::string_view> names;
+  const char* what;
+};
+
+std::span<const Substitute> column_substitutes();
+
+//! Returns what stands in brackets at the end of a name: "deg" of "RA (deg)" or "ra[deg]".
+std::string_view bracketed_unit(std::string_view name);
+
+//! Returns a column's name for comparisons: lower case, without a unit in brackets, with _ for
+//! spaces, dots and hyphens.
+std::string plain_column_name(std::string_view name);
+
+//! Returns the unit of a coordinate by its word in a units row: "deg", "h", "h:m:s", "rad".
+std::optional<AngleUnit> angle_unit_named(std::string_view word);
+
+}  // namespace ergodome
