@@ -123,8 +123,9 @@ std::optional<AngleUnit> angle_unit_named(std::string_view word) {
       {"\"d:m:s\"", AngleUnit::degrees}, {"dms", AngleUnit::degrees},    {"h", AngleUnit::hours},
       {"hr", AngleUnit::hours},          {"hour", AngleUnit::hours},     {"hours", AngleUnit::hours},
       {"hourangle", AngleUnit::hours},   {"h:m:s", AngleUnit::hours},    {"\"h:m:s\"", AngleUnit::hours},
-      {"hms", AngleUnit::hours},         {"rad", AngleUnit::radians},    {"radian", AngleUnit::radians},
-      {"radians", AngleUnit::radians}};
+      {"hms", AngleUnit::hours},         {"hh:mm:ss", AngleUnit::hours}, {"h m s", AngleUnit::hours},
+      {"dd:mm:ss", AngleUnit::degrees},  {"d m s", AngleUnit::degrees},  {"rad", AngleUnit::radians},
+      {"radian", AngleUnit::radians},    {"radians", AngleUnit::radians}};
   const auto* const found = std::ranges::find(words, word, &UnitWord::word);
   return found == std::end(words) ? std::nullopt : std::optional(found->unit);
 }

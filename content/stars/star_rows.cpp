@@ -112,8 +112,8 @@ double StarRows::right_ascension_of(const std::string& text, const std::string& 
   }
   sexagesimal_ = true;
   const bool in_degrees = columns_.ra.unit == AngleUnit::degrees && columns_.ra.source == UnitSource::units_row;
-  if (angle->mark == AngleMark::none &&
-      (in_degrees || plain_column_name(columns_.names[right_ascension]) == "ra_deg")) {
+  const bool named_degrees = plain_column_name(columns_.names[right_ascension]).ends_with("deg");
+  if (angle->mark == AngleMark::none && (in_degrees || named_degrees)) {
     throw Error(place(line), fmt::format("has \"{}\" in a column in degrees", printable(cell.substr(0, 40))),
                 "write degrees with decimals, or mark the unit as in 05h14m32.27s or 78d38m04s");
   }
@@ -127,10 +127,11 @@ double StarRows::right_ascension_of(const std::string& text, const std::string& 
 
 double StarRows::declination_of(const std::string& text, const std::string& cell, std::size_t line) const {
   const auto angle = parse_sky_angle(text);
-  if (!angle || angle->mark == AngleMark::hours) {
+  const bool radians = columns_.dec.unit == AngleUnit::radians;
+  if (!angle || angle->mark == AngleMark::hours || (radians && angle->sexagesimal)) {
     refuse(cell, declination, line);
   }
-  const double dec_deg = columns_.dec.unit == AngleUnit::radians ? angle->value * radian_deg : angle->value;
+  const double dec_deg = radians ? angle->value * radian_deg : angle->value;
   if (std::isfinite(dec_deg) && std::abs(dec_deg) > 90.0) {
     throw Error(place(line), fmt::format("has a star at declination {} deg", dec_deg),
                 "declinations are between -90 and 90 degrees");

@@ -132,7 +132,7 @@ void apply_unit(TableColumns& columns, Quantity quantity, std::string_view unit,
   if (quantity == right_ascension || quantity == declination) {
     if (const auto known = angle_unit_named(unit)) {
       (quantity == right_ascension ? columns.ra : columns.dec) = {*known, source};
-    } else if (unit != "J2000" && unit != "ICRS" && !unit.empty()) {
+    } else if (!unit.empty() && unit != "J2000" && unit != "J2000.0" && unit != "2000" && unit != "ICRS") {
       throw Error(place, fmt::format("gives {} in \"{}\"", words_of(quantity), printable(unit.substr(0, 40))),
                   "convert it to degrees (deg), hours (h) or radians (rad) of the equinox J2000");
     }
@@ -167,7 +167,7 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
     if (quantity == right_ascension && chosen.known->unit != AngleUnit::open) {
       columns.ra = {chosen.known->unit, UnitSource::name};
     }
-    apply_unit(columns, quantity, bracketed_unit(names[chosen.column]), UnitSource::name, place);
+    apply_unit(columns, quantity, bracketed_unit(names[chosen.column]), UnitSource::units_row, place);
     if (const auto unit = units.find(name); unit != units.end()) {
       apply_unit(columns, quantity, unit->second, UnitSource::units_row, place);
     }

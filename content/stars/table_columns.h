@@ -34,6 +34,7 @@ const char* words_of(Quantity quantity);
 enum class AngleUnit { open, degrees, hours, radians };
 
 //! Where the unit of the right ascension comes from.
+//! `units_row`: a row of units, a comment of ECSV, or brackets behind the name.
 enum class UnitSource { values, name, units_row, program };
 
 struct CoordinateUnit {

@@ -143,6 +143,7 @@ TEST(ForeignStars, UnitOfAColumnRaIsDecidedByEvidence) {
   EXPECT_EQ(first("ra\tdec\tmag\nh\tdeg\tmag\n2\t3\t4\n"), 30.0);
   EXPECT_EQ(first("RA (deg),dec,mag\n2,3,4\n"), 2.0);
   EXPECT_EQ(first("ra[h],dec,mag\n2,3,4\n"), 30.0);
+  EXPECT_EQ(first("RA (hh:mm:ss),Dec (dd:mm:ss),mag\n2:30,-3:00,4\n"), 37.5);
   EXPECT_EQ(first("RAJ2000,DEJ2000,Vmag\n2,3,4\n"), 2.0);
   EXPECT_NEAR(first("ra\tdec\tmag\nrad\trad\tmag\n1.5\t0.5\t4\n"), 85.9437, 1e-4);
   EXPECT_THAT(problem_of_stars("ra_hours,dec,mag\n101,3,4\n"), HasSubstr("stars.csv:2: has a star at right ascension"));
@@ -164,6 +165,8 @@ TEST(ForeignStars, WhatIsNotSupportedIsNamed) {
   EXPECT_THAT(problem_of_stars("ra dec mag name\n1 2 3\n"), HasSubstr("has 3 cells"));
   EXPECT_THAT(problem_of_stars("ra,dec,mag\n05 14 32,2,3\n6.5,2,3\n"), HasSubstr("with and without minutes"));
   EXPECT_THAT(problem_of_stars("ra_deg,dec,mag\n05 14 32,2,3\n"), HasSubstr("in a column in degrees"));
+  EXPECT_THAT(problem_of_stars("RA (deg),dec,mag\n05 14 32,2,3\n"), HasSubstr("in a column in degrees"));
+  EXPECT_THAT(problem_of_stars("RA (B1950),dec,mag\n5,2,3\n"), HasSubstr("gives a right ascension in \"B1950\""));
   EXPECT_THAT(problem_of_stars("#R\nRAJ2000\tDEJ2000\tVmag\n1\t2\t3\n\n#R\nRAJ2000\tDEJ2000\tVmag\n1\t2\t3\n"),
               HasSubstr("stars.csv:6: has the columns' names again"));
 }
