@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-//! How many stars a show's catalogue has, and which rows of it were left out.
+//! Returns how many stars a show's catalogue has, which columns were read, and which rows were left out.
 nlohmann::json facts_of_stars(const Show& show, const ShowNotes& notes);
 
 void print_stars(const nlohmann::json& facts);
