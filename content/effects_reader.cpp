@@ -38,7 +38,8 @@ void read_effects(const toml::table& table, const std::string& file, EffectSetti
   effects.magnification = reader.boolean("magnification", false);
   if (const toml::table* psf = reader.table("psf")) {
     TomlTable spread(*psf, file, "effects.psf");
-    effects.psf = PointSpreadSettings{own_number(spread, "sigma_px", 0.5), own_number(spread, "cutoff_px", 0.0)};
+    effects.psf = {own_number(spread, "sigma_px", effects.psf.sigma_px),
+                   own_number(spread, "cutoff_px", effects.psf.cutoff_px)};
     spread.refuse_unknown_keys();
   }
   if (const toml::table* trails = reader.table("trails")) {

@@ -77,7 +77,8 @@ struct SkySettings {
 
 //! The spot that an image of a star is. Pixels are those of pictures up to 4k; in finer ones of a dome or a whole sky it keeps its angle.
 struct PointSpreadSettings {
-  double sigma_px = 0.5;
+  //! Of a Gaussian that is two pixels wide at half its height, so that stars which move do not flicker. 0: one hard pixel.
+  double sigma_px = 0.85;
   double cutoff_px = 0.0;  //!< where the spot ends; 0: three sigma
 };
 
@@ -106,11 +107,11 @@ struct BloomSettings {
   double radius_px = 40.0;
 };
 
-//! What is simulated; absent is not simulated.
+//! What is simulated; absent is not simulated. Stars always have a spread.
 struct EffectSettings {
   bool redshift = false;
   bool magnification = false;
-  std::optional<PointSpreadSettings> psf;
+  PointSpreadSettings psf;
   std::optional<TrailSettings> trails;
   std::optional<DiffractionSettings> diffraction;
   std::optional<BloomSettings> bloom;

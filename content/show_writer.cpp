@@ -86,10 +86,9 @@ toml::table camera_of(const CameraSettings& camera) {
 }
 
 toml::table effects_of(const EffectSettings& effects) {
-  toml::table table{{"redshift", effects.redshift}, {"magnification", effects.magnification}};
-  if (effects.psf) {
-    table.insert("psf", toml::table{{"sigma_px", effects.psf->sigma_px}, {"cutoff_px", effects.psf->cutoff_px}});
-  }
+  toml::table table{{"redshift", effects.redshift},
+                    {"magnification", effects.magnification},
+                    {"psf", toml::table{{"sigma_px", effects.psf.sigma_px}, {"cutoff_px", effects.psf.cutoff_px}}}};
   if (effects.trails) {
     table.insert("trails", toml::table{{"shutter_s", effects.trails->shutter_s}});
   }

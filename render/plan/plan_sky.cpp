@@ -92,8 +92,7 @@ void Planner::plan_stars() {
       buffer("diffraction pattern, placed", WorkMoment::picture, 0, why("effects.diffraction"));
     }
   }
-  pass("splat_stars", WorkMoment::picture, plan_.eyes * blocks_, 0, show_.effects.psf ? why("effects.psf") : stars,
-       true);
+  pass("splat_stars", WorkMoment::picture, plan_.eyes * blocks_, 0, stars, true);
   if (needs_.spikes) {
     pass("draw_spikes", WorkMoment::picture, plan_.eyes * blocks_, 0, why("effects.diffraction"), true);
   }

@@ -43,13 +43,16 @@ StarSettings star_settings(const Show& show) {
 }
 
 SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPattern>& spikes) {
-  const auto& psf = show.effects.psf;
-  SplatSettings splat{psf ? psf->sigma_px : 0.0,
+  // A spread that no pixel can show is none, and has no end.
+  constexpr double least_sigma_px = 0.01;
+  const PointSpreadSettings psf =
+      show.effects.psf.sigma_px >= least_sigma_px ? show.effects.psf : PointSpreadSettings{0.0, 0.0};
+  SplatSettings splat{psf.sigma_px,
                       static_cast<float>(show.sky.exposure / luminance_of_white),
                       std::numeric_limits<float>::infinity(),
                       0.0F,
                       0.0,
-                      psf ? psf->cutoff_px : 0.0};
+                      psf.cutoff_px};
   if (spikes && frame_needs(show, ViewMode::sky).spikes) {
     splat.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
     splat.spike_strength = static_cast<float>(show.effects.diffraction->strength);

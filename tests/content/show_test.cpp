@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "content/show_reader.h"
 #include "tests/support/errors.h"
@@ -81,12 +83,23 @@ budget_px = 0.25
   EXPECT_NEAR(show.camera.keys[1].phi, 4.0 * 3.14159265358979323846, 1e-12);
   EXPECT_EQ(show.sky.stars, "bright_stars");
   EXPECT_TRUE(show.effects.redshift);
-  EXPECT_EQ(show.effects.psf->sigma_px, 0.5);
-  EXPECT_EQ(show.effects.psf->cutoff_px, 1.5);
+  EXPECT_EQ(show.effects.psf.sigma_px, 0.5);
+  EXPECT_EQ(show.effects.psf.cutoff_px, 1.5);
   EXPECT_EQ(show.view.size_px, 4096);
   EXPECT_EQ(show.stereo.baseline, 0.02);
   EXPECT_EQ(frame_count(show), 900);
   EXPECT_TRUE(missing_features(show).empty());
+}
+
+TEST(Show, SpreadsItsStarsOverTwoPixelsUnlessItSaysOtherwise) {
+  // The full width at half maximum of a Gaussian is 2 sqrt(2 ln 2) sigma.
+  const double width = 2.0 * std::sqrt(2.0 * std::numbers::ln2);
+  const std::string text = minimal;
+  EXPECT_NEAR(width * parse_show(text, "show.toml").effects.psf.sigma_px, 2.0, 0.005);
+  EXPECT_NEAR(width * parse_show(text + "[effects]\npsf = {}\n", "show.toml").effects.psf.sigma_px, 2.0, 0.005);
+  const Show hard = parse_show(text + "[effects]\npsf = { sigma_px = 0 }\n", "show.toml");
+  EXPECT_EQ(hard.effects.psf.sigma_px, 0.0);
+  EXPECT_EQ(parse_show(to_toml(hard), "show.toml").effects.psf.sigma_px, 0.0);
 }
 
 TEST(Show, WrittenAsTextReadsBackTheSame) {
@@ -121,7 +134,7 @@ TEST(Show, WrittenAsTextReadsBackTheSame) {
   EXPECT_EQ(back.sky.filter, SkyFilter::polygon);
   EXPECT_EQ(back.sky.shift, SkyShift::blackbody_fit);
   EXPECT_TRUE(back.sky.brightening);
-  EXPECT_FALSE(back.effects.psf.has_value());
+  EXPECT_EQ(back.effects.psf.sigma_px, show.effects.psf.sigma_px);
   EXPECT_EQ(back.stereo, show.stereo);
 }
 

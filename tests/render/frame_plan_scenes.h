@@ -43,7 +43,10 @@ inline const std::vector<Effect>& effects() {
       {"brightening", [](Show& show) { show.sky.brightening = true; }},
       {"redshift", [](Show& show) { show.effects.redshift = true; }},
       {"magnification", [](Show& show) { show.effects.magnification = true; }},
-      {"psf", [](Show& show) { show.effects.psf = PointSpreadSettings{}; }},
+      {"psf",
+       [](Show& show) {
+         show.effects.psf = {2.0, 0.0};
+       }},
       {"trails", [](Show& show) { show.effects.trails = TrailSettings{0.3}; }},
       {"diffraction", [](Show& show) { show.effects.diffraction = DiffractionSettings{}; }},
       {"bloom", [](Show& show) { show.effects.bloom = BloomSettings{}; }},

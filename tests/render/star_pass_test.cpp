@@ -60,6 +60,26 @@ TEST(StarsOfAShow, AreAllTheLightOfABlackSky) {
 
 TEST(StarsOfAShow, AddLightToItsSky) { EXPECT_GT(light_of_stars(rendered(plain_effects)), 1.0); }
 
+TEST(StarsOfAShow, AreSoftByDefaultAndHardWhereTheShowAsks) {
+  const auto lit = [](const Picture& picture) {
+    long count = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      count += picture.rgba[i + 1] > 0.0F ? 1 : 0;
+    }
+    return count;
+  };
+  const auto picture = [&](const std::string& psf) {
+    Show show = star_show(plain_effects + psf);
+    show.sky.faintest_mag = 2.0;
+    return ShowRenderer(show, Backend::cpu).render(5.0, {}).front().picture;
+  };
+  const Picture soft = picture("");
+  // A spot of a hard star is a pixel whatever its cut-off; one of sigma 0.85 px covers more than five by five.
+  const Picture hard = picture("psf = { sigma_px = 0, cutoff_px = 4 }\n");
+  EXPECT_GT(lit(soft), 20 * lit(hard));
+  EXPECT_NEAR(light_of_stars(soft), light_of_stars(hard), 0.05 * light_of_stars(hard));
+}
+
 TEST(StarsOfAShow, GatheredByPixelsShineAsMuch) {
   const double gathered = light_of_stars(rendered(std::string(plain_effects) + "[stars]\nmethod = \"gather\"\n"));
   EXPECT_NEAR(gathered / light_of_stars(rendered(plain_effects)), 1.0, 0.03);
