@@ -73,7 +73,7 @@ struct ActionFacts {
   const char* german;
 };
 
-//! All actions that may be bound, in the order of the help.
+//! All actions that may be bound, in the order of control files. The help groups them itself.
 std::span<const ActionFacts> all_actions();
 
 //! A component of steering as files and the help call it.

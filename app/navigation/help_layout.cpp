@@ -1,17 +1,18 @@
 #include "app/navigation/help_layout.h"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace ergodome {
 
 namespace {
 
-constexpr int most_blocks = 4;
 constexpr int least_px = 6;
 constexpr std::size_t between_cells = 2;  // letters
-constexpr std::size_t between_blocks = 3;
+constexpr std::size_t between_columns = 4;
 
 std::vector<std::string> parts_of(const std::string& text, char end) {
   std::vector<std::string> parts;
@@ -34,7 +35,7 @@ void widen(std::string& line, std::size_t letters) {
   line.append(letters - std::min(letters, count_letters(line)), ' ');
 }
 
-//! Lines of one block: its cells filled up to the longest of their column, but for the last of a line; empty columns take no room.
+//! Lines of one column: its cells filled up to the longest of their column, but for the last of a line; empty columns take no room.
 std::vector<std::string> aligned(const std::vector<std::string>& lines) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::size_t> widths;
@@ -59,6 +60,51 @@ std::vector<std::string> aligned(const std::vector<std::string>& lines) {
   return all;
 }
 
+//! Groups of lines, without the empty lines between them.
+std::vector<std::vector<std::string>> groups_of(const std::string& list) {
+  std::vector<std::vector<std::string>> groups;
+  bool begun = false;
+  for (const std::string& line : parts_of(list, '\n')) {
+    if (line.empty()) {
+      begun = false;
+      continue;
+    }
+    if (!std::exchange(begun, true)) {
+      groups.emplace_back();
+    }
+    groups.back().push_back(line);
+  }
+  return groups;
+}
+
+using Groups = std::span<const std::vector<std::string>>;
+
+//! Lines of a column of groups, an empty one between them.
+std::vector<std::string> column_of(Groups groups) {
+  std::vector<std::string> lines;
+  for (const std::vector<std::string>& group : groups) {
+    if (!lines.empty()) {
+      lines.emplace_back();
+    }
+    lines.insert(lines.end(), group.begin(), group.end());
+  }
+  return lines;
+}
+
+//! How many groups the first of two columns has, so that the longer one is shortest.
+std::size_t first_column(Groups groups) {
+  std::size_t best = groups.size();
+  std::size_t least = column_of(groups).size();
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const std::size_t longer = std::max(column_of(groups.first(i)).size(), column_of(groups.subspan(i)).size());
+    if (longer < least) {
+      best = i;
+      least = longer;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::size_t count_letters(const std::string& text) {
@@ -66,54 +112,36 @@ std::size_t count_letters(const std::string& text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-std::string in_blocks(const std::string& list, int blocks) {
-  const std::vector<std::string> lines = parts_of(list, '\n');
-  const std::size_t columns = std::max<std::size_t>(1, static_cast<std::size_t>(blocks));
-  const std::size_t rows = (lines.size() + columns - 1) / columns;
-  std::vector<std::string> all(rows);
-  for (std::size_t first = 0; first < lines.size(); first += rows) {
-    const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = lines.begin() + static_cast<std::ptrdiff_t>(std::min(first + rows, lines.size()));
-    const std::vector<std::string> block = aligned({begin, end});
-    const std::size_t before = first > 0 ? longest_of(all) + between_blocks : 0;
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      widen(all[i], before);
-      all[i] += block[i];
+std::string in_columns(const std::string& list, int columns) {
+  const std::vector<std::vector<std::string>> groups = groups_of(list);
+  const std::size_t first = columns > 1 ? first_column(groups) : groups.size();
+  std::vector<std::string> lines = aligned(column_of(Groups(groups).first(first)));
+  const std::vector<std::string> second = aligned(column_of(Groups(groups).subspan(first)));
+  const std::size_t before = longest_of(lines) + between_columns;
+  lines.resize(std::max(lines.size(), second.size()));
+  for (std::size_t i = 0; i < second.size(); ++i) {
+    if (!second[i].empty()) {
+      widen(lines[i], before);
+      lines[i] += second[i];
     }
   }
   std::string text;
-  for (const std::string& line : all) {
+  for (const std::string& line : lines) {
     text.append(line).append("\n");
   }
   return text;
 }
 
 FittedText fit_list(const std::string& list, const TextSize& window, int usual_px, const MeasureText& measure) {
-  FittedText best;
-  FittedText least;
-  double least_part = 0.0;
-  for (int blocks = 1; blocks <= most_blocks && best.letter_px < usual_px; ++blocks) {
-    const std::string laid = in_blocks(list, blocks);
-    const auto part_of_window = [&](int letter_px) {
-      const TextSize size = measure(laid, letter_px);
-      return std::max(static_cast<double>(size.width_px) / window.width_px,
-                      static_cast<double>(size.height_px) / window.height_px);
-    };
-    // The largest that fits, by halves; the smallest where none does.
-    int letter_px = std::max(best.letter_px, least_px);
-    for (int too_large = usual_px + 1; too_large - letter_px > 1;) {
-      const int between = (letter_px + too_large) / 2;
-      (part_of_window(between) <= 1.0 ? letter_px : too_large) = between;
-    }
-    const double part = part_of_window(letter_px);
-    if (part <= 1.0 && letter_px > best.letter_px) {
-      best = {laid, letter_px};
-    } else if (letter_px == least_px && (least.letter_px == 0 || part < least_part)) {
-      least = {laid, least_px};
-      least_part = part;
-    }
+  FittedText fitted = {in_columns(list, 2), least_px};
+  // The largest that fits, by halves.
+  for (int too_large = usual_px + 1; too_large - fitted.letter_px > 1;) {
+    const int between = (fitted.letter_px + too_large) / 2;
+    const TextSize size = measure(fitted.text, between);
+    const bool fits = size.width_px <= window.width_px && size.height_px <= window.height_px;
+    (fits ? fitted.letter_px : too_large) = between;
   }
-  return best.letter_px > 0 ? best : least;
+  return fitted;
 }
 
 }  // namespace ergodome

@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-// Lists of lines whose cells are parted by tabs, for letters of one width.
+// Lists of lines whose cells are parted by tabs, and whose groups are parted by empty lines, for letters of one width.
 
 //! Lines of text, and the height of the letters that they are drawn with.
 struct FittedText {
@@ -27,11 +27,11 @@ using MeasureText = std::function<TextSize(const std::string& text, int letter_p
 //! Letters of a text in UTF-8: bytes that do not go on with one.
 std::size_t count_letters(const std::string& text);
 
-//! A list as `blocks` (>= 1) of as many lines each, beside each other; cells of a block stand below each other.
-std::string in_blocks(const std::string& list, int blocks);
+//! A list in one column, or in two beside each other, as equally long as whole groups allow. Cells of a column stand below each other.
+std::string in_columns(const std::string& list, int columns);
 
-//! The list in as many blocks as let its letters be largest in a window: at most `usual_px`, and at least 6, where small windows cut off what
-//! then is least. No more blocks than gain something.
+//! The list in two columns (one, if it is one group), with letters as large as fit into a window: at most `usual_px`, and at least 6, where smaller windows
+//! cut it off.
 FittedText fit_list(const std::string& list, const TextSize& window, int usual_px, const MeasureText& measure);
 
 }  // namespace ergodome

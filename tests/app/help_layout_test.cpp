@@ -6,29 +6,33 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "app/navigation/controls.h"
 
 namespace ergodome {
 namespace {
 
-TEST(HelpLayout, BlocksStandBesideEachOtherInTheListsOrder) {
-  EXPECT_EQ(in_blocks("one\ntwo\nthree\nfour\nfive\n", 2),
-            "one     four\n"
-            "two     five\n"
-            "three\n");
-  EXPECT_EQ(in_blocks("one\ntwo\n", 1), "one\ntwo\n");
+TEST(HelpLayout, GroupsStayWholeInTwoColumnsOfAboutEqualLength) {
+  EXPECT_EQ(in_columns("One\na\nb\n\nTwo\nc\n\nThree\nd\ne\nf\n", 2),
+            "One    Three\n"
+            "a      d\n"
+            "b      e\n"
+            "       f\n"
+            "Two\n"
+            "c\n");
+  EXPECT_EQ(in_columns("One\na\n\nTwo\nb\n", 1), "One\na\n\nTwo\nb\n");
 }
 
-TEST(HelpLayout, CellsOfABlockStandBelowEachOther) {
-  EXPECT_EQ(in_blocks("A\t\tgo\nPage Up\t\tback\nZ\t\tend\nLast\t\tno\n", 2),
-            "A        go     Z     end\n"
-            "Page Up  back   Last  no\n");
+TEST(HelpLayout, CellsOfAColumnStandBelowEachOther) {
+  EXPECT_EQ(in_columns("A\t\tgo\nPage Up\t\tback\n\nZ\t\tend\nLast\t\tno\n", 2),
+            "A        go      Z     end\n"
+            "Page Up  back    Last  no\n");
 }
 
 TEST(HelpLayout, CountsLettersAndNotBytes) {
   EXPECT_EQ(count_letters("Länge"), 5U);
-  EXPECT_EQ(in_blocks("größer\nb\n", 2), "größer   b\n");
+  EXPECT_EQ(in_columns("größer\n\nb\n", 2), "größer    b\n");
 }
 
 //! Letters of one width, with a margin as text on a panel has.
@@ -47,38 +51,31 @@ FittedText fit(const std::string& list, const TextSize& window, int usual_px) {
   return fit_list(list, window, usual_px, measured);
 }
 
-TEST(HelpLayout, OneBlockIsKeptWhereItFits) {
-  const FittedText fitted = fit("a\nb\nc\n", {1000, 1000}, 20);
-  EXPECT_EQ(fitted.text, "a\nb\nc\n");
-  EXPECT_EQ(fitted.letter_px, 20);
+TEST(HelpLayout, LettersAreAsLargeAsTheWindowLetsThem) {
+  // Two lines are four letters high.
+  const FittedText roomy = fit("a\nb\n\nc\nd\n", {1000, 1000}, 20);
+  EXPECT_EQ(roomy.text, "a    c\nb    d\n");
+  EXPECT_EQ(roomy.letter_px, 20);
+  EXPECT_EQ(fit("a\nb\n\nc\nd\n", {1000, 50}, 20).letter_px, 12);
 }
 
 TEST(HelpLayout, AnEmptyListStaysOne) {
-  EXPECT_EQ(in_blocks("", 3), "");
+  EXPECT_EQ(in_columns("", 2), "");
   EXPECT_EQ(fit("", {640, 360}, 11).text, "");
 }
 
-TEST(HelpLayout, TwoBlocksAreTakenWhereTheyLetLettersBeLarger) {
-  // One block of four lines fits with 7 px, two of two with 12, and four in a row not at all.
-  const FittedText fitted = fit("a\nb\nc\nd\n", {60, 50}, 20);
-  EXPECT_EQ(fitted.text, "a   c\nb   d\n");
-  EXPECT_EQ(fitted.letter_px, 12);
-}
+TEST(HelpLayout, WhereNothingFitsLettersAreSmallest) { EXPECT_EQ(fit("a\n\nb\n", {0, 0}, 20).letter_px, 6); }
 
-TEST(HelpLayout, WhereNothingFitsItIsCutOffLeast) {
-  EXPECT_EQ(fit("a\nb\nc\nd\n", {1000, 9}, 20).text, "a   b   c   d\n");
-  EXPECT_EQ(fit("a\nb\n", {0, 0}, 20).letter_px, 6);
-}
-
-TEST(HelpLayout, TheProgramsHelpFitsIntoAWindowOf700PixelsBelowTwoLinesOfTimes) {
-  const TextSize below_times = {700, 700 - measured("times\ndisparity\n", 14).height_px};
-  for (const char* language : {"en", "de"}) {
-    const HelpChoice choice = {.pads = false, .language = language, .form = HelpForm::cells};
-    const FittedText fitted = fit(Controls().help_text(choice), below_times, 14);
-    const TextSize size = measured(fitted.text, fitted.letter_px);
-    EXPECT_LE(size.width_px, 700) << language;
-    EXPECT_LE(size.height_px, below_times.height_px) << language;
-    EXPECT_GE(fitted.letter_px, 8) << language;
+TEST(HelpLayout, TheProgramsHelpFitsIntoSmallWindows) {
+  for (const auto& [window, least_px] : {std::pair(TextSize{700, 700}, 8), std::pair(TextSize{640, 360}, 7)}) {
+    for (const char* language : {"en", "de"}) {
+      const HelpChoice choice = {.pads = false, .language = language, .form = HelpForm::cells};
+      const FittedText fitted = fit(Controls().help_text(choice), window, 14);
+      const TextSize size = measured(fitted.text, fitted.letter_px);
+      EXPECT_LE(size.width_px, window.width_px) << language;
+      EXPECT_LE(size.height_px, window.height_px) << language;
+      EXPECT_GE(fitted.letter_px, least_px) << language;
+    }
   }
 }
 
