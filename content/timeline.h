@@ -51,6 +51,8 @@ struct DomePlace {
   double azimuth_deg = 0.0;     //!< to the right of the front
   double elevation_deg = 20.0;  //!< above the horizon, of its middle
   double roll_deg = 0.0;        //!< clockwise
+
+  bool operator==(const DomePlace&) const = default;
 };
 
 //! Words on the dome.

@@ -1,5 +1,7 @@
 #include "app/player/frame_source.h"
 
+#include <algorithm>
+#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -63,6 +65,7 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
   overlays.set_captions(frame.captions);
+  overlays.set_captions_apart(request.window.has_value());
   overlays.set_extra(request.captions, request.captions_opacity);
 }
 
@@ -70,6 +73,18 @@ EyesInWindow eyes_in_window(StereoLayout layout) {
   return !fills_window_by_eye(layout)          ? EyesInWindow::as_one
          : layout == StereoLayout::quad_buffer ? EyesInWindow::in_buffers
                                                : EyesInWindow::in_rows;
+}
+
+//! Width of an eye's captions that have a pixel for each of the window's, along both sides [px].
+int caption_width_px(const ImageSize& window, StereoLayout layout, const Projection& eye) {
+  constexpr double widest_px = 8192.0;
+  const EyeGrid grid = eye_grid(layout);
+  const ImageSize whole = window_picture_size(layout, {eye.width_px, eye.height_px});
+  const double scale =
+      std::min(static_cast<double>(window.width) / whole.width, static_cast<double>(window.height) / whole.height);
+  const double across = scale * whole.width / grid.columns;
+  const double along = scale * whole.height / grid.rows * eye.width_px / eye.height_px;
+  return static_cast<int>(std::lround(std::clamp(std::max(across, along), 1.0, widest_px)));
 }
 
 //! Joining eyes copies both of them, and a window need not: where light is shown they go up one by one. Colour bars lie across both, but
@@ -123,6 +138,12 @@ PictureAnswer render_for_window(const PictureRequest& request) {
                         renderer.tone()};
   } else {
     show_eyes(renderer, frame, projection, moment, answer);
+  }
+  answer.eye_grid = eye_grid(frame.stereo.layout);
+  if (request.window) {
+    const int width_px = caption_width_px(*request.window, frame.stereo.layout, projection);
+    answer.captions = renderer.caption_layer(make_projection(renderer.show().view, width_px, frame.field_of_view_deg),
+                                             frame.mode, frame.time_s);
   }
   answer.narrowed = renderer.narrowed_eyes();
   if (request.errors_asked) {

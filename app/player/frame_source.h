@@ -12,6 +12,7 @@
 #include "content/timeline.h"
 #include "render/frame/eye_disparity.h"
 #include "render/frame/show_renderer.h"
+#include "render/output/stereo_layout.h"
 #include "render/present/presenter.h"
 
 namespace ergodome {
@@ -23,6 +24,8 @@ struct PictureRequest {
   std::vector<Caption> captions;  //!< that do not come from the show
   double captions_opacity = 0.0;
   int size_px = 0;  //!< width of one eye's image
+  //! Of the window that the picture is for, where captions are laid over it there; none: they are drawn in the picture.
+  std::optional<ImageSize> window;
   bool disparity_asked = false;
   std::optional<FrameQuality>
       quality;  //!< in place of the show's; its budget counts in pixels of a picture `whole_px` wide
@@ -44,11 +47,13 @@ struct ViewLight {
 
 //! A finished picture and what it took.
 struct PictureAnswer {
-  Picture picture;                           //!< or the left eye's
-  std::optional<Picture> right_eye;          //!< where both eyes are shown whole
-  bool eyes_above = false;                   //!< the left one above the right, not beside it
-  EyesInWindow eyes = EyesInWindow::as_one;  //!< each by itself: side by side until then
-  std::optional<DevicePicture> on_device;    //!< in place of the picture's pixels, until the next request
+  Picture picture;                               //!< or the left eye's
+  std::optional<Picture> right_eye;              //!< where both eyes are shown whole
+  bool eyes_above = false;                       //!< the left one above the right, not beside it
+  EyesInWindow eyes = EyesInWindow::as_one;      //!< each by itself: side by side until then
+  EyeGrid eye_grid;                              //!< how the eyes share the picture that is shown
+  std::shared_ptr<const CaptionLayer> captions;  //!< of each eye, at the window's resolution; none where there are none
+  std::optional<DevicePicture> on_device;        //!< in place of the picture's pixels, until the next request
   double time_ms = 0.0;
   int size_px = 0;
   std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes

@@ -26,11 +26,8 @@ constexpr int most_failures = 5;
 //! The window for pictures of a show; eyes that layouts keep apart are side by side there, and those of quad_buffer and rows fill it.
 ScreenOptions screen_options(const Show& show, const PlayOptions& options) {
   const Projection projection = make_projection(show.view, options.size_px, 0.0);
-  const ImageSize eye = {projection.width_px, projection.height_px};
   const StereoLayout layout = show.stereo.layout;
-  const ImageSize size = fills_window_by_eye(layout)
-                             ? eye
-                             : layout_size(keeps_eyes_apart(layout) ? StereoLayout::side_by_side : layout, eye);
+  const ImageSize size = window_picture_size(layout, {projection.width_px, projection.height_px});
   return {size.width,
           size.height,
           options.full_screen || options.exhibit,
@@ -243,7 +240,23 @@ void Player::update_picture() {
   add_budget(wish);
   const bool words_changed = add_words(wish);
   const bool light_asked = add_light(wish);
-  note(pictures_.advance(wish, words_changed || light_asked || session_->changed(), session_->moving()));
+  const bool resized = add_window(wish);
+  note(pictures_.advance(wish, words_changed || light_asked || resized || session_->changed(), session_->moving()));
+}
+
+bool Player::add_window(PictureRequest& wish) {
+  // Projectors show one master, which has its captions in it.
+  if (options_.setup) {
+    return false;
+  }
+  ImageSize size = {0, 0};
+  screen_.window().framebuffer_size(size.width, size.height);
+  if (size.width > 0 && size.height > 0) {
+    wish.window = size;
+    return std::exchange(window_, size) != size;
+  }
+  wish.window = window_;
+  return false;
 }
 
 void Player::add_budget(PictureRequest& wish) {

@@ -80,6 +80,8 @@ class Player {
   void change_scene();
   //! Whether the window is to be drawn: at once, but for a rate only with each new picture, and now and then for its texts.
   bool draws_now();
+  //! Puts the window's size into a wish; whether it is another one than before.
+  bool add_window(PictureRequest& wish);
   //! Puts what the budget asks of the next picture into a wish.
   void add_budget(PictureRequest& wish);
   void note_budget();
@@ -122,7 +124,8 @@ class Player {
   double light_noted_s_ = -1e300;  //!< ViewLight::asked_s of the last answer
   std::vector<LocalText> words_;   //!< in the picture, for visitors
   double words_opacity_ = 0.0;
-  int failures_ = 0;  //!< pictures that failed in a row
+  std::optional<ImageSize> window_;  //!< as it was last seen
+  int failures_ = 0;                 //!< pictures that failed in a row
   FrameTimes frame_times_;
   std::optional<Clock::time_point> first_answer_;  //!< when the first picture, or the reason why there is none, came
   RecordingFile recording_;

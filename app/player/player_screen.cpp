@@ -32,6 +32,8 @@ void PlayerScreen::show(const PictureAnswer& answer) {
   eyes_ = answer.eyes;
   // A heat map has its legend at the bottom.
   legend_part_ = answer.picture.heat_range ? color_bar_part(answer.picture.width, answer.picture.height) : 0.0;
+  grid_ = answer.eye_grid;
+  captions_ = answer.captions;
   if (answer.on_device) {
     presenter_.upload_from_device(*answer.on_device);
   } else if (answer.right_eye) {
@@ -56,28 +58,50 @@ std::vector<WindowEvent> PlayerScreen::events() {
 
 bool PlayerScreen::closed() const { return window_.closed() || (projectors_ && projectors_->closed()); }
 
+std::vector<PanelArea> PlayerScreen::eye_areas(int width, int height) const {
+  const PictureArea whole = presenter_.area(width, height);
+  if ((grid_.columns == 1 && grid_.rows == 1) || eyes_ != EyesInWindow::as_one || whole.width == 0) {
+    return {{0, 0, width, height}};
+  }
+  const int eye_width = whole.width / grid_.columns;
+  const int eye_height = whole.height / grid_.rows;
+  const PanelArea first = {whole.left, whole.bottom, eye_width, eye_height, grid_.across, grid_.along};
+  PanelArea second = first;
+  second.left += (grid_.columns - 1) * eye_width;
+  second.bottom += (grid_.rows - 1) * eye_height;
+  return {first, second};
+}
+
+TextSize PlayerScreen::room_for_text() {
+  int width = 0;
+  int height = 0;
+  window_.framebuffer_size(width, height);
+  const PanelArea area = eye_areas(width, height).front();
+  return {static_cast<int>(area.width / area.across), static_cast<int>(area.height / area.along)};
+}
+
 void PlayerScreen::set_text(PanelPlace place, const std::string& text) {
   Text& panel = texts_[place];
   panel.words = text;
+  if (place == PanelPlace::middle) {
+    window_.show_cursor(text.empty());
+  }
   if (!text.empty()) {
-    int width = 0;
-    int height = 0;
-    window_.framebuffer_size(width, height);
-    const int usual_px = std::clamp(std::min(width, height) / 50, 11, 36);
+    const TextSize room = room_for_text();
+    const int usual_px = std::clamp(std::min(room.width_px, room.height_px) / 50, 11, 36);
     if (place == PanelPlace::middle) {
       // Help is a list in columns, and as large as the window lets it.
-      const FittedText& list = fitted_help(text, {width, free_height(height)}, usual_px);
+      const FittedText& list = fitted_help(text, room, usual_px);
       panel.panel.set(list.text, list.letter_px, TextFace::monospaced);
     } else {
-      panel.panel.set(text, usual_px, TextFace::proportional, width);
+      panel.panel.set(text, usual_px, TextFace::proportional, room.width_px, PanelGround::none);
     }
   }
 }
 
-//! How much of a window's height the lines at the top on the left leave.
-int PlayerScreen::free_height(int height) const {
-  const auto top = texts_.find(PanelPlace::top_left);
-  return height - (top == texts_.end() || top->second.words.empty() ? 0 : top->second.panel.height_px());
+bool PlayerScreen::help_shown() const {
+  const auto help = texts_.find(PanelPlace::middle);
+  return help != texts_.end() && !help->second.words.empty();
 }
 
 const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextSize& window, int usual_px) {
@@ -92,12 +116,17 @@ const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextS
 }
 
 void PlayerScreen::draw_window(int width, int height) {
+  const bool help = help_shown();
+  // Nothing is read through the help.
+  presenter_.lay_over(help ? nullptr : captions_, grid_);
   const auto draw_part = [&](WindowEye eye, PicturePart part) {
     window_.draw_into(eye);
     presenter_.draw(width, height, part);
-    for (auto& [place, text] : texts_) {
-      if (!text.words.empty()) {
-        text.panel.draw(width, place == PanelPlace::middle ? free_height(height) : height, place, legend_part_);
+    for (const PanelArea& area : eye_areas(width, height)) {
+      for (auto& [place, text] : texts_) {
+        if (!text.words.empty() && (!help || place == PanelPlace::middle)) {
+          text.panel.draw(area, place, legend_part_);
+        }
       }
     }
   };

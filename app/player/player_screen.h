@@ -42,8 +42,8 @@ class PlayerScreen {
   [[nodiscard]] std::vector<WindowEvent> events();
   [[nodiscard]] bool closed() const;
 
-  //! Lines of text over the picture, at a place; none where it is empty. In the middle they are a list whose cells tabs part, below
-  //! what stands at the top on the left.
+  //! Lines of text over the picture, at a place; none where it is empty. In the middle they are the help, a list whose cells tabs part:
+  //! captions, other text and the mouse's cursor are not seen while it is.
   void set_text(PanelPlace place, const std::string& text);
 
   //! Factor on the light of pictures, 0 to 1; text keeps its own.
@@ -57,14 +57,20 @@ class PlayerScreen {
 
  private:
   void draw_window(int width, int height);
-  [[nodiscard]] int free_height(int height) const;
+  //! Parts of a window of a size that text stands in: all of it, or those of the eyes.
+  [[nodiscard]] std::vector<PanelArea> eye_areas(int width, int height) const;
+  //! Of one of these, in pixels of text.
+  [[nodiscard]] TextSize room_for_text();
+  [[nodiscard]] bool help_shown() const;
   const FittedText& fitted_help(const std::string& list, const TextSize& window, int usual_px);
 
   std::optional<DomeSetup> setup_;
   Window window_;
   Presenter presenter_;
   EyesInWindow eyes_ = EyesInWindow::as_one;  //!< of the last picture
-  double legend_part_ = 0.0;                  //!< of the last picture's height, taken by its legend
+  EyeGrid grid_;                              //!< of the last picture's eyes
+  std::shared_ptr<const CaptionLayer> captions_;
+  double legend_part_ = 0.0;  //!< of the last picture's height, taken by its legend
   struct Text {
     TextPanel panel;
     std::string words;

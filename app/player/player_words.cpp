@@ -20,6 +20,7 @@ bool Player::add_words(PictureRequest& wish) {
   if (options_.setup && session_->help_shown()) {
     wish.captions = {help_caption(help_text(HelpForm::words))};
     wish.captions_opacity = 1.0;
+    wish.frame.captions = false;
   } else if (!session_->help_shown() || exhibit_->is_ending()) {
     // The help that lies over a window would lie over the welcome, and says more.
     wish.captions = exhibit_->captions(!pad_snapshot_.pads.empty());

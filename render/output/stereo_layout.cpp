@@ -179,6 +179,28 @@ ImageSize layout_size(StereoLayout layout, ImageSize eye) {
   }
 }
 
+ImageSize window_picture_size(StereoLayout layout, ImageSize eye) {
+  return fills_window_by_eye(layout) ? eye
+                                     : layout_size(keeps_eyes_apart(layout) ? StereoLayout::side_by_side : layout, eye);
+}
+
+EyeGrid eye_grid(StereoLayout layout) {
+  switch (layout) {
+    case StereoLayout::separate:
+    case StereoLayout::multiview:
+    case StereoLayout::side_by_side:
+      return {2, 1};
+    case StereoLayout::half_side_by_side:
+      return {2, 1, 0.5, 1.0};
+    case StereoLayout::top_bottom:
+      return {1, 2};
+    case StereoLayout::half_top_bottom:
+      return {1, 2, 1.0, 0.5};
+    default:
+      return {1, 1};
+  }
+}
+
 Picture joined_eyes(const Picture& left, const Picture& right, StereoLayout layout) {
   Picture joined = arranged(left, right, layout);
   joined.behind = left.behind || right.behind;

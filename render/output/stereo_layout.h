@@ -25,10 +25,27 @@ constexpr bool shows_eyes_whole(StereoLayout layout) {
 struct ImageSize {
   int width;
   int height;
+
+  bool operator==(const ImageSize&) const = default;
 };
 
 //! Size of the image that a layout makes of eyes of a size; layouts that keep eyes apart leave it. Halves are rounded up.
 ImageSize layout_size(StereoLayout layout, ImageSize eye);
+
+//! The size of the picture that a window shows of a layout: eyes that stay apart are beside each other there, and those that fill
+//! the window are as large as one.
+ImageSize window_picture_size(StereoLayout layout, ImageSize eye);
+
+//! How eyes share what a window shows: one for both, or beside or above each other.
+struct EyeGrid {
+  int columns = 1;
+  int rows = 1;
+  double across = 1.0;  //!< how wide an eye's picture is, of its own width
+  double along = 1.0;   //!< and how high
+
+  bool operator==(const EyeGrid&) const = default;
+};
+EyeGrid eye_grid(StereoLayout layout);
 
 //! The image that a layout makes of two eyes' pictures of one size. Layouts whose eyes stay apart, and quad_buffer where it needs one
 //! image, are put side by side; mono shows the left eye.

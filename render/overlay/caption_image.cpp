@@ -7,17 +7,14 @@
 #include <cstring>
 #include <memory>
 
+#include "render/output/text_rim.h"
+
 namespace ergodome {
 
 namespace {
 
 //! Where another font has been installed for a script, Pango takes it for what the first does not have.
 constexpr const char* font_family = "DejaVu Sans, Sans";
-
-//! Of a line's height: how far the rim about letters reaches, how dark it is, and how steeply it gets so.
-constexpr double rim_reach = 0.22;
-constexpr float rim_alpha = 0.75F;
-constexpr float rim_gain = 2.5F;
 
 struct Unref {
   void operator()(void* object) const noexcept { g_object_unref(object); }
@@ -130,41 +127,6 @@ Letters draw_letters(PangoLayout* layout, int margin_px) {
   return letters;
 }
 
-//! Means over 2 reach + 1 neighbours along lines that begin `line` apart and whose elements are `step` apart.
-void blur_lines(std::vector<float>& values, int lines, long line, int count, long step, int reach) {
-  std::vector<float> before(static_cast<std::size_t>(count));
-  for (int i = 0; i < lines; ++i) {
-    float* first = values.data() + i * line;
-    double sum = 0.0;
-    for (int k = 0; k < count; ++k) {
-      before[static_cast<std::size_t>(k)] = first[k * step];
-    }
-    for (int k = 0; k < std::min(reach, count); ++k) {
-      sum += static_cast<double>(before[static_cast<std::size_t>(k)]);
-    }
-    for (int k = 0; k < count; ++k) {
-      const int entering = k + reach;
-      const int leaving = k - reach - 1;
-      sum += entering < count ? static_cast<double>(before[static_cast<std::size_t>(entering)]) : 0.0;
-      sum -= leaving >= 0 ? static_cast<double>(before[static_cast<std::size_t>(leaving)]) : 0.0;
-      first[k * step] = static_cast<float>(std::max(sum, 0.0) / (2 * reach + 1));
-    }
-  }
-}
-
-//! A soft rim: the letters blurred by two means each way, and made stronger.
-std::vector<float> rim_about(const Letters& letters, int reach_px) {
-  std::vector<float> rim = letters.coverage;
-  for (int round = 0; round < 2; ++round) {
-    blur_lines(rim, letters.height, letters.width, letters.width, 1, std::max(reach_px / 2, 1));
-    blur_lines(rim, letters.width, 1, letters.height, letters.width, std::max(reach_px / 2, 1));
-  }
-  for (float& value : rim) {
-    value = rim_alpha * std::min(rim_gain * value, 1.0F);
-  }
-  return rim;
-}
-
 bool has_font(const std::string& text) {
   constexpr CaptionType any{32, 1e5};
   return pango_layout_get_unknown_glyphs_count(lay_out(text, any).layout.get()) == 0;
@@ -195,13 +157,13 @@ CaptionImage set_caption(const std::string& text, const CaptionType& type) {
     return caption;
   }
   const Lines lines = lay_out(clean, type);
-  const int reach_px = std::max(static_cast<int>(std::lround(rim_reach * type.line_px)), 2);
+  const int reach_px = text_rim_reach_px(type.line_px);
   const Letters letters = draw_letters(lines.layout.get(), reach_px + 2);
   caption.too_large = letters.too_large;
   if (std::ranges::none_of(letters.coverage, [](float part) { return part > 0.0F; })) {
     return caption;
   }
-  const std::vector<float> rim = rim_about(letters, reach_px);
+  const std::vector<float> rim = text_rim(letters.coverage, letters.width, letters.height, reach_px);
   std::vector<float> rgba;
   rgba.reserve(4 * rim.size());
   for (std::size_t i = 0; i < rim.size(); ++i) {

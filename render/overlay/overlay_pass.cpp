@@ -111,10 +111,8 @@ void OverlayPass::set_extra(std::vector<Caption> captions, double opacity) {
 }
 
 bool OverlayPass::draws_at(std::optional<double> time_s) const {
-  const auto seen = [&](const auto& thing) { return presence_at(thing.presence, *time_s) > 0.0; };
-  return (!extra_.empty() && extra_opacity_ > 0.0) || (readout_ && captions_shown_) ||
-         (time_s &&
-          (std::ranges::any_of(overlays_, seen) || (captions_shown_ && std::ranges::any_of(captions_, seen))));
+  const auto seen = [&](const Overlay& overlay) { return presence_at(overlay.presence, *time_s) > 0.0; };
+  return (time_s && std::ranges::any_of(overlays_, seen)) || (!captions_apart_ && !seen_captions(time_s).empty());
 }
 
 void OverlayPass::draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s) {
@@ -126,15 +124,11 @@ void OverlayPass::draw(const OverlayTarget& target, const Projection& projection
     for (const Overlay& overlay : overlays_) {
       draw_image(target, projection, overlay, overlay.opacity * presence_at(overlay.presence, *time_s));
     }
-    for (const Caption& caption : captions_) {
-      draw_caption(target, projection, caption, captions_shown_ ? presence_at(caption.presence, *time_s) : 0.0);
+  }
+  if (!captions_apart_) {
+    for (const auto& [caption, opacity] : seen_captions(time_s)) {
+      draw_caption(target, projection, *caption, opacity);
     }
-  }
-  if (readout_ && captions_shown_) {
-    draw_caption(target, projection, *readout_, 1.0);
-  }
-  for (const Caption& caption : extra_) {
-    draw_caption(target, projection, caption, extra_opacity_);
   }
 }
 
@@ -145,7 +139,8 @@ void OverlayPass::draw_image(const OverlayTarget& target, const Projection& proj
   }
   Texture& texture = images_.at(overlay.image);
   if (overlay.fisheye) {
-    return draw_sheet(target, projection, texture, fisheye_sheet(one_degree * overlay.fov_deg), opacity);
+    draw_sheet(target, projection, texture, fisheye_sheet(one_degree * overlay.fov_deg), opacity);
+    return;
   }
   const double aspect = static_cast<double>(texture.layout.width) / texture.layout.height;
   const double width = one_degree * overlay.width_deg;
@@ -156,25 +151,26 @@ void OverlayPass::draw_image(const OverlayTarget& target, const Projection& proj
   }
 }
 
-void OverlayPass::draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption,
-                               double opacity) {
+OverlayPass::TileRows OverlayPass::draw_caption(const OverlayTarget& target, const Projection& projection,
+                                                const Caption& caption, double opacity) {
   const std::string& text = text_in(caption.text, language_);
   if (!(opacity > 0.0) || !(caption.letter_deg > 0.0) || text.empty()) {
-    return;
+    return {};
   }
   const double width = std::min(one_degree * caption.width_deg, widest_bent_sheet(caption.place));
   SetCaption& set = set_for(caption, text, width, pixel_angle(projection));
   if (set.texture.layout.width == 0) {
-    return;
+    return {};
   }
   const double angle = one_degree * caption.letter_deg / set.line_px;
   const double across = angle * set.texture.layout.width;
   const double upright = angle * set.texture.layout.height;
   const PlacedOverlay placed = placed_overlay(projection, caption.place, across, upright);
-  if (placed.shown) {
-    draw_sheet(target, projection, set.texture,
-               caption_sheet(projection, placed.place, placed.scale * across, placed.scale * upright), opacity);
+  if (!placed.shown) {
+    return {};
   }
+  return draw_sheet(target, projection, set.texture,
+                    caption_sheet(projection, placed.place, placed.scale * across, placed.scale * upright), opacity);
 }
 
 OverlayPass::SetCaption& OverlayPass::set_for(const Caption& caption, const std::string& text, double width,
@@ -234,13 +230,13 @@ const PictureTiles& OverlayPass::tiles_of(const Projection& projection) {
   return tiles_.emplace_back(projection);
 }
 
-void OverlayPass::draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture,
-                             OverlaySheet sheet, double opacity) {
+OverlayPass::TileRows OverlayPass::draw_sheet(const OverlayTarget& target, const Projection& projection,
+                                              Texture& texture, OverlaySheet sheet, double opacity) {
   bound_sheet(sheet, 2.0 * largest_pixel_angle(projection));
   const PictureTiles& tiles = tiles_of(projection);
   const std::vector<std::int32_t> numbers = tiles.within(sheet);
   if (numbers.empty()) {
-    return;
+    return {};
   }
   const bool on_device = target.backend == Backend::cuda;
   if (on_device && texture.device.size() == 0) {
@@ -258,6 +254,7 @@ void OverlayPass::draw_sheet(const OverlayTarget& target, const Projection& proj
                                 static_cast<float>(std::clamp(opacity, 0.0, 1.0)), target.tone, target.display_colours,
                                 on_device ? tile_numbers_.data() : numbers.data(), tiles.columns(),
                                 static_cast<int>(numbers.size()) * overlay_tile_px * overlay_tile_px});
+  return {numbers.front() / tiles.columns(), numbers.back() / tiles.columns() + 1};
 }
 
 }  // namespace ergodome

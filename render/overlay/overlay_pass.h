@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "kernels/overlay/draw_overlay.h"
 #include "render/backend/buffer.h"
 #include "render/overlay/caption_image.h"
+#include "render/overlay/caption_layer.h"
 #include "render/overlay/picture_tiles.h"
 
 namespace ergodome {
@@ -50,11 +52,17 @@ class OverlayPass {
   //! Sets the show's readout of the picture that is drawn next; none where it is not to be seen. It goes with the show's captions.
   void set_readout(std::optional<Caption> readout) { readout_ = std::move(readout); }
 
+  //! Whether captions are left out of pictures, for whoever shows caption_layer() over them.
+  void set_captions_apart(bool apart) { captions_apart_ = apart; }
+
   //! Whether there may be anything to draw. `time_s`: of the show; none: only what does not come from it.
   [[nodiscard]] bool draws_at(std::optional<double> time_s) const;
 
   //! Draws what is to be seen at a time. `projection`: overlay_projection() of the picture.
   void draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s);
+
+  //! Captions at a time, on nothing; none where there is nothing to see. The last layer is given again where it would be the same.
+  std::shared_ptr<const CaptionLayer> caption_layer(const Projection& projection, std::optional<double> time_s);
 
   //! Bytes that a show's images take, from their files' sizes alone. Throws Error like the constructor.
   static long image_bytes(const Show& show);
@@ -65,6 +73,12 @@ class OverlayPass {
     OverlayImage layout;  //!< without its texels
     Buffer<std::uint16_t> host;
     Buffer<std::uint16_t> device;
+  };
+
+  //! Rows of a picture's tiles, [first, end); none where these are equal.
+  struct TileRows {
+    int first = 0;
+    int end = 0;
   };
 
   //! A text that has been set.
@@ -79,11 +93,29 @@ class OverlayPass {
     long last_drawn;
   };
 
+  //! A caption as the last layer shows it, in its language.
+  struct LayerCaption {
+    std::string text;
+    DomePlace place;
+    double letter_deg;
+    double width_deg;
+    std::array<double, 3> color;
+    double opacity;
+
+    bool operator==(const LayerCaption&) const = default;
+  };
+
+  //! Captions that are seen at a time, with their opacity.
+  [[nodiscard]] std::vector<std::pair<const Caption*, double>> seen_captions(std::optional<double> time_s) const;
+  std::shared_ptr<const CaptionLayer> draw_layer(const Projection& projection, std::optional<double> time_s);
+
   static Texture texture_of(OverlayImage image, const char* name);
   void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);
-  void draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption, double opacity);
-  void draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture, OverlaySheet sheet,
-                  double opacity);
+  TileRows draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption,
+                        double opacity);
+  //! Returns the rows of tiles that it may have drawn on.
+  TileRows draw_sheet(const OverlayTarget& target, const Projection& projection, Texture& texture, OverlaySheet sheet,
+                      double opacity);
 
   //! The text of a caption, set finely enough for a picture.
   SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);
@@ -97,11 +129,16 @@ class OverlayPass {
   double extra_opacity_ = 0.0;
   std::string language_;
   bool captions_shown_ = true;
+  bool captions_apart_ = false;
   std::map<std::string, Texture> images_;  //!< by their names in the show
   std::vector<SetCaption> set_;
   std::vector<PictureTiles> tiles_;  //!< of the eyes' pictures
   Buffer<std::int32_t> tile_numbers_;
   long drawn_ = 0;  //!< pictures
+  std::vector<LayerCaption> in_layer_;
+  std::optional<PictureTiles> layer_tiles_;  //!< of the last layer's projection
+  std::shared_ptr<const CaptionLayer> layer_;
+  std::vector<float> canvas_;  //!< that layers are cut out of: nothing but while one is drawn
 };
 
 }  // namespace ergodome

@@ -23,6 +23,9 @@ struct Presenter::State {
   float light = 1.0F;
   long version = 0;
   std::unique_ptr<CudaTextureLink> link;
+  GLuint captions_texture = 0;  //!< 0: no captions
+  std::shared_ptr<const CaptionLayer> captions;
+  EyeGrid eyes;
 };
 
 namespace {
@@ -35,6 +38,14 @@ layout(location = 0) uniform bool heat_map;
 layout(location = 4) uniform float dimmed;
 layout(location = 3) uniform vec2 part;  // of the picture: where it begins, how wide it is
 layout(location = 5) uniform int rows;   // of the framebuffer, which take turns between this part and the next; 0: they do not
+layout(binding = 1) uniform sampler2D captions;  // light of a display times coverage
+layout(location = 6) uniform vec2 captions_from;  // where the captions' rows begin in an eye's picture, and the part that they are; 0: no captions
+layout(location = 7) uniform vec2 eyes;           // that the part shows beside and above each other
+vec3 covered(vec3 light) {
+  vec2 place_of_eye = fract(eyes * vec2(place.x, 1.0 - place.y));
+  vec4 caption = texture(captions, vec2(place_of_eye.x, (place_of_eye.y - captions_from.x) / captions_from.y));
+  return light * (1.0 - caption.a) + caption.rgb;
+}
 vec3 encoded(vec3 light) {
   return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
@@ -47,9 +58,16 @@ void main() {
   float across = clamp(begin + part.y * place.x, begin + half_texel, begin + part.y - half_texel);
   // The picture's first row is its top.
   vec3 light = max(texture(picture, vec2(across, 1.0 - place.y)).rgb, vec3(0.0));
-  colour = vec4(encoded(dimmed * clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
+  light = clamp(heat_map ? light : toned(light), 0.0, 1.0);
+  if (captions_from.y > 0.0) {
+    light = clamp(covered(light), 0.0, 1.0);
+  }
+  colour = vec4(encoded(dimmed * light), 1.0);
 }
 )";
+
+//! The part of a picture's width that a part of it has.
+double share_of(PicturePart part) { return part == PicturePart::whole ? 1.0 : 0.5; }
 
 }  // namespace
 
@@ -62,6 +80,7 @@ Presenter::Presenter() : state_(std::make_unique<State>()) {
 Presenter::~Presenter() {
   state_->link.reset();
   glDeleteTextures(1, &state_->texture);
+  glDeleteTextures(1, &state_->captions_texture);
   glDeleteVertexArrays(1, &state_->vertex_array);
   glDeleteProgram(state_->program);
 }
@@ -126,32 +145,72 @@ void Presenter::set_light(float light) {
   }
 }
 
+void Presenter::lay_over(const std::shared_ptr<const CaptionLayer>& captions, const EyeGrid& eyes) {
+  state_->eyes = eyes;
+  if (captions == state_->captions) {
+    return;
+  }
+  state_->captions = captions;
+  glDeleteTextures(1, &state_->captions_texture);
+  state_->captions_texture = 0;
+  if (!captions) {
+    return;
+  }
+  GLuint& texture = state_->captions_texture;
+  glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+  glTextureStorage2D(texture, 1, GL_RGBA16F, captions->width, captions->row_count);
+  glTextureSubImage2D(texture, 0, 0, 0, captions->width, captions->row_count, GL_RGBA, GL_FLOAT, captions->rgba.data());
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  // Beyond its rows there is nothing.
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+}
+
 PresentedPicture Presenter::shown() const {
   return {state_->texture, state_->width, state_->height, state_->heat_map,
           state_->tone,    state_->light, state_->version};
+}
+
+PictureArea Presenter::area(int framebuffer_width, int framebuffer_height, PicturePart part) const {
+  if (state_->texture == 0 || framebuffer_width <= 0 || framebuffer_height <= 0) {
+    return {};
+  }
+  const double part_width = share_of(part) * state_->width;
+  const double scale = std::min(static_cast<double>(framebuffer_width) / part_width,
+                                static_cast<double>(framebuffer_height) / state_->height);
+  const int width = std::max(1, static_cast<int>(std::lround(scale * part_width)));
+  const int height = std::max(1, static_cast<int>(std::lround(scale * state_->height)));
+  return {(framebuffer_width - width) / 2, (framebuffer_height - height) / 2, width, height};
 }
 
 void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart part) {
   glViewport(0, 0, framebuffer_width, framebuffer_height);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
-  if (state_->texture == 0 || framebuffer_width <= 0 || framebuffer_height <= 0) {
+  const PictureArea shown = area(framebuffer_width, framebuffer_height, part);
+  if (shown.width == 0) {
     return;
   }
-  const double share = part == PicturePart::whole ? 1.0 : 0.5;
-  const double part_width = share * state_->width;
-  const double scale = std::min(static_cast<double>(framebuffer_width) / part_width,
-                                static_cast<double>(framebuffer_height) / state_->height);
-  const int width = std::max(1, static_cast<int>(std::lround(scale * part_width)));
-  const int height = std::max(1, static_cast<int>(std::lround(scale * state_->height)));
-  glViewport((framebuffer_width - width) / 2, (framebuffer_height - height) / 2, width, height);
+  glViewport(shown.left, shown.bottom, shown.width, shown.height);
   glUseProgram(state_->program);
   glUniform1i(0, state_->heat_map ? 1 : 0);
   set_tone(state_->tone);
   glUniform1f(4, state_->light);
-  glUniform2f(3, part == PicturePart::right_half ? 0.5F : 0.0F, static_cast<float>(share));
+  glUniform2f(3, part == PicturePart::right_half ? 0.5F : 0.0F, static_cast<float>(share_of(part)));
   glUniform1i(5, part == PicturePart::halves_by_rows ? framebuffer_height : 0);
   glBindTextureUnit(0, state_->texture);
+  if (state_->captions) {
+    const auto of_height = [&](int rows) {
+      return static_cast<float>(rows) / static_cast<float>(state_->captions->height);
+    };
+    glUniform2f(6, of_height(state_->captions->first_row), of_height(state_->captions->row_count));
+    glBindTextureUnit(1, state_->captions_texture);
+  } else {
+    glUniform2f(6, 0.0F, 0.0F);
+  }
+  const EyeGrid eyes = part == PicturePart::whole ? state_->eyes : EyeGrid{};
+  glUniform2f(7, static_cast<float>(eyes.columns), static_cast<float>(eyes.rows));
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "render/frame/eye_renderer.h"
+#include "render/output/stereo_layout.h"
+#include "render/overlay/caption_layer.h"
 
 namespace ergodome {
 
@@ -34,6 +36,14 @@ struct DevicePicture {
 //! the top one the left half's.
 enum class PicturePart { whole, left_half, right_half, halves_by_rows };
 
+//! A part of a framebuffer [px], counted from its bottom left corner.
+struct PictureArea {
+  int left = 0;
+  int bottom = 0;
+  int width = 0;
+  int height = 0;
+};
+
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on the GPU, and fills the window with it,
 //! black bars where the shapes differ. The shader computes what render/output/tone_map.h computes.
 class Presenter {
@@ -56,8 +66,16 @@ class Presenter {
   //! Factor on the display's light from now on, 0 to 1.
   void set_light(float light);
 
+  //! Captions to lay over each eye of the pictures that are drawn whole, and over the halves of others; none where it is null. They are as sharp as the layer,
+  //! whatever the picture's resolution.
+  void lay_over(const std::shared_ptr<const CaptionLayer>& captions, const EyeGrid& eyes);
+
   //! The picture that was handed over last. The texture is the presenter's, and valid until the next one.
   [[nodiscard]] PresentedPicture shown() const;
+
+  //! Where a framebuffer of the given size shows the picture, or halves of it.
+  [[nodiscard]] PictureArea area(int framebuffer_width, int framebuffer_height,
+                                 PicturePart part = PicturePart::whole) const;
 
   //! Draws the picture, or halves of it, into the bound framebuffer of the given size.
   void draw(int framebuffer_width, int framebuffer_height, PicturePart part = PicturePart::whole);

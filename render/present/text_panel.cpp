@@ -3,9 +3,12 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "render/output/text_rim.h"
 #include "render/present/gl_program.h"
 
 namespace ergodome {
@@ -16,6 +19,7 @@ struct TextPanel::State {
   GLuint texture = 0;
   int width = 0;
   int height = 0;
+  PanelGround ground = PanelGround::dark;
   std::tuple<std::string, int, TextFace, int> shown;
 };
 
@@ -24,31 +28,48 @@ namespace {
 constexpr const char* panel_source = R"(#version 450 core
 in vec2 place;
 out vec4 colour;
-layout(binding = 0) uniform sampler2D coverage;
+layout(binding = 0) uniform sampler2D text;  // how much letters cover, and how dark the rim about them is
+layout(location = 0) uniform float ground;
 void main() {
-  float text = texture(coverage, vec2(place.x, 1.0 - place.y)).r;
-  colour = vec4(mix(vec3(0.0), vec3(1.0, 0.85, 0.4), text), mix(0.7, 1.0, text));
+  vec2 here = texture(text, vec2(place.x, 1.0 - place.y)).rg;
+  colour = vec4(here.r * vec3(1.0, 0.85, 0.4), here.r + (1.0 - here.r) * max(here.g, ground));
 }
 )";
 
+constexpr float dark_ground = 0.75F;
+
 struct PanelCorner {
-  int left;
-  int bottom;
+  double left;
+  double bottom;
 };
 
-PanelCorner corner_of(PanelPlace place, std::pair<int, int> framebuffer, std::pair<int, int> panel, double raised) {
-  const auto [width, height] = framebuffer;
-  const int middle = (width - panel.first) / 2;
+//! Within the area; sizes are those of text.
+PanelCorner corner_of(PanelPlace place, std::pair<double, double> area, std::pair<double, double> panel,
+                      double raised) {
+  const auto [width, height] = area;
+  const double middle = 0.5 * (width - panel.first);
   switch (place) {
     case PanelPlace::top_left:
-      return {0, height - panel.second};
+      return {0.0, height - panel.second};
     case PanelPlace::middle:
-      return {middle, (height - panel.second) / 2};
+      return {middle, 0.5 * (height - panel.second)};
     case PanelPlace::bottom_middle:
-      return {middle, std::max(height / 20, static_cast<int>(raised * height))};
+      return {middle, std::max(height / 20.0, raised * height)};
     default:
-      return {middle, height - height / 20 - panel.second};
+      return {middle, height - height / 20.0 - panel.second};
   }
+}
+
+//! Letters and their rim, two values a pixel.
+std::vector<float> with_rim(const TextImage& image, int font_px) {
+  const std::vector<float> rim = text_rim(image.coverage, image.width, image.height, text_rim_reach_px(font_px));
+  std::vector<float> both;
+  both.reserve(2 * rim.size());
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    both.push_back(image.coverage[i]);
+    both.push_back(rim[i]);
+  }
+  return both;
 }
 
 }  // namespace
@@ -64,7 +85,8 @@ TextPanel::~TextPanel() {
   glDeleteProgram(state_->program);
 }
 
-void TextPanel::set(const std::string& text, int font_px, TextFace face, int widest_px) {
+void TextPanel::set(const std::string& text, int font_px, TextFace face, int widest_px, PanelGround ground) {
+  state_->ground = ground;
   if (std::tie(text, font_px, face, widest_px) == state_->shown) {
     return;
   }
@@ -78,29 +100,39 @@ void TextPanel::set(const std::string& text, int font_px, TextFace face, int wid
     return;
   }
   glCreateTextures(GL_TEXTURE_2D, 1, &state_->texture);
-  glTextureStorage2D(state_->texture, 1, GL_R8, image.width, image.height);
+  glTextureStorage2D(state_->texture, 1, GL_RG8, image.width, image.height);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTextureSubImage2D(state_->texture, 0, 0, 0, image.width, image.height, GL_RED, GL_FLOAT, image.coverage.data());
+  glTextureSubImage2D(state_->texture, 0, 0, 0, image.width, image.height, GL_RG, GL_FLOAT,
+                      with_rim(image, font_px).data());
   glTextureParameteri(state_->texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(state_->texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-int TextPanel::height_px() const { return state_->texture == 0 ? 0 : state_->height; }
-
-void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place, double raised) {
+void TextPanel::draw(const PanelArea& area, PanelPlace place, double raised) {
   if (state_->texture == 0) {
     return;
   }
   const PanelCorner at =
-      corner_of(place, {framebuffer_width, framebuffer_height}, {state_->width, state_->height}, raised);
-  glViewport(at.left, at.bottom, state_->width, state_->height);
+      corner_of(place, {area.width / area.across, area.height / area.along}, {state_->width, state_->height}, raised);
+  const auto px = [](double value) { return static_cast<int>(std::lround(value)); };
+  glViewport(area.left + px(at.left * area.across), area.bottom + px(at.bottom * area.along),
+             px(state_->width * area.across), px(state_->height * area.along));
+  // Text that is larger than its eye's part of the window ends there.
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(area.left, area.bottom, area.width, area.height);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(state_->program);
+  glUniform1f(0, state_->ground == PanelGround::dark ? dark_ground : 0.0F);
   glBindTextureUnit(0, state_->texture);
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void TextPanel::draw(int framebuffer_width, int framebuffer_height, PanelPlace place, double raised) {
+  draw({0, 0, framebuffer_width, framebuffer_height}, place, raised);
 }
 
 }  // namespace ergodome

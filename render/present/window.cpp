@@ -15,6 +15,7 @@ struct Window::State {
   GLFWwindow* window = nullptr;
   std::vector<WindowEvent> events;
   WindowBuffers buffers = WindowBuffers::plain;
+  bool without_cursor = false;
   std::optional<std::pair<double, double>> pointer;  //!< where it was last
   int windowed[4] = {0, 0, 1024, 1024};              //!< place and size to come back to from full screen
 };
@@ -140,7 +141,16 @@ void Window::keep_in_front() {
 
 void Window::hide() { glfwHideWindow(state_->window); }
 
-void Window::hide_cursor() { glfwSetInputMode(state_->window, GLFW_CURSOR, GLFW_CURSOR_HIDDEN); }
+void Window::hide_cursor() {
+  show_cursor(false);
+  state_->without_cursor = true;
+}
+
+void Window::show_cursor(bool shown) {
+  if (!state_->without_cursor) {
+    glfwSetInputMode(state_->window, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+  }
+}
 
 void Window::move_to_monitor(int monitor) {
   int count = 0;

@@ -56,8 +56,11 @@ class Window {
   //! Takes it off the screen; its context stays.
   void hide();
 
-  //! Takes the cursor out of the picture.
+  //! Takes the cursor out of the picture, for good.
   void hide_cursor();
+
+  //! Shows the cursor or not, unless it is hidden for good.
+  void show_cursor(bool shown);
 
   //! Moves it to the top left of a monitor, counted from 0.
   void move_to_monitor(int monitor);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "content/show_reader.h"
 #include "kernels/core/angles.h"
@@ -100,6 +101,45 @@ TEST_F(Overlays, HideTheShowsCaptionsAndNotItsImages) {
   OverlayPass both = pass_of(timeline, folder_.string());
   both.set_captions(false);
   EXPECT_TRUE(both.draws_at(0.0));
+}
+
+TEST_F(Overlays, ApartFromThePictureAreTheSameCaptionsOnNothing) {
+  Timeline timeline = captions_of({caption_of("Here", 0.0, 40.0), caption_of("There", 10.0, 20.0)});
+  timeline.captions[1].presence = {0.0, 10.0, 4.0, 0.0};
+  OverlayPass pass = pass_of(timeline);
+  const Projection projection = make_dome_projection(400, pi, 0.0);
+  Picture whole = even_picture(projection, 0.0F);
+  for (std::size_t i = 3; i < whole.rgba.size(); i += 4) {
+    whole.rgba[i] = 0.0F;
+  }
+  pass.draw({Backend::cpu, whole.rgba.data(), {}, true}, overlay_projection(projection), 2.0);
+  pass.set_captions_apart(true);
+  EXPECT_FALSE(pass.draws_at(2.0)) << "pictures have none now";
+  const auto layer = pass.caption_layer(overlay_projection(projection), 2.0);
+  ASSERT_TRUE(layer);
+  ASSERT_LT(layer->row_count, 300);
+  std::vector<float> rows(whole.rgba.size());
+  std::ranges::copy(layer->rgba, rows.begin() + 4L * layer->width * layer->first_row);
+  EXPECT_EQ(rows, std::vector<float>(whole.rgba.begin(), whole.rgba.end()));
+}
+
+TEST_F(Overlays, ApartAreDrawnAnewOnlyWhereTheyChange) {
+  Caption fading = caption_of("Here");
+  fading.presence = {0.0, 10.0, 4.0, 0.0};
+  OverlayPass pass = pass_of(captions_of({fading}));
+  const Projection small = overlay_projection(make_dome_projection(200, pi, 0.0));
+  const Projection large = overlay_projection(make_dome_projection(400, pi, 0.0));
+  const auto full = pass.caption_layer(small, 5.0);
+  EXPECT_EQ(pass.caption_layer(small, 6.0), full);
+  const auto half = pass.caption_layer(small, 2.0);
+  EXPECT_NE(half, full);
+  const auto larger = pass.caption_layer(large, 2.0);
+  EXPECT_EQ(larger->width, 400);
+  EXPECT_EQ(pass.caption_layer(large, 11.0), nullptr);
+  EXPECT_EQ(pass.caption_layer(large, 2.0)->rgba, larger->rgba) << "nothing of other layers is left";
+  const auto sum = [](const CaptionLayer& layer) { return std::accumulate(layer.rgba.begin(), layer.rgba.end(), 0.0); };
+  // A fade is 3 x² - 2 x³: a half of it is one half.
+  EXPECT_NEAR(sum(*half), 0.5 * sum(*full), 0.001 * sum(*full));
 }
 
 TEST_F(Overlays, OfOthersAreThereWithoutAShow) {

@@ -41,6 +41,14 @@ class Present : public testing::Test {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   }
 
+  static Picture picture_of(int width, int height, float light) {
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    picture.rgba.assign(4 * static_cast<std::size_t>(width * height), light);
+    return picture;
+  }
+
   static Picture corners(int width, int height) {
     Picture picture;
     picture.width = width;
@@ -209,6 +217,64 @@ TEST_F(Present, AnEyesPictureHasNothingOfTheOtherAtItsEdge) {
   presenter.draw(200, 100, PicturePart::right_half);
   for (const auto byte : Presenter::read_back(200, 100)) {
     ASSERT_GT(byte, 200);
+  }
+}
+
+TEST_F(Present, CaptionsKeepTheirPixelsOverACoarsePicture) {
+  // A white line of one row over a picture of 4 x 2 grey pixels, in a window of 200 x 100.
+  const int row = 40;
+  auto captions = std::make_shared<CaptionLayer>(CaptionLayer{200, 100, row - 1, 3, std::vector<float>(4 * 200 * 3)});
+  std::fill_n(captions->rgba.begin() + 4 * 200, 4 * 200, 1.0F);
+  make_framebuffer(200, 100);
+  Presenter presenter;
+  presenter.upload(picture_of(4, 2, 0.05F));
+  presenter.draw(200, 100);
+  const int plain = Presenter::read_back(200, 100)[0];
+  presenter.lay_over(captions, {});
+  presenter.draw(200, 100);
+  const auto shown = Presenter::read_back(200, 100);
+  for (int y = 0; y < 100; ++y) {
+    EXPECT_NEAR(shown[3 * (200 * static_cast<std::size_t>(y) + 77)], y == row ? 255 : plain, 1) << y;
+  }
+  presenter.lay_over(nullptr, {});
+  presenter.draw(200, 100);
+  EXPECT_NEAR(Presenter::read_back(200, 100)[3 * (200 * row + 77)], plain, 1);
+}
+
+TEST_F(Present, CaptionsLieOverEachEye) {
+  // The left half of an eye's picture is covered.
+  auto captions = std::make_shared<CaptionLayer>(CaptionLayer{100, 100, 0, 100, std::vector<float>(4 * 100 * 100)});
+  for (std::size_t i = 0; i < 100 * 100; ++i) {
+    std::fill_n(captions->rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, i % 100 < 50 ? 1.0F : 0.0F);
+  }
+  make_framebuffer(200, 100);
+  Presenter presenter;
+  presenter.upload(picture_of(4, 2, 0.0F));
+  presenter.lay_over(captions, {2, 1});
+  presenter.draw(200, 100);
+  const auto shown = Presenter::read_back(200, 100);
+  for (const auto& [x, light] : {std::pair(25, 255), std::pair(75, 0), std::pair(125, 255), std::pair(175, 0)}) {
+    EXPECT_EQ(shown[3 * (200 * 50 + static_cast<std::size_t>(x))], light) << x;
+  }
+  presenter.draw(200, 100, PicturePart::right_half);
+  EXPECT_EQ(Presenter::read_back(200, 100)[3 * (200 * 50 + 75)], 255);
+}
+
+TEST_F(Present, TextHasARimThatSetsItOffFromWhite) {
+  make_framebuffer(640, 480);
+  TextPanel panel;
+  panel.set("HHHH", 36, TextFace::proportional, 0, PanelGround::none);
+  for (const float ground : {0.0F, 1.0F}) {
+    glClearColor(ground, ground, ground, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    panel.draw(640, 480, PanelPlace::top_left);
+    const auto shown = Presenter::read_back(640, 480);
+    int darkest = 255;
+    for (std::size_t x = 0; x < 100; ++x) {
+      darkest = std::min<int>(darkest, shown[3 * (640 * 30 + x)]);
+    }
+    EXPECT_LT(darkest, 60);
+    EXPECT_NEAR(shown[3 * (640 * 300 + 320)], static_cast<int>(255.0F * ground), 1) << "the picture stays elsewhere";
   }
 }
 

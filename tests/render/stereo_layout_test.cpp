@@ -61,6 +61,18 @@ TEST(StereoLayouts, HaveTheSizeThatTheySay) {
   }
 }
 
+TEST(StereoLayouts, SayHowEyesShareAWindow) {
+  for (std::size_t i = 0; i < stereo_layout_names.size(); ++i) {
+    const auto layout = static_cast<StereoLayout>(i);
+    const ImageSize size = window_picture_size(layout, {8, 6});
+    const EyeGrid grid = eye_grid(layout);
+    EXPECT_DOUBLE_EQ(size.width, grid.columns * grid.across * 8) << stereo_layout_names[i];
+    EXPECT_DOUBLE_EQ(size.height, grid.rows * grid.along * 6) << stereo_layout_names[i];
+  }
+  EXPECT_EQ(eye_grid(StereoLayout::separate), eye_grid(StereoLayout::side_by_side));
+  EXPECT_EQ(eye_grid(StereoLayout::rows), EyeGrid{});
+}
+
 TEST(StereoLayouts, HalvesAreMeansOfTwoPixels) {
   const Picture left = marked(4, 4, 0.1F);
   const Picture right = marked(4, 4, 0.5F);
