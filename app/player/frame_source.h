@@ -47,13 +47,13 @@ struct ViewLight {
 
 //! A finished picture and what it took.
 struct PictureAnswer {
-  Picture picture;                               //!< or the left eye's
-  std::optional<Picture> right_eye;              //!< where both eyes are shown whole
-  bool eyes_above = false;                       //!< the left one above the right, not beside it
-  EyesInWindow eyes = EyesInWindow::as_one;      //!< each by itself: side by side until then
-  EyeGrid eye_grid;                              //!< how the eyes share the picture that is shown
-  std::shared_ptr<const CaptionLayer> captions;  //!< of each eye, at the window's resolution; none where there are none
-  std::optional<DevicePicture> on_device;        //!< in place of the picture's pixels, until the next request
+  Picture picture;                           //!< or the left eye's
+  std::optional<Picture> right_eye;          //!< where both eyes are shown whole
+  bool eyes_above = false;                   //!< the left one above the right, not beside it
+  EyesInWindow eyes = EyesInWindow::as_one;  //!< each by itself: side by side until then
+  EyeGrid eye_grid;                          //!< how the eyes share the picture that is shown
+  LaidCaptions captions;                     //!< of each eye, at the window's resolution; none where there are none
+  std::optional<DevicePicture> on_device;    //!< in place of the picture's pixels, until the next request
   double time_ms = 0.0;
   int size_px = 0;
   std::optional<Disparity> disparity;            //!< where it was asked for, of two eyes

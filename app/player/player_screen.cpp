@@ -118,7 +118,7 @@ const FittedText& PlayerScreen::fitted_help(const std::string& list, const TextS
 void PlayerScreen::draw_window(int width, int height) {
   const bool help = help_shown();
   // Nothing is read through the help.
-  presenter_.lay_over(help ? nullptr : captions_, grid_);
+  presenter_.lay_over(help ? LaidCaptions() : captions_, grid_);
   const auto draw_part = [&](WindowEye eye, PicturePart part) {
     window_.draw_into(eye);
     presenter_.draw(width, height, part);

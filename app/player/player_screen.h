@@ -69,7 +69,7 @@ class PlayerScreen {
   Presenter presenter_;
   EyesInWindow eyes_ = EyesInWindow::as_one;  //!< of the last picture
   EyeGrid grid_;                              //!< of the last picture's eyes
-  std::shared_ptr<const CaptionLayer> captions_;
+  LaidCaptions captions_;
   double legend_part_ = 0.0;  //!< of the last picture's height, taken by its legend
   struct Text {
     TextPanel panel;

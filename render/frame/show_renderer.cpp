@@ -256,8 +256,7 @@ void ShowRenderer::draw_overlays(const OverlayTarget& target, const CameraPose& 
   overlays_.draw(target, overlay_projection(projection, offset, stereo.convergence, overlay_distance_), time_s);
 }
 
-std::shared_ptr<const CaptionLayer> ShowRenderer::caption_layer(const Projection& projection, ViewMode mode,
-                                                                double time_s) {
+LaidCaptions ShowRenderer::caption_layer(const Projection& projection, ViewMode mode, double time_s) {
   return overlays_.caption_layer(overlay_projection(projection),
                                  mode == ViewMode::sky ? std::optional(time_s) : std::nullopt);
 }

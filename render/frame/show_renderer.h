@@ -134,8 +134,7 @@ class ShowRenderer {
 
   //! Captions of a window's picture at a time of the show, on their own; see OverlayPass::set_captions_apart. They are on the dome or screen itself, where
   //! both eyes have them in one place. `projection`: one eye's, of any resolution.
-  [[nodiscard]] std::shared_ptr<const CaptionLayer> caption_layer(const Projection& projection, ViewMode mode,
-                                                                  double time_s);
+  [[nodiscard]] LaidCaptions caption_layer(const Projection& projection, ViewMode mode, double time_s);
 
   //! Where in the depth of stereo pictures overlays appear [M]: 0 (as at first) on the dome or screen, infinity behind all.
   void set_overlay_distance(double distance) { overlay_distance_ = distance; }

@@ -29,10 +29,15 @@ std::vector<std::pair<const Caption*, double>> OverlayPass::seen_captions(std::o
   return seen;
 }
 
-std::shared_ptr<const CaptionLayer> OverlayPass::caption_layer(const Projection& projection,
-                                                               std::optional<double> time_s) {
+LaidCaptions OverlayPass::caption_layer(const Projection& projection, std::optional<double> time_s) {
+  std::vector<std::pair<const Caption*, double>> seen = seen_captions(time_s);
+  double most = 0.0;
+  for (const auto& [caption, opacity] : seen) {
+    most = std::max(most, opacity);
+  }
   std::vector<LayerCaption> asked;
-  for (const auto& [caption, opacity] : seen_captions(time_s)) {
+  for (auto& [caption, opacity] : seen) {
+    opacity /= most;
     asked.push_back({text_in(caption->text, language_), caption->place, caption->letter_deg, caption->width_deg,
                      caption->color, opacity});
   }
@@ -41,21 +46,21 @@ std::shared_ptr<const CaptionLayer> OverlayPass::caption_layer(const Projection&
     layer_.reset();
     canvas_ = {};
   } else if (asked != in_layer_ || !layer_tiles_ || !layer_tiles_->are_of(projection)) {
-    layer_ = draw_layer(projection, time_s);
+    layer_ = draw_layer(projection, seen);
     in_layer_ = std::move(asked);
     layer_tiles_ = tiles_of(projection);
   }
-  return layer_;
+  return {layer_, most};
 }
 
-std::shared_ptr<const CaptionLayer> OverlayPass::draw_layer(const Projection& projection,
-                                                            std::optional<double> time_s) {
+std::shared_ptr<const CaptionLayer> OverlayPass::draw_layer(
+    const Projection& projection, const std::vector<std::pair<const Caption*, double>>& captions) {
   const std::size_t row = 4 * static_cast<std::size_t>(projection.width_px);
   canvas_.resize(row * static_cast<std::size_t>(projection.height_px));
   ++drawn_;
   TileRows drawn;
   const OverlayTarget target = {Backend::cpu, canvas_.data(), {}, true};
-  for (const auto& [caption, opacity] : seen_captions(time_s)) {
+  for (const auto& [caption, opacity] : captions) {
     const TileRows rows = draw_caption(target, projection, *caption, opacity);
     if (rows.first < rows.end) {
       drawn =

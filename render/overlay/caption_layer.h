@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 namespace ergodome {
@@ -11,6 +12,12 @@ struct CaptionLayer {
   int first_row = 0;        //!< rows above it, and below the last, show nothing
   int row_count = 0;        //!< at least 1
   std::vector<float> rgba;  //!< of these rows, the top one first
+};
+
+//! A layer, and how much of it is seen: what fades as a whole is drawn once.
+struct LaidCaptions {
+  std::shared_ptr<const CaptionLayer> layer;  //!< none: nothing to see
+  double opacity = 1.0;
 };
 
 }  // namespace ergodome

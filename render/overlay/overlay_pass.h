@@ -62,7 +62,7 @@ class OverlayPass {
   void draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s);
 
   //! Captions at a time, on nothing; none where there is nothing to see. The last layer is given again where it would be the same.
-  std::shared_ptr<const CaptionLayer> caption_layer(const Projection& projection, std::optional<double> time_s);
+  LaidCaptions caption_layer(const Projection& projection, std::optional<double> time_s);
 
   //! Bytes that a show's images take, from their files' sizes alone. Throws Error like the constructor.
   static long image_bytes(const Show& show);
@@ -107,7 +107,8 @@ class OverlayPass {
 
   //! Captions that are seen at a time, with their opacity.
   [[nodiscard]] std::vector<std::pair<const Caption*, double>> seen_captions(std::optional<double> time_s) const;
-  std::shared_ptr<const CaptionLayer> draw_layer(const Projection& projection, std::optional<double> time_s);
+  std::shared_ptr<const CaptionLayer> draw_layer(const Projection& projection,
+                                                 const std::vector<std::pair<const Caption*, double>>& captions);
 
   static Texture texture_of(OverlayImage image, const char* name);
   void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);

@@ -14,6 +14,7 @@ namespace ergodome {
 
 struct Presenter::State {
   GLuint program = 0;
+  GLuint captions_program = 0;
   GLuint vertex_array = 0;
   GLuint texture = 0;
   int width = 0;
@@ -25,10 +26,33 @@ struct Presenter::State {
   std::unique_ptr<CudaTextureLink> link;
   GLuint captions_texture = 0;  //!< 0: no captions
   std::shared_ptr<const CaptionLayer> captions;
+  float captions_opacity = 1.0F;
   EyeGrid eyes;
 };
 
 namespace {
+
+//! Light of a display as its values.
+constexpr const char* encoding_source = R"(
+vec3 encoded(vec3 light) {
+  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
+}
+)";
+
+constexpr const char* captions_source = R"(#version 450 core
+in vec2 place;
+out vec4 colour;
+layout(binding = 0) uniform sampler2D captions;  // light of a display times coverage
+layout(location = 0) uniform vec2 rows;          // of an eye's picture: where those of the captions begin, and the part that they are
+layout(location = 1) uniform float opacity;
+layout(location = 2) uniform float dimmed;
+vec3 encoded(vec3 light);
+void main() {
+  vec4 caption = texture(captions, vec2(place.x, (1.0 - place.y - rows.x) / rows.y));
+  vec3 light = clamp(caption.rgb / max(caption.a, 1e-4), 0.0, 1.0);
+  colour = opacity * caption.a * vec4(encoded(dimmed * light), 1.0);
+}
+)";
 
 constexpr const char* window_source = R"(
 in vec2 place;
@@ -38,17 +62,6 @@ layout(location = 0) uniform bool heat_map;
 layout(location = 4) uniform float dimmed;
 layout(location = 3) uniform vec2 part;  // of the picture: where it begins, how wide it is
 layout(location = 5) uniform int rows;   // of the framebuffer, which take turns between this part and the next; 0: they do not
-layout(binding = 1) uniform sampler2D captions;  // light of a display times coverage
-layout(location = 6) uniform vec2 captions_from;  // where the captions' rows begin in an eye's picture, and the part that they are; 0: no captions
-layout(location = 7) uniform vec2 eyes;           // that the part shows beside and above each other
-vec3 covered(vec3 light) {
-  vec2 place_of_eye = fract(eyes * vec2(place.x, 1.0 - place.y));
-  vec4 caption = texture(captions, vec2(place_of_eye.x, (place_of_eye.y - captions_from.x) / captions_from.y));
-  return light * (1.0 - caption.a) + caption.rgb;
-}
-vec3 encoded(vec3 light) {
-  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
-}
 void main() {
   // Rows are counted from the framebuffer's top, whatever part of it the picture fills.
   bool next = rows > 0 && (rows - 1 - int(gl_FragCoord.y)) % 2 == 1;
@@ -58,11 +71,7 @@ void main() {
   float across = clamp(begin + part.y * place.x, begin + half_texel, begin + part.y - half_texel);
   // The picture's first row is its top.
   vec3 light = max(texture(picture, vec2(across, 1.0 - place.y)).rgb, vec3(0.0));
-  light = clamp(heat_map ? light : toned(light), 0.0, 1.0);
-  if (captions_from.y > 0.0) {
-    light = clamp(covered(light), 0.0, 1.0);
-  }
-  colour = vec4(encoded(dimmed * light), 1.0);
+  colour = vec4(encoded(dimmed * clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
 }
 )";
 
@@ -73,7 +82,8 @@ double share_of(PicturePart part) { return part == PicturePart::whole ? 1.0 : 0.
 
 Presenter::Presenter() : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + window_source);
+  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + encoding_source + window_source);
+  state_->captions_program = linked_program(whole_viewport_source, std::string(captions_source) + encoding_source);
   glCreateVertexArrays(1, &state_->vertex_array);
 }
 
@@ -82,6 +92,7 @@ Presenter::~Presenter() {
   glDeleteTextures(1, &state_->texture);
   glDeleteTextures(1, &state_->captions_texture);
   glDeleteVertexArrays(1, &state_->vertex_array);
+  glDeleteProgram(state_->captions_program);
   glDeleteProgram(state_->program);
 }
 
@@ -145,21 +156,23 @@ void Presenter::set_light(float light) {
   }
 }
 
-void Presenter::lay_over(const std::shared_ptr<const CaptionLayer>& captions, const EyeGrid& eyes) {
+void Presenter::lay_over(const LaidCaptions& captions, const EyeGrid& eyes) {
   state_->eyes = eyes;
-  if (captions == state_->captions) {
+  state_->captions_opacity = static_cast<float>(captions.opacity);
+  if (captions.layer == state_->captions) {
     return;
   }
-  state_->captions = captions;
+  state_->captions = captions.layer;
   glDeleteTextures(1, &state_->captions_texture);
   state_->captions_texture = 0;
-  if (!captions) {
+  if (!captions.layer) {
     return;
   }
+  const CaptionLayer& layer = *captions.layer;
   GLuint& texture = state_->captions_texture;
   glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-  glTextureStorage2D(texture, 1, GL_RGBA16F, captions->width, captions->row_count);
-  glTextureSubImage2D(texture, 0, 0, 0, captions->width, captions->row_count, GL_RGBA, GL_FLOAT, captions->rgba.data());
+  glTextureStorage2D(texture, 1, GL_RGBA16F, layer.width, layer.row_count);
+  glTextureSubImage2D(texture, 0, 0, 0, layer.width, layer.row_count, GL_RGBA, GL_FLOAT, layer.rgba.data());
   glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   // Beyond its rows there is nothing.
@@ -200,19 +213,41 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart 
   glUniform2f(3, part == PicturePart::right_half ? 0.5F : 0.0F, static_cast<float>(share_of(part)));
   glUniform1i(5, part == PicturePart::halves_by_rows ? framebuffer_height : 0);
   glBindTextureUnit(0, state_->texture);
-  if (state_->captions) {
-    const auto of_height = [&](int rows) {
-      return static_cast<float>(rows) / static_cast<float>(state_->captions->height);
-    };
-    glUniform2f(6, of_height(state_->captions->first_row), of_height(state_->captions->row_count));
-    glBindTextureUnit(1, state_->captions_texture);
-  } else {
-    glUniform2f(6, 0.0F, 0.0F);
-  }
-  const EyeGrid eyes = part == PicturePart::whole ? state_->eyes : EyeGrid{};
-  glUniform2f(7, static_cast<float>(eyes.columns), static_cast<float>(eyes.rows));
   glBindVertexArray(state_->vertex_array);
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_captions(shown, part == PicturePart::whole ? state_->eyes : EyeGrid{});
+}
+
+void Presenter::draw_captions(const PictureArea& shown, const EyeGrid& eyes) {
+  if (!state_->captions) {
+    return;
+  }
+  const CaptionLayer& layer = *state_->captions;
+  const auto of_height = [&](int rows) { return static_cast<double>(rows) / layer.height; };
+  glUseProgram(state_->captions_program);
+  glUniform2f(0, static_cast<float>(of_height(layer.first_row)), static_cast<float>(of_height(layer.row_count)));
+  glUniform1f(1, state_->captions_opacity);
+  glUniform1f(2, state_->light);
+  glBindTextureUnit(0, state_->captions_texture);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glEnable(GL_SCISSOR_TEST);
+  const int width = shown.width / eyes.columns;
+  const int height = shown.height / eyes.rows;
+  // The rows of an eye that have captions, and one more on each side for the filter.
+  const double bottom_part = 1.0 - of_height(layer.first_row + layer.row_count);
+  const int from = static_cast<int>(std::floor(bottom_part * height)) - 1;
+  const int rows = static_cast<int>(std::ceil(of_height(layer.row_count) * height)) + 3;
+  for (int eye = 0; eye < eyes.columns * eyes.rows; ++eye) {
+    const int left = shown.left + eye % eyes.columns * width;
+    const int bottom = shown.bottom + eye / eyes.columns * height;
+    const int first = std::max(from, 0);
+    glViewport(left, bottom, width, height);
+    glScissor(left, bottom + first, width, std::min(from + rows, height) - first);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
 }
 
 std::vector<std::uint8_t> Presenter::read_back(int width, int height) {

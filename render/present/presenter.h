@@ -66,9 +66,9 @@ class Presenter {
   //! Factor on the display's light from now on, 0 to 1.
   void set_light(float light);
 
-  //! Captions to lay over each eye of the pictures that are drawn whole, and over the halves of others; none where it is null. They are as sharp as the layer,
+  //! Captions to lay over each eye of the pictures that are drawn whole, and over the halves of others; none where there is no layer. They are as sharp as the layer,
   //! whatever the picture's resolution.
-  void lay_over(const std::shared_ptr<const CaptionLayer>& captions, const EyeGrid& eyes);
+  void lay_over(const LaidCaptions& captions, const EyeGrid& eyes);
 
   //! The picture that was handed over last. The texture is the presenter's, and valid until the next one.
   [[nodiscard]] PresentedPicture shown() const;
@@ -86,6 +86,8 @@ class Presenter {
  private:
   struct State;
   void resize(int width, int height);
+  //! Draws captions over each of the eyes that an area shows.
+  void draw_captions(const PictureArea& shown, const EyeGrid& eyes);
 
   std::unique_ptr<State> state_;
 };

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "content/show_reader.h"
 #include "kernels/core/angles.h"
@@ -115,7 +114,7 @@ TEST_F(Overlays, ApartFromThePictureAreTheSameCaptionsOnNothing) {
   pass.draw({Backend::cpu, whole.rgba.data(), {}, true}, overlay_projection(projection), 2.0);
   pass.set_captions_apart(true);
   EXPECT_FALSE(pass.draws_at(2.0)) << "pictures have none now";
-  const auto layer = pass.caption_layer(overlay_projection(projection), 2.0);
+  const auto layer = pass.caption_layer(overlay_projection(projection), 2.0).layer;
   ASSERT_TRUE(layer);
   ASSERT_LT(layer->row_count, 300);
   std::vector<float> rows(whole.rgba.size());
@@ -129,17 +128,16 @@ TEST_F(Overlays, ApartAreDrawnAnewOnlyWhereTheyChange) {
   OverlayPass pass = pass_of(captions_of({fading}));
   const Projection small = overlay_projection(make_dome_projection(200, pi, 0.0));
   const Projection large = overlay_projection(make_dome_projection(400, pi, 0.0));
-  const auto full = pass.caption_layer(small, 5.0);
-  EXPECT_EQ(pass.caption_layer(small, 6.0), full);
-  const auto half = pass.caption_layer(small, 2.0);
-  EXPECT_NE(half, full);
-  const auto larger = pass.caption_layer(large, 2.0);
-  EXPECT_EQ(larger->width, 400);
-  EXPECT_EQ(pass.caption_layer(large, 11.0), nullptr);
-  EXPECT_EQ(pass.caption_layer(large, 2.0)->rgba, larger->rgba) << "nothing of other layers is left";
-  const auto sum = [](const CaptionLayer& layer) { return std::accumulate(layer.rgba.begin(), layer.rgba.end(), 0.0); };
+  const LaidCaptions full = pass.caption_layer(small, 5.0);
+  EXPECT_EQ(full.opacity, 1.0);
+  const LaidCaptions half = pass.caption_layer(small, 2.0);
+  EXPECT_EQ(half.layer, full.layer);
   // A fade is 3 x² - 2 x³: a half of it is one half.
-  EXPECT_NEAR(sum(*half), 0.5 * sum(*full), 0.001 * sum(*full));
+  EXPECT_NEAR(half.opacity, 0.5, 1e-12);
+  const auto larger = pass.caption_layer(large, 2.0).layer;
+  EXPECT_EQ(larger->width, 400);
+  EXPECT_EQ(pass.caption_layer(large, 11.0).layer, nullptr);
+  EXPECT_EQ(pass.caption_layer(large, 2.0).layer->rgba, larger->rgba) << "nothing of other layers is left";
 }
 
 TEST_F(Overlays, OfOthersAreThereWithoutAShow) {

@@ -230,13 +230,13 @@ TEST_F(Present, CaptionsKeepTheirPixelsOverACoarsePicture) {
   presenter.upload(picture_of(4, 2, 0.05F));
   presenter.draw(200, 100);
   const int plain = Presenter::read_back(200, 100)[0];
-  presenter.lay_over(captions, {});
+  presenter.lay_over({captions}, {});
   presenter.draw(200, 100);
   const auto shown = Presenter::read_back(200, 100);
   for (int y = 0; y < 100; ++y) {
     EXPECT_NEAR(shown[3 * (200 * static_cast<std::size_t>(y) + 77)], y == row ? 255 : plain, 1) << y;
   }
-  presenter.lay_over(nullptr, {});
+  presenter.lay_over({}, {});
   presenter.draw(200, 100);
   EXPECT_NEAR(Presenter::read_back(200, 100)[3 * (200 * row + 77)], plain, 1);
 }
@@ -250,7 +250,7 @@ TEST_F(Present, CaptionsLieOverEachEye) {
   make_framebuffer(200, 100);
   Presenter presenter;
   presenter.upload(picture_of(4, 2, 0.0F));
-  presenter.lay_over(captions, {2, 1});
+  presenter.lay_over({captions}, {2, 1});
   presenter.draw(200, 100);
   const auto shown = Presenter::read_back(200, 100);
   for (const auto& [x, light] : {std::pair(25, 255), std::pair(75, 0), std::pair(125, 255), std::pair(175, 0)}) {
