@@ -114,6 +114,8 @@ std::string json_text(const AccuracyReport& report) {
                {"samples", report.samples},
                {"rounds", report.rounds},
                {"took_s", report.took_s},
+               {"time_spread", time_spread(report)},
+               {"too_busy_to_rank", is_too_busy(report)},
                {"notes", report.notes},
                {"axes", Json::array()}};
   for (const AccuracyAxis& axis : report.axes) {

@@ -11,9 +11,10 @@ namespace ergodome {
 namespace {
 
 constexpr const char* ready_caption =
-    "Each point is a choice; a line joins those of one method. Choices further to the left are faster, those further "
-    "down more exact. Dashed: "
-    "published methods. Thin lines to the sides: from the fastest to the slowest run.";
+    "Each point is a choice; a line joins those of one method, which has its number and colour from the legend. "
+    "Choices "
+    "further to the left are faster, those further down more exact. Rings: no other choice is both faster and more "
+    "exact. Dashed: published methods. Thin lines to the sides: from the fastest to the slowest run.";
 constexpr const char* anew_caption =
     "The same where all that a new place of the camera takes is made anew in each frame, as in free flight: grids are "
     "built, not only read.";

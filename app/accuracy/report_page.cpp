@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/accuracy/error_pictures.h"
 #include "app/accuracy/report_numbers.h"
+#include "app/accuracy/report_series.h"
 #include "app/accuracy/report_table.h"
 #include "app/accuracy/report_words.h"
 #include "kernels/image/color_map.h"
@@ -17,18 +19,22 @@ namespace {
 
 constexpr const char* style = R"(<style>
 body { font: 16px/1.5 "DejaVu Sans", sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
+.busy { background: #fdf3e1; border-left: 4px solid #d55e00; padding: 0.6em 1em; margin: 1em 0; }
 h1 { font-size: 1.7em; margin-bottom: 0.1em; } h2 { margin-top: 2em; border-top: 1px solid #ddd; padding-top: 0.8em; }
 .facts, .caption, figcaption { color: #666; font-size: 0.85em; }
 .says { background: #f2f6fa; border-left: 4px solid #0072b2; padding: 0.6em 1em; margin: 1em 0; }
 .says p { margin: 0.3em 0; }
-img.plot { width: 100%; height: auto; }
+img.plot { width: 100%; max-width: 640px; height: auto; display: block; }
 .pictures { display: flex; flex-wrap: wrap; gap: 14px; }
 figure { margin: 0; width: 170px; } figure img { width: 170px; image-rendering: pixelated; display: block; }
 .best figcaption b::after { content: " \25EF"; }
 table { border-collapse: collapse; font-size: 0.8em; } td, th { padding: 2px 8px; text-align: right; white-space: nowrap; }
 th { border-bottom: 1px solid #888; } td.word, th.word { text-align: left; } tr.best { background: #eef7ee; }
-.methods { font-size: 0.85em; color: #444; padding-left: 1.2em; }
-.wide { overflow-x: auto; } .bar { height: 12px; width: 340px; }
+.methods { font-size: 0.85em; color: #444; padding: 0; list-style: none; } .methods li { margin: 0.3em 0; padding-left: 2.2em; }
+.number { float: left; margin-left: -2.2em; min-width: 1.5em; text-align: center; border-radius: 0.8em; color: #fff; font-weight: bold; }
+.wide { overflow-x: auto; } .bar { height: 12px; max-width: 340px; }
+summary { cursor: pointer; padding: 0.3em 0; }
+@media (max-width: 600px) { body { margin: 1em auto; padding: 0 0.7em; overflow-wrap: break-word; } h1 { font-size: 1.4em; } .says, .busy { padding: 0.4em 0.7em; } }
 </style>
 )";
 
@@ -56,8 +62,10 @@ std::string escaped(const std::string& text) {
 }
 
 std::string head_text(const AccuracyReport& report) {
-  std::string text = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>What accuracy costs: " +
-                     escaped(report.title) + "</title>\n" + style + "</head><body>\n";
+  std::string text =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>What accuracy costs: " +
+      escaped(report.title) + "</title>\n" + style + "</head><body>\n";
   text += "<h1>What accuracy costs in time: " + escaped(report.title) + "</h1>\n";
   text += fmt::format(
       "<p class=\"facts\">Show <code>{}</code>, pictures of {} × {} pixels (a pixel spans {} arcminutes; the full "
@@ -94,6 +102,30 @@ std::string colour_bar(bool light) {
       stops, light ? "0.001 %" : "0.0001 px", light ? "100 %" : "10 px");
 }
 
+//! The numbered legend of an axis: what each method is, in the colour that it has in the plots.
+std::string legend_text(const AccuracyAxis& axis) {
+  std::string text;
+  std::vector<std::string> explained;
+  for (const ReportSeries& series : series_of(axis)) {
+    const Measurement& first = *series.choices.front();
+    const bool again = std::ranges::find(explained, first.method) != explained.end();
+    explained.push_back(first.method);
+    const std::string words = again ? "the same in " + first.precision + " precision" : method_words(first.method);
+    text += fmt::format("<li><span class=\"number\" style=\"background:{}\">{}</span> <b>{}</b>{}{}</li>\n",
+                        series.colour, series.number, escaped(series.name), words.empty() ? "" : ": ", escaped(words));
+  }
+  return "<p class=\"caption\">The methods, by their numbers in plots and tables:</p>\n<ol class=\"methods\">\n" +
+         text + "</ol>\n";
+}
+
+int series_number(const std::vector<ReportSeries>& all, const Measurement& choice) {
+  const auto has = [&](const ReportSeries& series) {
+    return std::ranges::find(series.choices, &choice) != series.choices.end();
+  };
+  const auto found = std::ranges::find_if(all, has);
+  return found != all.end() ? found->number : 0;
+}
+
 std::string pictures_text(const AccuracyAxis& axis) {
   std::string text;
   for (const Measurement& choice : axis.choices) {
@@ -115,14 +147,17 @@ std::string pictures_text(const AccuracyAxis& axis) {
 std::string table_of(const AccuracyReport& report, const AccuracyAxis& axis) {
   const bool light = axis.unit == ErrorUnit::light;
   std::string text = fmt::format(
-      "<details><summary>All {} choices</summary><div class=\"wide\"><table><tr><th class=\"word\">method</th><th "
+      "<details><summary>All {} choices</summary><div class=\"wide\"><table><tr><th></th><th "
+      "class=\"word\">method</th><th "
       "class=\"word\">setting</th><th class=\"word\"></th><th class=\"word\">method of</th><th>median {}</th><th>99 "
       "of "
       "100</th><th>999 of 1000</th><th>largest</th>{}<th>flicker</th><th>lost</th><th>ms {} (runs)</th><th>ms to "
       "prepare</th><th>memory</th><th>on disk</th></tr>\n",
       axis.choices.size(), unit_name(axis.unit), light ? "" : "<th>99 of 100, arcmin</th>", escaped(axis.time));
+  const std::vector<ReportSeries> series = series_of(axis);
   for (const Measurement& choice : axis.choices) {
     text += choice.best_ready ? "<tr class=\"best\">" : "<tr>";
+    text += fmt::format("<td>{}</td>", series_number(series, choice));
     for (const std::string* const word : {&choice.method, &choice.setting, &choice.precision, &choice.published}) {
       text += "<td class=\"word\">" + escaped(*word) + "</td>";
     }
@@ -152,7 +187,8 @@ std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
   std::string text = fmt::format(
       "<p>All held to {} (99 of 100 pixels), each in its cheapest setting; times as many times that of {}, by runs in "
       "the "
-      "same round:</p>\n<table><tr><th class=\"word\">method</th><th class=\"word\">method of</th><th "
+      "same round:</p>\n<div class=\"wide\"><table><tr><th class=\"word\">method</th><th class=\"word\">method "
+      "of</th><th "
       "class=\"word\">setting</th><th>ms a frame</th><th>times as long (from to)</th></tr>\n",
       error_text(axis, most_px), escaped(axis.base));
   for (const EqualErrorRow& row : compare_at(axis, most_px, FrameCost::ready)) {
@@ -165,7 +201,7 @@ std::string equal_error_text(const AccuracyAxis& axis, double most_px) {
                               escaped(choice->setting + (choice->precision.empty() ? "" : ", " + choice->precision)),
                               short_number(cost_ms(*choice, FrameCost::ready)), spread_text(row.ratio));
   }
-  return text + "</table>\n";
+  return text + "</table></div>\n";
 }
 
 //! What a frame spends its time on, where it was counted.
@@ -187,21 +223,6 @@ std::string passes_text(const AccuracyAxis& axis) {
              ? text
              : "<details><summary>What a frame spends its milliseconds on</summary><div class=\"wide\"><table>\n" +
                    text + "</table></div></details>\n";
-}
-
-//! What the methods of an axis are.
-std::string methods_text(const AccuracyAxis& axis) {
-  std::string text;
-  std::string last;
-  for (const Measurement& choice : axis.choices) {
-    const std::string words = method_words(choice.method);
-    if (choice.method != last && !words.empty() &&
-        text.find("<b>" + escaped(choice.method) + "</b>") == std::string::npos) {
-      text += "<li><b>" + escaped(choice.method) + "</b>: " + escaped(words) + ".</li>\n";
-    }
-    last = choice.method;
-  }
-  return text.empty() ? text : "<ul class=\"methods\">\n" + text + "</ul>\n";
 }
 
 //! The first sentence of each axis.
@@ -227,7 +248,7 @@ std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, co
     }
     text += "</div>\n";
   }
-  text += methods_text(axis);
+  text += legend_text(axis);
   for (const ReportPlot& plot : plots) {
     if (plot.axis == axis.name) {
       text += fmt::format("<img class=\"plot\" src=\"{}\" alt=\"error over time\">\n<p class=\"caption\">{}</p>\n",
@@ -243,7 +264,10 @@ std::string axis_text(const AccuracyReport& report, const AccuracyAxis& axis, co
 }  // namespace
 
 std::string page_text(const AccuracyReport& report, const std::vector<ReportPlot>& plots, double most_px) {
-  std::string text = head_text(report) + in_short(report);
+  std::string text = head_text(report);
+  text += fmt::format("<p class=\"{}\">{}</p>\n", is_too_busy(report) ? "busy" : "facts",
+                      escaped(repeatability_words(report)));
+  text += in_short(report);
   for (const AccuracyAxis& axis : report.axes) {
     text += axis_text(report, axis, plots, most_px);
   }

@@ -11,10 +11,10 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/accuracy/report_series.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 
@@ -27,34 +27,6 @@ namespace {
 //! Errors below this are as good as none, and are drawn here.
 constexpr double least_px = 1e-4;
 constexpr double least_percent = 1e-3;
-
-//! A line of the plot.
-struct Series {
-  std::string name;
-  bool published = false;
-  std::vector<const Measurement*> choices;
-};
-
-std::vector<Series> series_of(const AccuracyAxis& axis) {
-  std::vector<Series> all;
-  for (const Measurement& choice : axis.choices) {
-    std::string name = choice.method;
-    if (!choice.precision.empty()) {
-      name += ", " + choice.precision;
-    }
-    if (!choice.published.empty()) {
-      name += " (" + choice.published + ")";
-    }
-    const auto same = [&](const Series& series) { return series.name == name; };
-    auto found = std::ranges::find_if(all, same);
-    if (found == all.end()) {
-      all.push_back({name, !choice.published.empty(), {}});
-      found = all.end() - 1;
-    }
-    found->choices.push_back(&choice);
-  }
-  return all;
-}
 
 double drawn_error(const AccuracyAxis& axis, const Measurement& choice) {
   return axis.unit == ErrorUnit::light ? std::max(100.0 * choice.error.p99, least_percent)
@@ -73,26 +45,8 @@ std::string points_of(const AccuracyAxis& axis, FrameCost cost, const std::vecto
   return text;
 }
 
-//! One colour a method, the same in all plots that have it; those with no name here take turns.
-const char* colour_of(const Series& series, int number) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 10> known = {{{"conforming grid", "#009e73"},
-                                                                               {"quadtree, linear", "#e69f00"},
-                                                                               {"quadtree, spline", "#d55e00"},
-                                                                               {"quadtree", "#d55e00"},
-                                                                               {"direct rays", "#0072b2"},
-                                                                               {"taylor", "#56b4e9"},
-                                                                               {"cash_karp", "#cc79a7"},
-                                                                               {"baseline_rk34", "#8c564b"},
-                                                                               {"rk34", "#6a3d9a"},
-                                                                               {"closed_form", "#333333"}}};
-  constexpr std::array others = {"#0072b2", "#d55e00", "#009e73", "#cc79a7"};
-  const std::string& method = series.choices.front()->method;
-  const auto found = std::ranges::find_if(known, [&](const auto& entry) { return entry.first == method; });
-  return found != known.end() ? found->second : others[static_cast<std::size_t>(number) % others.size()];
-}
-
 //! gnuplot's number of a sign: published methods hollow, float a disk or square, double a triangle.
-int point_of(const Series& series) {
+int point_of(const ReportSeries& series) {
   const bool wide = series.choices.front()->precision == "double";
   return series.published ? (wide ? 8 : 4) : (wide ? 9 : 7);
 }
@@ -108,9 +62,9 @@ std::string quoted(const std::string& text) {
 
 std::string frame_of(const AccuracyAxis& axis, FrameCost cost, const std::filesystem::path& picture) {
   std::string text =
-      "set terminal svg size 900,520 dynamic font \"DejaVu Sans,13\" background \"white\"\n"
+      "set terminal svg size 640,480 dynamic font \"DejaVu Sans,16\" background \"white\"\n"
       "set encoding utf8\nset logscale xy\nset grid back lc rgb \"#dddddd\"\nset border lc rgb \"#888888\"\n"
-      "set key outside right top noenhanced samplen 2 spacing 1.15\nset format \"%g\"\n";
+      "set key off\nset format \"%g\"\n";
   text += "set output " + quoted(picture.string()) + "\n";
   const bool ready = cost == FrameCost::ready;
   const std::string when = ready ? " (left is faster)" : ", with all that a new place of the camera takes";
@@ -121,7 +75,7 @@ std::string frame_of(const AccuracyAxis& axis, FrameCost cost, const std::filesy
     for (const auto& [error, name] :
          {std::pair(1.0, "one pixel"), std::pair(0.25, "a quarter"), std::pair(0.1, "a tenth")}) {
       text += fmt::format(
-          "set label \"{}\" at graph 0.99,first {} right offset 0,0.5 tc rgb \"#777777\" font \",11\"\n", name, error);
+          "set label \"{}\" at graph 0.99,first {} right offset 0,0.5 tc rgb \"#777777\" font \",14\"\n", name, error);
       text += fmt::format("set arrow from graph 0,first {0} to graph 1,first {0} nohead lc rgb \"#bbbbbb\"\n", error);
     }
   }
@@ -179,22 +133,21 @@ std::string plot_script(const AccuracyAxis& axis, FrameCost cost, const std::fil
   const std::string best_points = points_of(axis, cost, best);
   if (!best_points.empty()) {
     text += "$best << EOD\n" + best_points + "EOD\n";
-    plots +=
-        "$best using 1:2 with points pt 6 ps 2.2 lw 2 lc rgb \"#000000\" title \"nothing is both faster and better\"";
+    plots += "$best using 1:2 with points pt 6 ps 2.2 lw 2 lc rgb \"#000000\" title \"none is faster and better\"";
   }
-  int number = 0;
-  for (const Series& series : series_of(axis)) {
+  for (const ReportSeries& series : series_of(axis)) {
     const std::string points = points_of(axis, cost, series.choices);
     if (points.empty()) {
       continue;
     }
-    text += fmt::format("$s{} << EOD\n{}EOD\n", number, points);
+    text += fmt::format("$s{} << EOD\n{}EOD\n", series.number, points);
     plots += plots.empty() ? "" : ", \\\n  ";
     plots += fmt::format(
-        "$s{0} using 1:2 with linespoints lc rgb \"{1}\" lw 1.6 dt {2} pt {3} ps 0.9 title {4}, \\\n"
-        "  $s{0} using 1:2:3:4 with xerrorbars lc rgb \"{1}\" pt 0 lw 0.8 notitle",
-        number, colour_of(series, number), series.published ? 2 : 1, point_of(series), quoted(series.name));
-    ++number;
+        "$s{0} using 1:2 with linespoints lc rgb \"{1}\" lw 1.6 dt {2} pt {3} ps 0.9, \\\n"
+        "  $s{0} using 1:2:3:4 with xerrorbars lc rgb \"{1}\" pt 0 lw 0.8, \\\n"
+        "  $s{0} using 1:2:(\"{0}\") every ::0::0 with labels offset char 0.9,0.7 font \",17\" tc rgb \"{1}\" notitle",
+        series.number, series.colour, series.published ? 2 : 1, point_of(series),
+        quoted(fmt::format("{}  {}", series.number, series.name)));
   }
   return text + "plot " + plots + "\n";
 }

@@ -113,6 +113,7 @@ std::string table_text(const AccuracyReport& report, double most_px) {
   text +=
       "*: no other choice is as exact in as little time a frame; +: with what a new place of the camera takes; ': in "
       "arcminutes\n";
+  text += repeatability_words(report) + '\n';
   for (const AccuracyAxis& axis : report.axes) {
     text += axis_table(report, axis);
   }

@@ -110,34 +110,56 @@ std::vector<std::string> accuracy_sentences(const AccuracyReport& report) {
   return sentences;
 }
 
+std::string repeatability_words(const AccuracyReport& report) {
+  const double spread = time_spread(report);
+  if (spread == 0.0) {
+    return "No choice was timed more than once, so nothing is known about how well the times repeat.";
+  }
+  const std::string measured = fmt::format(
+      "the slowest run of a choice took {:.2f} times as long as its quickest (median of all choices; up to {:.2f} "
+      "counts "
+      "as quiet)",
+      spread, busy_time_spread);
+  if (!is_too_busy(report)) {
+    return fmt::format("The machine was quiet enough to rank methods: {}.", measured);
+  }
+  return fmt::format(
+      "The machine was too busy to rank methods: {}. Which of two methods is faster is not known where their times "
+      "differ by less than that. The errors are not affected. Stop other programs and measure again.",
+      measured);
+}
+
 std::string method_words(const std::string& method) {
   static const std::map<std::string, std::string> words = {
-      {"direct rays",
-       "this program's own way without a grid: the path of light is followed for every pixel of every frame"},
+      {"direct rays", "no grid: traces the path of light for every pixel of every frame"},
       {"conforming grid",
-       "this program's own grid: light is followed for some thousand directions, laid out about the shadow's edge; "
-       "pixels are read off "
-       "between them"},
-      {"quadtree, linear", "the grid of Verbraeck & Eisemann, read off along straight lines"},
-      {"quadtree, spline", "the grid of Verbraeck & Eisemann, read off along smooth curves"},
-      {"quadtree", "the grid of Verbraeck & Eisemann, read off along smooth curves"},
-      {"taylor", "light is followed in long steps, each by a series of ten terms or twenty: this program's own"},
-      {"cash_karp", "light is followed in steps of fifth order (Cash & Karp), in this program's equations"},
-      {"rk34", "the same in steps of third and fourth order"},
-      {"baseline_rk34", "the same steps in the equations as they were published, in angles"},
-      {"closed_form", "the path of light as a formula: slow, and exact; what all the others are compared with"},
-      {"stations with derivatives", "lenses computed at some places of the camera's path, and how they change there"},
-      {"plain stations", "lenses computed at some places of the camera's path; between them they are mixed"},
-      {"point", "the one spot of the map that the pixel's middle sees; details flicker"},
-      {"ewa", "a weighted mean over the patch of the map that the pixel sees, from smaller copies of the map"},
-      {"polygon", "the exact mean over the patch, taken as a quadrangle"},
-      {"physical", "two cameras, one an eye: what two eyes would see there"},
-      {"flat", "one camera; what is near is moved as if space were flat (Hamilton & Polhemus 2010)"},
-      {"omni", "eyes that turn with the direction one looks at, for people who look around"},
-      {"rays", "light is followed from every pixel to what it meets"},
-      {"polygons", "triangles whose corners are put where their light arrives (Müller, Schulz & Weiskopf)"},
-      {"inverse", "for every star it is asked where on the screen its light arrives"},
-      {"gather", "for every pixel it is asked which stars it sees"}};
+       "our own grid: traces light for some thousand directions, laid out around the edge of the shadow, and "
+       "interpolates between them for each pixel"},
+      {"quadtree, linear", "the grid of Verbraeck & Eisemann, with linear interpolation"},
+      {"quadtree, spline", "the grid of Verbraeck & Eisemann, with smooth curves (splines) for interpolation"},
+      {"quadtree", "the grid of Verbraeck & Eisemann, with smooth curves (splines) for interpolation"},
+      {"taylor", "our own integrator: traces light in long steps, each a power series (Taylor) of ten to twenty terms"},
+      {"cash_karp",
+       "a Runge-Kutta integrator of fifth order (Cash & Karp), in our equations, which have no singular points"},
+      {"rk34", "a Runge-Kutta integrator of third and fourth order, in our equations"},
+      {"baseline_rk34",
+       "the same integrator in the published equations, which use angles and are singular at the poles"},
+      {"closed_form",
+       "the path of light as a formula (elliptic functions): slow and exact; the reference for all others"},
+      {"stations with derivatives",
+       "lenses computed in advance at some positions on the camera's path, with how they change there"},
+      {"plain stations", "lenses computed in advance at some positions on the camera's path, and blended in between"},
+      {"point", "one look at the map, where the middle of the pixel sees it; details flicker"},
+      {"ewa",
+       "elliptical weighted average: a mean over the patch of the map that the pixel sees, from smaller copies of it"},
+      {"polygon", "the exact mean over the patch of the map that the pixel sees, as a quadrangle"},
+      {"physical", "two cameras, one for each eye: what two eyes would see there"},
+      {"flat", "one camera; near things are shifted as if space were flat (Hamilton & Polhemus 2010)"},
+      {"omni", "omnidirectional stereo: the eyes turn with the direction, for viewers who look around"},
+      {"rays", "traces light from every pixel to what it meets"},
+      {"polygons", "triangles, whose corners are drawn where their light arrives (Müller, Schulz & Weiskopf)"},
+      {"inverse", "finds for every star where on the screen its light arrives"},
+      {"gather", "finds for every pixel which stars it sees"}};
   const auto found = words.find(method);
   return found != words.end() ? found->second : std::string();
 }

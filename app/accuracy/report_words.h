@@ -13,6 +13,9 @@ std::vector<std::string> accuracy_sentences(const AccuracyReport& report);
 //! The sentences of one axis alone.
 std::vector<std::string> axis_sentences(const AccuracyAxis& axis);
 
+//! How well times repeated, and if they did not, that methods cannot be ranked by this report.
+std::string repeatability_words(const AccuracyReport& report);
+
 //! What a method is, for people who have not met it; empty for one that needs no word.
 std::string method_words(const std::string& method);
 

@@ -1,5 +1,7 @@
 #include "render/accuracy/measurement.h"
 
+#include <algorithm>
+
 namespace ergodome {
 
 const char* unit_name(ErrorUnit unit) { return unit == ErrorUnit::pixels ? "px" : "%"; }
@@ -11,6 +13,22 @@ std::vector<double> Measurement::anew_ms() const {
   }
   return sum;
 }
+
+double time_spread(const AccuracyReport& report) {
+  std::vector<double> spreads;
+  for (const AccuracyAxis& axis : report.axes) {
+    for (const Measurement& choice : axis.choices) {
+      const Spread time = spread_of(choice.frame_ms);
+      if (time.runs >= 2 && time.least > 0.0) {
+        spreads.push_back(time.greatest / time.least);
+      }
+    }
+  }
+  std::ranges::sort(spreads);
+  return quantile(spreads, 0.5);
+}
+
+bool is_too_busy(const AccuracyReport& report) { return time_spread(report) > busy_time_spread; }
 
 void mark_pareto(AccuracyAxis& axis) {
   std::vector<double> error;

@@ -80,6 +80,16 @@ struct AccuracyReport {
   std::vector<std::string> notes;  //!< what was left out, and why
 };
 
+//! The slowest run of a choice over its quickest, as the median over all choices that were timed at least twice; 0 if none was. By the
+//! median a single choice that was disturbed does not count.
+double time_spread(const AccuracyReport& report);
+
+//! The largest time_spread() of a machine that is quiet enough to rank methods.
+inline constexpr double busy_time_spread = 1.25;
+
+//! Whether times repeated too badly to rank methods by them.
+bool is_too_busy(const AccuracyReport& report);
+
 //! Marks both Pareto fronts of an axis.
 void mark_pareto(AccuracyAxis& axis);
 

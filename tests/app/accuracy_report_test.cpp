@@ -144,6 +144,79 @@ TEST(AccuracyReport, ItsPlotLeavesOutErrorsWithoutBounds) {
   EXPECT_THAT(script, HasSubstr("set output \"out  of  here.svg\"\n"));
 }
 
+TEST(AccuracyReport, NumbersItsMethodsInPlotLegendAndTable) {
+  AccuracyReport report = small_report();
+  report.axes[0].choices[1].precision = "double";
+  const std::string page = page_text(report, {}, 0.1);
+  // taylor, taylor in double, rk34, rk34 as published, lost, slow.
+  EXPECT_THAT(page, HasSubstr("#56b4e9\">1</span> <b>taylor</b>: our own integrator"));
+  EXPECT_THAT(page, HasSubstr("#56b4e9\">2</span> <b>taylor, double</b>: the same in double precision"));
+  EXPECT_THAT(page, HasSubstr("#6a3d9a\">4</span> <b>rk34 (RK34)</b>"));
+  EXPECT_THAT(page, HasSubstr("<td>4</td><td class=\"word\">rk34</td><td class=\"word\">fine</td>"));
+  const std::string script = plot_script(report.axes[0], FrameCost::ready, "rays.svg");
+  EXPECT_THAT(script, HasSubstr("title \"4  rk34 (RK34)\""));
+  EXPECT_THAT(script, HasSubstr("$s4 using 1:2:(\"4\") every ::0::0 with labels"));
+}
+
+TEST(AccuracyReport, ExplainsEveryMethodThatItMeasures) {
+  for (const char* const method : {"direct rays",
+                                   "conforming grid",
+                                   "quadtree, linear",
+                                   "quadtree, spline",
+                                   "quadtree",
+                                   "taylor",
+                                   "cash_karp",
+                                   "rk34",
+                                   "baseline_rk34",
+                                   "closed_form",
+                                   "stations with derivatives",
+                                   "plain stations",
+                                   "point",
+                                   "ewa",
+                                   "polygon",
+                                   "physical",
+                                   "flat",
+                                   "omni",
+                                   "rays",
+                                   "polygons",
+                                   "inverse",
+                                   "gather"}) {
+    EXPECT_NE(method_words(method), "") << method;
+  }
+}
+
+TEST(AccuracyReport, FitsOnAPhone) {
+  const std::string page = page_text(small_report(), {}, 0.1);
+  EXPECT_THAT(page, HasSubstr("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
+  // Tables may be wider than the page: each scrolls by itself.
+  std::size_t tables = 0;
+  for (std::size_t at = page.find("<table>"); at != std::string::npos; at = page.find("<table>", at + 1)) {
+    const std::string before = page.substr(at - 19, 19);
+    EXPECT_THAT(before, HasSubstr("<div class=\"wide\">")) << ++tables;
+  }
+}
+
+TEST(AccuracyReport, WarnsWhereTimesRepeatTooBadlyToRankMethods) {
+  AccuracyReport report = small_report();
+  EXPECT_DOUBLE_EQ(time_spread(report), 3.0);
+  const std::string busy = "The machine was too busy to rank methods: the slowest run of a choice took 3.00 times";
+  EXPECT_THAT(page_text(report, {}, 0.1), HasSubstr("<p class=\"busy\">" + busy));
+  EXPECT_THAT(table_text(report, 0.1), HasSubstr(busy));
+  EXPECT_TRUE(nlohmann::json::parse(json_text(report))["too_busy_to_rank"]);
+  for (Measurement& each : report.axes[0].choices) {
+    each.frame_ms = {1.0, 1.2, 1.1};
+  }
+  // One that was disturbed does not count.
+  report.axes[0].choices[0].frame_ms = {1.0, 9.0, 1.0};
+  EXPECT_DOUBLE_EQ(time_spread(report), 1.2);
+  EXPECT_THAT(table_text(report, 0.1), HasSubstr("The machine was quiet enough to rank methods"));
+  EXPECT_THAT(page_text(report, {}, 0.1), Not(HasSubstr("class=\"busy\"")));
+  for (Measurement& each : report.axes[0].choices) {
+    each.frame_ms = {1.0};
+  }
+  EXPECT_THAT(table_text(report, 0.1), HasSubstr("No choice was timed more than once"));
+}
+
 TEST(AccuracyReport, APlotNeedsTwoPoints) {
   AccuracyAxis axis = small_report().axes[0];
   EXPECT_TRUE(is_plottable(axis));
