@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "app/backend_choice.h"
-#include "app/disk_room.h"
 #include "app/frame_facts.h"
 #include "app/movie.h"
 #include "app/movie_plan.h"
@@ -64,6 +64,7 @@ FrameWriter::FrameWriter(const RenderOptions& options, const Show& show, const s
       stream_(open_stream(show, options.lens, backend_)),
       renderer_(show, backend_, lens_choice(options.lens), stream_),
       requests_(std::move(requests)) {
+  made_.make_folder(options.out);
   format_.rate = frame_rate_of(show.frame_rate_hz);
   renderer_.overlays().set_language(options.language);
   if (setup) {
@@ -88,6 +89,7 @@ void FrameWriter::write(int frame) {
     return;
   }
   renewed_ += options_.resume && was_asked_otherwise(frame) ? 1 : 0;
+  const auto begin = std::chrono::steady_clock::now();
   const double time_s = frame_time_s(show, frame);
   go_on_exposing(frame);
   std::vector<FrameImage> images = renderer_.render(time_s, choice_);
@@ -99,7 +101,7 @@ void FrameWriter::write(int frame) {
   }
   const double baseline = renderer_.narrowed_eyes() ? renderer_.narrowed_eyes()->baseline : show.stereo.baseline;
   const bool views = show.stereo.layout == StereoLayout::multiview;
-  frame_bytes_ = 0;
+  frame_cost_ = {};
   for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
     const FrameImage& image = images[i];
     const FramePart part = views ? FramePart::whole : image.part;
@@ -125,12 +127,14 @@ void FrameWriter::write(int frame) {
     for (const fs::path& file : projectors_ ? projectors_->paths_of(path) : std::vector<fs::path>{path}) {
       std::error_code problem;
       const std::uintmax_t bytes = fs::file_size(file, problem);
-      frame_bytes_ += problem ? 0 : bytes;
+      frame_cost_.bytes += problem ? 0 : bytes;
+      made_.add(file);
     }
   }
   if (followed_stops()) {
     followed_from_ = stops_text(*followed_stops());
   }
+  frame_cost_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   ++written_;
 }
 
@@ -183,7 +187,7 @@ void FrameWriter::tell_narrowed_eyes(double time_s) {
 }
 
 void FrameWriter::enter(const std::filesystem::path& folder) {
-  make_folder(folder);
+  made_.make_folder(folder);
   if (cleared_.insert(folder).second) {
     remove_abandoned_files(folder);
   }
@@ -214,8 +218,30 @@ void FrameWriter::write_movies(int first, int last) const {
       movie.pictures.push_back(path_of(frame, part, std::nullopt));
     }
     write_movie(movie);
+    if (options_.delete_frames) {
+      check_movie(movie);
+    }
     print_out("written to {}\n", movie.file.string());
   }
+}
+
+void FrameWriter::delete_frames() {
+  const int deleted = made_.remove_files();
+  const std::vector<int> left = lying_there();
+  const auto alike = std::ranges::find_if(left, [&](int frame) { return was_asked_alike(frame); });
+  if (alike != left.end()) {
+    write_facts(*alike, *alike);
+  } else {
+    for (const char* ending : {".txt", ".json"}) {
+      std::error_code problem;
+      fs::remove(fs::path(options_.out) / (renderer_.show().name + ending), problem);
+    }
+  }
+  made_.remove_folders();
+  print_out("{} deleted from {}{}\n", counted(deleted, "frame file"), options_.out,
+            resumed_ > 0 ? fmt::format("; {} that {} there before stay{}", counted(resumed_, "frame"),
+                                       resumed_ == 1 ? "was" : "were", resumed_ == 1 ? "s" : "")
+                         : "");
 }
 
 void FrameWriter::write_facts(int first, int last) const {
@@ -256,23 +282,41 @@ std::vector<int> FrameWriter::asked_otherwise(int first, int last) const {
   return frames;
 }
 
-void FrameWriter::tell_room(int next, int last) {
-  largest_bytes_ = std::max(largest_bytes_, frame_bytes_);
+long FrameWriter::missing(int next, int last) const {
+  const auto there = std::ranges::count_if(lying_there(), [&](int frame) { return frame >= next && frame <= last; });
+  return last + 1L - next - there;
+}
+
+std::vector<std::string> FrameWriter::run_notes(int next, int last) {
+  std::vector<std::string> notes = {cost_note(next, last), new_room_note(next, last)};
+  std::erase(notes, "");
+  return notes;
+}
+
+std::string FrameWriter::cost_note(int next, int last) {
+  // The first frame prepares what all frames share. If it is quick, the second one tells more of the others.
+  const bool measured = written_ > 1 || (written_ == 1 && frame_cost_.seconds >= slow_frame_s);
+  if (!measured || next > last || std::exchange(told_cost_, true)) {
+    return "";
+  }
+  const long left = options_.resume ? missing(next, last) : last + 1L - next;
+  return left > 0 ? run_cost_text(written_ + left, frame_cost_) + (options_.movie.empty() ? "" : ", and the film") : "";
+}
+
+std::string FrameWriter::new_room_note(int next, int last) {
+  largest_bytes_ = std::max(largest_bytes_, frame_cost_.bytes);
   // Again and again, ever more seldom: the first frames of many a show are black, and small.
   if (told_room_ || !std::has_single_bit(static_cast<unsigned>(written_)) ||
       std::exchange(looked_at_room_after_, written_) == written_) {
-    return;
+    return "";
   }
-  // What is there already is written over.
-  const auto there = std::ranges::count_if(lying_there(), [&](int frame) { return frame >= next && frame <= last; });
-  const auto missing = static_cast<std::uintmax_t>(last + 1 - next - there);
+  // Frames that are there already are overwritten.
+  const auto needed = largest_bytes_ * static_cast<std::uintmax_t>(missing(next, last));
   std::error_code problem;
   const fs::space_info space = fs::space(options_.out, problem);
-  const std::string note = problem ? "" : room_note(options_.out, largest_bytes_ * missing, space.available);
-  if (!note.empty()) {
-    tell_on_terminal(note);
-    told_room_ = true;
-  }
+  std::string note = problem ? "" : room_note(options_.out, "the rest of the run", needed, space.available);
+  told_room_ = !note.empty();
+  return note;
 }
 
 int FrameWriter::eye_width_px() const { return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px; }

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "app/frame_request.h"
+#include "app/made_files.h"
 #include "app/movie_sound.h"
 #include "app/render_options.h"
+#include "app/run_cost.h"
 #include "app/setup_show.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/frame_format.h"
@@ -31,8 +33,12 @@ class FrameWriter {
   //! Renders and writes a frame, counted from 0; with --resume only where none is there that was asked for alike.
   void write(int frame);
 
-  //! Puts the frames first to last together as films: one, or one for each eye that has files of its own.
+  //! Puts the frames first to last together as films: one, or one for each eye that has files of its own. With --delete-frames each
+  //! film is then read back. Throws Error where it does not hold these frames.
   void write_movies(int first, int last) const;
+
+  //! Removes the frames that this run has written, and the summary beside them unless other frames of the sequence remain.
+  void delete_frames();
 
   //! The sheet of facts beside the frames first to last, and beside those that were asked for alike and lie there without a gap before and after them.
   void write_facts(int first, int last) const;
@@ -45,8 +51,9 @@ class FrameWriter {
   //! Numbers, from 0, of frames that lie there before `first` and after `last` and were asked for otherwise, or are beyond the show's end; of many some thousands
   //! are looked at.
   [[nodiscard]] std::vector<int> asked_otherwise(int first, int last) const;
-  //! Says once, after one of the first frames, that the disk has no room for those from `next` to `last` that are not there.
-  void tell_room(int next, int last);
+  //! Returns the notes that are due before the frames `next` to `last`: once the time and disk space of the run, and a warning if the
+  //! disk has no room for the missing frames.
+  [[nodiscard]] std::vector<std::string> run_notes(int next, int last);
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
@@ -77,8 +84,13 @@ class FrameWriter {
   [[nodiscard]] bool was_asked_otherwise(int frame) const;
   //! Numbers of the frames of this name that lie there.
   [[nodiscard]] std::vector<int> lying_there() const;
+  [[nodiscard]] std::string cost_note(int next, int last);
+  [[nodiscard]] std::string new_room_note(int next, int last);
+  //! How many of the frames `next` to `last` are not there.
+  [[nodiscard]] long missing(int next, int last) const;
 
   const RenderOptions& options_;
+  MadeFiles made_;
   FrameFormat format_;
   ViewChoice choice_;
   Backend backend_;
@@ -92,7 +104,8 @@ class FrameWriter {
   bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
   int renewed_ = 0;
-  std::uintmax_t frame_bytes_ = 0;           //!< of the files of the frame that was written last
+  FrameCost frame_cost_;                     //!< of the frame that was written last
+  bool told_cost_ = false;                   //!< whether the estimate was printed
   std::uintmax_t largest_bytes_ = 0;         //!< of the largest frame so far
   int looked_at_room_after_ = 0;             //!< frames that were written
   bool told_room_ = false;                   //!< that the disk has no room

@@ -12,9 +12,11 @@
 #include <bit>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "app/interrupt.h"
 #include "app/usage_error.h"
@@ -168,6 +170,19 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
   }
 }
 
+//! The last number of frames that ffmpeg's progress report names ("frame=24"); -1 if it names none.
+long reported_frames(const std::string& report) {
+  constexpr std::string_view key = "frame=";
+  const std::size_t found = report.rfind(key);
+  long frames = -1;
+  if (found != std::string::npos) {
+    const char* const end = report.data() + report.size();
+    const char* begin = std::find_if(report.data() + found + key.size(), end, [](char c) { return c != ' '; });
+    std::from_chars(begin, end, frames);
+  }
+  return frames;
+}
+
 //! Where the sound comes from, and how it is packed.
 void add_sound(const Movie& movie, const std::string& ending, std::vector<std::string>& words) {
   if (movie.sound == nullptr) {
@@ -254,6 +269,26 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
 
 void write_movie(const Movie& movie) {
   write_atomically(movie.file, [&](const std::filesystem::path& partial) { encode(movie, partial); });
+}
+
+void check_movie(const Movie& movie) {
+  Program program({encoder, "-hide_banner", "-nostdin", "-loglevel", "error", "-xerror", "-nostats", "-progress",
+                   "pipe:2", "-i", movie.file.string(), "-map", "0", "-f", "null", "-"},
+                  nullptr);
+  const int status = program.finish();
+  const std::string said = program.messages();
+  const std::string file = movie.file.string();
+  const char* const remedy = "no frame was deleted; put them together again with --resume, or with another encoder";
+  if (interrupted()) {
+    throw Error(file, "was written, but not checked", "no frame was deleted");
+  }
+  const long frames = reported_frames(said);
+  if (status != 0) {
+    throw Error(file, fmt::format("cannot be decoded from end to end (ffmpeg: {})", last_line(said)), remedy);
+  }
+  if (frames != static_cast<long>(movie.pictures.size())) {
+    throw Error(file, fmt::format("has {} frames of {}", std::max(frames, 0L), movie.pictures.size()), remedy);
+  }
 }
 
 }  // namespace ergodome

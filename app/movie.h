@@ -38,4 +38,7 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
 //! all; Error says what ffmpeg said last, or what the disk did.
 void write_movie(const Movie& movie);
 
+//! Has ffmpeg decode a film from end to end. Throws Error if it cannot, or if the film has another number of frames than `pictures`.
+void check_movie(const Movie& movie);
+
 }  // namespace ergodome

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,10 +14,12 @@
 #include "app/lens_options.h"
 #include "app/narrowed_eyes_facts.h"
 #include "app/number_check.h"
+#include "app/run_cost.h"
 #include "app/show_loading.h"
 #include "content/animatable_number.h"
 #include "content/files/console.h"
 #include "content/sky_map.h"
+#include "kernels/core/error.h"
 #include "kernels/launch/work_counter.h"
 #include "render/frame/show_renderer.h"
 #include "render/plan/frame_plan.h"
@@ -38,6 +42,8 @@ struct PlanOptions {
   LensOptions lens;
   int size_px = 0;
   double time_s = 0.0;
+  std::string format = "png";
+  std::string out = "frames";
   bool measure = false;
   bool json = false;
 };
@@ -63,6 +69,59 @@ Measured measure(const PlanOptions& options, const Show& show, Backend backend, 
   measured.first = work_between(start, first);
   measured.next = work_between(first, work_done());
   return measured;
+}
+
+//! Time and disk space of rendering the whole show.
+struct RunEstimate {
+  int frames = 0;
+  int measured_frame = 0;  //!< from 0
+  FrameCost frame;
+  std::uintmax_t free_bytes = 0;  //!< on the disk of --out
+
+  [[nodiscard]] std::uintmax_t bytes() const { return frame.bytes * static_cast<std::uintmax_t>(frames); }
+};
+
+//! Whether a picture's buffers of known size fit in half of the memory of this machine.
+bool fits_in_memory(const FramePlan& plan) {
+  double bytes = 0.0;
+  for (const PlannedBuffer& buffer : plan.buffers) {
+    bytes += static_cast<double>(buffer.bytes);
+  }
+  return bytes <= 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+//! Renders the frame in the middle of the show and takes it for all. None, with a note, where that cannot be.
+std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show, Backend backend,
+                                    std::shared_ptr<StationStream> stream, const FramePlan& plan) {
+  if (!fits_in_memory(plan)) {
+    print_note("no estimate of time and disk space: a frame takes more than half of this machine's memory");
+    return std::nullopt;
+  }
+  try {
+    ShowRenderer renderer(show, backend, lens_choice(options.lens), std::move(stream));
+    const ViewChoice choice = {view_mode(options.view), options.size_px,
+                               follow_method(options.method, options.view, show)};
+    RunEstimate estimate;
+    estimate.frames = frame_count(show);
+    estimate.measured_frame = estimate.frames / 2;
+    estimate.frame =
+        measured_frame_cost(renderer, choice, frame_format(options.format, "", false), estimate.measured_frame);
+    estimate.free_bytes = free_bytes(options.out);
+    return estimate;
+  } catch (const std::exception& problem) {
+    print_note("no estimate of time and disk space: {}", problem.what());
+    return std::nullopt;
+  }
+}
+
+nlohmann::json json_of(const RunEstimate& estimate) {
+  return {{"frames", estimate.frames},
+          {"measured_frame", estimate.measured_frame + 1},
+          {"frame_s", estimate.frame.seconds},
+          {"frame_bytes", estimate.frame.bytes},
+          {"run_s", estimate.frames * estimate.frame.seconds},
+          {"run_bytes", estimate.bytes()},
+          {"free_bytes", estimate.free_bytes}};
 }
 
 nlohmann::json json_of(const WorkCount& count) {
@@ -144,6 +203,13 @@ void print(const Measured& measured) {
   print_out("\nTimes of passes hold those of the kernels that they call. Elements of buffers are bytes.\n");
 }
 
+void print(const RunEstimate& estimate, const PlanOptions& options) {
+  print_out("\nrender: {}\n", run_cost_text(estimate.frames, estimate.frame));
+  print_out(
+      "  measured: frame {}, in the middle of the show, rendered and written as {}\n  free on the disk of {}: {}\n",
+      estimate.measured_frame + 1, options.format, options.out, size_text(estimate.free_bytes));
+}
+
 void run(const PlanOptions& options) {
   Show show = load_show(options.show, options.set);
   if (options.measure) {
@@ -175,16 +241,26 @@ void run(const PlanOptions& options) {
       stream && (lens_choice(options.lens) == LensChoice::streamed || is_fine_enough(*stream, show, options.size_px)),
       OverlayPass::image_bytes(show),
       has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
-  nlohmann::json plan = json_of(show, plan_frame(show, request));
+  const FramePlan planned = plan_frame(show, request);
+  nlohmann::json plan = json_of(show, planned);
   plan["narrowed_eyes"] = narrowed ? facts_of(*narrowed) : nlohmann::json(nullptr);
   std::optional<Measured> measured;
   if (options.measure) {
-    measured = measure(options, show, backend, std::move(stream));
+    measured = measure(options, show, backend, stream);
   }
+  const std::optional<RunEstimate> whole = estimate(options, show, backend, std::move(stream), planned);
+  const std::string room = whole ? room_note(options.out, "the show", whole->bytes(), whole->free_bytes) : "";
+  if (!room.empty()) {
+    print_note("{}", room);
+  }
+  plan["estimate"] = whole ? json_of(*whole) : nlohmann::json(nullptr);
   if (!options.json) {
     print(plan);
     if (measured) {
       print(*measured);
+    }
+    if (whole) {
+      print(*whole, options);
     }
     return;
   }
@@ -205,7 +281,9 @@ void run(const PlanOptions& options) {
 void add_plan_command(CLI::App& app) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command =
-      app.add_subcommand("plan", "Tell what a picture of a show takes, and which lines of the show call for it");
+      app.add_subcommand("plan",
+                         "Tell what a picture of a show takes, which lines of the show call for it, and what time and "
+                         "disk space all frames take");
   command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
   add_set_option(*command, options->set);
   command->add_option("--view", options->view, "what to show")
@@ -240,6 +318,13 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--time", options->time_s, "with --measure: show time [s]")
       ->check(show_time())
       ->needs(measure)
+      ->capture_default_str();
+  command->add_option("--format", options->format, "of the frames that are to be rendered: png, png16, tiff or exr")
+      ->check(CLI::IsMember(image_format_names()))
+      ->capture_default_str();
+  command
+      ->add_option("--out", options->out,
+                   "folder for the frames, to compare with the free space of its disk; it is not created")
       ->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options, idle] {

@@ -152,7 +152,10 @@ void write_frames(const RenderOptions& options, FrameWriter& writer, int first, 
       stop(options, writer, first, frame - 1);
     }
     writer.write(frame);
-    writer.tell_room(frame + 1, last);
+    for (const std::string& note : writer.run_notes(frame + 1, last)) {
+      progress.clear();
+      print_note("{}", note);
+    }
     progress.advance_to(frame - first + 1);
   }
   write_facts(options, writer, first, last);
@@ -197,13 +200,13 @@ void run(RenderOptions options) {
   tell_language(options, show);
   // Files hold the title in one language.
   show.title = {{"", text_in(show.title, options.language)}};
-  const auto [first, last] = frame_range(options.frames, frame_count(show));
+  const auto [first, last] = options.frames.empty() ? frames_between(options.from, options.to, show)
+                                                    : frame_range(options.frames, frame_count(show));
   // What a budget leaves open is chosen by times that are others in each run.
   const FrameRequests requests(options, show, setup);
   if (!use_render_budget(options, show, setup)) {
     return;
   }
-  make_folder(options.out);
   if (!options.movie.empty()) {
     // Before the frames, which may need the room.
     remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
@@ -212,6 +215,9 @@ void run(RenderOptions options) {
   write_frames(options, writer, first, last);
   if (!options.movie.empty()) {
     writer.write_movies(first, last);
+    if (options.delete_frames) {
+      writer.delete_frames();
+    }
   }
   if (const auto streamed = writer.stream_statistics()) {
     print_statistics(*streamed);
@@ -229,8 +235,9 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
   idle.add("of projectors' frames, whose domemasters the setup tells",
            [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
   idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
-           {"--frames", "--movie", "--fps", "--view", "--view-range", "--method", "--budget", "--check", "--resume",
-            "--baseline", "--language", "--objects", "--backend", "--lens", "--trajectory", "--stream-memory"});
+           {"--frames", "--from", "--to", "--movie", "--delete-frames", "--fps", "--view", "--view-range", "--method",
+            "--budget", "--check", "--resume", "--baseline", "--language", "--objects", "--backend", "--lens",
+            "--trajectory", "--stream-memory"});
   idle.add("without a show", [options] { return options->show.empty(); }, {"--set"});
   idle.add("of a test pattern for one eye",
            [options] {
@@ -240,7 +247,8 @@ void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions
            {"--tint-eyes"});
   idle.add("without --format exr", [options] { return options->format != "exr"; }, {"--compression"});
   idle.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
-           {"--frames", "--movie", "--format", "--compression", "--alpha", "--resume", "--language"});
+           {"--frames", "--from", "--to", "--movie", "--delete-frames", "--format", "--compression", "--alpha",
+            "--resume", "--language"});
 }
 
 //! What --pattern takes.
@@ -258,7 +266,12 @@ void add_render_command(CLI::App& app) {
   command->add_option("show", options->show, "show file (.toml), or the name of a built-in show");
   add_set_option(*command, options->set);
   command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
-  command->add_option("--frames", options->frames, std::string(frame_range_words) + " (default: all)");
+  CLI::Option* const frames =
+      command->add_option("--frames", options->frames, std::string(frame_range_words) + " (default: all)");
+  command->add_option("--from", options->from, std::string("frames from this time of the show on: ") + moment_words)
+      ->excludes(frames);
+  command->add_option("--to", options->to, "frames before this time of the show, written as for --from")
+      ->excludes(frames);
   command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
   command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
       ->check(CLI::IsMember(object_method_names()));
@@ -286,8 +299,14 @@ void add_render_command(CLI::App& app) {
                     "a fourth channel: what the image covers, a dome's circle for instance, with the hole's shadow");
   command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's: 24, 29.97, 30000/1001")
       ->transform(frame_rate_between(0.1, 1000.0));
-  command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv")
-      ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
+  CLI::Option* const movie =
+      command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv")
+          ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
+  command
+      ->add_flag(
+          "--delete-frames", options->delete_frames,
+          "with --movie: delete the frames that this run has made, once the film of them is complete and checked")
+      ->needs(movie);
   command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
       ->check(CLI::IsMember(view_mode_names()))
       ->capture_default_str();

@@ -14,6 +14,8 @@ struct RenderOptions {
   ShowSettings set;  //!< keys of the show that --set changes
   std::string out = "frames";
   std::string frames;
+  std::string from;  //!< a time; frames from there on
+  std::string to;    //!< a time; frames before that
   int size_px = 0;
   std::string projection;
   std::string objects;
@@ -28,6 +30,7 @@ struct RenderOptions {
   bool alpha = false;
   double frame_rate_hz = 0.0;
   std::string movie;
+  bool delete_frames = false;  //!< once the film of them is checked
   std::string view = "sky";
   std::string view_range;  //!< ends of a heat map's colours, "MIN:MAX"; empty: as usual
   std::string channels;    //!< numbers to write instead of pictures, separated by commas; empty: pictures

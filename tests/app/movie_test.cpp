@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "kernels/core/error.h"
 #include "tests/app/command_line.h"
 
 namespace ergodome::test {
@@ -110,6 +111,79 @@ TEST_F(RenderAMovie, IsNoneWhoseLastBytesFoundNoRoomThoughTheEncoderEndsWell) {
   install("for last; do :; done\ncat > \"$last\"\necho 'Error writing trailer: No space left on device' >&2\n");
   EXPECT_EQ(run("render small.toml --out f --frames 1:1 --movie film.mkv --backend cpu"), 1);
   EXPECT_FALSE(fs::exists(folder_ / "film.mkv"));
+}
+
+//! A stand-in whose films have as many frames as it says when it is to decode them.
+std::string encoder_that_finds(const std::string& frames) {
+  return "case \"$*\" in *-progress*) printf 'frame=0\\nprogress=continue\\n" + frames +
+         "progress=end\\n' >&2; exit 0;; esac\nfor last; do :; done\ncat > \"$last\"\n";
+}
+
+TEST_F(RenderAMovie, KeepsItsFramesUnlessItIsToldToDeleteThem) {
+  install(encoder_that_finds("frame=3\\n"));
+  ASSERT_EQ(run("render small.toml --out f --movie film.mp4 --backend cpu"), 0) << output_;
+  EXPECT_TRUE(fs::exists(folder_ / "f/small_000003.png"));
+  ASSERT_EQ(run("render small.toml --out g/h --movie film.mp4 --backend cpu --delete-frames"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("3 frame files deleted from g/h\n"));
+  EXPECT_FALSE(fs::exists(folder_ / "g"));
+  EXPECT_TRUE(fs::exists(folder_ / "film.mp4"));
+}
+
+TEST_F(RenderAMovie, DeletesNoFrameThatItDidNotMakeItself) {
+  install(encoder_that_finds("frame=3\\n"));
+  ASSERT_EQ(run("render small.toml --out f --frames 2 --backend cpu"), 0) << output_;
+  write("f/other_000001.png", "of somebody else");
+  fs::create_directory(folder_ / "f/L");
+  ASSERT_EQ(run("render small.toml --out f --movie film.mp4 --backend cpu --resume --delete-frames"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("2 frame files deleted from f; 1 frame that was there before stays\n"));
+  EXPECT_TRUE(fs::exists(folder_ / "f/small_000002.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "f/small_000001.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "f/other_000001.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "f/L"));
+  const auto facts = nlohmann::json::parse(text("f/small.json"));
+  EXPECT_EQ(facts["first_frame"], 2);
+  EXPECT_EQ(facts["last_frame"], 2);
+}
+
+TEST_F(RenderAMovie, DeletesBothEyesFramesAndTheirFolders) {
+  install(encoder_that_finds("frame=3\\n"));
+  ASSERT_EQ(run("render small.toml --out f --stereo separate --movie film.mov --backend cpu --delete-frames"), 0)
+      << output_;
+  EXPECT_THAT(output_, HasSubstr("6 frame files deleted from f\n"));
+  EXPECT_FALSE(fs::exists(folder_ / "f"));
+}
+
+TEST_F(RenderAMovie, KeepsItsFramesWhereTheFilmIsNotWhole) {
+  for (const char* const found : {"frame=2\\n", ""}) {
+    install(encoder_that_finds(found));
+    EXPECT_EQ(run("render small.toml --out f --movie film.mp4 --backend cpu --delete-frames"), 1);
+    EXPECT_THAT(output_, HasSubstr("frames of 3; no frame was deleted"));
+    EXPECT_TRUE(fs::exists(folder_ / "f/small_000003.png"));
+  }
+  install(
+      "case \"$*\" in *-progress*) echo frame=3 >&2; echo 'Invalid data' >&2; exit 1;; esac\nfor last; do :; done\ncat "
+      "> \"$last\"\n");
+  EXPECT_EQ(run("render small.toml --out f --movie film.mp4 --backend cpu --delete-frames"), 1);
+  EXPECT_THAT(output_, HasSubstr("cannot be decoded from end to end (ffmpeg: Invalid data)"));
+  EXPECT_TRUE(fs::exists(folder_ / "f/small_000001.png"));
+}
+
+TEST_F(RenderAMovie, IsReadBackByTheEncoderItself) {
+  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "ffmpeg is not installed";
+  }
+  for (const char* const film : {"film.mp4", "film.mov", "film.mkv"}) {
+    ASSERT_EQ(run(std::string("render small.toml --out f --backend cpu --delete-frames --movie ") + film), 0)
+        << output_;
+    EXPECT_FALSE(fs::exists(folder_ / "f")) << film;
+  }
+  Movie movie;
+  movie.file = folder_ / "film.mkv";
+  movie.pictures.resize(4);
+  EXPECT_THAT([&] { check_movie(movie); }, testing::ThrowsMessage<Error>(HasSubstr("has 3 frames of 4")));
+  fs::resize_file(movie.file, fs::file_size(movie.file) / 2);
+  movie.pictures.resize(3);
+  EXPECT_THROW(check_movie(movie), Error);
 }
 
 //! Starts with silence; the step comes after a tenth of a second.

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "render/frame/show_renderer.h"
+#include "render/output/frame_format.h"
+
+namespace ergodome {
+
+//! Time and size of one frame, with all its files.
+struct FrameCost {
+  double seconds = 0.0;
+  std::uintmax_t bytes = 0;
+};
+
+//! Duration of a frame [s] from which on the first frame of a run counts as measured; it also prepares data that all frames share.
+inline constexpr double slow_frame_s = 2.0;
+
+//! A size with three digits: "25 kB", "1.1 GB"; powers of 1000, as disks are sold.
+std::string size_text(std::uintmax_t bytes);
+
+//! A duration in the two largest of its units: "0.25 s", "45 s", "30 min", "2 h 10 min", "3 d 4 h".
+std::string duration_text(double seconds);
+
+//! Time and disk space of a run: "1,800 frames, about 1 s each: 30 min, 1.1 GB".
+std::string run_cost_text(long frames, const FrameCost& frame);
+
+//! Returns a warning if `needed_bytes` do not fit on the disk of `folder`, which has `left_bytes` free; else an empty text. `what` needs
+//! them: "the rest of the run".
+std::string room_note(const std::string& folder, const std::string& what, std::uintmax_t needed_bytes,
+                      std::uintmax_t left_bytes);
+
+//! Free bytes on the disk of a folder, or of the first folder above it that exists. Throws std::filesystem::filesystem_error.
+std::uintmax_t free_bytes(const std::filesystem::path& folder);
+
+//! Renders a frame, counted from 0, writes its files into a folder of their own, and removes them. If it takes less than
+//! slow_frame_s, the frame before comes first and is not counted. Throws Error where files cannot be written.
+FrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame);
+
+}  // namespace ergodome
