@@ -133,6 +133,19 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
   return computed;
 }
 
+//! The calibration for other programs, with warps computed anew from the lenses: the edges between the nodes of a mesh would take more
+//! samples than the curves that they stand for.
+Mpcdi exact_mpcdi(DomeSetup setup) {
+  constexpr double tolerance_px = 0.02;
+  for (ProjectorSetup& projector : setup.projectors) {
+    projector.warp.reset();
+  }
+  Progress progress("MPCDI", static_cast<long>(setup.projectors.size()));
+  const auto now = fmt::gmtime(std::time(nullptr));
+  return mpcdi_from_pictures(projector_pictures(setup, tolerance_px), fmt::format("{:%Y-%m-%d %H:%M:%S}", now),
+                             [&](long done) { progress.advance_to(done); });
+}
+
 //! Writes warps and masks, and then a setup that names them.
 void write_calibration(const CalibrateOptions& options, DomeSetup setup,
                        const std::vector<ComputedProjector>& computed) {
@@ -154,8 +167,7 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   write_dome_setup(file, setup);
   print_out("written to {}\n", file.string());
   if (!options.mpcdi.empty()) {
-    const auto now = fmt::gmtime(std::time(nullptr));
-    const Mpcdi mpcdi = mpcdi_from_setup(setup, fmt::format("{:%Y-%m-%d %H:%M:%S}", now));
+    const Mpcdi mpcdi = exact_mpcdi(setup);
     write_mpcdi(options.mpcdi, mpcdi);
     print_out("written to {}{}\n", options.mpcdi, tilt_note(setup, mpcdi));
   }

@@ -54,7 +54,8 @@ WarpMesh through_lens(const DomeScreen& screen, const WarpMesh& warp, const Orie
   return mesh;
 }
 
-WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded) {
+WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded,
+                       double tolerance_px) {
   const DomeScreen screen = screen_of(setup);
   if (const auto* const surface = std::get_if<SurfaceMesh>(&loaded.warp)) {
     return warp_of_surface(screen, *surface);
@@ -74,7 +75,6 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
   placed.position_m = loaded.position_m;
   placed.orientation = loaded.orientation;
   constexpr int master_px = 4096;
-  constexpr double tolerance_px = 0.25;
   return dome_warp(ProjectorOptics(setup, placed), screen, master_px, tolerance_px);
 }
 
@@ -159,8 +159,9 @@ DomeBlend blend_of(const DomeSetup& setup) {
   return {std::move(optics), screen_of(setup), {}};
 }
 
-WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded) {
-  WarpMesh warp = unturned_warp(setup, projector, loaded);
+WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded,
+                     double tolerance_px) {
+  WarpMesh warp = unturned_warp(setup, projector, loaded, tolerance_px);
   const bool shows_master = std::ranges::any_of(warp.nodes, [](const WarpNode& node) {
     return node.valid && node.u >= 0.0F && node.u <= 1.0F && node.v >= 0.0F && node.v <= 1.0F;
   });
@@ -172,7 +173,7 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
   return warp;
 }
 
-std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup) {
+std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px) {
   if (setup.projectors.empty()) {
     throw Error("dome setup", "has no projectors", "write a [[projector]] for each projector of the dome");
   }
@@ -185,7 +186,7 @@ std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup) {
     picture.name = projector.name;
     picture.width_px = projector.width_px;
     picture.height_px = projector.height_px;
-    picture.warp = master_warp(setup, projector, loaded);
+    picture.warp = master_warp(setup, projector, loaded, tolerance_px);
     if (loaded.blend) {
       picture.blend = linear(*loaded.blend);
     } else if (blend && !projector.warp) {

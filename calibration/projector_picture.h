@@ -10,6 +10,9 @@
 
 namespace ergodome {
 
+//! What a warp that is computed from a lens may be off by [px of a domemaster of 4096].
+inline constexpr double computed_tolerance_px = 0.25;
+
 //! All that makes a projector's picture out of a domemaster, whatever files it came from.
 struct ProjectorPicture {
   std::string name;
@@ -33,11 +36,14 @@ DomeBlend blend_of(const DomeSetup& setup);
 //! The warp of a projector that shows a domemaster, turned by the setup's rotation: its own, or that of its surface or lens, or where it
 //! has none computed from its place. Throws Error, naming the projector, where nothing tells it, and where a warp shows no part of the
 //! master.
-WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded);
+WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded,
+                     double tolerance_px = computed_tolerance_px);
 
 //! The pictures of all projectors of a setup. Where all of them have a lens, those without a warp and a mask get the mask of calibration/
 //! dome_blend.h. Throws Error for what load_projector and master_warp refuse, and for a setup without projectors.
-std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup);
+//!
+//! `tolerance_px`: what warps that are computed from lens and position may be off by, see dome_warp().
+std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px = computed_tolerance_px);
 
 //! Width of a domemaster [px] whose pixels are no larger than the projectors' are on it, but for the finest twentieth of these; a multiple of
 //! 64, 256 to 8192.

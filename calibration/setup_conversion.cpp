@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 #include "calibration/mpcdi_conversion.h"
 #include "calibration/mpcdi_light.h"
 #include "calibration/projector_files.h"
-#include "calibration/projector_picture.h"
+#include "calibration/warp_conversion.h"
+#include "calibration/warp_thinning.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {
@@ -37,14 +37,22 @@ Orientation in_own_axes(const DomeSetup& setup, const Orientation& orientation) 
       {in_own_axes(setup, axes.right), in_own_axes(setup, axes.up), in_own_axes(setup, axes.forward)});
 }
 
+//! How many samples a warp's map gets.
+enum class MapSamples { each_pixel, as_needed };
+
 //! What a projector shows of the domemaster, whatever it was made from.
-MpcdiRegion flat_region(const ProjectorPicture& picture) {
-  // For each pixel, because a mask is finer than the nodes of most meshes.
+MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
+  // Masks have a sample for each pixel: they are finer than the nodes of most meshes.
   const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
-  MpcdiRegion region =
-      region_from_warp(picture.name, fine, picture.width_px, picture.height_px, picture.width_px, picture.height_px);
-  const BlendMap intensity = region.alpha->map;
-  put_light(picture, intensity, region);
+  MpcdiRegion region;
+  region.id = picture.name;
+  region.resolution_x = picture.width_px;
+  region.resolution_y = picture.height_px;
+  region.geometry =
+      MpcdiGeometry{samples == MapSamples::as_needed
+                        ? thinned_map(picture.warp, fine)
+                        : map_from_warp(fine, picture.width_px, picture.height_px, TextureDirection::downwards)};
+  put_light(picture, mask_from_warp(fine, picture.width_px, picture.height_px), region);
   return region;
 }
 
@@ -139,18 +147,41 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
   return setup;
 }
 
-Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date) {
-  std::optional<std::vector<MpcdiRegion>> posed = posed_regions(setup);
-  std::vector<MpcdiRegion> flat;
-  if (!posed) {
-    std::ranges::transform(projector_pictures(setup), std::back_inserter(flat), flat_region);
-  }
-  Mpcdi mpcdi = media_calibration(posed ? std::move(*posed) : std::move(flat), date);
-  mpcdi.profile = posed ? MpcdiProfile::shader_lamps : MpcdiProfile::media_2d;
+namespace {
+
+Mpcdi calibration_of(MpcdiProfile profile, std::vector<MpcdiRegion> regions, const std::string& date) {
+  Mpcdi mpcdi = media_calibration(std::move(regions), date);
+  mpcdi.profile = profile;
   const bool lifted =
       std::ranges::any_of(mpcdi.buffers[0].regions, [](const MpcdiRegion& region) { return !!region.beta; });
   mpcdi.color_level = lifted ? 3 : 1;
   return mpcdi;
+}
+
+}  // namespace
+
+Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
+                          const std::function<void(long)>& progress) {
+  std::vector<MpcdiRegion> regions;
+  for (const ProjectorPicture& picture : pictures) {
+    regions.push_back(flat_region(picture, MapSamples::as_needed));
+    if (progress) {
+      progress(static_cast<long>(regions.size()));
+    }
+  }
+  return calibration_of(MpcdiProfile::media_2d, std::move(regions), date);
+}
+
+Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date) {
+  std::optional<std::vector<MpcdiRegion>> posed = posed_regions(setup);
+  if (posed) {
+    return calibration_of(MpcdiProfile::shader_lamps, std::move(*posed), date);
+  }
+  std::vector<MpcdiRegion> flat;
+  for (const ProjectorPicture& picture : projector_pictures(setup)) {
+    flat.push_back(flat_region(picture, MapSamples::each_pixel));
+  }
+  return calibration_of(MpcdiProfile::media_2d, std::move(flat), date);
 }
 
 }  // namespace ergodome

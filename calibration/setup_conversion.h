@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "calibration/dome_setup.h"
 #include "calibration/mpcdi.h"
+#include "calibration/projector_picture.h"
 
 namespace ergodome {
 
@@ -17,5 +20,9 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
 //! domemaster, as projector_pictures() tells it: a warp for each pixel, with the setup's rotation in it, which MPCDI does not tell; the
 //! alpha mask from intensities and blend mask; the beta mask from black level and lift. Gains are in both masks (put_light()). Throws Error for what projector_pictures() refuses.
 Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date);
+
+//! A calibration of profile 2d with these pictures, whose warps have as many samples as they need (thinned_map()). Calls `progress` with the number of regions that are done.
+Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
+                          const std::function<void(long)>& progress = {});
 
 }  // namespace ergodome

@@ -8,9 +8,13 @@
 
 #include "calibration/dome_blend.h"
 #include "calibration/dome_pictures.h"
+#include "calibration/mpcdi_conversion.h"
+#include "calibration/mpcdi_reader.h"
 #include "calibration/mpcdi_writer.h"
 #include "calibration/projector_files.h"
+#include "calibration/projector_picture.h"
 #include "calibration/setup_conversion.h"
+#include "calibration/warp_conversion.h"
 #include "kernels/core/error.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/sanitized.h"
@@ -152,6 +156,43 @@ constexpr const char* three_are_enough = "sanitizers see the same code with thre
 TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   const DomeSetup setup = calibrated(three(640));
   expect_master(setup, frames_of(setup));
+}
+
+//! The farthest that a warp which was read back is off [px of the projector], at the pixels that see the master.
+double farthest_off_px(const ProjectorPicture& meant, const WarpMesh& read) {
+  const WarpMesh exact = resampled_warp(meant.warp, meant.width_px, meant.height_px);
+  const WarpMesh found = resampled_warp(read, meant.width_px, meant.height_px);
+  double farthest = 0.0;
+  for (int row = 1; row + 1 < exact.rows; ++row) {
+    for (int column = 1; column + 1 < exact.columns; ++column) {
+      const WarpNode& node = exact.at(column, row);
+      if (!node.valid || std::hypot(node.u - 0.5F, node.v - 0.5F) > 0.49F) {
+        continue;
+      }
+      const WarpNode& there = found.at(column, row);
+      EXPECT_TRUE(there.valid) << column << ' ' << row;
+      const auto apart = [](const WarpNode& a, const WarpNode& b) { return std::hypot(a.u - b.u, a.v - b.v); };
+      const double pixel = std::min(apart(exact.at(column - 1, row), exact.at(column + 1, row)),
+                                    apart(exact.at(column, row - 1), exact.at(column, row + 1))) /
+                           2.0;
+      farthest = std::max(farthest, apart(node, there) / pixel);
+    }
+  }
+  return farthest;
+}
+
+TEST_F(SimulatedDome, MpcdiHasFewSamplesAndIsWithinATenthOfAPixel) {
+  const std::vector<ProjectorPicture> meant = projector_pictures(three(640), 0.02);
+  const Mpcdi mpcdi = mpcdi_from_pictures(meant, "2026-01-01 00:00:00");
+  write_mpcdi(folder_ / "dome.mpcdi", mpcdi);
+  const Mpcdi read = read_mpcdi(folder_ / "dome.mpcdi");
+  for (std::size_t i = 0; i < meant.size(); ++i) {
+    const MpcdiRegion& region = read.buffers[0].regions[i];
+    EXPECT_LE(region.geometry->map.width, (meant[i].width_px + 1) / 2);
+    EXPECT_LE(region.geometry->map.height, (meant[i].height_px + 1) / 2);
+    EXPECT_EQ(region.alpha->map.width, meant[i].width_px);
+    EXPECT_LT(farthest_off_px(meant[i], with_rim(warp_of(read, region, "dome.mpcdi"))), 0.1) << region.id;
+  }
 }
 
 //! On the master: projectors of 400 pixels that show 148 degrees of it.
