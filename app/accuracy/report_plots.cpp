@@ -133,7 +133,7 @@ std::string plot_script(const AccuracyAxis& axis, FrameCost cost, const std::fil
   const std::string best_points = points_of(axis, cost, best);
   if (!best_points.empty()) {
     text += "$best << EOD\n" + best_points + "EOD\n";
-    plots += "$best using 1:2 with points pt 6 ps 2.2 lw 2 lc rgb \"#000000\" title \"none is faster and better\"";
+    plots += "$best using 1:2 with points pt 6 ps 2.2 lw 2 lc rgb \"#000000\"";
   }
   for (const ReportSeries& series : series_of(axis)) {
     const std::string points = points_of(axis, cost, series.choices);
@@ -145,9 +145,8 @@ std::string plot_script(const AccuracyAxis& axis, FrameCost cost, const std::fil
     plots += fmt::format(
         "$s{0} using 1:2 with linespoints lc rgb \"{1}\" lw 1.6 dt {2} pt {3} ps 0.9, \\\n"
         "  $s{0} using 1:2:3:4 with xerrorbars lc rgb \"{1}\" pt 0 lw 0.8, \\\n"
-        "  $s{0} using 1:2:(\"{0}\") every ::0::0 with labels offset char 0.9,0.7 font \",17\" tc rgb \"{1}\" notitle",
-        series.number, series.colour, series.published ? 2 : 1, point_of(series),
-        quoted(fmt::format("{}  {}", series.number, series.name)));
+        "  $s{0} using 1:2:(\"{0}\") every ::0::0 with labels offset char 0.9,0.7 font \",17\" tc rgb \"{1}\"",
+        series.number, series.colour, series.published ? 2 : 1, point_of(series));
   }
   return text + "plot " + plots + "\n";
 }
