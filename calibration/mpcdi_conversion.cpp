@@ -74,7 +74,7 @@ ProjectorPose pose_of(const MpcdiRegion& region) {
   ProjectorPose pose;
   pose.orientation = region.orientation.value_or(Orientation{});
   if (region.frame) {
-    const double metres = region.geometry ? metres_of_unit(region.geometry->unit) : 1.0;
+    const double metres = metres_of_unit(region.unit);
     pose.position_m = metres * in_dome_axes(*region.frame, region.frame->position);
   }
   return pose;

@@ -47,6 +47,21 @@ MpcdiOrigin origin_of(const std::string& word) {
                                            : static_cast<MpcdiOrigin>(found - mpcdi_origin_words.begin());
 }
 
+//! Returns the unit of a <geometryWarpFile>, in small letters. Throws Error for one that does not exist, if the profile has lengths.
+std::string unit_of(const XmlElement& element, MpcdiProfile profile) {
+  std::string unit = element.text_of("geometricUnit", "unknown");
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  static const std::set<std::string> units = {"mm", "cm", "dm", "m", "in", "ft", "yd", "unknown"};
+  if (!units.contains(unit) && !has_lengths(profile)) {
+    // Coordinates on a screen or in a picture have no unit.
+    unit = "unknown";
+  } else if (!units.contains(unit)) {
+    throw element.error(fmt::format("has the geometricUnit \"{}\"", unit.substr(0, 40)),
+                        "there are mm, cm, dm, m, in, ft, yd and unknown");
+  }
+  return unit;
+}
+
 }  // namespace
 
 std::optional<FloatMap> MpcdiFileReader::read_map(const XmlElement& element) const {
@@ -76,22 +91,15 @@ std::optional<MpcdiGeometry> MpcdiFileReader::read_geometry(const XmlElement& el
   if (!map) {
     return std::nullopt;
   }
-  std::string unit = element.text_of("geometricUnit", "unknown");
-  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  static const std::set<std::string> units = {"mm", "cm", "dm", "m", "in", "ft", "yd", "unknown"};
-  if (!units.contains(unit) && !is_posed(profile)) {
-    // Coordinates on a screen or in a picture have no unit.
-    unit = "unknown";
-  } else if (!units.contains(unit)) {
-    throw element.error(fmt::format("has the geometricUnit \"{}\"", unit.substr(0, 40)),
-                        "there are mm, cm, dm, m, in, ft, yd and unknown");
-  }
+  const std::string unit = unit_of(element, profile);
   const std::string interpolation = element.text_of("interpolation", element.text_of("interpolationMethod", "unknown"));
   return MpcdiGeometry{std::move(*map), interpolation, unit, origin_of(element.text_of("originOf3DData", "unknown"))};
 }
 
 void MpcdiFileReader::read(const XmlElement& fileset, const Mpcdi& mpcdi, MpcdiRegion& region) const {
-  region.geometry = read_geometry(fileset.needed_child("geometryWarpFile"), mpcdi.profile);
+  const XmlElement geometry = fileset.needed_child("geometryWarpFile");
+  region.unit = unit_of(geometry, mpcdi.profile);
+  region.geometry = read_geometry(geometry, mpcdi.profile);
   region.alpha = read_mask(fileset.needed_child("alphaMap"));
   if (mpcdi.color_level > 2) {
     region.beta = read_mask(fileset.needed_child("betaMap"));

@@ -149,6 +149,10 @@ class DescriptionReader {
         throw fileset.error(fmt::format("is the second of region \"{}\"", shown(id)), "write one for each region");
       }
       files_.read(fileset, mpcdi_, region);
+      if (has_lengths(mpcdi_.profile) && region.unit == "unknown") {
+        mpcdi_.left_out.push_back(
+            fmt::format("{}: no geometricUnit, so lengths are taken for metres", fileset.place()));
+      }
     };
     for (const XmlElement& fileset : filesets) {
       read(fileset, fileset.needed_attribute("region"));

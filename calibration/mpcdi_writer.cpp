@@ -159,7 +159,7 @@ class ArchiveWriter {
     add(warp, "interpolation", geometry != nullptr ? geometry->interpolation : "unknown");
     if (mpcdi_.profile == MpcdiProfile::advanced_3d || mpcdi_.profile == MpcdiProfile::shader_lamps) {
       const auto origin = static_cast<std::size_t>(geometry != nullptr ? geometry->origin : MpcdiOrigin::unknown);
-      add(warp, "geometricUnit", geometry != nullptr ? geometry->unit : "unknown");
+      add(warp, "geometricUnit", geometry != nullptr ? geometry->unit : region.unit);
       add(warp, "originOf3DData", std::string(mpcdi_origin_words[origin]));
     }
     const MpcdiMask* const alpha = region.alpha ? &*region.alpha : nullptr;

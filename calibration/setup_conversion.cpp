@@ -84,6 +84,7 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
   region.frustum = frustum;
   region.frame = dome_frame;
   region.frame->position = in_own_axes(setup, loaded.position_m);
+  region.unit = "m";
   const std::optional<MpcdiMask> beta =
       beta_of(loaded.black_level.value_or(BlendMap{}), loaded.black_level_lift, projector.gain);
   if (has_gain(projector.gain) || (beta && !loaded.blend)) {

@@ -37,6 +37,23 @@ Mpcdi lamps_with_surface(const std::string& profile, const std::string& unit) {
 TEST(MpcdiConversion, UnitsCountInAnyCaseAndUnknownOnesAreErrors) {
   EXPECT_EQ(lamps_with_surface("sl", "CM").buffers[0].regions[0].geometry->unit, "cm");
   EXPECT_THAT(error_of([] { lamps_with_surface("sl", "furlong"); }), HasSubstr("furlong"));
+  EXPECT_THAT(error_of([] { lamps_with_surface("a3", "furlong"); }), HasSubstr("furlong"));
+  // Profile 3d has a lens, and a flat warp without lengths.
+  EXPECT_EQ(lamps_with_surface("3d", "furlong").buffers[0].regions[0].geometry->unit, "unknown");
+}
+
+TEST(MpcdiConversion, UnitsCountForThePlaceOfAProjectorWithoutAWarp) {
+  const Mpcdi mpcdi =
+      parsed_archive(zip_by_hand({{"mpcdi.xml", replaced(lamps_xml, "<geometricUnit>m<", "<geometricUnit>mm<")}}));
+  ASSERT_FALSE(mpcdi.buffers[0].regions[0].geometry);
+  // The frame's axes: x right, y to the front, z up.
+  expect_numbers(pose_of(mpcdi.buffers[0].regions[0]).position_m, 0.0015, 0.003, 0.002);
+  EXPECT_TRUE(mpcdi.left_out.empty());
+}
+
+TEST(MpcdiConversion, LengthsWithoutAUnitAreToldToBeMetres) {
+  EXPECT_THAT(lamps_with_surface("a3", "unknown").left_out,
+              testing::ElementsAre(HasSubstr("no geometricUnit, so lengths are taken for metres")));
 }
 
 TEST(MpcdiConversion, WarpOfTheFixedMediaProfileLooksUpTheWholeBuffer) {
