@@ -18,8 +18,10 @@
 #include "app/tilt_note.h"
 #include "app/usage_error.h"
 #include "calibration/bourke_mesh.h"
+#include "calibration/foreign_warp.h"
 #include "calibration/mpcdi_reader.h"
 #include "calibration/mpcdi_writer.h"
+#include "calibration/projector_picture.h"
 #include "calibration/setup_conversion.h"
 #include "calibration/warp_conversion.h"
 #include "content/files/atomic_file.h"
@@ -42,7 +44,7 @@ struct ConvertOptions {
 };
 
 //! What a file is, by its ending; a name without one is a folder.
-enum class FileKind { setup, mpcdi, bourke, map, folder, other };
+enum class FileKind { setup, mpcdi, bourke, map, foreign, folder, other };
 
 FileKind kind_of(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
@@ -59,6 +61,18 @@ FileKind kind_of(const std::filesystem::path& path) {
     return FileKind::map;
   }
   return ending.empty() ? FileKind::folder : FileKind::other;
+}
+
+//! What is converted: a warp by its content, where that shows its format, anything else by its ending.
+FileKind kind_of_source(const std::filesystem::path& path) {
+  if (kind_of(path) == FileKind::setup) {
+    return FileKind::setup;
+  }
+  if (const auto format = warp_format_of(path)) {
+    constexpr FileKind kinds[] = {FileKind::bourke, FileKind::map, FileKind::mpcdi};
+    return is_foreign(*format) ? FileKind::foreign : kinds[static_cast<int>(*format)];
+  }
+  return kind_of(path);
 }
 
 void convert_setup(const ConvertOptions& options, const DomeSetup& setup) {
@@ -111,7 +125,7 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   if (mesh.topology == MeshTopology::rectangular) {
     return {mesh.columns, mesh.rows};
   }
-  // Rings and spokes are no rows and columns. What is drawn of a map ends at its last known sample: of a circle as high as the raster some 0.3 % are
+  // Triangles have no columns and rows of a raster, and rings and spokes are none. What is drawn of a map ends at its last known sample: of a circle as high as the raster some 0.3 % are
   // lost.
   constexpr double shorter_side = 720.0;
   const auto side = [](double samples) {
@@ -141,13 +155,12 @@ void write_map(const ConvertOptions& options, const WarpMesh& mesh) {
   check_mesh_size(columns, rows, "--size");
   const FloatMap map = map_from_warp(mesh, columns, rows, TextureDirection::downwards);
   write_text_atomically(options.to, to_float_map_file(map, RowOrder::bottom_up));
-  const bool chosen = options.size == own_size && mesh.topology == MeshTopology::polar;
-  print_out(
-      "written to {}{}\n", options.to,
-      chosen ? fmt::format(
-                   ", with {} x {} samples, as a polar mesh has no columns and rows of a raster; --size takes others",
-                   columns, rows)
-             : "");
+  const bool chosen = options.size == own_size && mesh.topology != MeshTopology::rectangular;
+  print_out("written to {}{}\n", options.to,
+            chosen ? fmt::format(
+                         ", with {} x {} samples, as {} mesh has no columns and rows of a raster; --size takes others",
+                         columns, rows, mesh.topology == MeshTopology::polar ? "a polar" : "this")
+                   : "");
   tell_lost_intensities(options, mesh);
 }
 
@@ -161,11 +174,38 @@ FloatMap read_map(const std::filesystem::path& file) {
   return map;
 }
 
-void convert_mesh(const ConvertOptions& options) {
+//! Reads a warp of another program; one of a view that the file tells becomes one of the domemaster.
+WarpMesh read_foreign(const std::filesystem::path& file) {
+  ForeignWarp warp = read_foreign_warp(file, warp_format_of(file).value());
+  for (const std::string& note : warp.notes) {
+    print_note("{}: {}", file.string(), note);
+  }
+  if (!warp.view) {
+    return std::move(warp.mesh);
+  }
+  const auto& [orientation, frustum] = *warp.view;
+  print_note(
+      "{}: shows a picture at yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°; the mesh shows a domemaster in a dome that "
+      "does "
+      "not lean: for one that does, name the file in a setup with tilt_deg, and make a folder of that",
+      file.string(), orientation.yaw_deg, orientation.pitch_deg, orientation.roll_deg);
+  return through_lens(0.0, warp.mesh, orientation, frustum);
+}
+
+WarpMesh read_mesh(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
-  const WarpMesh mesh = kind_of(from) == FileKind::bourke
-                            ? read_bourke_mesh(from, options.aspect)
-                            : with_rim(warp_from_map(read_map(from), TextureDirection::downwards));
+  switch (kind_of_source(from)) {
+    case FileKind::bourke:
+      return read_bourke_mesh(from, options.aspect);
+    case FileKind::foreign:
+      return read_foreign(from);
+    default:
+      return with_rim(warp_from_map(read_map(from), TextureDirection::downwards));
+  }
+}
+
+void convert_mesh(const ConvertOptions& options) {
+  const WarpMesh mesh = read_mesh(options);
   if (kind_of(options.to) == FileKind::map) {
     return write_map(options, mesh);
   }
@@ -174,7 +214,7 @@ void convert_mesh(const ConvertOptions& options) {
 }
 
 void run(const ConvertOptions& options) {
-  const FileKind from = kind_of(options.from);
+  const FileKind from = kind_of_source(options.from);
   const FileKind to = kind_of(options.to);
   (to == FileKind::folder ? require_other_file : require_output_file)("TO", options.to, {options.from});
   if (from == FileKind::setup && (to == FileKind::mpcdi || to == FileKind::folder)) {
@@ -184,12 +224,12 @@ void run(const ConvertOptions& options) {
     return convert_mpcdi(options);
   }
   const auto is_mesh = [](FileKind kind) { return kind == FileKind::bourke || kind == FileKind::map; };
-  if (is_mesh(from) && is_mesh(to)) {
+  if ((is_mesh(from) || from == FileKind::foreign) && is_mesh(to)) {
     return convert_mesh(options);
   }
   throw UsageError("convert", fmt::format("cannot make \"{}\" of \"{}\"", options.to, options.from),
                    "a setup (.toml) becomes .mpcdi or a folder, MPCDI (.mpcdi, .xml) a setup or a folder, "
-                   "a mesh (.data, .pfm) the other kind of mesh");
+                   "a warp (.data, .pfm, .csv, .obj, .sgc, .ol, .simcad, .txt) a .data or .pfm mesh");
 }
 
 }  // namespace
@@ -197,12 +237,15 @@ void run(const ConvertOptions& options) {
 void add_convert_command(CLI::App& app) {
   auto options = std::make_shared<ConvertOptions>();
   auto* command = app.add_subcommand("convert", "Convert dome setups, MPCDI calibrations and warp meshes");
-  command->add_option("from", options->from, "dome setup (.toml), MPCDI (.mpcdi, .xml), mesh (.data, .pfm)")
+  command
+      ->add_option(
+          "from", options->from,
+          "dome setup (.toml), MPCDI (.mpcdi, .xml), or warp (.data, .pfm, .csv, .obj, .sgc, .ol, .simcad, .txt)")
       ->required();
   command
       ->add_option("to", options->to,
                    "of a setup: .mpcdi, or a folder for Bourke's meshes and masks; of MPCDI: a setup or such a folder; "
-                   "of a mesh: .data or .pfm")
+                   "of a warp: .data or .pfm")
       ->required();
   command->add_option("--radius", options->radius_m, "the dome's [m], which MPCDI does not tell")
       ->check(number_between(0.1, 1000.0))
@@ -211,16 +254,19 @@ void add_convert_command(CLI::App& app) {
       ->check(number_between(0.01, 100.0))
       ->capture_default_str();
   command
-      ->add_option(
-          "--size", options->size,
-          "columns and rows of a .pfm (default: the mesh's own; of a polar one 720 on the raster's shorter side)")
+      ->add_option("--size", options->size,
+                   "columns and rows of a .pfm (default: the mesh's own; of a polar one, or one of triangles, 720 on "
+                   "the raster's shorter side)")
       ->delimiter('x')
       ->check(CLI::Range(2, 16384))
       ->type_name("WxH");
   IdleOptions idle(*command);
-  idle.add("of what is not MPCDI", [options] { return kind_of(options->from) != FileKind::mpcdi; }, {"--radius"});
+  idle.add("of what is not MPCDI", [options] { return kind_of_source(options->from) != FileKind::mpcdi; },
+           {"--radius"});
   idle.add("where neither file is a .data mesh",
-           [options] { return kind_of(options->from) != FileKind::bourke && kind_of(options->to) != FileKind::bourke; },
+           [options] {
+             return kind_of_source(options->from) != FileKind::bourke && kind_of(options->to) != FileKind::bourke;
+           },
            {"--aspect"});
   idle.add("where no .pfm is written", [options] { return kind_of(options->to) != FileKind::map; }, {"--size"});
   command->callback([options, idle] {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "calibration/foreign_warp.h"
 #include "content/stars/star_file.h"
 #include "kernels/core/error.h"
 
@@ -21,13 +22,19 @@ struct OtherKind {
   const char* remedy;  //!< {0}: the file's path, {1}: its name
 };
 
+constexpr const char* warp_remedy = "name it in a dome setup, as a projector's warp = \"{1}\", and inspect that";
+
 const OtherKind other_kinds[] = {
     {{".mpcdi"}, "is a calibration", "make a setup of it, and inspect that: ergodome convert {0} dome.toml"},
-    {{".data", ".pfm"}, "is a warp mesh", "name it in a dome setup, as a projector's warp = \"{1}\", and inspect that"},
+    {{".data", ".pfm", ".sgc", ".ol", ".simcad"}, "is a warp mesh", warp_remedy},
     {{".csv", ".tsv", ".txt", ".ecsv", ".gz", ".stars"},
      "is no show and no map",
      "look into a catalogue of stars by ergodome catalogue {0}"},
-    {{".obj", ".gltf", ".glb"}, "is a mesh", "name it in a show, as an object's mesh = \"{1}\", and inspect that"},
+    {{".obj"},
+     "is a mesh",
+     "name it in a show, as an object's mesh = \"{1}\", or in a dome setup, as a projector's warp = \"{1}\", and "
+     "inspect that"},
+    {{".gltf", ".glb"}, "is a mesh", "name it in a show, as an object's mesh = \"{1}\", and inspect that"},
     {{".mtl", ".bin"}, "belongs to a mesh", "name that in a show, as an object's mesh, and inspect the show"},
     {{".stl", ".ply", ".fbx", ".blend", ".dae", ".3ds"},
      "is no kind of mesh that is read",
@@ -42,6 +49,11 @@ void require_inspectable(const std::filesystem::path& file) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(file, problem)) {
     return;
+  }
+  if (const auto format = format_of_content(head_of_file(file));
+      format && is_foreign(*format) && *format != WarpFormat::obj) {
+    throw Error(file.string(), fmt::format("is {}", name_of(*format)),
+                fmt::format(fmt::runtime(warp_remedy), file.string(), file.filename().string()));
   }
   std::string ending = is_star_file(file) ? ".stars" : file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

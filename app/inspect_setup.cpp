@@ -83,6 +83,9 @@ std::vector<std::string> remarks_on(const DomeSetup& setup, const std::vector<Pr
     if (stands_outside(setup, projector)) {
       notes.push_back(projector.name + outside_note);
     }
+    for (const std::string& note : pictures[i].notes) {
+      notes.push_back(fmt::format("{}: {}", projector.name, note));
+    }
     if (std::string note = note_of_shape(projector, pictures[i].warp); !note.empty()) {
       notes.push_back(std::move(note));
     }

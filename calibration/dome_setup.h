@@ -9,6 +9,7 @@
 #include "calibration/orientation.h"
 #include "calibration/pfm.h"
 #include "calibration/warp_conversion.h"
+#include "calibration/warp_format.h"
 #include "kernels/core/vector3.h"
 
 // A dome with its projectors. Places are in metres from the middle of the dome's sphere, x right, y straight up, z back, for a
@@ -28,7 +29,11 @@ struct ProjectorOutput {
   int window_y_px = 0;
 };
 
-enum class WarpFormat { bourke, pfm, mpcdi };
+//! What picture a flat warp looks up.
+enum class WarpSource {
+  dome_picture,  //!< the domemaster, or the whole buffer of an MPCDI calibration
+  lens_picture,  //!< what the projector's lens shows of the scene (MPCDI's profile 3d), or a view that the file tells
+};
 
 //! A file with a projector's warp, and how it is to be read.
 struct WarpFile {
@@ -38,6 +43,7 @@ struct WarpFile {
   TextureDirection texture = TextureDirection::downwards;  //!< of float maps alone
   std::string region;                                      //!< of an MPCDI calibration; empty: its only one
   bool x_to_one = false;                                   //!< Bourke: x runs to 1, not to the raster's aspect
+  WarpSource source = WarpSource::dome_picture;            //!< of formats that do not tell it
 };
 
 struct ProjectorSetup {

@@ -34,11 +34,10 @@ void insert_lens(toml::table& table, const Lens& lens) {
 }
 
 toml::table warp_of(const WarpFile& warp) {
-  constexpr const char* formats[] = {"bourke", "pfm", "mpcdi"};
-  toml::table table{{"file", warp.file}, {"format", formats[static_cast<int>(warp.format)]}};
+  toml::table table{{"file", warp.file}, {"format", word_of(warp.format)}};
   if (warp.format == WarpFormat::bourke) {
     table.insert("x_range", warp.x_to_one ? "one" : "aspect");
-  } else {
+  } else if (warp.format == WarpFormat::pfm || warp.format == WarpFormat::mpcdi) {
     table.insert("rows", warp.rows == RowOrder::bottom_up ? "bottom_up" : "top_down");
   }
   if (warp.format == WarpFormat::pfm) {
@@ -46,6 +45,9 @@ toml::table warp_of(const WarpFile& warp) {
   }
   if (!warp.region.empty()) {
     table.insert("region", warp.region);
+  }
+  if (warp.source == WarpSource::lens_picture) {
+    table.insert("source", "lens");
   }
   return table;
 }

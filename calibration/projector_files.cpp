@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "calibration/bourke_mesh.h"
+#include "calibration/foreign_warp.h"
 #include "calibration/mpcdi_conversion.h"
 #include "calibration/mpcdi_reader.h"
 #include "kernels/core/error.h"
@@ -51,7 +54,26 @@ void load_region(const Mpcdi& mpcdi, const MpcdiRegion& region, const std::strin
   }
 }
 
+void load_foreign_warp(const WarpFile& warp, const std::filesystem::path& path, LoadedProjector& loaded) {
+  ForeignWarp foreign = read_foreign_warp(path, warp.format);
+  loaded.warp = std::move(foreign.mesh);
+  loaded.notes = std::move(foreign.notes);
+  if (!foreign.view) {
+    return;
+  }
+  loaded.source = WarpSource::lens_picture;
+  const auto& [orientation, frustum] = *foreign.view;
+  loaded.lens = frustum;
+  loaded.orientation = orientation;
+  loaded.notes.push_back(fmt::format(
+      "the warp's file shows a picture at yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°, from {:.2f}° to {:.2f}° "
+      "across and from {:.2f}° to {:.2f}° upwards",
+      orientation.yaw_deg, orientation.pitch_deg, orientation.roll_deg, frustum.left_deg, frustum.right_deg,
+      frustum.down_deg, frustum.up_deg));
+}
+
 void load_warp(const WarpFile& warp, const std::filesystem::path& path, double aspect, LoadedProjector& loaded) {
+  loaded.source = warp.source;
   switch (warp.format) {
     case WarpFormat::bourke:
       loaded.warp = read_bourke_mesh(path, warp.x_to_one ? 1.0 : aspect);
@@ -59,9 +81,18 @@ void load_warp(const WarpFile& warp, const std::filesystem::path& path, double a
     case WarpFormat::pfm:
       loaded.warp = with_rim(warp_from_map(read_float_map(path, warp.rows), warp.texture));
       break;
-    case WarpFormat::mpcdi:
+    case WarpFormat::mpcdi: {
       const Mpcdi mpcdi = read_mpcdi(path, warp.rows);
       load_region(mpcdi, region_of(mpcdi, warp.region, path.string()), path.string(), loaded);
+      break;
+    }
+    case WarpFormat::domeprojection:
+    case WarpFormat::obj:
+    case WarpFormat::sciss:
+    case WarpFormat::easyblend:
+    case WarpFormat::simcad:
+    case WarpFormat::skyskan:
+      load_foreign_warp(warp, path, loaded);
       break;
   }
 }

@@ -1,19 +1,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "calibration/dome_setup.h"
 #include "calibration/mpcdi.h"
 #include "calibration/warp_mesh.h"
 
 namespace ergodome {
-
-//! What picture a flat warp looks up.
-enum class WarpSource {
-  dome_picture,  //!< the domemaster, or the whole buffer of an MPCDI calibration
-  lens_picture,  //!< what the projector's lens shows of the scene (MPCDI's profile 3d)
-};
 
 //! What the files of a projector say, beside its setup.
 struct LoadedProjector {
@@ -26,6 +22,7 @@ struct LoadedProjector {
   std::optional<MpcdiMask> blend;       //!< the setup's mask, or else the region's alphaMap
   std::optional<BlendMap> black_level;  //!< the setup's mask, or else the region's betaMap
   Vector3<double> black_level_lift{};   //!< the setup's; 1 where it is 0 and there is a betaMap
+  std::vector<std::string> notes;       //!< what the warp's file says that a user should know
 };
 
 //! Reads the warp and the masks of a projector of a setup. Throws Error, naming the file, for whatever its reader refuses, for a

@@ -25,6 +25,7 @@ struct ProjectorPicture {
   Vector3<double> black_level_lift{};
   Vector3<double> gain{1.0, 1.0, 1.0};
   double gamma = 2.2;
+  std::vector<std::string> notes;  //!< what the warp's file says that a user should know
 };
 
 //! Whether light of all projectors can be computed.
@@ -38,6 +39,9 @@ DomeBlend blend_of(const DomeSetup& setup);
 //! master.
 WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, const LoadedProjector& loaded,
                      double tolerance_px = computed_tolerance_px);
+
+//! A warp of what a flat lens at the dome's middle shows, as one of the domemaster of a dome that leans by `tilt_deg`.
+WarpMesh through_lens(double tilt_deg, const WarpMesh& warp, const Orientation& orientation, const Frustum& frustum);
 
 //! The pictures of all projectors of a setup. Where all of them have a lens, those without a warp and a mask get the mask of calibration/
 //! dome_blend.h. Throws Error for what load_projector and master_warp refuse, and for a setup without projectors.

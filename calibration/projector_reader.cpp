@@ -190,40 +190,47 @@ class ProjectorReader {
     if (warp.file.empty()) {
       throw table.error_at("file", "is missing", "name the file of the warp");
     }
-    warp.format = table.has("format") ? static_cast<WarpFormat>(table.choice("format", 0, {"bourke", "pfm", "mpcdi"}))
-                                      : format_of(table, "file", warp.file);
+    warp.format = table.has("format")
+                      ? static_cast<WarpFormat>(table.choice("format", 0,
+                                                             {"bourke", "pfm", "mpcdi", "domeprojection", "obj",
+                                                              "sciss", "easyblend", "simcad", "skyskan"}))
+                      : format_of(table, "file", warp.file);
     const auto only_for = [&](std::string_view key, bool suits, const char* formats) {
       if (table.has(key) && !suits) {
         throw table.error_at(key, "means nothing in this format", fmt::format("it is for {}: remove it", formats));
       }
     };
-    only_for("rows", warp.format != WarpFormat::bourke, "pfm and mpcdi");
+    only_for("rows", warp.format == WarpFormat::pfm || warp.format == WarpFormat::mpcdi, "pfm and mpcdi");
     only_for("texture", warp.format == WarpFormat::pfm, "pfm");
     only_for("region", warp.format == WarpFormat::mpcdi, "mpcdi");
     only_for("x_range", warp.format == WarpFormat::bourke, "bourke");
+    only_for("source", tells_no_source(warp.format),
+             "formats that do not tell it: bourke, pfm, domeprojection, obj, simcad and easyblend");
     warp.rows = static_cast<RowOrder>(table.choice("rows", 0, {"bottom_up", "top_down"}));
     warp.texture = static_cast<TextureDirection>(table.choice("texture", 0, {"downwards", "upwards"}));
     warp.region = table.text("region", "");
     warp.x_to_one = table.choice("x_range", 0, {"aspect", "one"}) == 1;
+    warp.source = static_cast<WarpSource>(table.choice("source", 0, {"domemaster", "lens"}));
+    if (warp.source == WarpSource::lens_picture && !std::holds_alternative<Frustum>(projector_.lens)) {
+      throw table.error_at(
+          "source", "is \"lens\", and the projector has no frustum",
+          "write the frustum of the picture that the warp looks up, with yaw_deg, pitch_deg and roll_deg");
+    }
     table.refuse_unknown_keys();
     return warp;
   }
 
-  static WarpFormat format_of(const TomlTable& table, std::string_view key, const std::string& name) {
-    std::string ending = std::filesystem::path(name).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (ending == ".data") {
-      return WarpFormat::bourke;
-    }
-    if (ending == ".pfm") {
-      return WarpFormat::pfm;
-    }
-    if (ending == ".mpcdi" || ending == ".xml") {
-      return WarpFormat::mpcdi;
+  //! The format that a warp's content shows, or else its ending.
+  WarpFormat format_of(const TomlTable& table, std::string_view key, const std::string& name) const {
+    const std::string ending = std::filesystem::path(name).extension().string();
+    const auto format =
+        named_files_ == NamedFiles::must_exist ? warp_format_of(folder_ / name) : format_of_ending(ending);
+    if (format) {
+      return *format;
     }
     throw table.error_at(key, fmt::format("ends in \"{}\", which tells no format", ending.substr(0, 20)),
-                         "write { file = \"...\", format = \"bourke\" }, or pfm or mpcdi");
+                         "write { file = \"...\", format = \"bourke\" }, or pfm, mpcdi, domeprojection, obj, sciss, "
+                         "easyblend, simcad or skyskan");
   }
 
   void read_colour() {

@@ -1,6 +1,7 @@
 #include "calibration/text_lines.h"
 
 #include <charconv>
+#include <string>
 
 namespace ergodome {
 
@@ -66,5 +67,17 @@ std::string_view take_word(std::string_view& line) {
 std::optional<double> number_of(std::string_view word) { return parsed<double>(word); }
 
 std::optional<long long> whole_number_of(std::string_view word) { return parsed<long long>(word); }
+
+std::optional<double> decimal_of(std::string_view word) {
+  constexpr std::size_t longest = 64;
+  const std::size_t comma = word.find(',');
+  if (comma == std::string_view::npos || word.size() > longest) {
+    return number_of(word);
+  }
+  std::string with_point(word);
+  with_point[comma] = '.';
+  return with_point.find(',') == std::string::npos && word.find('.') == std::string_view::npos ? number_of(with_point)
+                                                                                               : std::nullopt;
+}
 
 }  // namespace ergodome

@@ -24,6 +24,10 @@ FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirec
 //! can.
 WarpMesh resampled_warp(const WarpMesh& mesh, int width, int height);
 
+//! Returns a mesh with each cell cut into `steps` x `steps`, for places between which not all is linear; into fewer where a mesh would
+//! have more than 8 million nodes. A polar mesh stays as it is.
+WarpMesh refined_warp(const WarpMesh& mesh, int steps);
+
 //! A mesh in fill layout with nodes on the raster's rim added, continued in a straight line from the outermost two on each side:
 //! samples stand for the middles of their part of the raster, so a coarse map alone would leave the rim undrawn.
 WarpMesh with_rim(const WarpMesh& mesh);

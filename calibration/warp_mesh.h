@@ -29,7 +29,8 @@ struct WarpNode {
 //! Whether a mesh has sides, or is joined to itself.
 enum class MeshTopology {
   rectangular,
-  polar,  //!< columns go round: the last is followed by the first
+  polar,           //!< columns go round: the last is followed by the first
+  separate_cells,  //!< a cell for each triangle of a file, undrawn nodes between: columns and rows say nothing of the raster
 };
 
 //! A warp in two dimensions: a grid of nodes, between which all is linear.
