@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "calibration/bourke_mesh.h"
 #include "calibration/projector_picture.h"
 #include "calibration/warp_conversion.h"
 #include "render/output/image_writer.h"
@@ -110,6 +111,35 @@ TEST_F(ConvertCommand, MeshesBecomeMapsAndMapsMeshes) {
   for (std::size_t i = 0; i < before.samples.size(); ++i) {
     ASSERT_NEAR(after.samples[i], before.samples[i], 1e-5F) << i;
   }
+}
+
+TEST_F(ConvertCommand, WarpsOfOtherProgramsBecomeMeshes) {
+  write("a.csv",
+        "x;y;u;v;column;row\r\n0,0;0,0;0,1;0,2;0;0\r\n1,0;0,0;0,9;0,2;1;0\r\n0,0;1,0;0,1;0,7;0;1\r\n"
+        "1,0;1,0;0,9;0,7;1;1\r\n");
+  ASSERT_EQ(run("convert a.csv a.data --aspect 1.5"), 0) << output_;
+  const WarpMesh mesh = read_bourke_mesh(folder_ / "a.data", 1.5);
+  EXPECT_NEAR(mesh.at(1, 0).x, 1.0, 1e-6);
+  EXPECT_NEAR(mesh.at(1, 0).u, 0.9, 1e-6);
+  EXPECT_NEAR(mesh.at(1, 0).v, 0.2, 1e-6);
+  ASSERT_EQ(run("convert a.csv a.pfm"), 0) << output_;
+  EXPECT_NE(run("convert a.csv dome2.toml"), 0);
+}
+
+TEST_F(ConvertCommand, AViewBecomesAMeshOfTheDomemaster) {
+  write("view.txt",
+        "Dome Azimuth=20\nDome Elevation=45\nHorizontal FOV=70\nVertical FOV=50\n2 2\n0 0 0 0\n1 0 1 0\n0 1 0 1\n1 1 1 "
+        "1\n");
+  write("view.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\nresolution_px = [64, 48]\nwarp = \"view.txt\"\n");
+  ASSERT_EQ(run("convert view.txt view.data --aspect 1.3333333333"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("yaw 20.00°, pitch 45.00°"));
+  const WarpMesh mesh = read_bourke_mesh(folder_ / "view.data", 64.0 / 48.0);
+  EXPECT_LT(farthest_apart(mesh, pictures_of("view.toml")[0].warp), 1e-5);
+  ASSERT_EQ(run("inspect view.toml"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("p: the warp's file shows a picture at yaw 20.00°, pitch 45.00°"));
+  EXPECT_NE(run("inspect view.txt"), 0);
+  EXPECT_THAT(output_, HasSubstr("is a Sky-Skan warp; name it in a dome setup"));
 }
 
 TEST_F(ConvertCommand, SaysThatAMapHoldsNoIntensities) {

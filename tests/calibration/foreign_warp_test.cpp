@@ -3,13 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 
 #include "calibration/dome_setup.h"
-#include "calibration/projector_files.h"
 #include "calibration/projector_picture.h"
+#include "calibration/warp_conversion.h"
 #include "kernels/core/angles.h"
 #include "tests/calibration/handmade_files.h"
 #include "tests/support/errors.h"
@@ -30,7 +32,7 @@ std::string refusal(const std::string& bytes, WarpFormat format) {
   return error_of([&] { parse_foreign_warp(bytes, "a.warp", format); });
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string with_change(std::string text, const std::string& from, const std::string& to) {
   EXPECT_NE(text.find(from), std::string::npos) << from;
   return text.replace(text.find(from), from.size(), to);
 }
@@ -89,11 +91,11 @@ TEST(DomeprojectionWarp, IsReadAsOtherProgramsAndCountriesWriteIt) {
 
 TEST(DomeprojectionWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& text) { return refusal(text, WarpFormat::domeprojection); };
-  EXPECT_THAT(problem(replaced(csv, "0.9;0.2", "nan;0.2")), HasSubstr("a.warp:3: has nan for u"));
-  EXPECT_THAT(problem(replaced(csv, "0.9;0.2;1", "0.9;0.2")), HasSubstr("a.warp:3: has 5 values instead of 6"));
-  EXPECT_THAT(problem(replaced(csv, ";1;1\n", ";99999;1\n")), HasSubstr("has \"99999\" for the column"));
-  EXPECT_THAT(problem(replaced(csv, ";1;1\n", ";900;900\n")), HasSubstr("has 4 nodes for 901 columns and 901 rows"));
-  EXPECT_THAT(problem(replaced(csv, ";1;1\n", ";1;0\n")), HasSubstr("has two nodes in column 1, row 0"));
+  EXPECT_THAT(problem(with_change(csv, "0.9;0.2", "nan;0.2")), HasSubstr("a.warp:3: has nan for u"));
+  EXPECT_THAT(problem(with_change(csv, "0.9;0.2;1", "0.9;0.2")), HasSubstr("a.warp:3: has 5 values instead of 6"));
+  EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";99999;1\n")), HasSubstr("has \"99999\" for the column"));
+  EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";900;900\n")), HasSubstr("has 4 nodes for 901 columns and 901 rows"));
+  EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";1;0\n")), HasSubstr("has two nodes in column 1, row 0"));
   EXPECT_THAT(problem("x;y;z;u;v;column;row\n"), HasSubstr("only flat warps of domeprojection"));
   EXPECT_THAT(problem(""), HasSubstr("is a mesh of 0 x 0 nodes"));
 }
@@ -145,12 +147,12 @@ TEST(ObjWarp, AVertexWithTwoTextureCoordinatesIsTwoNodes) {
 
 TEST(ObjWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& text) { return refusal(text, WarpFormat::obj); };
-  EXPECT_THAT(problem(replaced(obj, "v 1 -1 0", "v 1 -1 0.5")), HasSubstr("a.warp:6: has z = 0.5, others 0"));
-  EXPECT_THAT(problem(replaced(obj, "1/1 3/3 4/4", "1/1 3/3 4/5")),
+  EXPECT_THAT(problem(with_change(obj, "v 1 -1 0", "v 1 -1 0.5")), HasSubstr("a.warp:6: has z = 0.5, others 0"));
+  EXPECT_THAT(problem(with_change(obj, "1/1 3/3 4/4", "1/1 3/3 4/5")),
               HasSubstr("a.warp:12: has a corner with number 5 of 4"));
-  EXPECT_THAT(problem(replaced(obj, "1/1 3/3 4/4", "1//1 3//1 4//1")),
+  EXPECT_THAT(problem(with_change(obj, "1/1 3/3 4/4", "1//1 3//1 4//1")),
               HasSubstr("texture coordinates at every corner"));
-  EXPECT_THAT(problem(replaced(obj, "vt 0.9 0.3", "vt 0.9 inf")), HasSubstr("has inf for v"));
+  EXPECT_THAT(problem(with_change(obj, "vt 0.9 0.3", "vt 0.9 inf")), HasSubstr("has inf for v"));
   EXPECT_THAT(problem(obj.substr(0, obj.find("f 1/1"))), HasSubstr("has no faces"));
 }
 
@@ -273,19 +275,19 @@ TEST(EasyblendWarp, HasPixelsUpwardsAndTurnedTextures) {
 
 TEST(EasyblendWarp, RollsAnticlockwiseAboutTheFront) {
   const std::string rolled =
-      replaced(replaced(replaced(openmesh, "ROLL 0", "ROLL 10"), "PITCH 40", "PITCH 0"), "YAW -30", "YAW 0");
+      with_change(with_change(with_change(openmesh, "ROLL 0", "ROLL 10"), "PITCH 40", "PITCH 0"), "YAW -30", "YAW 0");
   const ForeignWarp warp = parse_foreign_warp(rolled, "a.ol", WarpFormat::easyblend);
   expect_angles(*warp.view, 0, 0, -10);
 }
 
 TEST(EasyblendWarp, IsCutToItsPartOfTheRaster) {
   const ForeignWarp warp =
-      parse_foreign_warp(replaced(openmesh, "ORTHO_RIGHT 1", "ORTHO_RIGHT 2"), "a.ol", WarpFormat::easyblend);
+      parse_foreign_warp(with_change(openmesh, "ORTHO_RIGHT 1", "ORTHO_RIGHT 2"), "a.ol", WarpFormat::easyblend);
   expect_node(warp.mesh.at(1, 0), 0.5, 0, 0.9, 0.2);
 }
 
 TEST(EasyblendWarp, SaysWhatItDoesNotUse) {
-  const ForeignWarp warp = parse_foreign_warp(replaced(openmesh, "LABEL", "APPLY_MASK 1\nSOMETHING_NEW 3\nLABEL"),
+  const ForeignWarp warp = parse_foreign_warp(with_change(openmesh, "LABEL", "APPLY_MASK 1\nSOMETHING_NEW 3\nLABEL"),
                                               "a.ol", WarpFormat::easyblend);
   ASSERT_EQ(warp.notes.size(), 2U);
   EXPECT_THAT(warp.notes[0], HasSubstr("SOMETHING_NEW"));
@@ -294,7 +296,7 @@ TEST(EasyblendWarp, SaysWhatItDoesNotUse) {
 
 TEST(EasyblendWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& from, const std::string& to) {
-    return refusal(replaced(openmesh, from, to), WarpFormat::easyblend);
+    return refusal(with_change(openmesh, from, to), WarpFormat::easyblend);
   };
   EXPECT_THAT(problem("XOFFSET 0", "XOFFSET 0.5"),
               HasSubstr("asks for PERSPECTIVE_XOFFSET 0.5, which is not supported"));
@@ -363,21 +365,22 @@ TEST(SkyskanWarp, TellsItsViewAndHasYAndVDownwards) {
 }
 
 TEST(SkyskanWarp, AppliesTweaksAndTheHeightOfItsRaster) {
-  const std::string wide = replaced(replaced(skyskan, "FOV=60", "FOV=90"), "Vertical FOV=40\r\nHorizontal Tweak=1.0",
-                                    "Horizontal Tweak=0.5\r\nVertical Tweak=2\r\nU Tweak=0.5\r\nV Tweak=-5");
+  const std::string wide =
+      with_change(with_change(skyskan, "FOV=60", "FOV=90"), "Vertical FOV=40\r\nHorizontal Tweak=1.0",
+                  "Horizontal Tweak=0.5\r\nVertical Tweak=2\r\nU Tweak=0.5\r\nV Tweak=-5");
   const ForeignWarp warp = parse_foreign_warp(wide, "a.txt", WarpFormat::skyskan);
   EXPECT_NEAR(warp.view->frustum.right_deg, 22.5, 1e-9);
   // Half the height is atan(1200 / 2048) = 30.3681°, twice that by the tweak.
   EXPECT_NEAR(warp.view->frustum.up_deg, 2.0 * 30.3681, 1e-3);
   expect_node(warp.mesh.at(1, 1), 1, 1, 0.45, 0.7);
   const ForeignWarp holed =
-      parse_foreign_warp(replaced(skyskan, "1 1 0.9 0.7", "-1 -1 0 0"), "a.txt", WarpFormat::skyskan);
+      parse_foreign_warp(with_change(skyskan, "1 1 0.9 0.7", "-1 -1 0 0"), "a.txt", WarpFormat::skyskan);
   EXPECT_FALSE(holed.mesh.at(1, 1).valid);
 }
 
 TEST(SkyskanWarp, RefusesWhatItCannotRead) {
   const auto problem = [](const std::string& from, const std::string& to) {
-    return refusal(replaced(skyskan, from, to), WarpFormat::skyskan);
+    return refusal(with_change(skyskan, from, to), WarpFormat::skyskan);
   };
   EXPECT_THAT(problem("Dome Azimuth=30\r\n", ""), HasSubstr("has no dome azimuth"));
   EXPECT_THAT(problem("FOV=60", "FOV=180"), HasSubstr("has a horizontal FOV of 180°"));
@@ -426,34 +429,27 @@ class WarpsOfOthers : public FolderTest {
   }
 };
 
-//! The warp's node nearest to a place of the raster.
-const WarpNode& node_at(const WarpMesh& mesh, float x, float y) {
-  return *std::ranges::min_element(
-      mesh.nodes, {}, [&](const WarpNode& node) { return node.valid ? std::hypot(node.x - x, node.y - y) : 10.0F; });
-}
-
 TEST_F(WarpsOfOthers, AViewOfTheFileBecomesPlacesOfTheDomemaster) {
   const std::string whole =
-      replaced(replaced(replaced(replaced(skyskan, "0 0 0.1 0.2", "0 0 0 0"), "1 0 0.9 0.2", "1 0 1 0"), "0 1 0.1 0.7",
-                        "0 1 0 1"),
-               "1 1 0.9 0.7", "1 1 1 1");
+      with_change(with_change(with_change(with_change(skyskan, "0 0 0.1 0.2", "0 0 0 0"), "1 0 0.9 0.2", "1 0 1 0"),
+                              "0 1 0.1 0.7", "0 1 0 1"),
+                  "1 1 0.9 0.7", "1 1 1 1");
   write("a.txt", whole);
   const auto pictures = projector_pictures(setup("warp = \"a.txt\"\n"));
+  const WarpMesh warp = resampled_warp(pictures[0].warp, 3, 3);
   // The middle is at azimuth 30° to the right of the front (bottom), 50° from the zenith: r = 0.5 · 50 / 90.
-  const WarpNode& middle = node_at(pictures[0].warp, 0.5F, 0.5F);
-  EXPECT_NEAR(middle.u, 0.5 + 0.277778 * 0.5, 1e-4);
-  EXPECT_NEAR(middle.v, 0.5 + 0.277778 * 0.866025, 1e-4);
-  // The raster's top is 20° higher: r = 0.5 · 30 / 90.
-  const WarpNode& top = node_at(pictures[0].warp, 0.5F, 0.0F);
-  EXPECT_NEAR(top.u, 0.5 + 0.166667 * 0.5, 1e-4);
-  EXPECT_NEAR(top.v, 0.5 + 0.166667 * 0.866025, 1e-4);
+  EXPECT_NEAR(warp.at(1, 1).u, 0.5 + 0.277778 * 0.5, 1e-4);
+  EXPECT_NEAR(warp.at(1, 1).v, 0.5 + 0.277778 * 0.866025, 1e-4);
+  // A sixth of the raster from its top it is higher by atan(2 / 3 · tan 20°) = 13.6397°: r = 0.5 · 36.3603 / 90.
+  EXPECT_NEAR(warp.at(1, 0).u, 0.5 + 0.202002 * 0.5, 1e-4);
+  EXPECT_NEAR(warp.at(1, 0).v, 0.5 + 0.202002 * 0.866025, 1e-4);
   // Its right side lies further to the right, in the master as well.
-  EXPECT_GT(node_at(pictures[0].warp, 1.0F, 0.5F).u, middle.u + 0.1F);
+  EXPECT_GT(warp.at(2, 1).u, warp.at(1, 1).u + 0.05F);
   ASSERT_EQ(pictures[0].notes.size(), 1U);
   EXPECT_THAT(pictures[0].notes[0], HasSubstr("yaw 30.00°, pitch 40.00°"));
   // A dome that leans to the front by 10° has this direction nearer to its top.
   const auto leaning = projector_pictures(setup("warp = \"a.txt\"\n", "tilt_deg = 10\n"));
-  const WarpNode& leaned = node_at(leaning[0].warp, 0.5F, 0.5F);
+  const WarpNode leaned = resampled_warp(leaning[0].warp, 3, 3).at(1, 1);
   EXPECT_LT(std::hypot(leaned.u - 0.5F, leaned.v - 0.5F), 0.277778 - 0.03);
 }
 
@@ -462,12 +458,12 @@ TEST_F(WarpsOfOthers, AWarpOfThePictureOfALensTakesTheSetupsFrustum) {
   const std::string lens =
       "yaw_deg = 30\npitch_deg = 40\nfrustum = { left_deg = -30, right_deg = 30, up_deg = 20, down_deg = -20 }\n";
   const auto pictures = projector_pictures(setup(lens + "warp = { file = \"a.simcad\", source = \"lens\" }\n"));
-  const WarpNode& top = node_at(pictures[0].warp, 0.5F, 0.0F);
-  EXPECT_NEAR(top.u, 0.5 + 0.166667 * 0.5, 1e-4);
-  EXPECT_NEAR(top.v, 0.5 + 0.166667 * 0.866025, 1e-4);
+  const WarpNode high = resampled_warp(pictures[0].warp, 3, 3).at(1, 0);
+  EXPECT_NEAR(high.u, 0.5 + 0.202002 * 0.5, 1e-4);
+  EXPECT_NEAR(high.v, 0.5 + 0.202002 * 0.866025, 1e-4);
   // Without that it looks up the master as a whole.
   const auto of_master = projector_pictures(setup("warp = \"a.simcad\"\n"));
-  EXPECT_EQ(node_at(of_master[0].warp, 1.0F, 0.0F).u, 1.0F);
+  EXPECT_EQ(of_master[0].warp.at(1, 0).u, 1.0F);
   EXPECT_THAT(error_of([&] { setup("warp = { file = \"a.simcad\", source = \"lens\" }\n"); }),
               HasSubstr("the projector has no frustum"));
   EXPECT_THAT(error_of([&] { setup("warp = { file = \"a.simcad\", rows = \"top_down\" }\n"); }),
