@@ -37,6 +37,11 @@ std::optional<std::string> checked_path(const XmlElement& element) {
   return path;
 }
 
+//! Whether two names differ in capitals at most.
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
 //! What messages call a file: who names it, then its own name, whose ending tells the format.
 std::string name_of(const XmlElement& element, const std::string& path) { return element.place() + ": " + path; }
 
@@ -118,9 +123,29 @@ void MpcdiFileReader::read(const XmlElement& fileset, const Mpcdi& mpcdi, MpcdiR
   }
 }
 
+std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name) {
+  std::filesystem::path found = folder;
+  for (const std::filesystem::path& part : std::filesystem::path(name)) {
+    std::error_code problem;
+    std::filesystem::path next = found / part;
+    if (!std::filesystem::exists(next, problem)) {
+      const std::filesystem::path in = found.empty() ? "." : found;
+      for (std::filesystem::directory_iterator entry(in, problem), end; !problem && entry != end;
+           entry.increment(problem)) {
+        if (same_letters(entry->path().filename().string(), part.string())) {
+          next = found / entry->path().filename();
+          break;
+        }
+      }
+    }
+    found = next;
+  }
+  return found;
+}
+
 MpcdiFiles files_in_folder(const std::filesystem::path& folder) {
   return [folder](const std::string& name, std::size_t most_bytes) {
-    const std::filesystem::path path = folder / name;
+    const std::filesystem::path path = file_beside(folder, name);
     std::error_code problem;
     const auto real = std::filesystem::weakly_canonical(path, problem);
     const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, problem);

@@ -26,6 +26,10 @@ class MpcdiFileReader {
   RowOrder order_;
 };
 
+//! Returns the path of a file that a description names, beside it. As on Windows, capitals count as small letters where no file has
+//! the very name.
+std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name);
+
 //! Files that lie beside a description. Only what is below `folder` is opened: names with a drive, from the root, or through ".."
 //! are refused, and so are links that lead out of it.
 MpcdiFiles files_in_folder(const std::filesystem::path& folder);

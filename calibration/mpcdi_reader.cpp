@@ -233,7 +233,7 @@ std::vector<std::filesystem::path> files_of_mpcdi(const std::filesystem::path& p
   if (!bytes.starts_with("PK")) {
     const MpcdiFiles files = files_in_folder(path.parent_path());
     const auto noted = [&](const std::string& name, std::size_t most_bytes) {
-      const std::filesystem::path beside = path.parent_path() / name;
+      const std::filesystem::path beside = file_beside(path.parent_path(), name);
       if (std::ranges::find(named, beside) == named.end()) {
         named.push_back(beside);
       }

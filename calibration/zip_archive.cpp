@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <zip.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "kernels/core/error.h"
@@ -82,13 +83,25 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, std::string name, std::
 
 ZipArchive::~ZipArchive() = default;
 
-bool ZipArchive::has(const std::string& member) const {
-  return zip_name_locate(handle_->archive, member.c_str(), ZIP_FL_NOCASE) >= 0;
+namespace {
+
+//! Returns the number of a member, or -1. Some Windows programs write backslashes between folders.
+zip_int64_t located(zip_t* archive, std::string member) {
+  const zip_int64_t index = zip_name_locate(archive, member.c_str(), ZIP_FL_NOCASE);
+  if (index >= 0 || member.find('/') == std::string::npos) {
+    return index;
+  }
+  std::ranges::replace(member, '/', '\\');
+  return zip_name_locate(archive, member.c_str(), ZIP_FL_NOCASE);
 }
+
+}  // namespace
+
+bool ZipArchive::has(const std::string& member) const { return located(handle_->archive, member) >= 0; }
 
 std::string ZipArchive::read(const std::string& member, std::size_t most_bytes) {
   const std::string place = fmt::format("{}: {}", name_, member.substr(0, 200));
-  const zip_int64_t index = zip_name_locate(handle_->archive, member.c_str(), ZIP_FL_NOCASE);
+  const zip_int64_t index = located(handle_->archive, member);
   zip_stat_t stat;
   if (index < 0 || zip_stat_index(handle_->archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0) {
     throw Error(place, "is not in the archive", "export it again with this file");

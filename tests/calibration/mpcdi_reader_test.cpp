@@ -126,6 +126,12 @@ TEST(Mpcdi, MembersAreFoundWithoutRegardToCapitals) {
   expect_media(parsed_archive(zip_by_hand(members)));
 }
 
+TEST(Mpcdi, MembersMayBeNamedWithBackslashes) {
+  auto members = media_members(replaced(media_xml, "<path>left.pfm</path>", "<path>maps\\left.pfm</path>"));
+  members[1].name = "maps\\left.pfm";
+  expect_media(parsed_archive(zip_by_hand(members)));
+}
+
 TEST(Mpcdi, RowsOfMapsFollowTheOrderAskedFor) {
   const std::string bytes = zip_by_hand(media_members(media_xml));
   EXPECT_FLOAT_EQ(parsed_archive(bytes).buffers[0].regions[0].geometry->map.samples[0], 0.25F);
@@ -257,6 +263,14 @@ TEST_F(MpcdiFile, IsReadAsAnArchive) {
 TEST_F(MpcdiFile, WithoutAnArchiveHasItsFilesBesideIt) {
   write_media(media_xml);
   expect_media(read_mpcdi(folder_ / "wall.mpcdi.xml"));
+}
+
+TEST_F(MpcdiFile, FilesBesideItAreFoundWithoutRegardToCapitals) {
+  write_media(replaced(media_xml, "<path>left.pfm</path>", "<path>Maps\\Left.PFM</path>"));
+  std::filesystem::create_directory(folder_ / "maps");
+  std::filesystem::rename(folder_ / "left.pfm", folder_ / "maps" / "left.pfm");
+  expect_media(read_mpcdi(folder_ / "wall.mpcdi.xml"));
+  EXPECT_THAT(files_of_mpcdi(folder_ / "wall.mpcdi.xml"), testing::Contains(folder_ / "maps" / "left.pfm"));
 }
 
 TEST_F(MpcdiFile, TellsWhichFilesItNamesUnlessItHoldsThem) {
