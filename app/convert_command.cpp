@@ -183,13 +183,12 @@ WarpMesh read_foreign(const std::filesystem::path& file) {
   if (!warp.view) {
     return std::move(warp.mesh);
   }
-  const auto& [orientation, frustum] = *warp.view;
   print_note(
-      "{}: shows a picture at yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°; the mesh shows a domemaster in a dome that "
-      "does "
-      "not lean: for one that does, name the file in a setup with tilt_deg, and make a folder of that",
-      file.string(), orientation.yaw_deg, orientation.pitch_deg, orientation.roll_deg);
-  return through_lens(0.0, warp.mesh, orientation, frustum);
+      "{}: shows a picture at {}; the mesh shows a domemaster in a dome that does not lean: for one that does, name "
+      "the "
+      "file in a setup with tilt_deg, and make a folder of that",
+      file.string(), words_of(*warp.view));
+  return through_lens(0.0, warp.mesh, warp.view->orientation, warp.view->frustum);
 }
 
 WarpMesh read_mesh(const ConvertOptions& options) {

@@ -61,8 +61,8 @@ class DomeprojectionParser {
     }
     if (!names.empty() && std::isalpha(static_cast<unsigned char>(names[0])) != 0 && !names.starts_with("nan") &&
         !names.starts_with("inf")) {
-      throw text_.error(fmt::format("has the columns \"{}\"", shown_of(names)),
-                        "only flat warps of domeprojection are read: x;y;u;v;column;row");
+      throw text_.error(fmt::format("is not a flat domeprojection warp: its columns are \"{}\"", shown_of(names)),
+                        "the columns that are read are x;y;u;v;column;row");
     }
     return false;
   }

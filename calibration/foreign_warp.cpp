@@ -56,6 +56,17 @@ void check_view(const Frustum& frustum, const std::string& place) {
   }
 }
 
+std::string words_of(const WarpView& view) {
+  // Whole hundredths, and no -0.
+  const auto shown_deg = [](double angle_deg) { return std::round(100.0 * angle_deg) / 100.0 + 0.0; };
+  const auto& [orientation, frustum] = view;
+  return fmt::format(
+      "yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°, from {:.2f}° to {:.2f}° across and from {:.2f}° to {:.2f}° upwards",
+      shown_deg(orientation.yaw_deg), shown_deg(orientation.pitch_deg), shown_deg(orientation.roll_deg),
+      shown_deg(frustum.left_deg), shown_deg(frustum.right_deg), shown_deg(frustum.down_deg),
+      shown_deg(frustum.up_deg));
+}
+
 bool is_foreign(WarpFormat format) {
   return format != WarpFormat::bourke && format != WarpFormat::pfm && format != WarpFormat::mpcdi;
 }
@@ -63,6 +74,10 @@ bool is_foreign(WarpFormat format) {
 ForeignWarp parse_foreign_warp(std::string_view bytes, const std::string& file, WarpFormat format) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
     throw Error(file, "is a text in UTF-16", "save it as UTF-8 or plain ASCII");
+  }
+  const bool is_binary = bytes.substr(0, warp_head_bytes).find('\0') != std::string_view::npos;
+  if (is_binary && format != WarpFormat::sciss) {
+    throw Error(file, fmt::format("is a binary file, not {}", name_of(format)), "name another file, or its format");
   }
   const auto found = format_of_content(bytes);
   if (found && *found != format) {

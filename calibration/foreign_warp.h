@@ -19,11 +19,14 @@ struct WarpView {
   Frustum frustum;
 };
 
-//! What such a file holds.
+//! Returns a view in words, for messages: "yaw 30.00°, pitch 40.00°, ...".
+std::string words_of(const WarpView& view);
+
+//! A warp with what its file says about it.
 struct ForeignWarp {
   WarpMesh mesh;
-  std::optional<WarpView> view;    //!< nothing where the format does not tell what the warp looks up
-  std::vector<std::string> notes;  //!< what the file says that is not used
+  std::optional<WarpView> view;    //!< absent if the format leaves open what the warp looks up
+  std::vector<std::string> notes;  //!< parts of the file that are not used
 };
 
 //! Reads a warp of one of the formats below. Throws Error with file and line for numbers that are not finite or beyond 10,000, torn

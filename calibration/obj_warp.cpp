@@ -21,6 +21,9 @@ class ObjWarpParser {
     while (const auto line = text_.next()) {
       read_line(*line);
     }
+    if (positions_.empty() && textures_.empty()) {
+      throw Error(file_, "is not a Wavefront OBJ mesh", "a warp of this format has lines v, vt and f");
+    }
     if (positions_.empty() || triangles_.empty()) {
       throw Error(file_, positions_.empty() ? "has no vertices" : "has no faces",
                   "a warp needs lines v, vt and f: export it with texture coordinates");

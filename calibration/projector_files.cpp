@@ -62,14 +62,9 @@ void load_foreign_warp(const WarpFile& warp, const std::filesystem::path& path, 
     return;
   }
   loaded.source = WarpSource::lens_picture;
-  const auto& [orientation, frustum] = *foreign.view;
-  loaded.lens = frustum;
-  loaded.orientation = orientation;
-  loaded.notes.push_back(fmt::format(
-      "the warp's file shows a picture at yaw {:.2f}°, pitch {:.2f}°, roll {:.2f}°, from {:.2f}° to {:.2f}° "
-      "across and from {:.2f}° to {:.2f}° upwards",
-      orientation.yaw_deg, orientation.pitch_deg, orientation.roll_deg, frustum.left_deg, frustum.right_deg,
-      frustum.down_deg, frustum.up_deg));
+  loaded.lens = foreign.view->frustum;
+  loaded.orientation = foreign.view->orientation;
+  loaded.notes.push_back("the warp's file shows a picture at " + words_of(*foreign.view));
 }
 
 void load_warp(const WarpFile& warp, const std::filesystem::path& path, double aspect, LoadedProjector& loaded) {

@@ -62,7 +62,13 @@ class SkyskanParser {
   }
 
   void read_size(std::string_view line) {
+    const bool has_keys = std::ranges::any_of(values_, [](const auto& key) { return key.second.has_value(); });
     std::string_view rest = line;
+    if (!has_keys && !whole_number_of(take_word(rest))) {
+      throw Error(file_, fmt::format("is not a Sky-Skan warp: it begins with \"{}\"", shown_of(line)),
+                  "such a file begins with lines such as Dome Azimuth=0");
+    }
+    rest = line;
     const long long columns = text_.whole(take_word(rest), "the mesh's columns", 0, 1'000'000);
     const long long rows = text_.whole(take_word(rest), "the mesh's rows", 0, 1'000'000);
     if (!take_word(rest).empty()) {

@@ -96,7 +96,7 @@ TEST(DomeprojectionWarp, RefusesWhatItCannotRead) {
   EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";99999;1\n")), HasSubstr("has \"99999\" for the column"));
   EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";900;900\n")), HasSubstr("has 4 nodes for 901 columns and 901 rows"));
   EXPECT_THAT(problem(with_change(csv, ";1;1\n", ";1;0\n")), HasSubstr("has two nodes in column 1, row 0"));
-  EXPECT_THAT(problem("x;y;z;u;v;column;row\n"), HasSubstr("only flat warps of domeprojection"));
+  EXPECT_THAT(problem("x;y;z;u;v;column;row\n"), HasSubstr("is not a flat domeprojection warp"));
   EXPECT_THAT(problem(""), HasSubstr("is a mesh of 0 x 0 nodes"));
 }
 
@@ -415,6 +415,18 @@ TEST(WarpFormats, AreToldByContent) {
                                   6),
                       WarpFormat::domeprojection),
               HasSubstr("is a text in UTF-16"));
+}
+
+TEST(WarpFormats, FilesOfOtherKindsAreToldPlainly) {
+  EXPECT_THAT(refusal("Notes on projectors\n", WarpFormat::skyskan),
+              HasSubstr("is not a Sky-Skan warp: it begins with \"Notes on projectors\""));
+  EXPECT_THAT(refusal("Notes on projectors\n", WarpFormat::obj), HasSubstr("is not a Wavefront OBJ mesh"));
+  EXPECT_THAT(refusal("id;name;ra\n", WarpFormat::domeprojection), HasSubstr("its columns are \"id;name;ra\""));
+  EXPECT_THAT(refusal("Notes\n", WarpFormat::sciss), HasSubstr("is not a SCISS warp"));
+  EXPECT_THAT(refusal("1 2 3 4 5\n", WarpFormat::easyblend), HasSubstr("is not an EasyBlend mesh"));
+  EXPECT_THAT(refusal("<svg/>", WarpFormat::simcad), HasSubstr("is not a SimCAD warp"));
+  EXPECT_THAT(refusal(std::string("\x89PNG\r\n\0\0", 8), WarpFormat::obj),
+              HasSubstr("is a binary file, not a Wavefront"));
 }
 
 class WarpsOfOthers : public FolderTest {
