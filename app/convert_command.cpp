@@ -191,7 +191,7 @@ WarpMesh read_foreign(const std::filesystem::path& file) {
   return through_lens(0.0, warp.mesh, warp.view->orientation, warp.view->frustum);
 }
 
-WarpMesh read_mesh(const ConvertOptions& options) {
+WarpMesh read_warp_mesh(const ConvertOptions& options) {
   const std::filesystem::path from = options.from;
   switch (kind_of_source(from)) {
     case FileKind::bourke:
@@ -204,7 +204,7 @@ WarpMesh read_mesh(const ConvertOptions& options) {
 }
 
 void convert_mesh(const ConvertOptions& options) {
-  const WarpMesh mesh = read_mesh(options);
+  const WarpMesh mesh = read_warp_mesh(options);
   if (kind_of(options.to) == FileKind::map) {
     return write_map(options, mesh);
   }
