@@ -164,7 +164,7 @@ WarpMesh refined_for(const GridOffsets& grid, const WarpMesh& mesh) {
   const auto parts_of = [&](int nodes) { return std::max((wanted + nodes - 2) / (nodes - 1), 1); };
   const int across = parts_of(mesh.columns);
   const int down = parts_of(mesh.rows);
-  if (grid.points == 2 || mesh.topology == MeshTopology::polar || (across == 1 && down == 1)) {
+  if (grid.points == 2 || mesh.topology != MeshTopology::rectangular || (across == 1 && down == 1)) {
     return mesh;
   }
   WarpMesh fine;

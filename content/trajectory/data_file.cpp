@@ -52,6 +52,10 @@ std::uint64_t DataFile::size() const {
 }
 
 Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::string& place) const {
+  // A damaged file can claim any size.
+  if (const std::uint64_t all = size(); offset > all || count > all - offset) {
+    throw Error(place, "the file ends too early", "bake it again");
+  }
   Bytes bytes(count);
   std::uint64_t done = 0;
   while (done < count) {
