@@ -61,8 +61,6 @@ Entries entries_of(const GltfFile& file, const Accessor& accessor) {
   if (accessor.bufferView >= 0) {
     entries =
         entries_in(file, accessor.bufferView, accessor.byteOffset, accessor.count, entry_bytes_of(file, accessor));
-  } else if (!accessor.sparse.isSparse) {
-    throw file.error("has an accessor without a buffer, as compressed files do");
   }
   entries.component_type = accessor.componentType;
   entries.normalized = accessor.normalized;
@@ -152,7 +150,7 @@ std::vector<Number> all_numbers(const GltfFile& file, const Accessor& accessor) 
   return numbers;
 }
 
-//! The most entries that are taken where no buffer holds them: those of a sparse accessor, which are zero.
+//! Maximum number of entries without a buffer: they are zero (glTF 2.0, 3.6.2).
 constexpr std::size_t most_zero_entries = 4'000'000;
 
 }  // namespace

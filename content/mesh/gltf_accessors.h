@@ -46,7 +46,7 @@ struct GltfNumbers {
 std::size_t gltf_count(const GltfFile& file, int accessor);
 
 //! Reads an accessor of any component type: normalized integers become fractions, others numbers (glTF 2.0, 3.6.2 and
-//! KHR_mesh_quantization); sparse entries replace those of the buffer. Throws Error where its bytes are not in its buffer.
+//! KHR_mesh_quantization); sparse entries replace those of the buffer, which are zero without one. Throws Error where its bytes are not in its buffer.
 GltfNumbers gltf_numbers(const GltfFile& file, int accessor);
 
 //! Reads an accessor of whole numbers: indices, joints.

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "content/files/printable.h"
+#include "content/mesh/mesh_limits.h"
 #include "content/mesh/named_file.h"
 
 namespace ergodome {
@@ -25,7 +26,7 @@ using tinygltf::Value;
 struct TextureUse {
   int texture = -1;
   int set = 0;
-  const ExtensionMap* extensions = nullptr;
+  const Value* transform = nullptr;  //!< KHR_texture_transform
 };
 
 const Value* extension(const ExtensionMap& extensions, std::string_view name) {
@@ -50,6 +51,7 @@ std::array<double, 3> numbers_in(const Value& object, const std::string& key, st
 //! What is drawn of a material.
 struct Look {
   std::array<double, 3> color = {1.0, 1.0, 1.0};
+  double brightest = 1.0;
   double alpha = 1.0;
   TextureUse texture;
   bool glow_left_out = false;
@@ -59,7 +61,25 @@ TextureUse use_of(const Value& info) {
   TextureUse use;
   use.texture = static_cast<int>(number_in(info, "index").value_or(-1.0));
   use.set = static_cast<int>(number_in(info, "texCoord").value_or(0.0));
+  if (info.Has("extensions") && info.Get("extensions").Has(std::string(texture_transform))) {
+    use.transform = &info.Get("extensions").Get(std::string(texture_transform));
+  }
   return use;
+}
+
+TextureUse use_of(const tinygltf::TextureInfo& info) {
+  return {info.index, info.texCoord, extension(info.extensions, texture_transform)};
+}
+
+//! The light that a surface sends out itself. KHR_materials_emissive_strength multiplies it.
+std::array<double, 3> glow_of(const tinygltf::Material& material) {
+  std::array<double, 3> glow{};
+  const Value* const extended = extension(material.extensions, "KHR_materials_emissive_strength");
+  const double strength = extended != nullptr ? number_in(*extended, "emissiveStrength").value_or(1.0) : 1.0;
+  for (std::size_t i = 0; i < 3 && material.emissiveFactor.size() == 3; ++i) {
+    glow.at(i) = strength * material.emissiveFactor[i];
+  }
+  return glow;
 }
 
 Look look_of(const tinygltf::Material& material) {
@@ -69,19 +89,23 @@ Look look_of(const tinygltf::Material& material) {
     look.color.at(i) = base.baseColorFactor[i];
   }
   look.alpha = base.baseColorFactor.size() == 4 ? base.baseColorFactor[3] : 1.0;
-  look.texture = {base.baseColorTexture.index, base.baseColorTexture.texCoord, &base.baseColorTexture.extensions};
+  look.texture = use_of(base.baseColorTexture);
   if (const Value* const diffuse = extension(material.extensions, specular_glossiness)) {
     look.color = numbers_in(*diffuse, "diffuseFactor", {1.0, 1.0, 1.0});
+    const Value& factor = diffuse->Has("diffuseFactor") ? diffuse->Get("diffuseFactor") : Value();
+    const bool has_alpha = factor.IsArray() && factor.ArrayLen() == 4 && factor.Get(3).IsNumber();
+    look.alpha = has_alpha ? factor.Get(3).GetNumberAsDouble() : 1.0;
     look.texture = diffuse->Has("diffuseTexture") ? use_of(diffuse->Get("diffuseTexture")) : TextureUse();
   }
-  const std::vector<double>& glow = material.emissiveFactor;
-  const bool glows = glow.size() == 3 && std::ranges::max(glow) > 0.0;
+  const std::array<double, 3> glow = glow_of(material);
+  const bool glows = std::ranges::max(glow) > 0.0;
   const bool black = std::ranges::max(look.color) <= 0.0;
   if (glows && black) {
     // The surfaces of a show shine by themselves: a body that only glows is its glow.
-    std::ranges::copy(glow, look.color.begin());
+    look.color = glow;
+    look.brightest = brightest_glow;
     look.texture = {material.emissiveTexture.index, material.emissiveTexture.texCoord,
-                    &material.emissiveTexture.extensions};
+                    extension(material.emissiveTexture.extensions, texture_transform)};
   }
   look.glow_left_out = glows && !black;
   return look;
@@ -93,13 +117,26 @@ TextureWrap wrap_of(int wrap) {
                                                          : TextureWrap::repeat;
 }
 
-//! An image whose bytes are in the file itself.
+//! The ending of an image's name by its first bytes, otherwise by what the file calls it; empty: no kind that is read.
+std::string_view kind_of(const tinygltf::Image& image) {
+  const std::string_view bytes(reinterpret_cast<const char*>(image.image.data()), image.image.size());
+  if (bytes.starts_with("\x89PNG")) {
+    return "png";
+  }
+  if (bytes.starts_with("\xFF\xD8\xFF")) {
+    return "jpg";
+  }
+  const bool other = bytes.starts_with("RIFF") || bytes.starts_with("\xABKTX") || bytes.starts_with("DDS ");
+  const std::string& said = image.mimeType;
+  return other ? "" : said == "image/png" ? "png" : said == "image/jpeg" || said == "image/jpg" ? "jpg" : "";
+}
+
+//! An image whose bytes were read with the file.
 MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int index) {
-  const std::string_view kind = image.mimeType == "image/png"                                     ? "png"
-                                : image.mimeType == "image/jpeg" || image.mimeType == "image/jpg" ? "jpg"
-                                                                                                  : "";
+  const std::string_view kind = kind_of(image);
   if (kind.empty()) {
-    throw Error(file.place, "has an image inside the file that is neither PNG nor JPEG", "export it with such images");
+    throw Error(file.place, fmt::format("has image {} that is neither PNG nor JPEG", index),
+                "export it with such images");
   }
   // Few images of glTF files have names.
   const std::string name = image.name.empty() ? std::to_string(index) : printable(image.name.substr(0, 100));
@@ -114,8 +151,14 @@ void put_picture(const GltfFile& file, const TextureUse& use, const std::filesys
     part.wrap_u = wrap_of(sampler.wrapS);
     part.wrap_v = wrap_of(sampler.wrapT);
   }
+  if (texture.source < 0 && texture.extensions.empty()) {
+    throw Error(file.place, fmt::format("has texture {} without an image", use.texture), "export the mesh again");
+  }
   if (texture.source < 0) {
-    throw Error(file.place, "has a picture in a format that is not read (KTX2 or WebP)", "export it with PNG or JPEG");
+    throw Error(file.place,
+                fmt::format("has a texture in a format that is not read ({})",
+                            printable(texture.extensions.begin()->first.substr(0, 100))),
+                "export it with PNG or JPEG");
   }
   const tinygltf::Image& image = file.at(file.model.images, texture.source, "image");
   part.image = image.uri.empty() || !image.image.empty() ? image_inside(file, image, texture.source)
@@ -126,10 +169,14 @@ void put_picture(const GltfFile& file, const TextureUse& use, const std::filesys
 }  // namespace
 
 bool is_known_gltf_extension(std::string_view name) {
-  constexpr std::string_view known[] = {"KHR_mesh_quantization", texture_transform, specular_glossiness,
-                                        "KHR_lights_punctual",   "KHR_xmp",         "KHR_xmp_json_ld",
-                                        "KHR_animation_pointer"};
+  constexpr std::string_view known[] = {
+      "KHR_mesh_quantization", texture_transform,       specular_glossiness,  "KHR_lights_punctual", "KHR_xmp",
+      "KHR_xmp_json_ld",       "KHR_animation_pointer", "KHR_node_visibility"};
   return std::ranges::find(known, name) != std::end(known) || name.starts_with("KHR_materials_");
+}
+
+bool gltf_alpha_counts(const tinygltf::Material& material) {
+  return !material.alphaMode.empty() && material.alphaMode != "OPAQUE";
 }
 
 GltfTexturePlace gltf_texture_place(const GltfFile& file, int material) {
@@ -140,7 +187,7 @@ GltfTexturePlace gltf_texture_place(const GltfFile& file, int material) {
   const TextureUse use = look_of(file.at(file.model.materials, material, "material")).texture;
   place.textured = use.texture >= 0;
   place.set = use.set;
-  const Value* const transform = use.extensions != nullptr ? extension(*use.extensions, texture_transform) : nullptr;
+  const Value* const transform = use.transform;
   if (transform == nullptr) {
     return place;
   }
@@ -162,12 +209,13 @@ MeshPart gltf_part(const GltfFile& file, int number, const std::filesystem::path
   const tinygltf::Material& material = file.at(file.model.materials, number, "material");
   const Look look = look_of(material);
   std::ranges::transform(look.color, part.color.begin(),
-                         [](double light) { return static_cast<float>(std::clamp(light, 0.0, 1.0)); });
+                         [&](double light) { return static_cast<float>(std::clamp(light, 0.0, look.brightest)); });
   if (look.texture.texture >= 0) {
     put_picture(file, look.texture, folder, part);
   }
-  // Without a mode, alpha counts for nothing.
-  part.transparent = look.alpha < 1.0 && !material.alphaMode.empty() && material.alphaMode != "OPAQUE";
+  part.image_alpha_counts = gltf_alpha_counts(material);
+  part.transparent =
+      part.image_alpha_counts && look.alpha < (material.alphaMode == "MASK" ? material.alphaCutoff : 1.0);
   if (part.transparent) {
     builder.remark("has transparent materials, which are drawn opaque");
   }

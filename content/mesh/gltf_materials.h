@@ -21,6 +21,9 @@ struct GltfTexturePlace {
 //! requires another one is refused.
 bool is_known_gltf_extension(std::string_view name);
 
+//! Whether a material's alpha has an effect: its mode is MASK or BLEND.
+bool gltf_alpha_counts(const tinygltf::Material& material);
+
 //! Returns how the picture of a material lies on its triangles; -1 stands for no material.
 GltfTexturePlace gltf_texture_place(const GltfFile& file, int material);
 

@@ -64,6 +64,16 @@ std::vector<int> roots_of(const GltfFile& file, const std::vector<int>& parents)
   return roots;
 }
 
+//! Whether a node, with its children, is hidden by KHR_node_visibility.
+bool is_hidden(const tinygltf::Node& node) {
+  const auto found = node.extensions.find("KHR_node_visibility");
+  if (found == node.extensions.end() || !found->second.Has("visible")) {
+    return false;
+  }
+  const tinygltf::Value& visible = found->second.Get("visible");
+  return visible.IsBool() && !visible.Get<bool>();
+}
+
 }  // namespace
 
 GltfNodes gltf_nodes(const GltfFile& file) {
@@ -71,6 +81,7 @@ GltfNodes gltf_nodes(const GltfFile& file) {
   GltfNodes result;
   result.world.assign(file.model.nodes.size(), glm::dmat4(1.0));
   std::vector<bool> seen(file.model.nodes.size());
+  std::vector<bool> hidden(file.model.nodes.size());
   std::vector<int> open = roots_of(file, parents);
   while (!open.empty()) {
     const int index = open.back();
@@ -84,8 +95,11 @@ GltfNodes gltf_nodes(const GltfFile& file) {
     const int parent = parents[at];
     const bool hangs = parent >= 0 && seen[static_cast<std::size_t>(parent)];
     result.world[at] = (hangs ? result.world[static_cast<std::size_t>(parent)] : glm::dmat4(1.0)) * own_matrix(node);
+    hidden[at] = (hangs && hidden[static_cast<std::size_t>(parent)]) || is_hidden(node);
     if (node.mesh >= 0) {
       file.at(file.model.meshes, node.mesh, "mesh");
+    }
+    if (node.mesh >= 0 && !hidden[at]) {
       result.instances.push_back({index, node.mesh});
     }
     open.insert(open.end(), node.children.begin(), node.children.end());

@@ -19,7 +19,7 @@ struct GltfNodes {
   std::vector<glm::dmat4> world;  //!< of each node: from its own space to the scene's
 };
 
-//! Walks through the nodes. Throws Error where a node has two parents, as the format forbids: a few nodes could stand for
+//! Walks through the nodes; those that KHR_node_visibility hides place no meshes, nor do their children. Throws Error where a node has two parents, as the format forbids: a few nodes could stand for
 //! billions.
 GltfNodes gltf_nodes(const GltfFile& file);
 

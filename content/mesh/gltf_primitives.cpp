@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <numeric>
 
+#include "content/files/printable.h"
 #include "content/files/reading_stop.h"
 #include "content/mesh/gltf_materials.h"
 
@@ -18,6 +19,7 @@ namespace ergodome {
 
 namespace {
 
+using tinygltf::Accessor;
 using Triangle = std::array<std::uint32_t, 3>;
 
 //! Reads an attribute of a primitive, for all of its vertices. Empty where it has none. Throws Error where it has another
@@ -125,7 +127,9 @@ class Placer {
       // By the cofactors, which are the inverse's transpose but for a factor, and there for flat matrices, too.
       const glm::dmat3 m(matrix);
       const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-      const glm::dvec3 normal = cofactors * vector_of(shape_.normals[i]);
+      // Mirrors turn cofactors over against the inverse's transpose.
+      const double side = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+      const glm::dvec3 normal = side * (cofactors * vector_of(shape_.normals[i]));
       const double length = glm::length(normal);
       put(length > 0.0 ? normal / length : glm::dvec3(0.0), vertex.normal);
     }
@@ -179,6 +183,15 @@ Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const
   if (found == primitive.attributes.end()) {
     return shape;
   }
+  const Accessor& positions = file.at(file.model.accessors, found->second, "accessor");
+  if (positions.bufferView < 0 && !positions.sparse.isSparse) {
+    throw primitive.extensions.empty()
+        ? file.error("has positions without a buffer")
+        : Error(file.place,
+                fmt::format("has triangles in the glTF extension {}, which is not read",
+                            printable(primitive.extensions.begin()->first.substr(0, 100))),
+                "export it without that extension");
+  }
   shape.positions = gltf_numbers(file, found->second);
   if (shape.positions.components != 3) {
     throw file.error("has positions that are not three numbers");
@@ -197,12 +210,20 @@ Shape shape_of(const GltfFile& file, const tinygltf::Primitive& primitive, const
   return shape;
 }
 
-void remark_on(const tinygltf::Primitive& primitive, const Shape& shape, const GltfTexturePlace& texture,
-               const GltfPlacement& placement, MeshBuilder& builder) {
+void remark_on(const GltfFile& file, const tinygltf::Primitive& primitive, const Shape& shape,
+               const GltfTexturePlace& texture, const GltfPlacement& placement, MeshBuilder& builder) {
   if (texture.textured && shape.textures.values.empty()) {
     builder.remark(fmt::format(
         "has triangles without the texture coordinates of their texture (TEXCOORD_{}); they show a single corner of it",
         texture.set));
+  }
+  const bool cut =
+      primitive.material >= 0 && gltf_alpha_counts(file.at(file.model.materials, primitive.material, "material"));
+  for (std::size_t i = 0; cut && shape.colors.components == 4 && i < shape.colors.count(); ++i) {
+    if (shape.colors[i][3] < 1.0F) {
+      builder.remark("has transparent vertex colors, which are drawn opaque");
+      break;
+    }
   }
   if (!placement.joints.empty() && primitive.attributes.contains("JOINTS_1")) {
     builder.remark("has vertices with more than four joints; only the first four are used");
@@ -215,6 +236,7 @@ void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primiti
                         MeshBuilder& builder) {
   const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode < TINYGLTF_MODE_TRIANGLES) {
+    builder.remark("has points or lines, which are not drawn");
     return;
   }
   const GltfTexturePlace texture = gltf_texture_place(file, primitive.material);
@@ -237,7 +259,7 @@ void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primiti
   const std::vector<Triangle> triangles = triangles_of(file, mode, order);
   const bool flat = shape.normals.values.empty();
   builder.reserve(triangles.size(), flat ? 3 * triangles.size() : shape.positions.count());
-  remark_on(primitive, shape, texture, placement, builder);
+  remark_on(file, primitive, shape, texture, placement, builder);
   const Placer placer(file, shape, placement, texture);
   std::vector<std::uint32_t> placed;
   for (std::size_t i = 0; i < shape.positions.count() && !flat && !triangles.empty(); ++i) {

@@ -68,17 +68,35 @@ bool is_picture(const std::string& name) {
   return std::ranges::find(endings, ending) != std::end(endings);
 }
 
+bool is_data(std::string_view name) { return name.starts_with("data:"); }
+
+//! Decodes a data URI (RFC 2397) of a media type that the loader does not know. False where it is not in base 64.
+bool decode_data(const std::string& name, std::vector<unsigned char>& bytes) {
+  constexpr std::string_view coding = ";base64,";
+  const std::size_t head = name.substr(0, name.find(',') + 1).find(coding);
+  if (head == std::string::npos) {
+    return false;
+  }
+  std::string digits = name.substr(head + coding.size());
+  std::ranges::replace(digits, ' ', '+');  // the loader takes a plus sign in a URI for a blank
+  std::string media_type;
+  return tinygltf::DecodeDataURI(&bytes, media_type, "data:application/octet-stream;base64," + digits, 0, false);
+}
+
 tinygltf::FsCallbacks callbacks_of(FilesBeside& files) {
   tinygltf::FsCallbacks callbacks = {};
   callbacks.user_data = &files;
   callbacks.FileExists = [](const std::string& name, void* data) {
-    return is_picture(name) || !static_cast<FilesBeside*>(data)->find(name).empty();
+    return is_picture(name) || is_data(name) || !static_cast<FilesBeside*>(data)->find(name).empty();
   };
   callbacks.ExpandFilePath = [](const std::string& name, void* /*data*/) { return name; };
   callbacks.ReadWholeFile = [](std::vector<unsigned char>* bytes, std::string* /*error*/, const std::string& name,
                                void* data) {
     if (is_picture(name)) {
       return false;
+    }
+    if (is_data(name)) {
+      return decode_data(name, *bytes);
     }
     auto& beside = *static_cast<FilesBeside*>(data);
     const std::filesystem::path file = beside.find(name);
@@ -113,6 +131,31 @@ std::string first_line(const std::string& text) {
   return printable(text.substr(0, std::min(text.find('\n'), longest)));
 }
 
+//! Throws Error if the file requires an unsupported extension (glTF 2.0, 3.12).
+void require_known_extensions(const GltfFile& file) {
+  for (const std::string& name : file.model.extensionsRequired) {
+    if (!is_known_gltf_extension(name)) {
+      throw Error(file.place, fmt::format("requires the glTF extension {}, which is not read", first_line(name)),
+                  "export it without that extension");
+    }
+  }
+}
+
+//! Throws Error if the file is of another version, requires an unsupported extension, or is a GLB with a second buffer that
+//! has no data of its own.
+void require_readable(const GltfFile& file, bool binary) {
+  if (!file.model.asset.version.starts_with("2.")) {
+    throw Error(file.place, fmt::format("is glTF {}", first_line(file.model.asset.version)), "export it as glTF 2.0");
+  }
+  require_known_extensions(file);
+  for (std::size_t i = 1; binary && i < file.model.buffers.size(); ++i) {
+    if (file.model.buffers[i].uri.empty()) {
+      throw Error(file.place, fmt::format("has buffer {} without data, as files with meshopt compression do", i),
+                  "export it without compression");
+    }
+  }
+}
+
 void load(std::string_view bytes, bool binary, const std::string& place, const std::filesystem::path& folder,
           tinygltf::Model& model) {
   require_bounded_gltf(binary ? json_in_glb(bytes, place) : bytes, place);
@@ -129,6 +172,9 @@ void load(std::string_view bytes, bool binary, const std::string& place, const s
   const bool loaded = binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
                                                            reinterpret_cast<const unsigned char*>(text), size)
                              : loader.LoadASCIIFromString(&model, &problem, &warning, text, size, "");
+  if (!loaded) {
+    require_known_extensions({model, place});
+  }
   if (!files.problem.empty()) {
     throw Error(place, "names a file that cannot be read: " + files.problem, "put a whole one there");
   }
@@ -137,19 +183,6 @@ void load(std::string_view bytes, bool binary, const std::string& place, const s
   }
   if (!loaded) {
     throw Error(place, "is not a glTF file that can be read: " + first_line(problem), wanted_meshes);
-  }
-}
-
-//! Throws Error where the file is of another version, or requires what is not read (glTF 2.0, 3.12).
-void require_known_extensions(const GltfFile& file) {
-  if (!file.model.asset.version.starts_with("2.")) {
-    throw Error(file.place, fmt::format("is glTF {}", first_line(file.model.asset.version)), "export it as glTF 2.0");
-  }
-  for (const std::string& name : file.model.extensionsRequired) {
-    if (!is_known_gltf_extension(name)) {
-      throw Error(file.place, fmt::format("requires the glTF extension {}, which is not read", first_line(name)),
-                  "export it without that extension");
-    }
   }
 }
 
@@ -194,7 +227,7 @@ TriangleMesh read_gltf(std::string_view bytes, bool binary, const std::string& p
   tinygltf::Model model;
   load(bytes, binary, place, folder, model);
   const GltfFile file{model, place};
-  require_known_extensions(file);
+  require_readable(file, binary);
   const GltfNodes nodes = gltf_nodes(file);
   MeshBuilder builder(place);
   for (const GltfInstance& instance : nodes.instances) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -34,7 +35,8 @@ std::vector<fs::path> files_of_gltf(std::string_view text, const fs::path& folde
     const std::size_t end = begin == std::string::npos ? begin : text.find('"', begin + 1);
     // Data that stands in the file itself is no name, and long.
     if (end != std::string::npos && end - begin < 4096) {
-      add_file(folder, text.substr(begin + 1, end - begin - 1), files);
+      const auto name = nlohmann::json::parse(text.substr(begin, end - begin + 1), nullptr, false);
+      add_file(folder, name.is_string() ? name.get<std::string>() : "", files);
     }
   }
   return files;

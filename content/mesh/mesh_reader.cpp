@@ -50,7 +50,8 @@ TriangleMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::st
     throw Error(place,
                 mesh.dropped_triangles > 0
                     ? fmt::format("has {}, all without area", counted(mesh.dropped_triangles, "triangle"))
-                    : std::string("has no triangles"),
+                : mesh.remarks.empty() ? std::string("has no triangles")
+                                       : fmt::format("has no triangles; it {}", mesh.remarks.front()),
                 wanted_meshes);
   }
   return mesh;

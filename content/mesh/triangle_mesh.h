@@ -28,7 +28,8 @@ struct MeshPart {
   MeshImage image;
   TextureWrap wrap_u = TextureWrap::repeat;
   TextureWrap wrap_v = TextureWrap::repeat;
-  bool transparent = false;  //!< its file says so; it is drawn opaque
+  bool transparent = false;        //!< its file says so; it is drawn opaque
+  bool image_alpha_counts = true;  //!< alpha of the image is meant as transparency
 };
 
 //! A surface of triangles, in a unit and about a middle of its own. Their corners run counterclockwise as seen from outside.

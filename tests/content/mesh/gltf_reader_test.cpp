@@ -290,5 +290,151 @@ TEST(GltfReader, RefusesWhatIsNotInItsBuffers) {
   EXPECT_THAT(with("\"version\":\"2.0\"", "\"version\":\"1.0\""), HasSubstr("is glTF 1.0"));
 }
 
+TEST(GltfReader, NormalsOfMirroredNodesPointOutwards) {
+  const TriangleMesh mesh = read_mesh(meshes / "negative_scale.gltf");
+  for (const std::uint32_t index : mesh.indices) {
+    EXPECT_THAT(mesh.vertices.at(index).normal, ElementsAre(0.0F, 0.0F, 1.0F));
+  }
+  const auto& a = mesh.vertices.at(mesh.indices.at(0)).position;
+  const auto& b = mesh.vertices.at(mesh.indices.at(1)).position;
+  const auto& c = mesh.vertices.at(mesh.indices.at(2)).position;
+  EXPECT_GT((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0.0F) << "counterclockwise from outside";
+}
+
+TEST(GltfReader, HiddenNodesAreNotDrawnNorAreTheirChildren) {
+  const TriangleMesh mesh = read_mesh(meshes / "hidden_node.gltf");
+  EXPECT_EQ(mesh.triangle_count(), 1);
+  EXPECT_EQ(mesh.vertices.at(mesh.indices.at(0)).position[0], 0.0F);
+  const std::string visible = R"([{"mesh":0,"extensions":{"KHR_node_visibility":{"visible":true}}}])";
+  EXPECT_EQ(gltf_mesh(one_triangle(visible)).triangle_count(), 1);
+}
+
+TEST(GltfReader, RemarksOnPointsAndLines) {
+  const TriangleMesh mesh = read_mesh(meshes / "lines_beside_triangles.gltf");
+  EXPECT_EQ(mesh.triangle_count(), 1);
+  EXPECT_THAT(mesh.remarks, ElementsAre(HasSubstr("points or lines")));
+}
+
+TEST(GltfReader, NamesFormatsOfTexturesThatAreNotRead) {
+  EXPECT_THAT(error_of([] { read_mesh(meshes / "webp_only.gltf"); }), HasSubstr("EXT_texture_webp"));
+  EXPECT_THAT(read_mesh(meshes / "webp_with_png.gltf").parts.at(0).image.name, testing::EndsWith("quad.png"));
+}
+
+//! A textured triangle; JSON of its image.
+std::string with_image(const std::string& image) {
+  GltfText file;
+  file.add_floats(corners, "VEC3", 3);
+  file.add_floats({0, 0, 1, 0, 0, 1}, "VEC2", 2);
+  return file.text(R"({"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0})", R"([{"mesh":0}])",
+                   fmt::format(R"(,"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0}}}}}}],
+                                  "textures":[{{"source":0}}],"images":[{}])",
+                               image));
+}
+
+TEST(GltfReader, TellsImagesInsideTheFileByTheirBytes) {
+  const std::string png = base64("\x89PNG and more");
+  for (const char* const type : {"image/png", "image/jpeg", "application/octet-stream", ""}) {
+    const TriangleMesh mesh = gltf_mesh(with_image(fmt::format(R"({{"uri":"data:{};base64,{}"}})", type, png)));
+    EXPECT_THAT(mesh.parts.at(0).image.name, testing::EndsWith(".png")) << type;
+  }
+  for (const char* const type : {"image/png", "image/webp"}) {
+    const std::string image = fmt::format(R"({{"uri":"data:{};base64,{}"}})", type, base64("RIFF....WEBPVP8 "));
+    EXPECT_THAT(error_of([&] { gltf_mesh(with_image(image)); }), HasSubstr("image 0 that is neither PNG nor JPEG"));
+  }
+}
+
+TEST(GltfReader, AlphaOfPicturesCountsByTheModeOfTheMaterial) {
+  const std::string image = R"({"uri":"data:image/png;base64,aGVsbG8="})";
+  std::string text = with_image(image);
+  EXPECT_FALSE(gltf_mesh(text).parts.at(0).image_alpha_counts);
+  text.insert(text.find(R"("pbrMetallicRoughness")"), R"("alphaMode":"MASK",)");
+  EXPECT_TRUE(gltf_mesh(text).parts.at(0).image_alpha_counts);
+}
+
+TEST(GltfReader, RemarksOnTransparencyThatTheMaterialAsksFor) {
+  const auto remarks = [](const char* material, float alpha) {
+    GltfText file;
+    file.add_floats(corners, "VEC3", 3);
+    file.add_floats({1, 1, 1, 1, 1, 1, 1, alpha, 1, 1, 1, 1}, "VEC4", 4);
+    return gltf_mesh(file.text(R"({"attributes":{"POSITION":0,"COLOR_0":1},"material":0})", R"([{"mesh":0}])",
+                               fmt::format(",\"materials\":[{}]", material)))
+        .remarks;
+  };
+  EXPECT_THAT(remarks(R"({"alphaMode":"BLEND"})", 0.5F), ElementsAre(HasSubstr("transparent vertex colors")));
+  EXPECT_THAT(remarks(R"({"alphaMode":"BLEND"})", 1.0F), IsEmpty());
+  EXPECT_THAT(remarks("{}", 0.5F), IsEmpty());
+  const char* const below = R"({"alphaMode":"MASK","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.4]}})";
+  const char* const above = R"({"alphaMode":"MASK","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.6]}})";
+  EXPECT_THAT(remarks(below, 1.0F), ElementsAre(HasSubstr("drawn opaque")));
+  EXPECT_THAT(remarks(above, 1.0F), IsEmpty()) << "the cutoff is 0.5";
+}
+
+TEST(GltfReader, TheStrengthOfAGlowMultipliesIt) {
+  EXPECT_THAT(read_mesh(meshes / "emissive_strength.gltf").parts.at(0).color, ElementsAre(4.0F, 2.0F, 1.0F));
+}
+
+TEST(GltfReader, DiffuseTexturesAreTransformedLikeOthers) {
+  const TriangleMesh mesh = read_mesh(meshes / "spec_gloss_transform.gltf");
+  EXPECT_THAT(mesh.parts.at(0).color, ElementsAre(1.0F, 0.5F, 0.25F));
+  EXPECT_THAT(mesh.vertices.at(1).texture, ElementsAre(2.5F, 0.75F));
+}
+
+TEST(GltfReader, AccessorsWithoutABufferAreZero) {
+  EXPECT_EQ(read_mesh(meshes / "zero_morph.gltf").vertices.at(1).position[0], 1.0F);
+  GltfText file;
+  file.add(std::vector<std::uint8_t>{1, 2}, 5121, "SCALAR", 1);
+  file.add_floats({1, 0, 0, 0, 1, 0}, "VEC3", 3);
+  std::string text = file.text(R"({"attributes":{"POSITION":0}})");
+  const std::string accessor = R"({"bufferView":0,"componentType":5121,"count":2,"type":"SCALAR"})";
+  text.replace(text.find(accessor), accessor.size(), R"({"componentType":5126,"count":3,"type":"VEC3","sparse":
+      {"count":2,"indices":{"bufferView":0,"componentType":5121},"values":{"bufferView":1}}})");
+  const TriangleMesh mesh = gltf_mesh(text);
+  EXPECT_THAT(mesh.vertices.at(0).position, ElementsAre(0.0F, 0.0F, 0.0F));
+  EXPECT_THAT(mesh.vertices.at(2).position, ElementsAre(0.0F, 1.0F, 0.0F));
+}
+
+TEST(GltfReader, EntriesMayLieApartInTheirBuffer) {
+  // Positions and normals by turns, as in BoxInterleaved.
+  GltfText file;
+  file.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}, "VEC3", 3);
+  std::string text = file.text(R"({"attributes":{"POSITION":0,"NORMAL":1}})");
+  const std::string view = R"("byteLength":72}])";
+  text.replace(text.rfind(view), view.size(), R"("byteLength":72,"byteStride":24}])");
+  const std::string accessor = R"({"bufferView":0,"componentType":5126,"count":6,"type":"VEC3"})";
+  text.replace(text.find(accessor), accessor.size(),
+               R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+                  {"bufferView":0,"byteOffset":12,"componentType":5126,"count":3,"type":"VEC3"})");
+  const TriangleMesh mesh = gltf_mesh(text);
+  EXPECT_THAT(mesh.vertices.at(1).position, ElementsAre(1.0F, 0.0F, 0.0F));
+  EXPECT_THAT(mesh.vertices.at(2).normal, ElementsAre(0.0F, 0.0F, 1.0F));
+}
+
+TEST(GltfReader, NamesTheCompressionThatKeepsTrianglesFromIt) {
+  EXPECT_THAT(error_of([] { read_mesh(meshes / "draco_without_fallback.gltf"); }),
+              HasSubstr("KHR_draco_mesh_compression"));
+  EXPECT_THAT(error_of([] { read_mesh(meshes / "meshopt_fallback.glb"); }), HasSubstr("buffer 1 without data"));
+}
+
+TEST(GltfReader, RequiredExtensionsAreNamedBeforeWhatTheyLeadTo) {
+  std::string text = one_triangle(R"([{"mesh":0}])", R"(,"extensionsRequired":["EXT_meshopt_compression"])");
+  text.replace(text.find(R"("uri":"data:)"), 12, R"("other":"data:)");
+  EXPECT_THAT(error_of([&] { gltf_mesh(text); }), HasSubstr("requires the glTF extension EXT_meshopt_compression"));
+}
+
+TEST(GltfReader, ReadsDataOfAnyMediaType) { EXPECT_EQ(read_mesh(meshes / "untyped_data.gltf").triangle_count(), 1); }
+
+TEST(GltfReader, WhatNoSceneShowsIsNotDrawn) {
+  const char* const nodes = R"([{"matrix":[2,0,0,0, 0,3,0,0, 0,0,1,0, 7,8,9,1],"mesh":0},{"mesh":0}])";
+  const TriangleMesh mesh = gltf_mesh(one_triangle(nodes));
+  EXPECT_EQ(mesh.triangle_count(), 1);
+  EXPECT_THAT(mesh.vertices.at(1).position, ElementsAre(9.0F, 8.0F, 9.0F));
+  std::string text = one_triangle(nodes);
+  const std::string scenes = R"("scene":0,"scenes":[{"nodes":[0]}],)";
+  EXPECT_EQ(gltf_mesh(text.replace(text.find(scenes), scenes.size(), "")).triangle_count(), 2) << "without a scene all";
+  text = one_triangle(nodes);
+  text.replace(text.find(scenes), scenes.size(), R"("scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}],)");
+  EXPECT_THAT(gltf_mesh(text).vertices.at(1).position, ElementsAre(1.0F, 0.0F, 0.0F)) << "the default scene";
+}
+
 }  // namespace
 }  // namespace ergodome
