@@ -69,10 +69,25 @@ std::string name_beside_mesh(std::string name) {
   return drive || name.starts_with('/') ? std::filesystem::path(name).filename().string() : name;
 }
 
+//! A name in Latin-1, as old Windows programs write it, in UTF-8.
+std::string from_latin_1(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80U) {
+      text += c;
+    } else {
+      text += static_cast<char>(0xC0U | (byte >> 6U));
+      text += static_cast<char>(0x80U | (byte & 0x3FU));
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::filesystem::path file_of_mesh(const std::filesystem::path& folder, const std::string& name) {
-  for (const std::string& each : {name, decoded(name), name_beside_mesh(name)}) {
+  for (const std::string& each : {name, decoded(name), name_beside_mesh(name), from_latin_1(name_beside_mesh(name))}) {
     if (std::filesystem::path found = file_inside(folder, each); !found.empty()) {
       return found;
     }

@@ -25,8 +25,10 @@ ObjLines::ObjLines(std::string_view text) : left_(text) {
 
 bool ObjLines::next() {
   const auto take_line = [&] {
-    const std::string_view line = left_.substr(0, left_.find('\n'));
-    left_.remove_prefix(std::min(line.size() + 1, left_.size()));
+    // Lines of old Macintosh files end with a carriage return alone.
+    const std::string_view line = left_.substr(0, left_.find_first_of("\r\n"));
+    const std::string_view ending = left_.substr(line.size(), 2);
+    left_.remove_prefix(line.size() + (ending == "\r\n" ? 2 : std::min<std::size_t>(ending.size(), 1)));
     ++next_line_;
     return trimmed(line);
   };

@@ -1,6 +1,7 @@
 #include "content/mesh/obj_materials.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "content/mesh/named_file.h"
 #include "content/mesh/obj_lines.h"
@@ -11,32 +12,50 @@ namespace {
 
 bool take_color(std::string_view text, std::array<float, 3>& color) {
   std::array<double, 3> numbers{};
-  if (!take_number(text, numbers[0])) {
-    return false;  // "spectral" and "xyz" name other spaces, which no program writes.
+  std::size_t count = 0;
+  while (count < 3 && take_number(text, numbers.at(count))) {
+    ++count;
+  }
+  const std::string_view behind = take_word_of(text);
+  if (count == 0 || (count < 3 && !behind.empty() && behind.front() != '#')) {
+    return false;  // such as "spectral" and "xyz", which name other spaces
   }
   // One number stands for three.
-  for (std::size_t i = 1; i < 3; ++i) {
-    numbers.at(i) = take_number(text, numbers.at(i)) ? numbers.at(i) : numbers[0];
+  for (; count < 3; ++count) {
+    numbers.at(count) = numbers[0];
   }
   std::ranges::transform(numbers, color.begin(), [](double number) { return static_cast<float>(number); });
   return true;
 }
 
+//! Some programs write "map_kd" and "KD".
+std::string lower_case(std::string_view keyword) {
+  std::string lower(keyword);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
 void read_statement(const ObjLines& lines, ObjMaterial& material) {
   std::string_view rest = lines.rest();
-  const std::string_view keyword = lines.keyword();
+  const std::string keyword = lower_case(lines.keyword());
   double number = 0.0;
-  if (keyword == "Kd") {
-    material.has_diffuse = take_color(rest, material.diffuse) || material.has_diffuse;
-  } else if (keyword == "Ke") {
+  if (keyword == "kd") {
+    const bool read = take_color(rest, material.diffuse);
+    material.has_diffuse = read || material.has_diffuse;
+    material.diffuse_unread = material.diffuse_unread || !read;
+  } else if (keyword == "ke") {
     take_color(rest, material.emission);
-  } else if (keyword == "map_Kd") {
+  } else if (keyword == "map_kd") {
     material.diffuse_texture = obj_texture(rest);
-  } else if (keyword == "map_Ke") {
+  } else if (keyword == "map_ke") {
     material.emission_texture = obj_texture(rest);
-  } else if (keyword == "d" && take_number(rest, number)) {
-    material.transparent = material.transparent || number < 1.0;
-  } else if (keyword == "Tr" && take_number(rest, number)) {
+  } else if (keyword == "map_d") {
+    material.transparent = true;
+  } else if (keyword == "d") {
+    std::string_view behind = rest;
+    rest = take_word_of(behind) == "-halo" ? behind : rest;
+    material.transparent = material.transparent || (take_number(rest, number) && number < 1.0);
+  } else if (keyword == "tr" && take_number(rest, number)) {
     // The inverse of d. Old programs wrote d's value here; a wholly transparent body was not meant.
     material.transparent = material.transparent || (number > 0.0 && number < 1.0);
   }
@@ -48,7 +67,7 @@ void add_obj_materials(std::string_view text, ObjMaterials& materials) {
   ObjMaterial ignored;
   ObjMaterial* current = &ignored;
   for (ObjLines lines(text); lines.next();) {
-    if (lines.keyword() == "newmtl") {
+    if (lower_case(lines.keyword()) == "newmtl") {
       const auto [at, is_new] = materials.try_emplace(std::string(unquoted(lines.rest())));
       current = is_new ? &at->second : &ignored;
     } else {

@@ -21,6 +21,7 @@ struct ObjTexture {
 struct ObjMaterial {
   std::array<float, 3> diffuse = {0.6F, 0.6F, 0.6F};
   bool has_diffuse = false;
+  bool diffuse_unread = false;  //!< Kd is there, but no three numbers: a spectrum, or numbers with decimal commas
   std::array<float, 3> emission = {0.0F, 0.0F, 0.0F};
   ObjTexture diffuse_texture;
   ObjTexture emission_texture;

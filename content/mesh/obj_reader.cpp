@@ -48,7 +48,8 @@ struct Face {
 
 struct Vertex {
   Vector3<double> position;
-  std::array<float, 3> color;
+  std::array<float, 3> color;  //!< as the file has it, then linear light
+  bool has_color;
 };
 
 class ObjReader {
@@ -66,6 +67,7 @@ class ObjReader {
       std::ranges::for_each(faces_, [](Face& face) { face.smoothing_group = 1; });
     }
     build();
+    remark_on_statements();
     remark_on_materials();
     return builder_.take([this](int material) { return part_of(material); });
   }
@@ -73,6 +75,7 @@ class ObjReader {
  private:
   void read_statement(std::string_view keyword, std::string_view rest);
   void read_vertex(std::string_view rest);
+  void read_texture(std::string_view rest);
   void read_face(std::string_view rest);
   [[nodiscard]] std::int64_t take_index(std::string_view& word, std::size_t count) const;
   void read_libraries(std::string_view rest);
@@ -81,11 +84,13 @@ class ObjReader {
   void build();
   void build_face(const Face& face);
   void sum_normals();
+  void decode_colors();
   [[nodiscard]] Vector3<double> position(const Face& face, std::size_t corner) const;
   [[nodiscard]] Vector3<double> face_normal(const Face& face) const;
   [[nodiscard]] Vector3<double> normal_of(const Face& face, const Corner& corner) const;
   [[nodiscard]] const ObjMaterial* material_of(int number) const;
   [[nodiscard]] MeshPart part_of(int material);
+  void remark_on_statements();
   void remark_on_materials();
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
     return {fmt::format("{}:{}", builder_.place(), line_), problem, remedy};
@@ -106,6 +111,10 @@ class ObjReader {
   int material_ = no_material;
   long smoothing_group_ = 0;
   bool has_colors_ = false;
+  float brightest_color_ = 0.0F;
+  bool colors_are_whole_ = true;
+  bool has_lines_ = false;
+  bool has_free_forms_ = false;
   bool smooth_by_groups_ = false;
   long line_ = 0;
   //! Sums of the normals of the faces of a smoothing group at a vertex.
@@ -119,9 +128,7 @@ void ObjReader::read_statement(std::string_view keyword, std::string_view rest) 
   if (keyword == "v") {
     read_vertex(rest);
   } else if (keyword == "vt") {
-    take_number(rest, a);
-    take_number(rest, b);
-    textures_.push_back({static_cast<float>(a), static_cast<float>(b)});
+    read_texture(rest);
   } else if (keyword == "vn") {
     const bool whole = take_number(rest, a) && take_number(rest, b) && take_number(rest, c);
     normals_.push_back(whole ? Vector3<double>{a, b, c} : Vector3<double>{0.0, 0.0, 0.0});
@@ -131,10 +138,29 @@ void ObjReader::read_statement(std::string_view keyword, std::string_view rest) 
     smooth_by_groups_ = true;
     smoothing_group_ = rest == "on" ? 1 : take_number(rest, a) ? std::lround(std::clamp(a, 0.0, 1e9)) : 0;
   } else if (keyword == "usemtl") {
-    material_ = material_number(unquoted(rest));
+    material_ = rest.empty() ? no_material : material_number(unquoted(rest));
   } else if (keyword == "mtllib") {
     read_libraries(rest);
+  } else if (keyword == "l" || keyword == "p") {
+    has_lines_ = true;
+  } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
+    has_free_forms_ = true;
   }
+}
+
+//! Reads one or two texture coordinates. Non-finite ones, such as 1.#QNAN of Windows programs, become 0.
+void ObjReader::read_texture(std::string_view rest) {
+  std::array<float, 2> at{};
+  for (float& coordinate : at) {
+    double number = 0.0;
+    const bool is_number = take_number(rest, number);
+    const std::string_view word = is_number ? std::string_view() : take_word_of(rest);
+    if (!word.empty() && word.find('#') == std::string_view::npos) {
+      throw error("has texture coordinates that are not numbers", face_remedy);
+    }
+    coordinate = is_number && std::isfinite(number) ? static_cast<float>(number) : 0.0F;
+  }
+  textures_.push_back(at);
 }
 
 void ObjReader::read_vertex(std::string_view rest) {
@@ -146,12 +172,14 @@ void ObjReader::read_vertex(std::string_view rest) {
   if (count < 3) {
     throw error("has a vertex that is not three numbers", face_remedy);
   }
-  Vertex vertex = {{numbers[0], numbers[1], numbers[2]}, {1.0F, 1.0F, 1.0F}};
-  if (count >= 6) {
+  Vertex vertex = {{numbers[0], numbers[1], numbers[2]}, {1.0F, 1.0F, 1.0F}, count >= 6};
+  if (vertex.has_color) {
     has_colors_ = true;
     const std::size_t first = count == 7 ? 4 : 3;  // behind a weight, which only curves have
     for (std::size_t i = 0; i < 3; ++i) {
-      vertex.color.at(i) = srgb_decoded(static_cast<float>(std::clamp(numbers.at(first + i), 0.0, 1.0)));
+      vertex.color.at(i) = static_cast<float>(std::clamp(numbers.at(first + i), 0.0, 255.0));
+      brightest_color_ = std::max(brightest_color_, vertex.color.at(i));
+      colors_are_whole_ = colors_are_whole_ && vertex.color.at(i) == std::floor(vertex.color.at(i));
     }
   }
   vertices_.push_back(vertex);
@@ -173,7 +201,10 @@ std::int64_t ObjReader::take_index(std::string_view& word, std::size_t count) co
   }
   // Negative numbers count back from the last one so far.
   const auto index = static_cast<std::int64_t>(number);
-  return index > 0 ? index - 1 : static_cast<std::int64_t>(count) + index;
+  constexpr std::int64_t before_the_first = -2;
+  return index > 0 ? index - 1
+                   : (-index > static_cast<std::int64_t>(count) ? before_the_first
+                                                                : static_cast<std::int64_t>(count) + index);
 }
 
 void ObjReader::read_face(std::string_view rest) {
@@ -191,6 +222,7 @@ void ObjReader::read_face(std::string_view rest) {
   }
   const std::size_t count = corners_.size() - first;
   if (count < 3) {
+    has_lines_ = true;
     corners_.resize(first);
     return;
   }
@@ -233,7 +265,7 @@ int ObjReader::material_number(std::string_view name) {
 
 //! Throws Error where the file breaks off within a face. One that breaks off between two faces is a smaller mesh.
 void ObjReader::check_end(std::string_view text) const {
-  const std::size_t line = text.rfind('\n');
+  const std::size_t line = text.find_last_of("\r\n");
   std::string_view last = line == std::string_view::npos ? text : text.substr(line + 1);
   if (take_word_of(last) != "f") {
     return;
@@ -286,6 +318,16 @@ Vector3<double> ObjReader::normal_of(const Face& face, const Corner& corner) con
   return length > 0.0 ? (1.0 / length) * sum : Vector3<double>{0.0, 0.0, 0.0};
 }
 
+//! Decodes the colors of vertices from sRGB. Whole numbers above 1 are those from 0 to 255.
+void ObjReader::decode_colors() {
+  const float white = colors_are_whole_ && brightest_color_ > 1.0F ? 255.0F : 1.0F;
+  for (Vertex& vertex : vertices_) {
+    for (float& color : vertex.color) {
+      color = vertex.has_color ? srgb_decoded(std::min(color / white, 1.0F)) : 1.0F;
+    }
+  }
+}
+
 void ObjReader::build() {
   const auto is_there = [](std::int64_t index, std::size_t count) {
     return index < static_cast<std::int64_t>(count) && index >= -1;
@@ -305,6 +347,7 @@ void ObjReader::build() {
     }
   }
   sum_normals();
+  decode_colors();
   for (const Face& face : faces_) {
     build_face(face);
   }
@@ -369,7 +412,15 @@ MeshPart ObjReader::part_of(int number) {
   // Of a picture without a colour, all light is the picture's.
   const bool white = !texture.name.empty() && !(by_glow ? !is_black(material->emission) : material->has_diffuse);
   part.color = white ? std::array<float, 3>{1.0F, 1.0F, 1.0F} : by_glow ? material->emission : material->diffuse;
-  std::ranges::transform(part.color, part.color.begin(), [](float light) { return std::clamp(light, 0.0F, 1.0F); });
+  const float brightest = by_glow ? brightest_glow : 1.0F;
+  std::ranges::transform(part.color, part.color.begin(),
+                         [&](float light) { return std::clamp(light, 0.0F, brightest); });
+  if (!by_glow && !texture.name.empty() && is_black(part.color)) {
+    builder_.remark("has textures that a black color (Kd 0 0 0) makes black");
+  }
+  if (material->diffuse_unread) {
+    builder_.remark("has a material whose color (Kd) is not three numbers with decimal points; it is not drawn");
+  }
   if (glows && !by_glow) {
     builder_.remark("has emissive materials; their emission (Ke) is not drawn");
   }
@@ -382,6 +433,15 @@ MeshPart ObjReader::part_of(int number) {
     part.image = image_beside_mesh(texture.name, builder_.place(), folder_);
   }
   return part;
+}
+
+void ObjReader::remark_on_statements() {
+  if (has_lines_) {
+    builder_.remark("has points or lines, which are not drawn");
+  }
+  if (has_free_forms_) {
+    builder_.remark("has free-form curves or surfaces (curv, surf), which are not drawn");
+  }
 }
 
 void ObjReader::remark_on_materials() {

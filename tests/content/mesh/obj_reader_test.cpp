@@ -152,8 +152,70 @@ TEST_F(ObjFiles, OfOtherProgramsAreReadRight) {
     ASSERT_EQ(read.parts.size(), 1U) << mesh;
     EXPECT_THAT(read.parts[0].image.name, testing::EndsWith("quad.png")) << mesh;
   }
+  EXPECT_EQ(read_mesh(foreign / "meshes" / "mac_lines.obj").triangle_count(), 1);
+  const TriangleMesh bytes = read_mesh(foreign / "meshes" / "byte_colors.obj");
+  EXPECT_THAT(bytes.vertices[0].color, ElementsAre(1.0F, 0.0F, 0.0F));
+  EXPECT_NEAR(bytes.vertices[1].color[1], 0.2159F, 1e-4F) << "sRGB 128 of 255";
   const TriangleMesh colours = read_mesh(foreign / "meshes" / "vertex_colors.obj");
   EXPECT_TRUE(std::ranges::any_of(colours.vertices, [](const SurfaceVertex& v) { return v.color[0] != v.color[1]; }));
+}
+
+TEST(ObjReader, RefusesIndicesBeforeTheFirst) {
+  for (const char* const face : {"f -4 2 3", "f 1/-4 2/2 3/3", "f 1//-1 2//1 3//1", "f 1/9 2/2 3/3"}) {
+    EXPECT_THAT(error_of([&] { obj_mesh(textured + face + "\n"); }), HasSubstr("corner that is not there")) << face;
+  }
+}
+
+TEST(ObjReader, TexturesHaveCoordinatesWithDecimalPoints) {
+  EXPECT_THAT(
+      error_of([] { read_mesh(fs::path(ERGODOME_TEST_DATA_DIR) / "foreign" / "meshes" / "decimal_commas.obj"); }),
+      HasSubstr("decimal_commas.obj:4: has texture coordinates that are not numbers"));
+  const TriangleMesh mesh = obj_mesh(triangle + "vt 1.e-1 +2 # note\nvt -1.#QNAN nan\nvt .5\nf 1/1 2/2 3/3\n");
+  EXPECT_THAT(mesh.vertices[0].texture, ElementsAre(0.1F, 2.0F));
+  EXPECT_THAT(mesh.vertices[1].texture, ElementsAre(0.0F, 0.0F));
+  EXPECT_THAT(mesh.vertices[2].texture, ElementsAre(0.5F, 0.0F));
+}
+
+TEST(ObjReader, RemarksOnWhatIsNoTriangle) {
+  for (const char* const other : {"l 1 2 3", "p 1 2", "f 1 2"}) {
+    EXPECT_THAT(obj_mesh(triangle + "f 1 2 3\n" + other + "\n").remarks, ElementsAre(HasSubstr("points or lines")))
+        << other;
+  }
+  EXPECT_THAT(error_of([] { read_mesh(fs::path(ERGODOME_TEST_DATA_DIR) / "foreign" / "meshes" / "free_form.obj"); }),
+              HasSubstr("has no triangles; it has free-form curves or surfaces"));
+}
+
+TEST_F(ObjFiles, MaterialsOfOldProgramsAreReadRight) {
+  write("Gr\u00fcn.png", "");
+  write("a.mtl", "newmtl Gr\xfcn\nKD 0 1 0\nmap_kd Gr\xfcn.png\n");
+  write("a.obj", "mtllib a.mtl\n" + textured + "usemtl Gr\xfcn\nf 1/1 2/2 3/3\n");
+  const TriangleMesh mesh = read("a.obj");
+  EXPECT_THAT(mesh.parts.at(0).color, ElementsAre(0.0F, 1.0F, 0.0F));
+  EXPECT_EQ(mesh.parts.at(0).image.name, (folder_ / "Gr\u00fcn.png").string());
+  EXPECT_THAT(mesh.remarks, testing::IsEmpty());
+}
+
+TEST_F(ObjFiles, RemarksOnWhatOfAMaterialIsNotDrawn) {
+  write("skin.png", "");
+  write("a.obj", "mtllib a.mtl\n" + textured + "usemtl skin\nf 1/1 2/2 3/3\n");
+  const auto remarks = [&](const std::string& statements) {
+    write("a.mtl", "newmtl skin\n" + statements + "\n");
+    return read("a.obj").remarks;
+  };
+  EXPECT_THAT(remarks("Kd 1 1 1\nd -halo 0.5"), ElementsAre(HasSubstr("drawn opaque")));
+  EXPECT_THAT(remarks("Kd 1 1 1\nTr 0.5"), ElementsAre(HasSubstr("drawn opaque")));
+  EXPECT_THAT(remarks("Kd 1 1 1\nmap_d skin.png"), ElementsAre(HasSubstr("drawn opaque")));
+  EXPECT_THAT(remarks("Kd 1 1 1\nd 1\nTr 0\nillum 2"), testing::IsEmpty());
+  EXPECT_THAT(remarks("Kd 0,5 0,5 0,5"), ElementsAre(HasSubstr("decimal points")));
+  EXPECT_THAT(remarks("Kd spectral red.rfl"), ElementsAre(HasSubstr("decimal points")));
+  EXPECT_THAT(remarks("Kd 0 0 0\nmap_Kd skin.png"), ElementsAre(HasSubstr("black color")));
+  EXPECT_THAT(remarks("Kd 0.5 # grey\nmap_Kd skin.png"), testing::IsEmpty());
+}
+
+TEST_F(ObjFiles, AGlowMayBeBrighterThanWhite) {
+  write("a.mtl", "newmtl lamp\nKd 0 0 0\nKe 5 2.5 0\n");
+  write("a.obj", "mtllib a.mtl\n" + triangle + "usemtl lamp\nf 1 2 3\n");
+  EXPECT_THAT(read("a.obj").parts.at(0).color, ElementsAre(5.0F, 2.5F, 0.0F));
 }
 
 }  // namespace
