@@ -17,6 +17,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::string_view texture_transform = "KHR_texture_transform";
+constexpr std::string_view webp_texture = "EXT_texture_webp";
 constexpr std::string_view specular_glossiness = "KHR_materials_pbrSpecularGlossiness";
 
 using tinygltf::ExtensionMap;
@@ -126,7 +127,10 @@ std::string_view kind_of(const tinygltf::Image& image) {
   if (bytes.starts_with("\xFF\xD8\xFF")) {
     return "jpg";
   }
-  const bool other = bytes.starts_with("RIFF") || bytes.starts_with("\xABKTX") || bytes.starts_with("DDS ");
+  if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) {
+    return "webp";
+  }
+  const bool other = bytes.starts_with("\xABKTX") || bytes.starts_with("DDS ");
   const std::string& said = image.mimeType;
   return other ? "" : said == "image/png" ? "png" : said == "image/jpeg" || said == "image/jpg" ? "jpg" : "";
 }
@@ -135,13 +139,20 @@ std::string_view kind_of(const tinygltf::Image& image) {
 MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int index) {
   const std::string_view kind = kind_of(image);
   if (kind.empty()) {
-    throw Error(file.place, fmt::format("has image {} that is neither PNG nor JPEG", index),
-                "export it with such images");
+    throw Error(file.place, fmt::format("has image {} in a format that is not read", index),
+                "export it with PNG, JPEG or WebP images");
   }
   // Few images of glTF files have names.
   const std::string name = image.name.empty() ? std::to_string(index) : printable(image.name.substr(0, 100));
   return {fmt::format("{}, its image {} ({}).{}", file.place, index, name, kind),
           std::make_shared<const std::string>(image.image.begin(), image.image.end()), ""};
+}
+
+//! The image of a texture, in the format that every program reads if there is one; -1: none in a format that is read.
+int source_of(const tinygltf::Texture& texture) {
+  const Value* const webp = extension(texture.extensions, webp_texture);
+  return texture.source >= 0 || webp == nullptr ? texture.source
+                                                : static_cast<int>(number_in(*webp, "source").value_or(-1.0));
 }
 
 void put_picture(const GltfFile& file, const TextureUse& use, const std::filesystem::path& folder, MeshPart& part) {
@@ -151,17 +162,18 @@ void put_picture(const GltfFile& file, const TextureUse& use, const std::filesys
     part.wrap_u = wrap_of(sampler.wrapS);
     part.wrap_v = wrap_of(sampler.wrapT);
   }
-  if (texture.source < 0 && texture.extensions.empty()) {
+  const int source = source_of(texture);
+  if (source < 0 && texture.extensions.empty()) {
     throw Error(file.place, fmt::format("has texture {} without an image", use.texture), "export the mesh again");
   }
-  if (texture.source < 0) {
+  if (source < 0) {
     throw Error(file.place,
                 fmt::format("has a texture in a format that is not read ({})",
                             printable(texture.extensions.begin()->first.substr(0, 100))),
-                "export it with PNG or JPEG");
+                "export it with PNG, JPEG or WebP");
   }
-  const tinygltf::Image& image = file.at(file.model.images, texture.source, "image");
-  part.image = image.uri.empty() || !image.image.empty() ? image_inside(file, image, texture.source)
+  const tinygltf::Image& image = file.at(file.model.images, source, "image");
+  part.image = image.uri.empty() || !image.image.empty() ? image_inside(file, image, source)
                                                          : image_beside_mesh(image.uri, file.place, folder);
   part.image.of_gltf = true;
 }
@@ -170,8 +182,8 @@ void put_picture(const GltfFile& file, const TextureUse& use, const std::filesys
 
 bool is_known_gltf_extension(std::string_view name) {
   constexpr std::string_view known[] = {
-      "KHR_mesh_quantization", texture_transform,       specular_glossiness,  "KHR_lights_punctual", "KHR_xmp",
-      "KHR_xmp_json_ld",       "KHR_animation_pointer", "KHR_node_visibility"};
+      "KHR_mesh_quantization", texture_transform,       specular_glossiness,   "KHR_lights_punctual", "KHR_xmp",
+      "KHR_xmp_json_ld",       "KHR_animation_pointer", "KHR_node_visibility", webp_texture};
   return std::ranges::find(known, name) != std::end(known) || name.starts_with("KHR_materials_");
 }
 
