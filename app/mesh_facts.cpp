@@ -47,13 +47,13 @@ MeshFacts facts_of_mesh(const std::string& file, const TriangleMesh& mesh) {
   MeshFacts facts = {file, mesh.triangle_count(), mesh.dropped_triangles, extent_of(mesh), mesh.remarks};
   std::map<std::string, bool> opaque;
   for (const MeshPart& part : mesh.parts) {
-    if (!part.image.empty() && !opaque.contains(part.image.name)) {
+    if (!part.image.empty() && part.image_alpha_counts && !opaque.contains(part.image.name)) {
       opaque[part.image.name] = is_opaque(read_mesh_image(part.image));
     }
   }
   for (const auto& [image, is] : opaque) {
     if (!is) {
-      facts.remarks.push_back(fmt::format("has a picture that is transparent in places ({}), which are drawn black",
+      facts.remarks.push_back(fmt::format("has a picture that is transparent in places ({}), which are drawn opaque",
                                           std::filesystem::path(image).filename().string()));
     }
   }

@@ -116,10 +116,17 @@ LightCoding coding_of(const ImageShape& shape) {
   return coding;
 }
 
-//! A pixel's light times alpha, and alpha.
-void put_pixel(const LightCoding& coding, const float* from, std::uint16_t* to) {
+//! Whether the colors of an image are multiplied by its alpha.
+enum class AlphaUse { multiply, ignore };
+
+//! Puts a pixel's light and its alpha.
+void put_pixel(const LightCoding& coding, AlphaUse use, const float* from, std::uint16_t* to) {
   float light[3];
-  coding.put_light(from, light);
+  LightCoding color = coding;
+  if (use == AlphaUse::ignore && coding.separate) {
+    color.alpha = -1;
+  }
+  color.put_light(from, light);
   std::ranges::transform(light, to, whole_number);
   to[3] = whole_number(coding.alpha_of(from));
 }
@@ -146,7 +153,7 @@ std::unique_ptr<ImageInput> opened_overlay(const std::filesystem::path& path, co
   return input;
 }
 
-OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path& path) {
+OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path& path, AlphaUse use) {
   const ImageShape shape = input.shape();
   const LightCoding coding = coding_of(shape);
   OverlayImage image;
@@ -167,7 +174,7 @@ OverlayImage read_opened_overlay(ImageInput& input, const std::filesystem::path&
     image.texels.resize(std::max(image.texels.size(), begin + 4 * width * static_cast<std::size_t>(count)));
     std::uint16_t* to = image.texels.data() + begin;
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(count); ++i) {
-      put_pixel(coding, rows.data() + channels * i, to + 4 * i);
+      put_pixel(coding, use, rows.data() + channels * i, to + 4 * i);
     }
   }
   image.texels.resize(texels);
@@ -205,19 +212,19 @@ OverlaySize overlay_image_size(const std::filesystem::path& path) {
 
 OverlayImage read_overlay_image(const std::filesystem::path& path) {
   const auto input = opened_overlay(path, upright);
-  return read_opened_overlay(*input, path);
+  return read_opened_overlay(*input, path, AlphaUse::multiply);
 }
 
 OverlayImage read_stored_image(const std::filesystem::path& path) {
   const auto input = opened_overlay(path, as_stored);
-  return read_opened_overlay(*input, path);
+  return read_opened_overlay(*input, path, AlphaUse::ignore);
 }
 
 OverlayImage read_stored_image(std::string_view bytes, const std::string& name) {
   ImageLibrary::Wishes wishes = as_stored;
   wishes.bytes = std::as_bytes(std::span(bytes));
   const auto input = opened_overlay(name, wishes);
-  return read_opened_overlay(*input, name);
+  return read_opened_overlay(*input, name, AlphaUse::ignore);
 }
 
 }  // namespace ergodome

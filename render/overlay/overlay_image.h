@@ -44,7 +44,8 @@ OverlaySize overlay_image_size(const std::filesystem::path& path);
 //! Grey becomes colour; without alpha all of it covers. Throws Error for what is missing, torn, or larger than longest_overlay_px a side.
 OverlayImage read_overlay_image(const std::filesystem::path& path);
 
-//! The same, but not turned upright where the file says that it lies otherwise: places on a picture for meshes are those of the pixels as they are stored.
+//! Reads a texture of a mesh. Unlike read_overlay_image it neither turns the image upright, because texture coordinates
+//! count stored pixels, nor multiplies colors by alpha, because meshes are drawn opaque; alpha stays beside them.
 OverlayImage read_stored_image(const std::filesystem::path& path);
 
 //! The same of a file's bytes; `name` ends as such a file's would, and messages call it so.

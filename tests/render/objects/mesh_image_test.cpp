@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
@@ -43,6 +44,49 @@ TEST_F(MeshImages, AreTheSameInsideAMeshsFileAsInOneOfTheirOwn) {
   EXPECT_EQ(within.width, 8);
   EXPECT_EQ(within.height, 4);
   EXPECT_EQ(within.texels, own.texels);
+}
+
+//! A texel's red, green and blue light, and its alpha.
+std::array<double, 4> texel_of(const OverlayImage& image, std::size_t number) {
+  std::array<double, 4> texel{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    texel.at(c) = static_cast<double>(image.texels.at(4 * number + c)) / 65535.0;
+  }
+  return texel;
+}
+
+TEST(MeshImage, KeepsItsColorsWhereItIsTransparent) {
+  const std::string file = std::string(ERGODOME_TEST_DATA_DIR) + "/foreign/meshes/clear_left.png";
+  const OverlayImage image = read_mesh_image({file, nullptr, "ship.gltf"});
+  for (const std::size_t texel : {0UL, 1UL}) {
+    const std::array<double, 4> is = texel_of(image, texel);
+    EXPECT_EQ(is[0], 1.0);
+    EXPECT_NEAR(is[1], 0.21586, 1e-4) << "sRGB 128 of 255";
+    EXPECT_EQ(is[2], 0.0);
+    EXPECT_EQ(is[3], texel == 0 ? 0.0 : 1.0);
+  }
+}
+
+TEST(MeshImage, HasSixteenBitsWhereItsFileHas) {
+  const std::string file = std::string(ERGODOME_TEST_DATA_DIR) + "/foreign/meshes/sixteen_bits.png";
+  const std::array<double, 4> is = texel_of(read_mesh_image({file, nullptr, "ship.gltf"}), 0);
+  // sRGB 0x8000, 0x4000 and 0x2000 of 65535.
+  EXPECT_NEAR(is[0], 0.21404, 2e-5);
+  EXPECT_NEAR(is[1], 0.05088, 2e-5);
+  EXPECT_NEAR(is[2], 0.01435, 2e-5);
+}
+
+TEST(MeshImage, MayBeWebpInsideAMeshOrBesideIt) {
+  const std::string file = std::string(ERGODOME_TEST_DATA_DIR) + "/foreign/meshes/quad.webp";
+  std::ifstream stream(file, std::ios::binary);
+  const auto bytes =
+      std::make_shared<const std::string>(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  for (const MeshImage& image : {MeshImage{file, nullptr, "ship.gltf"}, MeshImage{"its image.webp", bytes, ""}}) {
+    const std::array<double, 4> is = texel_of(read_mesh_image(image), 0);
+    EXPECT_EQ(is[0], 1.0);
+    EXPECT_NEAR(is[1], 0.21586, 1e-4) << "sRGB 128 of 255";
+    EXPECT_EQ(is[2], 0.0);
+  }
 }
 
 TEST_F(MeshImages, ThatAreTornAreErrorsWithTheMeshsName) {
