@@ -71,7 +71,7 @@ std::vector<ChannelFact> channel_facts(const Show& show, int frame, const Channe
   const double time_s = frame_time_s(show, frame);
   std::vector<ChannelFact> facts = {
       {"version", "CREATOR", std::string("Ergodome " ERGODOME_VERSION), "program"},
-      {"show", "OBJECT", show.title, "title of the show"},
+      {"show", "OBJECT", text_in(show.title, ""), "title of the show"},
       {"frame", "FRAME", frame + 1, "number, counted from 1"},
       {"time_s", "TIME", time_s, "[s] in the show"},
       {"spin", "SPIN", eye.spin, "a/M of the hole"},

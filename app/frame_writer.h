@@ -104,7 +104,7 @@ class FrameWriter {
   bool told_narrowed_ = false;  //!< that eyes stand closer than the show asks
   int resumed_ = 0;
   int renewed_ = 0;
-  FrameCost frame_cost_;                     //!< of the frame that was written last
+  RunFrameCost frame_cost_;                  //!< of the frame that was written last
   bool told_cost_ = false;                   //!< whether the estimate was printed
   std::uintmax_t largest_bytes_ = 0;         //!< of the largest frame so far
   int looked_at_room_after_ = 0;             //!< frames that were written

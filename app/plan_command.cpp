@@ -75,7 +75,7 @@ Measured measure(const PlanOptions& options, const Show& show, Backend backend, 
 struct RunEstimate {
   int frames = 0;
   int measured_frame = 0;  //!< from 0
-  FrameCost frame;
+  RunFrameCost frame;
   std::uintmax_t free_bytes = 0;  //!< on the disk of --out
 
   [[nodiscard]] std::uintmax_t bytes() const { return frame.bytes * static_cast<std::uintmax_t>(frames); }

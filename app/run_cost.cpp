@@ -43,7 +43,7 @@ class ScratchFolder {
   fs::path path_;
 };
 
-FrameCost cost_of(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame) {
+RunFrameCost cost_of(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame) {
   const ScratchFolder folder;
   const auto begin = std::chrono::steady_clock::now();
   std::vector<FrameImage> images = renderer.render(frame_time_s(renderer.show(), frame), choice);
@@ -51,7 +51,7 @@ FrameCost cost_of(ShowRenderer& renderer, const ViewChoice& choice, const FrameF
     draw_color_bar(image.picture, choice.mode);
   }
   const bool views = renderer.show().stereo.layout == StereoLayout::multiview && images.size() > 1;
-  FrameCost cost;
+  RunFrameCost cost;
   for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
     const fs::path file = folder.path() / fmt::format("{}.{}", i, file_ending(format.image));
     if (views) {
@@ -111,7 +111,7 @@ std::string duration_text(double seconds) {
                        : two(minutes / day, "d", minutes % day / hour, "h");
 }
 
-std::string run_cost_text(long frames, const FrameCost& frame) {
+std::string run_cost_text(long frames, const RunFrameCost& frame) {
   const double bytes = static_cast<double>(frames) * static_cast<double>(frame.bytes);
   const std::string size = size_text(static_cast<std::uintmax_t>(std::min(bytes, 1e18)));
   if (frames == 1) {
@@ -138,9 +138,10 @@ std::uintmax_t free_bytes(const fs::path& folder) {
   return fs::space(there).available;
 }
 
-FrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame) {
+RunFrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format,
+                                 int frame) {
   if (frame > 0) {
-    const FrameCost first = cost_of(renderer, choice, format, frame - 1);
+    const RunFrameCost first = cost_of(renderer, choice, format, frame - 1);
     if (first.seconds >= slow_frame_s) {
       return first;
     }

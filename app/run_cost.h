@@ -10,7 +10,7 @@
 namespace ergodome {
 
 //! Time and size of one frame, with all its files.
-struct FrameCost {
+struct RunFrameCost {
   double seconds = 0.0;
   std::uintmax_t bytes = 0;
 };
@@ -25,7 +25,7 @@ std::string size_text(std::uintmax_t bytes);
 std::string duration_text(double seconds);
 
 //! Time and disk space of a run: "1,800 frames, about 1 s each: 30 min, 1.1 GB".
-std::string run_cost_text(long frames, const FrameCost& frame);
+std::string run_cost_text(long frames, const RunFrameCost& frame);
 
 //! Returns a warning if `needed_bytes` do not fit on the disk of `folder`, which has `left_bytes` free; else an empty text. `what` needs
 //! them: "the rest of the run".
@@ -37,6 +37,7 @@ std::uintmax_t free_bytes(const std::filesystem::path& folder);
 
 //! Renders a frame, counted from 0, writes its files into a folder of their own, and removes them. If it takes less than
 //! slow_frame_s, the frame before comes first and is not counted. Throws Error where files cannot be written.
-FrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame);
+RunFrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format,
+                                 int frame);
 
 }  // namespace ergodome

@@ -121,7 +121,7 @@ long expect_two_ways_agree(const Place& place, const Directions& rays, double ro
   for (std::size_t k = 0; k < rays.size(); ++k) {
     // Beside principal rays (every eighth here) the closed form's two turning points in θ meet, and it loses half of its
     // digits; beside the axis they are told by the distance from it, and other rays may be principal there, too.
-    const bool beside_axis = std::sin(place.theta) < 1e-5;
+    const bool beside_axis = std::sin(place.theta) < 1e-6;
     const double meeting = k % 8 == 4 || beside_axis ? 1e-7 / std::sin(place.theta) : 0.0;
     const double allowed = room * (20.0 * rounding.of(rays[k]) + 1e-8 + meeting);
     if (series.status[k] == 0.0 && allowed < 1e-2) {
