@@ -210,7 +210,7 @@ TEST_F(ConvertCommand, ATiltWrittenBesideFlatWarpsOfMpcdiChangesNoShow) {
   ASSERT_EQ(run("convert a.mpcdi again.toml --radius 6"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("test patterns are level once tilt_deg is written"));
   std::string with_tilt = text("again.toml");
-  with_tilt.replace(with_tilt.find("tilt_deg = 0"), 12, "tilt_deg = 15");
+  with_tilt.replace(with_tilt.find("[dome]"), 6, "[dome]\ntilt_deg = 15");
   write("tilted.toml", with_tilt);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_LT(farthest_apart(pictures_of("dome.toml")[i].warp, pictures_of("tilted.toml")[i].warp), 1e-5);
@@ -226,7 +226,7 @@ TEST_F(ConvertCommand, ATiltWrittenBesidePlacesOfMpcdiTiltsShowsAgain) {
   EXPECT_THAT(output_, HasSubstr("shows are right with tilt_deg and rotation_deg 0"));
   EXPECT_LT(farthest_apart(pictures_of("dome.toml")[0].warp, pictures_of("again.toml")[0].warp), 1e-4);
   std::string with_tilt = text("again.toml");
-  with_tilt.replace(with_tilt.find("tilt_deg = 0"), 12, "tilt_deg = 15");
+  with_tilt.replace(with_tilt.find("[dome]"), 6, "[dome]\ntilt_deg = 15");
   write("tilted.toml", with_tilt);
   EXPECT_GT(farthest_apart(pictures_of("dome.toml")[0].warp, pictures_of("tilted.toml")[0].warp), 0.05);
 }

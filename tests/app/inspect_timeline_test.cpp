@@ -209,7 +209,7 @@ TEST_F(CommandLine, InspectReadsEveryFileThatAShowNames) {
   const std::pair<const char*, const char*> problems[] = {
       {"map.png", "(sky.map, evening.toml:5)"},
       {"spikes.png", "(effects.diffraction.pattern, evening.toml:7"},
-      {"square.ppm", "is 16 x 16, not twice as wide as high"},
+      {"square.ppm", "is 16 x 16, neither twice as wide as high nor a cube map"},
       {"ship.obj", "(objects[0].mesh, evening.toml:12)"},
       {"torn.ppm", "(overlay[0].image, evening.toml:16)"}};
   for (const auto& [file, problem] : problems) {

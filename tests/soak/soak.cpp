@@ -101,8 +101,8 @@ class Soak {
   explicit Soak(const std::filesystem::path& folder)
       : folder_(folder),
         file_(folder / "attract.toml"),
-        exhibit_({.times = {.idle_s = 6.0, .session_s = 60.0}, .state = folder / "state"}, visitor_show(),
-                 attract_show()),
+        exhibit_({.times = {.idle_s = 6.0, .session_s = 60.0}, .attract = {}, .state = folder / "state"},
+                 visitor_show(), attract_show()),
         inputs_(Controls()),
         pads_(std::make_unique<FixturePlayer>(restless_pad(), [this] { return seconds(); }), {},
               [this] { return seconds(); }),
