@@ -16,7 +16,7 @@ double between(const GridOffsets& grid, const std::vector<double>& offsets, cons
   const int row = std::min(static_cast<int>(y), cells - 1);
   const double across = x - column;
   const double down = y - row;
-  const auto at = [&](int i, int j) { return offsets[static_cast<std::size_t>((row + j) * grid.points + column + i)]; };
+  const auto at = [&](int i, int j) { return offsets[grid.index(column + i, row + j)]; };
   return std::lerp(std::lerp(at(0, 0), at(1, 0), across), std::lerp(at(0, 1), at(1, 1), across), down);
 }
 
@@ -32,7 +32,7 @@ double clamped(const GridOffsets& grid, const std::vector<double>& offsets, std:
       if (i == column && j == row) {
         continue;
       }
-      const double neighbor = offsets[static_cast<std::size_t>(j * grid.points + i)];
+      const double neighbor = offsets[grid.index(i, j)];
       least = std::max(least, neighbor - slack);
       most = std::min(most, neighbor + slack);
     }

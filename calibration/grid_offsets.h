@@ -28,6 +28,11 @@ struct GridOffsets {
 
   [[nodiscard]] bool none() const;
 
+  //! Returns the number of a point, row by row.
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(points) + static_cast<std::size_t>(column);
+  }
+
   //! Moves a point as far as `farthest` and `slack` allow.
   void move(std::size_t point, double new_right, double new_down);
 

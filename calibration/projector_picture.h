@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "calibration/grid_offsets.h"
 #include "calibration/dome_blend.h"
 #include "calibration/dome_setup.h"
+#include "calibration/grid_offsets.h"
 #include "calibration/projector_files.h"
 
 namespace ergodome {
@@ -18,10 +18,10 @@ struct ProjectorPicture {
   std::string name;
   int width_px = 0;
   int height_px = 0;
-  WarpMesh warp;          //!< places of the domemaster (180°, front at the bottom) over the raster
-  GridOffsets offsets;  //!< by which warp and masks are yet to be moved
-  BlendMap blend;         //!< linear factors of the light; width 0: none
-  BlendMap black_level;   //!< linear parts of the lift; width 0: all of it everywhere
+  WarpMesh warp;         //!< places of the domemaster (180°, front at the bottom) over the raster
+  GridOffsets offsets;   //!< by which warp and masks are yet to be moved
+  BlendMap blend;        //!< linear factors of the light; width 0: none
+  BlendMap black_level;  //!< linear parts of the lift; width 0: all of it everywhere
   Vector3<double> black_level_lift{};
   Vector3<double> gain{1.0, 1.0, 1.0};
   double gamma = 2.2;

@@ -65,7 +65,7 @@ class ScissParser {
       throw Error(file_, fmt::format("ends before {}", what), "the file seems torn; export it again");
     }
     T value;
-    std::memcpy(&value, rest_.data(), sizeof(T));
+    rest_.copy(reinterpret_cast<char*>(&value), sizeof(T));
     rest_.remove_prefix(sizeof(T));
     return value;
   }

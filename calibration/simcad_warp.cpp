@@ -62,8 +62,9 @@ ForeignWarp parse_simcad_warp(std::string_view text, const std::string& file) {
   WarpMesh mesh{MeshTopology::rectangular, static_cast<int>(side), static_cast<int>(side), {}};
   mesh.nodes.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t row = i / side;
     const double u = static_cast<double>(i % side) / static_cast<double>(side - 1);
-    const double v = static_cast<double>(i / side) / static_cast<double>(side - 1);
+    const double v = static_cast<double>(row) / static_cast<double>(side - 1);
     mesh.nodes.push_back(
         {static_cast<float>(u + x[i]), static_cast<float>(v + y[i]), static_cast<float>(u), static_cast<float>(v)});
   }

@@ -27,7 +27,7 @@ int pixels(const pugi::xml_node& description, const char* name) {
   const std::string text = property(description, name);
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && number >= 0.0 && number <= most ? static_cast<int>(number + 0.5) : -1;
+  return end != text.c_str() && number >= 0.0 && number <= most ? static_cast<int>(std::lround(number)) : -1;
 }
 
 }  // namespace

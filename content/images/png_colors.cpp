@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::string_view png_signature("\x89PNG\r\n\x1A\n", 8);
 
-std::uint32_t big_endian_word(const char* bytes) {
+//! Returns the first four bytes as a number.
+std::uint32_t big_endian_word(std::string_view bytes) {
   std::uint32_t value = 0;
   for (int i = 0; i < 4; ++i) {
-    value = value << 8U | static_cast<unsigned char>(bytes[i]);
+    value = value << 8U | static_cast<unsigned char>(bytes[static_cast<std::size_t>(i)]);
   }
   return value;
 }
@@ -28,12 +29,12 @@ void take_color_chunk(std::string_view kind, std::string_view data, PngColors& c
   } else if (kind == "sRGB" && data.size() == 1) {
     colors.is_srgb = true;
   } else if (kind == "gAMA" && data.size() == 4) {
-    colors.gamma = big_endian_word(data.data()) / unit;
+    colors.gamma = big_endian_word(data) / unit;
   } else if (kind == "cHRM" && data.size() == 32) {
     // The chunk begins with white.
     std::array<double, 8> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      values.at((i + 6) % 8) = big_endian_word(data.data() + 4 * i) / unit;
+      values.at((i + 6) % 8) = big_endian_word(data.substr(4 * i)) / unit;
     }
     colors.primaries = values;
   }
@@ -62,7 +63,7 @@ PngColors read_png_colors(const NextBytes& next) {
   }
   std::vector<char> room(std::size_t{1} << 16U);
   while (next(head.data(), head.size())) {
-    const std::size_t length = big_endian_word(head.data());
+    const std::size_t length = big_endian_word({head.data(), head.size()});
     const std::string_view kind(head.data() + 4, 4);
     if (kind == "IDAT" || kind == "IEND") {
       break;

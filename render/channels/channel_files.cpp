@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "content/files/atomic_file.h"
 #include "content/images/image_library.h"
 #include "kernels/core/error.h"
@@ -29,6 +28,7 @@ FrameMetadata texts_of_facts(const std::vector<ChannelFact>& facts) {
 
 std::vector<FitsCard> primary_cards(const std::vector<ChannelFact>& facts) {
   std::vector<FitsCard> cards;
+  cards.reserve(facts.size());
   for (const ChannelFact& fact : facts) {
     cards.push_back({fact.keyword, fact.value, fact.comment});
   }
@@ -91,6 +91,7 @@ void write_channel_fits(const std::filesystem::path& path, int width, int height
                         const std::vector<ChannelFact>& facts) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
     std::vector<FitsImage> images;
+    images.reserve(channels.size());
     for (const PixelChannel& channel : channels) {
       images.push_back({image_cards(channel.meaning, wcs), width, height, channel.values});
     }

@@ -118,7 +118,8 @@ class ChannelTracer {
 
   [[nodiscard]] std::pair<double, double> middle_of(std::size_t pixel) const {
     const auto width = static_cast<std::size_t>(scene_.projection.width_px);
-    return {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5};
+    const std::size_t row = pixel / width;
+    return {static_cast<double>(pixel % width) + 0.5, static_cast<double>(row) + 0.5};
   }
 
   void trace_sky(RayBlock& rays) const {

@@ -256,7 +256,6 @@ TEST(Controls, HelpInWordsTellsOfThePadAloneWhereThereIsOne) {
 }
 
 TEST(ControlsHelp, HasTheSameLinesInBothLanguages) {
-  const std::string english = Controls().help_text({});
   const std::string german = Controls().help_text({.language = "de"});
   for (const char* key : {"Leertaste", "Umschalt+", "Strg+", "Pos1", "Kreuz"}) {
     EXPECT_THAT(german, HasSubstr(key));

@@ -83,8 +83,9 @@ TEST(GridOffsets, NeighborsNeverPassOneAnother) {
     EXPECT_FALSE(grid.none());
     for (int row = 0; row < points; ++row) {
       for (int column = 0; column + 1 < points; ++column) {
-        const auto at = static_cast<std::size_t>(row * points + column);
-        EXPECT_GE(grid.right[at + 1] - grid.right[at] + 1.0 / (points - 1), (1.0 - GridOffsets::slack) / (points - 1) - 1e-12);
+        const std::size_t at = grid.index(column, row);
+        EXPECT_GE(grid.right[at + 1] - grid.right[at] + 1.0 / (points - 1),
+                  (1.0 - GridOffsets::slack) / (points - 1) - 1e-12);
       }
     }
   }
@@ -95,7 +96,8 @@ TEST(GridOffsets, MeshesGetTheNodesThatAGridNeedsAndShowTheSame) {
   mesh.columns = 2;
   mesh.rows = 3;
   for (int i = 0; i < 6; ++i) {
-    mesh.nodes.push_back({static_cast<float>(i % 2), 0.5F * static_cast<float>(i / 2), 0.1F * static_cast<float>(i),
+    const int row = i / 2;
+    mesh.nodes.push_back({static_cast<float>(i % 2), 0.5F * static_cast<float>(row), 0.1F * static_cast<float>(i),
                           0.05F * static_cast<float>(i * i), 1.0F, i != 5});
   }
   EXPECT_EQ(refined_for(GridOffsets(), mesh).nodes.size(), 6U);

@@ -19,7 +19,8 @@ std::vector<WarpNode> grid_nodes(int columns, int rows) {
   std::vector<WarpNode> nodes;
   for (int i = 0; i < columns * rows; ++i) {
     const float x = static_cast<float>(i % columns) / static_cast<float>(columns - 1);
-    const float y = static_cast<float>(i / columns) / static_cast<float>(rows - 1);
+    const int row = i / columns;
+    const float y = static_cast<float>(row) / static_cast<float>(rows - 1);
     nodes.push_back({x, y, x + 0.1F * y, y});
   }
   return nodes;

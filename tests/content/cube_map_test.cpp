@@ -89,7 +89,9 @@ class CubeMaps : public test::FolderTest {
         const auto expected = color_of(
             {std::cos(latitude) * std::sin(longitude), std::sin(latitude), std::cos(latitude) * std::cos(longitude)});
         for (int c = 0; c < 3; ++c) {
-          worst = std::max(worst, std::abs(image.rgb.at(static_cast<std::size_t>(3 * (y * image.width + x) + c)) -
+          const std::size_t texel =
+              static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+          worst = std::max(worst, std::abs(image.rgb.at(3 * texel + static_cast<std::size_t>(c)) -
                                            expected.at(static_cast<std::size_t>(c))));
         }
       }
@@ -174,6 +176,7 @@ TEST_F(CubeMaps, OfOpenExrAreTheSky) {
 
 TEST_F(CubeMaps, OtherImagesOfTheSameShapeAreRefused) {
   std::vector<float> photograph;
+  photograph.reserve(std::size_t{3} * 4 * side * 3 * side);
   for (int i = 0; i < 3 * 4 * side * 3 * side; ++i) {
     photograph.push_back(0.3F + 0.2F * std::sin(0.05F * static_cast<float>(i)));
   }

@@ -211,9 +211,8 @@ TEST(SkyAngle, ReadsTheUsualForms) {
     EXPECT_NEAR(angle_of(text), rigel_h, 1e-12) << text;
   }
   const double polaris_deg = 89.0 + 15.0 / 60.0 + 51.0 / 3600.0;
-  for (const char* const text : {"+89\u00B015\u203251\u2033", "89d15m51s", "+89 15 51", "89\u00B0 15' 51\"",
-                                 "89\xB0"
-                                 "15'51''"}) {
+  for (const char* const text :
+       {"+89\u00B015\u203251\u2033", "89d15m51s", "+89 15 51", "89\u00B0 15' 51\"", "89\26015'51\'\'"}) {
     EXPECT_NEAR(angle_of(text), polaris_deg, 1e-12) << text;
   }
   EXPECT_DOUBLE_EQ(angle_of("-00 30 00"), -0.5);

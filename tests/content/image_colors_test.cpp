@@ -304,6 +304,7 @@ TEST_F(ImageColors, TilesOfAnyHeightAreReadAsRowsAre) {
     OIIO::ImageSpec spec(width, width / 2, 3, OIIO::TypeDesc::FLOAT);
     spec.tile_width = spec.tile_height = tile;
     std::vector<float> values;
+    values.reserve(std::size_t{width} * width / 2 * 3);
     for (int i = 0; i < width * width / 2 * 3; ++i) {
       values.push_back(static_cast<float>(i));
     }

@@ -215,8 +215,9 @@ TEST(PixelChannels, AreTheNumbersBehindTheHeatMaps) {
     const double magnification = values_of(found, "magnification")[i];
     // Next to caustics and to the shadow a small error of the float's ray is a large one of the area.
     if (std::abs(magnification) < 10.0 && half_turns < 1.3) {
+      const std::size_t row = i / 81;
       const double on_screen =
-          pixel_solid_angle(scene.projection, static_cast<double>(i % 81) + 0.5, static_cast<double>(i / 81) + 0.5);
+          pixel_solid_angle(scene.projection, static_cast<double>(i % 81) + 0.5, static_cast<double>(row) + 0.5);
       const double seen = on_screen / std::sqrt(static_cast<double>(dot(area, area)));
       EXPECT_NEAR(std::abs(magnification), seen, 1e-2 * seen) << i;
       ++compared;
