@@ -120,13 +120,13 @@ void take_png(const NextBytes& png, ColorFacts& facts) {
 //! Sets the curve of a color space's name in OpenImageIO.
 void take_name(const OIIO::ImageSpec& spec, ColorFacts& facts) {
   const std::string name(spec.get_string_attribute("oiio:ColorSpace", "sRGB"));
+  // Netpbm's files are Rec709 to OpenImageIO, by their specification; programs write sRGB into them.
+  const bool is_srgb = name.empty() || OIIO::Strutil::iequals(name, "sRGB") || OIIO::Strutil::iequals(name, "Rec709");
   if (OIIO::Strutil::iequals(name, "linear")) {
     facts.curve = TransferCurve::linear;
-  } else if (OIIO::Strutil::iequals(name, "Rec709")) {
-    facts.curve = TransferCurve::bt709;
   } else if (OIIO::Strutil::istarts_with(name, "GammaCorrected")) {
     take_gamma(static_cast<double>(spec.get_float_attribute("oiio:Gamma", 2.2F)), facts);
-  } else if (!OIIO::Strutil::iequals(name, "sRGB") && !name.empty()) {
+  } else if (!is_srgb) {
     facts.problem = fmt::format("its color space is {}, which is not supported", name);
   }
 }

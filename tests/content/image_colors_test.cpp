@@ -243,6 +243,16 @@ TEST_F(ImageColors, ColorsThatWereMultipliedByAlphaAreDividedForTheirProfile) {
   }
 }
 
+TEST_F(ImageColors, NetpbmIsSrgb) {
+  std::ofstream file(folder_ / "map.ppm");
+  file << "P3 16 8 255\n";
+  for (int i = 0; i < map_width * map_height; ++i) {
+    file << "170 124 89\n";
+  }
+  file.close();
+  EXPECT_THAT(first_texel(folder_ / "map.ppm"), near(0.40198F, 0.20156F, 0.09990F, 1e-4F));
+}
+
 TEST_F(ImageColors, ProfilesThatDoNotFitAreNamed) {
   const auto with_profile = [&](const std::string& profile) {
     OIIO::ImageSpec spec(map_width, map_height, 3, OIIO::TypeDesc::UINT8);
