@@ -10,6 +10,7 @@
 
 #include "content/images/color_facts.h"
 #include "content/images/color_transform.h"
+#include "content/images/exr_header.h"
 #include "content/images/exr_layers.h"
 #include "content/images/image_bytes.h"
 #include "content/images/jpeg_end.h"
@@ -290,6 +291,7 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
                                        std::string& problem) {
   const ImageBytes bytes(name, wishes.bytes);
   problem = problem_of_png(bytes.from_start(), PngExtent::to_pixels);
+  problem = problem.empty() ? problem_of_exr(bytes.from_start(), bytes.size()) : problem;
   // OpenImageIO does not open pictures whose colors are CIE XYZ, and does not say so.
   problem = problem.empty() ? read_radiance_header(bytes.head(longest_head)).problem : problem;
   if (!problem.empty()) {

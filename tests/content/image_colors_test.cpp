@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 #include "content/environment_image.h"
 #include "tests/support/errors.h"
@@ -289,6 +290,17 @@ TEST_F(ImageColors, LayersOfOpenExrAreFoundByTheirChannels) {
   EXPECT_THAT(problem_of(light({"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"}, {1, 2, 3, 9, 9, 9})),
               HasSubstr("choose one with #LAYER after the file's name: a, b"));
   EXPECT_THAT(problem_of(light({"X", "Q"}, {1, 2})), HasSubstr("no layer with red, green and blue channels"));
+}
+
+TEST_F(ImageColors, AttributesOfOpenExrThatClaimMoreThanTheFileAreRefused) {
+  const fs::path path = foreign_images / "xyz.exr";
+  std::ifstream whole(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+  const std::size_t at = bytes.find(std::string("chromaticities\0chromaticities\0", 30));
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 33] = '\x40';
+  std::ofstream(folder_ / "long.exr", std::ios::binary) << bytes;
+  EXPECT_THAT(problem_of(folder_ / "long.exr"), HasSubstr("its header is damaged"));
 }
 
 TEST_F(ImageColors, PartsOfOpenExrAreLayers) {
