@@ -181,7 +181,8 @@ TEST_F(CubeMaps, OtherImagesOfTheSameShapeAreRefused) {
     photograph.push_back(0.3F + 0.2F * std::sin(0.05F * static_cast<float>(i)));
   }
   for (const auto& [width, height] : {std::pair{4 * side, 3 * side}, std::pair{3 * side, 4 * side}}) {
-    EXPECT_THAT(test::error_of([&] { read_environment_image(write("photograph.exr", width, height, photograph)); }),
+    const fs::path path = write("photograph.exr", width, height, photograph);
+    EXPECT_THAT(test::error_of([&] { read_environment_image(path); }),
                 HasSubstr("neither twice as wide as high nor a cube map"));
   }
 }
