@@ -1,6 +1,6 @@
 #include "app/made_files.h"
 
-#include <ranges>
+#include <algorithm>
 
 #include "content/files/atomic_file.h"
 
@@ -40,10 +40,11 @@ int MadeFiles::remove_files() {
 }
 
 void MadeFiles::remove_folders() {
-  for (const fs::path& folder : std::views::reverse(folders_)) {
+  // The innermost were made last.
+  std::for_each(folders_.rbegin(), folders_.rend(), [](const fs::path& folder) {
     std::error_code not_empty;
     fs::remove(folder, not_empty);
-  }
+  });
   folders_.clear();
 }
 
