@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -48,6 +49,57 @@ bool skip_bytes(const NextBytes& next, std::uint64_t count) {
   return true;
 }
 
+//! Kinds of one size, which the library reads whatever size the file claims.
+struct FixedKind {
+  std::string_view name;
+  std::uint32_t bytes;
+};
+
+constexpr FixedKind fixed_kinds[] = {{"box2f", 16},
+                                     {"box2i", 16},
+                                     {"chromaticities", 32},
+                                     {"compression", 1},
+                                     {"deepImageState", 1},
+                                     {"double", 8},
+                                     {"envmap", 1},
+                                     {"float", 4},
+                                     {"int", 4},
+                                     {"keycode", 28},
+                                     {"lineOrder", 1},
+                                     {"m33d", 72},
+                                     {"m33f", 36},
+                                     {"m44d", 128},
+                                     {"m44f", 64},
+                                     {"rational", 8},
+                                     {"tiledesc", 9},
+                                     {"timecode", 8},
+                                     {"v2d", 16},
+                                     {"v2f", 8},
+                                     {"v2i", 8},
+                                     {"v3d", 24},
+                                     {"v3f", 12},
+                                     {"v3i", 12}};
+
+//! Reads a list of channels, which ends with an empty name; true if that is where its size says.
+bool is_channel_list_whole(const NextBytes& next, std::uint64_t size) {
+  constexpr std::uint64_t channel_bytes = 16;
+  while (size > 0) {
+    const std::optional<std::string> name = name_of(next);
+    if (!name || size < name->size() + 1) {
+      return false;
+    }
+    size -= name->size() + 1;
+    if (name->empty()) {
+      return size == 0;
+    }
+    if (size < channel_bytes || !skip_bytes(next, channel_bytes)) {
+      return false;
+    }
+    size -= channel_bytes;
+  }
+  return false;
+}
+
 //! Reads an attribute after its name: kind, size and value.
 bool is_attribute_whole(const NextBytes& next, std::uintmax_t file_bytes) {
   constexpr std::uint64_t preview_head = 8;
@@ -56,14 +108,18 @@ bool is_attribute_whole(const NextBytes& next, std::uintmax_t file_bytes) {
   if (!size || *size > file_bytes) {
     return false;
   }
+  if (*kind == "chlist") {
+    return is_channel_list_whole(next, *size);
+  }
+  const auto* const fixed = std::ranges::find(fixed_kinds, std::string_view(*kind), &FixedKind::name);
   if (*kind != "preview") {
-    return skip_bytes(next, *size);
+    return (fixed == std::end(fixed_kinds) || fixed->bytes == *size) && skip_bytes(next, *size);
   }
   // The library allocates by the size of this picture.
   const std::optional<std::uint32_t> width = little_endian_word(next);
   const std::optional<std::uint32_t> height = width ? little_endian_word(next) : std::nullopt;
   return height && *size >= preview_head && *width <= file_bytes && *height <= file_bytes &&
-         std::uint64_t{*width} * *height <= (*size - preview_head) / 4 && skip_bytes(next, *size - preview_head);
+         std::uint64_t{*width} * *height * 4 == *size - preview_head && skip_bytes(next, *size - preview_head);
 }
 
 }  // namespace
