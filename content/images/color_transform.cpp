@@ -19,10 +19,11 @@ struct CloseProfile {
 };
 using Profile = std::unique_ptr<void, CloseProfile>;
 
-constexpr cmsCIExyY d65 = {0.3127, 0.3290, 1.0};
-constexpr cmsCIExyYTRIPLE rec_709_primaries = {{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
+constexpr cmsCIExyY d65 = {rec_709[6], rec_709[7], 1.0};
 
-Profile linear_rgb_profile(const cmsCIExyY& white, const cmsCIExyYTRIPLE& primaries) {
+Profile linear_rgb_profile(const Chromaticities& p) {
+  const cmsCIExyY white = {p[6], p[7], 1.0};
+  const cmsCIExyYTRIPLE primaries = {{p[0], p[1], 1.0}, {p[2], p[3], 1.0}, {p[4], p[5], 1.0}};
   cmsToneCurve* const curve = cmsBuildGamma(nullptr, 1.0);
   cmsToneCurve* const curves[3] = {curve, curve, curve};
   Profile profile(cmsCreateRGBProfile(&white, &primaries, curves));
@@ -43,7 +44,7 @@ std::shared_ptr<void> conversion_from(void* from, int color_channels) {
     return nullptr;
   }
   const bool grey = color_channels == 1;
-  const Profile to = grey ? linear_grey_profile() : linear_rgb_profile(d65, rec_709_primaries);
+  const Profile to = grey ? linear_grey_profile() : linear_rgb_profile(rec_709);
   const cmsUInt32Number format = grey ? TYPE_GRAY_FLT : TYPE_RGB_FLT;
   std::shared_ptr<void> conversion(
       cmsCreateTransform(from, format, to.get(), format, INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOCACHE),
@@ -55,12 +56,12 @@ std::shared_ptr<void> conversion_from(void* from, int color_channels) {
   return conversion;
 }
 
-//! The inverse of Rec. 709's opto-electronic transfer function (ITU-R BT.709-6, 1.2).
+//! Inverts Rec. 709's opto-electronic transfer function (ITU-R BT.709-6, 1.2).
 float bt709_decoded(float value) {
   return value < 0.081F ? value / 4.5F : std::pow((value + 0.099F) / 1.099F, 1.0F / 0.45F);
 }
 
-//! The perceptual quantizer's light (SMPTE ST 2084), where 1 is the reference white of 203 cd/m² (ITU-R BT.2408).
+//! Decodes the perceptual quantizer (SMPTE ST 2084); 1 is the reference white of 203 cd/m² (ITU-R BT.2408).
 float pq_decoded(float value) {
   constexpr float m1 = 2610.0F / 16384.0F;
   constexpr float m2 = 2523.0F / 4096.0F * 128.0F;
@@ -71,8 +72,8 @@ float pq_decoded(float value) {
   return 10'000.0F / 203.0F * std::pow(std::max(power - c1, 0.0F) / (c2 - c3 * power), 1.0F / m1);
 }
 
-std::function<float(float)> decoding(const ColorFacts& facts) {
-  switch (facts.curve) {
+std::function<float(float)> decoding(const ColorMetadata& metadata) {
+  switch (metadata.curve) {
     case TransferCurve::linear:
       return {};
     case TransferCurve::srgb:
@@ -84,8 +85,9 @@ std::function<float(float)> decoding(const ColorFacts& facts) {
     case TransferCurve::gamma:
       break;
   }
-  return
-      [exponent = static_cast<float>(facts.gamma)](float value) { return std::pow(std::max(value, 0.0F), exponent); };
+  return [exponent = static_cast<float>(metadata.gamma)](float value) {
+    return std::pow(std::max(value, 0.0F), exponent);
+  };
 }
 
 //! True for the primaries that stand for CIE XYZ itself.
@@ -95,8 +97,8 @@ bool are_xyz(const Chromaticities& p) {
 }
 
 bool are_rec_709(const Chromaticities& p) {
-  constexpr std::array<double, 8> usual = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290};
-  return std::equal(usual.begin(), usual.end(), p.begin(), [](double a, double b) { return std::abs(a - b) < 1e-3; });
+  return std::equal(rec_709.begin(), rec_709.end(), p.begin(),
+                    [](double a, double b) { return std::abs(a - b) < 1e-3; });
 }
 
 const char* name_of_space(cmsColorSpaceSignature space) {
@@ -114,13 +116,13 @@ const char* name_of_space(cmsColorSpaceSignature space) {
 
 }  // namespace
 
-ColorTransform::ColorTransform(const ColorFacts& facts, int color_channels, std::string& problem)
+ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels, std::string& problem)
     : color_channels_(color_channels) {
-  // Its messages go to stderr unless someone takes them.
+  // LittleCMS writes its messages to stderr without a handler.
   cmsSetLogErrorHandler([](cmsContext, cmsUInt32Number, const char*) {});
-  if (!facts.icc_profile.empty()) {
+  if (!metadata.icc_profile.empty()) {
     const Profile profile(
-        cmsOpenProfileFromMem(facts.icc_profile.data(), static_cast<cmsUInt32Number>(facts.icc_profile.size())));
+        cmsOpenProfileFromMem(metadata.icc_profile.data(), static_cast<cmsUInt32Number>(metadata.icc_profile.size())));
     const bool grey = color_channels == 1;
     if (profile && cmsGetColorSpace(profile.get()) != (grey ? cmsSigGrayData : cmsSigRgbData)) {
       problem = fmt::format("its color profile is for {} colors, its pixels are {}",
@@ -133,18 +135,18 @@ ColorTransform::ColorTransform(const ColorFacts& facts, int color_channels, std:
       return;
     }
   } else {
-    decode_ = decoding(facts);
+    decode_ = decoding(metadata);
     is_linear_ = !decode_;
-    if (facts.primaries && color_channels == 3 && !are_rec_709(*facts.primaries)) {
-      const Chromaticities& p = *facts.primaries;
+    if (metadata.primaries && color_channels == 3 && !are_rec_709(*metadata.primaries)) {
+      Chromaticities p = *metadata.primaries;
       if (are_xyz(p)) {
         // Colors, not amounts of primaries: their white is not adapted.
         scale_ = {static_cast<float>(d65.y / d65.x), 1.0F, static_cast<float>(d65.y / (1.0 - d65.x - d65.y))};
+        p[6] = d65.x;
+        p[7] = d65.y;
       }
-      const cmsCIExyY white = scale_.empty() ? cmsCIExyY{p[6], p[7], 1.0} : d65;
-      const cmsCIExyYTRIPLE primaries = {{p[0], p[1], 1.0}, {p[2], p[3], 1.0}, {p[4], p[5], 1.0}};
-      const bool sound = std::ranges::all_of(p, [](double value) { return std::abs(value) <= 2.0; }) && white.y > 0.01;
-      const Profile profile = sound ? linear_rgb_profile(white, primaries) : nullptr;
+      const bool plausible = std::ranges::all_of(p, [](double value) { return std::abs(value) <= 2.0; }) && p[7] > 0.01;
+      const Profile profile = plausible ? linear_rgb_profile(p) : nullptr;
       conversion_ = conversion_from(profile.get(), color_channels);
       if (!conversion_) {
         problem = "the chromaticities of its primaries are those of no color space";
@@ -158,7 +160,7 @@ ColorTransform::ColorTransform(const ColorFacts& facts, int color_channels, std:
 void ColorTransform::find_kind() {
   constexpr float tolerance = 0.002F;
   is_srgb_ = is_identity_ = true;
-  // A scale of greys, and each color by itself: a matrix shows there.
+  // Greys show the curve, single colors the matrix.
   for (int step = 0; step <= 16; ++step) {
     for (int color = -1; color < (color_channels_ == 3 ? 3 : 0); ++color) {
       const float value = static_cast<float>(step) / 16.0F;

@@ -6,26 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "content/images/color_facts.h"
+#include "content/images/color_metadata.h"
 
 namespace ergodome {
 
-//! Converts the numbers of a file's pixels to linear light with the primaries of Rec. 709, adapted to its white (D65).
+//! Converts the numbers of a file's pixels to linear light with Rec. 709's primaries, adapted to D65 white.
 class ColorTransform {
  public:
-  //! Creates the transform that a file asks for; `color_channels` is 1 for grey and 3 for RGB. `problem` receives what is not
-  //! supported: a damaged profile, or one for other channels.
-  ColorTransform(const ColorFacts& facts, int color_channels, std::string& problem);
+  //! Creates the transform from a file's metadata; `color_channels` is 1 for grey and 3 for RGB. Sets `problem` if the profile is
+  //! damaged or for other channels.
+  ColorTransform(const ColorMetadata& metadata, int color_channels, std::string& problem);
 
-  //! The result is the sRGB decoding of the numbers, or the numbers themselves.
+  //! Return true if the result is the sRGB decoding of the numbers, or the numbers themselves.
   [[nodiscard]] bool is_srgb() const { return is_srgb_; }
   [[nodiscard]] bool is_identity() const { return is_identity_; }
 
-  //! True if the transform of a sum is the sum of the transforms: colors that were multiplied by alpha stay so.
+  //! Returns true if colors that were multiplied by alpha may be converted as they are.
   [[nodiscard]] bool is_linear() const { return is_linear_; }
 
-  //! Converts the colors of pixels with `channels` numbers each, in place. If `alpha` is a channel, the colors were
-  //! multiplied by it, and come divided by it. Uses all threads of the machine.
+  //! Converts the colors of pixels with `channels` numbers each, in place. If `alpha` is a channel, the colors are divided by it
+  //! before. Uses all threads of the machine.
   void apply(float* pixels, std::size_t count, int channels, int alpha) const;
 
  private:

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "content/images/color_facts.h"
+#include "content/images/color_metadata.h"
 #include "content/images/color_transform.h"
 #include "content/images/exr_header.h"
 #include "content/images/exr_layers.h"
@@ -40,7 +40,7 @@ std::vector<ExrPart> parts_of(OIIO::ImageInput& input) {
   return parts;
 }
 
-//! Headers of Radiance pictures are shorter.
+//! Longest header of a Radiance picture that is read.
 constexpr std::size_t longest_head = std::size_t{1} << 16U;
 
 class Input final : public ImageInput {
@@ -156,7 +156,7 @@ class Input final : public ImageInput {
   [[nodiscard]] bool is(std::string_view format) const { return input_->format_name() == format; }
   [[nodiscard]] StoredPixels stored_pixels(int channels) const { return {part_, layer_.first_channel, channels}; }
 
-  //! Collects what is needed before the first pixels are read: layer, crop, colors.
+  //! Chooses layer, crop and color conversion before the first pixels are read.
   void prepare() {
     if (is("openexr") && asked_.as_light) {
       layer_ = choose_exr_layer(exr_layers(parts_of(*input_)), asked_.layer, problem_);
@@ -179,19 +179,19 @@ class Input final : public ImageInput {
     }
   }
 
-  //! Decides how the numbers become light.
+  //! Chooses the color conversion.
   void take_colors() {
-    ColorFacts facts = color_facts(*input_, is("png") ? bytes_.from_start() : NextBytes());
-    facts.primaries = radiance_.primaries ? radiance_.primaries : facts.primaries;
-    problem_ = facts.problem;
+    ColorMetadata metadata = color_metadata(*input_, is("png") ? bytes_.from_start() : NextBytes());
+    metadata.primaries = radiance_.primaries ? radiance_.primaries : metadata.primaries;
+    problem_ = metadata.problem;
     if (!problem_.empty()) {
       return;
     }
-    const ColorTransform colors(facts, shape_.channels >= 3 ? 3 : 1, problem_);
+    const ColorTransform colors(metadata, shape_.channels >= 3 ? 3 : 1, problem_);
     shape_.encoded = colors.is_srgb();
     if (!colors.is_srgb() && !colors.is_identity()) {
       colors_ = colors;
-      // Other curves than straight ones are for colors that are not times alpha.
+      // A curve applies to colors that are not multiplied by alpha.
       divides_by_alpha_ = !colors.is_linear() && shape_.alpha_channel >= 0 && !shape_.separate_alpha;
       shape_.separate_alpha = shape_.separate_alpha || divides_by_alpha_;
     }
@@ -227,7 +227,7 @@ class Input final : public ImageInput {
     // The reader of GIF counts its four channels from 1.
     shape_.alpha_channel = layer_.channels > 0 ? layer_.alpha : std::min(spec.alpha_channel, spec.nchannels - 1);
     shape_.sample_bytes = static_cast<int>(spec.format.size());
-    // The color facts of a texture's file do not count (glTF 2.0, 3.8.2).
+    // Color metadata of a texture's file is ignored (glTF 2.0, 3.8.2).
     const bool says_linear = OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace", "sRGB"), "linear");
     shape_.encoded = !spec.format.is_floating_point() && (asked_.as_stored || !says_linear);
     shape_.separate_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
@@ -276,13 +276,13 @@ class Input final : public ImageInput {
 
 //! Returns that an image claims more pixels than a file of so many bytes can hold, empty where it may be so. A plain black
 //! image in the formats that pack best has some 10,000 pixels a byte.
-std::string problem_of_size(const OIIO::ImageSpec& spec, std::uintmax_t file_bytes) {
+std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
   constexpr double most_pixels_a_byte = 100'000.0;
-  const double pixels = static_cast<double>(spec.width) * spec.height;
+  const double pixels = static_cast<double>(width) * height;
   if (pixels <= most_pixels_a_byte * static_cast<double>(file_bytes)) {
     return "";
   }
-  return fmt::format("it claims {} x {} pixels in {} bytes", spec.width, spec.height, file_bytes);
+  return fmt::format("it claims {} x {} pixels in {} bytes", width, height, file_bytes);
 }
 
 }  // namespace
@@ -292,7 +292,7 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
   const ImageBytes bytes(name, wishes.bytes);
   problem = problem_of_png(bytes.from_start(), PngExtent::to_pixels);
   problem = problem.empty() ? problem_of_exr(bytes.from_start(), bytes.size()) : problem;
-  // OpenImageIO does not open pictures whose colors are CIE XYZ, and does not say so.
+  // OpenImageIO refuses pictures in CIE XYZ without naming that reason.
   problem = problem.empty() ? read_radiance_header(bytes.head(longest_head)).problem : problem;
   if (!problem.empty()) {
     return nullptr;
@@ -319,7 +319,11 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
     problem = problem_of_tiff(name, wishes.bytes);
   }
   if (problem.empty()) {
-    problem = problem_of_size(input->stored(), bytes.size());
+    problem = problem_of_size(input->stored().width, input->stored().height, bytes.size());
+  }
+  if (problem.empty()) {
+    // A window larger than the pixels takes memory as well.
+    problem = problem_of_size(input->shape().width, input->shape().height, bytes.size());
   }
   if (!problem.empty()) {
     return nullptr;

@@ -12,17 +12,8 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::string_view signature("\x89PNG\r\n\x1A\n", 8);
 constexpr const char* broken_off = "it is torn, and breaks off before its end";
 constexpr std::uint32_t longest_chunk = 0x7FFF'FFFF;
-
-std::uint32_t word(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) {
-    value = value << 8U | static_cast<unsigned char>(bytes[i]);
-  }
-  return value;
-}
 
 unsigned long sum_over(unsigned long sum, const char* bytes, std::size_t count) {
   return crc32(sum, reinterpret_cast<const Bytef*>(bytes), static_cast<uInt>(count));
@@ -46,14 +37,24 @@ std::string problem_of_chunk(const NextBytes& next, std::uint32_t length, std::s
   }
   // Kinds of a small first letter are left out by readers where they are damaged: texts, profiles.
   const bool matters = (static_cast<unsigned char>(kind.front()) & 0x20U) == 0;
-  return !matters || word(saved.data()) == sum ? "" : "it is torn: some of its bytes are not those that were saved";
+  return !matters || big_endian_word({saved.data(), saved.size()}) == sum
+             ? ""
+             : "it is torn: some of its bytes are not those that were saved";
 }
 
 }  // namespace
 
+std::uint32_t big_endian_word(std::string_view bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8U | static_cast<unsigned char>(bytes[i]);
+  }
+  return value;
+}
+
 std::string problem_of_png(const NextBytes& next, PngExtent extent) {
   std::array<char, 8> head{};
-  if (!next(head.data(), head.size()) || std::string_view(head.data(), head.size()) != signature) {
+  if (!next(head.data(), head.size()) || std::string_view(head.data(), head.size()) != png_signature) {
     return "";
   }
   std::vector<char> room(std::size_t{1} << 16U);
@@ -61,7 +62,7 @@ std::string problem_of_png(const NextBytes& next, PngExtent extent) {
     if (!next(head.data(), head.size())) {
       return broken_off;
     }
-    const std::uint32_t length = word(head.data());
+    const std::uint32_t length = big_endian_word({head.data(), head.size()});
     const std::string_view kind(head.data() + 4, 4);
     if (kind == "IDAT" && extent == PngExtent::to_pixels) {
       return "";

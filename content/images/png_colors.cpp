@@ -10,17 +10,6 @@ namespace ergodome {
 
 namespace {
 
-constexpr std::string_view png_signature("\x89PNG\r\n\x1A\n", 8);
-
-//! Returns the first four bytes as a number.
-std::uint32_t big_endian_word(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) {
-    value = value << 8U | static_cast<unsigned char>(bytes[static_cast<std::size_t>(i)]);
-  }
-  return value;
-}
-
 void take_color_chunk(std::string_view kind, std::string_view data, PngColors& colors) {
   constexpr double unit = 100'000.0;
   if (kind == "cICP" && data.size() == 4) {

@@ -15,7 +15,7 @@ struct CodePoints {
   bool full_range = true;
 };
 
-//! What the chunks before a PNG's pixels say about its colors, its ICC profile apart.
+//! Color metadata in a PNG's chunks, except for the ICC profile.
 struct PngColors {
   std::optional<CodePoints> code_points;           //!< cICP
   bool is_srgb = false;                            //!< sRGB
@@ -23,7 +23,7 @@ struct PngColors {
   std::optional<std::array<double, 8>> primaries;  //!< cHRM: xy of red, green, blue and white
 };
 
-//! Reads the chunks of a PNG from its first byte to its first pixels. Other files and damaged chunks yield nothing.
+//! Reads the chunks of a PNG up to its pixels. Ignores damaged chunks and files of other formats.
 //! Source: Portable Network Graphics (third edition), 11.3.2.
 PngColors read_png_colors(const NextBytes& next);
 

@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! What the header of a Radiance picture says of its light (Ward, "Radiance file formats", refman/filefmts).
+//! Exposure and color metadata in the header of a Radiance picture (Ward, "Radiance file formats", refman/filefmts).
 struct RadianceHeader {
   //! Factors from the file's numbers to light: 1 / (product of all EXPOSURE and COLORCORR lines).
   std::array<float, 3> gains = {1.0F, 1.0F, 1.0F};

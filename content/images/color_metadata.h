@@ -12,14 +12,17 @@
 
 namespace ergodome {
 
-//! How a file's numbers become linear light, each color by itself.
+//! Transfer function from a file's numbers to linear light, the same for each channel.
 enum class TransferCurve { linear, srgb, gamma, bt709, pq };
 
 //! The xy chromaticities of red, green, blue and white.
 using Chromaticities = std::array<double, 8>;
 
-//! What a file says about its colors. Without a profile or primaries they are those of Rec. 709.
-struct ColorFacts {
+//! Rec. 709's, which are also sRGB's (ITU-R BT.709-6).
+inline constexpr Chromaticities rec_709 = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290};
+
+//! Color metadata of a file. Without a profile and primaries, the primaries are those of Rec. 709.
+struct ColorMetadata {
   std::vector<std::byte> icc_profile;  //!< empty if none; it describes the colors completely
   std::optional<Chromaticities> primaries;
   TransferCurve curve = TransferCurve::srgb;
@@ -27,8 +30,8 @@ struct ColorFacts {
   std::string problem;  //!< what is not supported; empty if nothing
 };
 
-//! Collects what an opened file says about its colors. In PNG, cICP overrides iCCP, which overrides sRGB, which overrides gAMA
+//! Reads the color metadata of an opened file. In PNG, cICP overrides iCCP, which overrides sRGB, which overrides gAMA
 //! and cHRM (PNG, third edition, 4.3); `png` yields the file's bytes from the first on. Radiance's PRIMARIES are read elsewhere.
-ColorFacts color_facts(const OIIO::ImageInput& input, const NextBytes& png);
+ColorMetadata color_metadata(const OIIO::ImageInput& input, const NextBytes& png);
 
 }  // namespace ergodome
