@@ -3,6 +3,7 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -132,6 +133,12 @@ bool has_font(const std::string& text) {
   return pango_layout_get_unknown_glyphs_count(lay_out(text, any).layout.get()) == 0;
 }
 
+//! Returns the part of the dark rim that letters of a color get: it would make dark ones unreadable.
+float rim_strength(const std::array<double, 3>& color) {
+  constexpr double bright = 0.2;
+  return static_cast<float>(std::clamp(*std::ranges::max_element(color) / bright, 0.0, 1.0));
+}
+
 }  // namespace
 
 std::string letters_without_font(const std::string& text) {
@@ -164,6 +171,7 @@ CaptionImage set_caption(const std::string& text, const CaptionType& type) {
     return caption;
   }
   const std::vector<float> rim = text_rim(letters.coverage, letters.width, letters.height, reach_px);
+  const float strength = rim_strength(type.color);
   std::vector<float> rgba;
   rgba.reserve(4 * rim.size());
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -171,7 +179,7 @@ CaptionImage set_caption(const std::string& text, const CaptionType& type) {
     for (const double part : type.color) {
       rgba.push_back(letter * static_cast<float>(part));
     }
-    rgba.push_back(letter + (1.0F - letter) * rim[i]);
+    rgba.push_back(letter + (1.0F - letter) * strength * rim[i]);
   }
   caption.image = make_overlay_image(letters.width, letters.height, rgba);
   return caption;

@@ -138,6 +138,16 @@ TEST(Captions, HaveARimThatEndsWithinTheImage) {
   EXPECT_GT(darkest, 45000);
 }
 
+TEST(Captions, OfDarkLettersHaveNoRim) {
+  const CaptionImage white = set_caption("Hg", {64, 1000.0});
+  const CaptionImage black = set_caption("Hg", {64, 1000.0, {0.0, 0.0, 0.0}});
+  ASSERT_EQ(black.image.texels.size(), white.image.texels.size());
+  for (std::size_t i = 0; i < 4UL * static_cast<std::size_t>(white.image.width * white.image.height); i += 4) {
+    // The light of white letters is what letters cover.
+    EXPECT_EQ(black.image.texels[i + 3], white.image.texels[i]) << i;
+  }
+}
+
 TEST(OverlayImages, KeepTheirMeanThroughAllLevels) {
   for (const auto& [width, height] : {std::pair(64, 64), std::pair(37, 11), std::pair(1, 9)}) {
     std::vector<float> rgba;
