@@ -133,8 +133,8 @@ std::vector<ComputedProjector> compute(const CalibrateOptions& options, const Do
   return computed;
 }
 
-//! The calibration for other programs, with warps computed anew from the lenses: the edges between the nodes of a mesh would take more
-//! samples than the curves that they stand for.
+//! Returns the calibration as MPCDI, with warps recomputed from the lenses: the straight edges of a
+//! mesh would need more samples than the curves that they approximate.
 Mpcdi exact_mpcdi(DomeSetup setup) {
   constexpr double tolerance_px = 0.02;
   for (ProjectorSetup& projector : setup.projectors) {

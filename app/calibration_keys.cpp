@@ -25,7 +25,8 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_7, CalibrationAction::choose_bottom_left, ""},
     {GLFW_KEY_8, CalibrationAction::choose_gamma, "8          the projector's gamma: up, down"},
     {GLFW_KEY_9, CalibrationAction::choose_black_level, "9          its black level: up, down"},
-    {GLFW_KEY_0, CalibrationAction::choose_gain, "0          its gain: up, down; again: red, green or blue alone"},
+    {GLFW_KEY_0, CalibrationAction::choose_gain,
+     "0          its gain: up, down; press again for red, green or blue alone"},
     {GLFW_KEY_G, CalibrationAction::finer_grid, "G          finer grid of points: 3 x 3, 5 x 5, 9 x 9"},
     {GLFW_KEY_N, CalibrationAction::next_point, "N B        next, previous point of the grid: arrows"},
     {GLFW_KEY_B, CalibrationAction::previous_point, ""},
@@ -39,7 +40,7 @@ constexpr Binding bindings[] = {
     {GLFW_KEY_PERIOD, CalibrationAction::coarser, ""},
     {GLFW_KEY_BACKSPACE, CalibrationAction::undo, "Backspace  back to what was saved"},
     {GLFW_KEY_H, CalibrationAction::hide_text, "H          hide the text, show it"},
-    {GLFW_KEY_F1, CalibrationAction::show_keys, "F1         hide these keys, show them"},
+    {GLFW_KEY_F1, CalibrationAction::show_keys, "F1         hide or show these keys"},
     {GLFW_KEY_S, CalibrationAction::save, "S          save setup and warps; older files are kept as .bak"},
     {GLFW_KEY_ESCAPE, CalibrationAction::quit, "Esc        quit without saving"},
 };

@@ -6,10 +6,10 @@
 
 namespace ergodome {
 
-//! What a key does, by GLFW's number.
+//! Returns the action of a key, given by its GLFW number.
 CalibrationAction calibration_action_of(int key);
 
-//! Returns the keys and what they do, a line each.
+//! Returns a line for each key and what it does, beginning with `indent`.
 std::string calibration_key_lines(const std::string& indent);
 
 }  // namespace ergodome

@@ -37,7 +37,7 @@ CalibrationWindow::CalibrationWindow(const LiveOptions& options)
   if (options_.master_px <= 0) {
     options_.master_px = enough_master_px(pictures_.pictures());
   }
-  // A small pattern is there at once; the full one follows.
+  // Shows a small pattern at once; run() draws the full-size one.
   drawn_px_ = std::min(options_.master_px, first_master_px);
   renewal_ = Renewal::master;
   try {

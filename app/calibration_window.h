@@ -51,7 +51,7 @@ class CalibrationWindow {
   [[nodiscard]] std::string pattern_name() const;
 
   LiveOptions options_;
-  int drawn_px_ = 0;  //!< width of the pattern that is drawn next
+  int drawn_px_ = 0;  //!< domemaster width for the next pattern that is drawn
   LiveCalibration state_;
   DomePictures pictures_;
   Window window_;

@@ -43,7 +43,7 @@ struct ConvertOptions {
   std::pair<int, int> size = own_size;
 };
 
-//! What a file is, by its ending; a name without one is a folder.
+//! What a file is. A name without an ending is a folder; only kind_of_source() returns `foreign`.
 enum class FileKind { setup, mpcdi, bourke, map, foreign, folder, other };
 
 FileKind kind_of(const std::filesystem::path& path) {
@@ -63,7 +63,8 @@ FileKind kind_of(const std::filesystem::path& path) {
   return ending.empty() ? FileKind::folder : FileKind::other;
 }
 
-//! What is converted: a warp by its content, where that shows its format, anything else by its ending.
+//! Returns the kind of the source file: by its content if that shows a warp format, otherwise by its
+//! ending. A setup is always recognized by its ending.
 FileKind kind_of_source(const std::filesystem::path& path) {
   if (kind_of(path) == FileKind::setup) {
     return FileKind::setup;
@@ -125,8 +126,8 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   if (mesh.topology == MeshTopology::rectangular) {
     return {mesh.columns, mesh.rows};
   }
-  // Triangles have no columns and rows of a raster, and rings and spokes are none. What is drawn of a map ends at its last known sample: of a circle as high as the raster some 0.3 % are
-  // lost.
+  // Neither triangles nor rings and spokes give columns and rows of a raster. A map is drawn up to its
+  // last known sample, so about 0.3 % of a circle as high as the raster is lost.
   constexpr double shorter_side = 720.0;
   const auto side = [](double samples) {
     return static_cast<int>(std::lround(std::min(samples, static_cast<double>(most_mesh_side))));
@@ -174,7 +175,7 @@ FloatMap read_map(const std::filesystem::path& file) {
   return map;
 }
 
-//! Reads a warp of another program; one of a view that the file tells becomes one of the domemaster.
+//! Reads a warp of another program. If the file holds a view, converts the warp to one of the domemaster.
 WarpMesh read_foreign(const std::filesystem::path& file) {
   ForeignWarp warp = read_foreign_warp(file, warp_format_of(file).value());
   for (const std::string& note : warp.notes) {
@@ -254,8 +255,8 @@ void add_convert_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--size", options->size,
-                   "columns and rows of a .pfm (default: the mesh's own; of a polar one, or one of triangles, 720 on "
-                   "the raster's shorter side)")
+                   "columns and rows of a .pfm (default: the mesh's own; for polar meshes and triangles, 720 on the "
+                   "raster's shorter side)")
       ->delimiter('x')
       ->check(CLI::Range(2, 16384))
       ->type_name("WxH");

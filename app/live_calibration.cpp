@@ -18,11 +18,11 @@ constexpr double most_lift = 0.5;
 //! Part of the dome's radius within which the viewer stays: beyond it a master has no direction for much of the dome.
 constexpr double farthest_viewer = 0.95;
 
-//! Setups allow any gain up to the largest.
+//! Range of the gains that keys set. Setups allow gains from 0 to most_gain.
 constexpr double least_gain = 0.05;
 constexpr double most_gain = 10.0;
 
-//! Names and usual steps, in the order of Adjustable. Points of the grid move by pixels of the raster.
+//! Names, units and normal steps, in the order of Adjustable. Grid points move in pixels of the raster.
 struct Quantity {
   const char* name;
   const char* unit;
@@ -126,7 +126,7 @@ Renewal LiveCalibration::choose(CalibrationAction action) {
     case CalibrationAction::choose_bottom_left:
       return choose_corner(false, true);
     case CalibrationAction::choose_gain:
-      // Once more: the next color alone.
+      // Pressing the key again chooses the next color alone.
       gain_color_ = adjustable_ != Adjustable::gain || gain_color_ == 2 ? all_colors : gain_color_ + 1;
       adjustable_ = Adjustable::gain;
       break;
@@ -169,13 +169,13 @@ Renewal LiveCalibration::refine_grid() {
   const auto* const now = std::ranges::find(GridOffsets::sizes, grid.points);
   const bool finest = std::next(now) == GridOffsets::sizes.end();
   const GridOffsets coarse = grid.resized(GridOffsets::sizes.front());
-  // From the finest grid back to the corners, unless that lost something.
+  // Goes from the finest grid back to the corners, unless that would lose offsets.
   if (finest && !(grid.none() || coarse.resized(grid.points) == grid)) {
     return Renewal::nothing;
   }
   const int before = grid.points;
   grid = finest ? coarse : grid.resized(*std::next(now));
-  // The same place, or the corner that is nearest.
+  // Keeps the position of the chosen point, or chooses the point nearest to it.
   const auto along = [&](std::size_t at) {
     return static_cast<std::size_t>(
         std::lround(static_cast<double>(at) / (before - 1) * static_cast<double>(grid.points - 1)));
@@ -193,7 +193,7 @@ double LiveCalibration::step() const {
 
 Renewal LiveCalibration::adjust(const Way& way) {
   ProjectorSetup& projector = setup_.projectors[projector_];
-  // Numbers alone go up with either arrow.
+  // A single value increases with both the up and the right arrow.
   const double more = step() * (way.up != 0 ? way.up : way.right);
   switch (adjustable_) {
     case Adjustable::tilt:

@@ -44,7 +44,7 @@ enum class CalibrationAction {
   choose_gain,
 };
 
-//! What can be changed. The first three are the dome's, the others a projector's.
+//! What can be changed. The first three belong to the dome, the others to a projector.
 enum class Adjustable {
   tilt,
   rotation,
@@ -55,7 +55,7 @@ enum class Adjustable {
   gain,
 };
 
-//! What has to be made anew after an action, each with what comes after it in this list.
+//! What has to be updated after an action. Each value includes all that follow it.
 enum class Renewal { master, warps, colours, text, nothing };
 
 //! A dome setup while a person adjusts it: what is chosen, what keys change, by how much, and how far. Knows neither windows nor files.
@@ -64,10 +64,11 @@ class LiveCalibration {
   //! `patterns`: how many test patterns there are to go through.
   LiveCalibration(DomeSetup setup, int patterns);
 
-  //! Does what a key asks for. Quitting and saving are the caller's: they change nothing here.
+  //! Performs an action and returns what has to be updated. Quitting and saving change nothing here: the
+  //! caller does them.
   Renewal press(CalibrationAction action);
 
-  //! Takes over what was saved: the setup with warps that hold the offsets, which then are zero.
+  //! Takes over the saved setup, whose warps hold the offsets, and resets the offsets to zero.
   void note_saved(DomeSetup setup);
 
   [[nodiscard]] const DomeSetup& setup() const { return setup_; }
@@ -78,7 +79,7 @@ class LiveCalibration {
   [[nodiscard]] bool text_shown() const { return text_shown_; }
   [[nodiscard]] bool keys_shown() const { return keys_shown_; }
 
-  //! Whether anything differs from what was read or saved last.
+  //! Returns whether anything differs from what was last read or saved.
   [[nodiscard]] bool unsaved() const;
 
   //! What is being changed, its value and its step, a line each.
@@ -110,8 +111,8 @@ class LiveCalibration {
   DomeSetup setup_;
   DomeSetup saved_;
   std::vector<GridOffsets> offsets_;
-  std::size_t point_ = 0;  //!< of the projector's grid, row by row
-  int gain_color_ = all_colors;
+  std::size_t point_ = 0;        //!< index in the projector's grid, row by row
+  int gain_color_ = all_colors;  //!< 0 red, 1 green, 2 blue
   int patterns_;
   std::size_t projector_ = 0;
   int pattern_ = 0;

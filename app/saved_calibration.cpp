@@ -11,7 +11,7 @@ namespace ergodome {
 
 namespace {
 
-//! A mask where the corners take it, as a PNG beside the setup; its name.
+//! Writes a mask, moved by the offsets, as a PNG beside the setup. Returns its name.
 std::string write_mask(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        const BlendMap& mask) {
   BlendMap moved = moved_mask(picture.offsets, in_shape_of(mask, picture.width_px, picture.height_px));
@@ -69,7 +69,7 @@ DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& s
                            const std::vector<GridOffsets>& offsets, const std::vector<bool>& anew) {
   DomeSetup saved = setup;
   for (ProjectorSetup& projector : saved.projectors) {
-    // Its lines are others now.
+    // Messages now refer to the new file.
     projector.read_from = file.string();
   }
   require_writable(file);

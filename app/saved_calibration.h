@@ -8,10 +8,11 @@
 
 namespace ergodome {
 
-//! Writes a setup, and for each projector whose corners were moved, or that is to have files anew (`anew`; absent: none), its warp (Bourke's mesh)
-//! and masks as they then are, beside it: N_NAME.data, N_NAME_blend.png, N_NAME_black.png. Older files of all of these names are kept as .bak; files
-//! that the setup named before stay. Returns the setup as written, whose warps hold the corners. Throws Error where a file cannot be written; where
-//! that can be known beforehand, nothing is.
+//! Writes a setup. For each projector with offsets, and for those marked in `anew` (empty: none), also
+//! writes its moved warp (Bourke's mesh) and masks beside it: N_NAME.data, N_NAME_blend.png and
+//! N_NAME_black.png. Keeps older files of these names as .bak, and all files that the setup named before.
+//! Returns the setup as written, whose warps hold the offsets. Throws Error if a file cannot be written; if
+//! that can be detected beforehand, writes nothing.
 DomeSetup save_calibration(const std::filesystem::path& file, const DomeSetup& setup,
                            const std::vector<GridOffsets>& offsets, const std::vector<bool>& anew = {});
 

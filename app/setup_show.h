@@ -12,9 +12,10 @@
 
 namespace ergodome {
 
-//! Makes a show's pictures the domemaster that warps of a setup look up: 180°, equidistant, uncut, from inside, right as seen from the
-//! setup's viewer. A tilt that the setup states replaces the show's, unless that is artistic. Throws Error for layouts that put two eyes into one picture; UsageError where the command
-//! line's `stereo` (empty: none) asked for one.
+//! Makes a show render the domemaster that warps of a setup look up: 180°, equidistant, uncut, from
+//! inside, correct as seen from the setup's viewer. A tilt that the setup states replaces the show's,
+//! unless that is artistic. Throws Error for layouts that put two eyes into one picture, and UsageError if
+//! the command line's `stereo` (empty: none) asked for one.
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
 //! The projectors' names for files: what of them is plain, and different for each.

@@ -17,7 +17,7 @@ class DomePictures {
 
   [[nodiscard]] const std::vector<ProjectorPicture>& pictures() const { return pictures_; }
 
-  //! Takes over tilt, rotation, corners and colours of the same dome; for three projectors of 1920 x 1080 on two cores in some 50 ms, and
+  //! Takes over tilt, rotation, offsets and colours of the same dome; for three projectors of 1920 x 1080 on two cores in some 50 ms, and
   //! with masks, which a new tilt calls for, 90. True where there are new masks. Throws Error, and leaves all as it was,
   //! where a projector would light no part of the dome.
   bool follow(const DomeSetup& setup, const std::vector<GridOffsets>& offsets);

@@ -32,7 +32,7 @@ struct ProjectorOutput {
 //! What picture a flat warp looks up.
 enum class WarpSource {
   dome_picture,  //!< the domemaster, or the whole buffer of an MPCDI calibration
-  lens_picture,  //!< what the projector's lens shows of the scene (MPCDI's profile 3d), or a view that the file tells
+  lens_picture,  //!< what the projector's lens (as in MPCDI's profile 3d), or a view in the file, shows of the scene
 };
 
 //! A file with a projector's warp, and how it is to be read.
@@ -43,7 +43,7 @@ struct WarpFile {
   TextureDirection texture = TextureDirection::downwards;  //!< of float maps alone
   std::string region;                                      //!< of an MPCDI calibration; empty: its only one
   bool x_to_one = false;                                   //!< Bourke: x runs to 1, not to the raster's aspect
-  WarpSource source = WarpSource::dome_picture;            //!< of formats that do not tell it
+  WarpSource source = WarpSource::dome_picture;            //!< for formats that do not state it
 };
 
 struct ProjectorSetup {
@@ -71,7 +71,7 @@ std::string place_of(const ProjectorSetup& projector);
 struct DomeSetup {
   double radius_m = 5.0;
   double tilt_deg = 0.0;      //!< how far the dome's top leans to the front
-  bool tilt_known = false;    //!< the setup states it; it then sets the tilt of shows
+  bool tilt_known = false;    //!< whether the setup states it, so that shows follow it
   double rotation_deg = 0.0;  //!< how far the picture is turned to the right about the dome's own axis
   Vector3<double> viewer_m{0.0, 0.0, 0.0};
   std::vector<ProjectorSetup> projectors;

@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! Keywords with a number, and what it is where the file does not say.
+//! Keywords that take a number, and their defaults.
 const std::map<std::string, double, std::less<>> usual_numbers = {
     {"ORTHO_LEFT", 0.0},
     {"ORTHO_RIGHT", 1.0},
@@ -227,7 +227,7 @@ class EasyblendParser {
       }
       node.x = static_cast<float>(x);
       node.y = static_cast<float>(1.0 - y);
-      // Factors of what the projector is sent: light goes by its gamma.
+      // Intensities multiply the values that are sent; the light goes by those to the power of gamma.
       node.intensity = std::pow(node.intensity, static_cast<float>(number("GAMMA")));
     }
   }

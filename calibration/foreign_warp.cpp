@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t most_warp_bytes = std::size_t{1} << 30U;
-//! Far outside any raster or image.
+//! Largest coordinate or angle that is read; far outside any raster or image.
 constexpr double largest_warp_number = 1e4;
 
 }  // namespace
@@ -57,7 +57,7 @@ void check_view(const Frustum& frustum, const std::string& place) {
 }
 
 std::string words_of(const WarpView& view) {
-  // Whole hundredths, and no -0.
+  // Rounds to hundredths; adding 0 turns -0 into 0.
   const auto shown_deg = [](double angle_deg) { return std::round(100.0 * angle_deg) / 100.0 + 0.0; };
   const auto& [orientation, frustum] = view;
   return fmt::format(

@@ -10,7 +10,7 @@
 #include "calibration/warp_format.h"
 #include "calibration/warp_mesh.h"
 
-// Warps of programs that are used beside SGCT (https://sgct.github.io), with what that reads from them.
+// Warp formats of other programs: those that SGCT (https://sgct.github.io) reads as well.
 namespace ergodome {
 
 //! The flat picture that a warp looks up: its direction, in the dome's axes, and its field of view.
@@ -22,21 +22,22 @@ struct WarpView {
 //! Returns a view in words, for messages: "yaw 30.00°, pitch 40.00°, ...".
 std::string words_of(const WarpView& view);
 
-//! A warp with what its file says about it.
+//! A warp, and what else its file holds.
 struct ForeignWarp {
   WarpMesh mesh;
-  std::optional<WarpView> view;    //!< absent if the format leaves open what the warp looks up
+  std::optional<WarpView> view;    //!< absent if the file does not state what the warp looks up
   std::vector<std::string> notes;  //!< parts of the file that are not used
 };
 
-//! Reads a warp of one of the formats below. Throws Error with file and line for numbers that are not finite or beyond 10,000, torn
-//! files, sizes beyond warp_mesh.h's limits, and what the file asks for that is not supported.
+//! Reads a warp in one of the formats below. Throws Error, naming the file and where possible the line, for
+//! numbers that are not finite or beyond 10,000, for truncated files, for sizes beyond the limits of
+//! warp_mesh.h, and for unsupported features.
 ForeignWarp parse_foreign_warp(std::string_view bytes, const std::string& file, WarpFormat format);
 
-//! The same from a file.
+//! Reads a warp from a file, as parse_foreign_warp() does.
 ForeignWarp read_foreign_warp(const std::filesystem::path& path, WarpFormat format);
 
-//! Whether parse_foreign_warp() reads a format.
+//! Returns whether parse_foreign_warp() reads a format.
 bool is_foreign(WarpFormat format);
 
 // The readers of each format. All but .sgc are text.
@@ -56,7 +57,8 @@ ForeignWarp parse_easyblend_warp(std::string_view text, const std::string& file)
 //! SimCAD (Barco): XML with offsets of a square grid in reading order, to the right and downwards, in parts of "range".
 ForeignWarp parse_simcad_warp(std::string_view text, const std::string& file);
 
-//! Sky-Skan: direction and field of view of the picture, then a grid of nodes "x y u v", y and v downwards; -1 is no node.
+//! Sky-Skan: direction and field of view of the picture, then a grid of nodes "x y u v", y and v downwards; nodes at -1
+//! are not drawn.
 ForeignWarp parse_skyskan_warp(std::string_view text, const std::string& file);
 
 }  // namespace ergodome

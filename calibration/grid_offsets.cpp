@@ -7,7 +7,7 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the offset at a position, between the four points around it.
+//! Returns the offset at a position, bilinearly between the four points around it.
 double between(const GridOffsets& grid, const std::vector<double>& offsets, const RasterPlace& place) {
   const int cells = grid.points - 1;
   const double x = std::clamp(place.x, 0.0, 1.0) * cells;
@@ -20,7 +20,7 @@ double between(const GridOffsets& grid, const std::vector<double>& offsets, cons
   return std::lerp(std::lerp(at(0, 0), at(1, 0), across), std::lerp(at(0, 1), at(1, 1), across), down);
 }
 
-//! Clamps a new offset of a point by those of its neighbors.
+//! Clamps a new offset of a point so that it differs from its neighbors' by at most the slack.
 double clamped(const GridOffsets& grid, const std::vector<double>& offsets, std::size_t point, double offset) {
   const double slack = GridOffsets::slack / (grid.points - 1);
   const int column = static_cast<int>(point) % grid.points;
@@ -40,7 +40,7 @@ double clamped(const GridOffsets& grid, const std::vector<double>& offsets, std:
   return std::clamp(offset, least, std::max(least, most));
 }
 
-//! A channel of a mask between its samples, which fill the raster.
+//! Returns a channel of a mask at a position, bilinearly between its samples, which fill the raster.
 float read(const BlendMap& mask, const RasterPlace& place, int channel) {
   const double x = std::clamp(place.x * mask.width - 0.5, 0.0, mask.width - 1.0);
   const double y = std::clamp(place.y * mask.height - 0.5, 0.0, mask.height - 1.0);
@@ -65,7 +65,7 @@ WarpNode node_between(const WarpMesh& mesh, double column, double row) {
   const WarpNode& a = mesh.at(left, top);
   const WarpNode& b = across >= down ? mesh.at(left + 1, top) : mesh.at(left, top + 1);
   const WarpNode& c = mesh.at(left + 1, top + 1);
-  // Along the first side and then the second one of the triangle.
+  // Weights of a, b and c: along the triangle's side from a to b, then along that from b to c.
   const float first = std::max(across, down);
   const float second = std::min(across, down);
   const float weights[] = {1.0F - first, first - second, second};
@@ -140,7 +140,7 @@ RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place) {
     const double xy = (below.x - at.x) / step;
     const double yy = (below.y - at.y) / step;
     const double area = xx * yy - xy * yx;
-    // From one cell's bilinear map to the next, no further: far beyond a cell it may fold.
+    // Limits each step to half a cell: far outside a cell, its bilinear map may fold.
     back.x += std::clamp((yy * miss_x - xy * miss_y) / area, -longest, longest);
     back.y += std::clamp((xx * miss_y - yx * miss_x) / area, -longest, longest);
   }
@@ -158,7 +158,7 @@ WarpMesh moved_warp(const GridOffsets& grid, const WarpMesh& mesh) {
 }
 
 WarpMesh refined_for(const GridOffsets& grid, const WarpMesh& mesh) {
-  // Two nodes in a cell of the grid: its bilinear displacement is then shown well.
+  // Two cells of the mesh per cell of the grid follow its bilinear displacement well.
   constexpr int nodes_per_cell = 2;
   const int wanted = nodes_per_cell * (grid.points - 1);
   const auto parts_of = [&](int nodes) { return std::max((wanted + nodes - 2) / (nodes - 1), 1); };

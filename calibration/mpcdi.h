@@ -25,7 +25,7 @@ constexpr bool is_posed(MpcdiProfile profile) {
   return profile == MpcdiProfile::simulation_3d || profile == MpcdiProfile::shader_lamps;
 }
 
-//! Whether the warps of a profile hold lengths, so that their unit counts.
+//! Returns whether the warps of a profile hold lengths, so that their unit counts.
 constexpr bool has_lengths(MpcdiProfile profile) {
   return profile == MpcdiProfile::advanced_3d || profile == MpcdiProfile::shader_lamps;
 }
@@ -85,7 +85,7 @@ struct MpcdiRegion {
   std::optional<double>
       encode_gamma;  //!< from linear light to what the projector is sent; absent where the file says none
   std::optional<MpcdiGeometry> geometry;
-  std::string unit = "unknown";        //!< of the frame's position, which the file tells even where it names no warp
+  std::string unit = "unknown";        //!< of the frame's position; a file may state it without naming a warp
   std::optional<MpcdiMask> alpha;      //!< what is left of the projector's light where it meets others
   std::optional<MpcdiMask> beta;       //!< black-level lift
   std::optional<FloatMap> distortion;  //!< sl: the lens's own 2D warp

@@ -37,7 +37,7 @@ std::optional<std::string> checked_path(const XmlElement& element) {
   return path;
 }
 
-//! Whether two names differ in capitals at most.
+//! Returns whether two names are equal apart from case.
 bool same_letters(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
@@ -52,7 +52,8 @@ MpcdiOrigin origin_of(const std::string& word) {
                                            : static_cast<MpcdiOrigin>(found - mpcdi_origin_words.begin());
 }
 
-//! Returns the unit of a <geometryWarpFile>, in small letters. Throws Error for one that does not exist, if the profile has lengths.
+//! Returns the unit of a <geometryWarpFile>, in lowercase. An unknown unit throws Error if the profile has
+//! lengths, and counts as "unknown" otherwise.
 std::string unit_of(const XmlElement& element, MpcdiProfile profile) {
   std::string unit = element.text_of("geometricUnit", "unknown");
   std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -26,8 +26,8 @@ class MpcdiFileReader {
   RowOrder order_;
 };
 
-//! Returns the path of a file that a description names, beside it. As on Windows, capitals count as small letters where no file has
-//! the very name.
+//! Returns the path of a file that a description in `folder` names. If no file has exactly this name, its
+//! case is ignored, as on Windows.
 std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name);
 
 //! Files that lie beside a description. Only what is below `folder` is opened: names with a drive, from the root, or through ".."

@@ -60,7 +60,7 @@ class ObjWarpParser {
     } else if (word == "f") {
       read_face(rest);
     }
-    // Normals, groups, materials and the like say nothing of a warp.
+    // A warp does not use normals, groups or materials.
   }
 
   void require_room(std::size_t count) const {
@@ -85,7 +85,7 @@ class ObjWarpParser {
     require_room(positions_.size());
   }
 
-  //! Takes a number from the front of a face's corner; 0 where there is none.
+  //! Takes an index from the front of a face's corner. Returns 0 if there is none.
   long long taken_index(std::string_view& corner, std::size_t count) const {
     long long index = 0;
     const auto [end, problem] = std::from_chars(corner.data(), corner.data() + corner.size(), index);
@@ -93,7 +93,7 @@ class ObjWarpParser {
       return 0;
     }
     corner.remove_prefix(static_cast<std::size_t>(end - corner.data()));
-    // Below 0 it counts back from the last line so far.
+    // Negative indices count back from the last line that was read.
     index = index < 0 ? static_cast<long long>(count) + index + 1 : index;
     if (index < 1 || index > static_cast<long long>(count)) {
       throw text_.error(fmt::format("has a corner with number {} of {}", index, count),
@@ -120,7 +120,8 @@ class ObjWarpParser {
     return node_of(static_cast<std::size_t>(position - 1), static_cast<std::size_t>(texture - 1));
   }
 
-  //! The node of a pair; a position with one texture coordinate keeps its own number, so that grids are seen.
+  //! Returns the node of a position with a texture coordinate. With a position's first texture coordinate,
+  //! the node has the position's index, so that grids are recognized.
   std::uint32_t node_of(std::size_t position, std::size_t texture) {
     nodes_.resize(std::max(nodes_.size(), positions_.size()));
     first_texture_.resize(positions_.size(), none);

@@ -22,7 +22,7 @@ struct LoadedProjector {
   std::optional<MpcdiMask> blend;       //!< the setup's mask, or else the region's alphaMap
   std::optional<BlendMap> black_level;  //!< the setup's mask, or else the region's betaMap
   Vector3<double> black_level_lift{};   //!< the setup's; 1 where it is 0 and there is a betaMap
-  std::vector<std::string> notes;       //!< what the warp's file says that a user should know
+  std::vector<std::string> notes;       //!< remarks on the warp's file, for the user
 };
 
 //! Reads the warp and the masks of a projector of a setup. Throws Error, naming the file, for whatever its reader refuses, for a

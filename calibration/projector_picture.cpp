@@ -43,9 +43,10 @@ WarpMesh warp_of_surface(const DomeScreen& screen, const SurfaceMesh& surface) {
   return with_rim(mesh);
 }
 
-//! Into how many steps a cell must be cut for the lens's picture to be bent by less than some 0.1 pixel of a master of 4096 in each.
+//! Returns into how many steps a cell must be cut so that, in each, the lens's picture deviates from a
+//! straight line by less than about 0.1 pixel of a master of 4096.
 int steps_through_lens(const WarpMesh& warp, const Frustum& frustum) {
-  // Parts of the tangent plane, on which angles are bent: a step of 1/32 is less than 2°.
+  // In units of the tangent plane, where angles are not linear: a step of 1/32 is less than 2°.
   constexpr double longest_step = 1.0 / 32.0;
   const double across = std::tan(one_degree * frustum.right_deg) - std::tan(one_degree * frustum.left_deg);
   const double upwards = std::tan(one_degree * frustum.up_deg) - std::tan(one_degree * frustum.down_deg);

@@ -220,7 +220,8 @@ class ProjectorReader {
     return warp;
   }
 
-  //! The format that a warp's content shows, or else its ending.
+  //! Returns the format of a warp by its content, or else by its ending. Files that need not exist go by their
+  //! ending alone.
   WarpFormat format_of(const TomlTable& table, std::string_view key, const std::string& name) const {
     const std::string ending = std::filesystem::path(name).extension().string();
     const auto format =

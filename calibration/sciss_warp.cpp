@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are stored as a little-endian machine has them");
 
-//! The file's words for what its indices are (version 2).
+//! Values for the kind of indices in files of version 2.
 constexpr std::uint32_t list_of_triangles = 4;
 constexpr std::uint32_t strip_of_triangles = 5;
 
@@ -85,7 +85,7 @@ class ScissParser {
       throw Error(file_, "is not a SCISS warp", "such a file begins with \"SGC\"");
     }
     rest_.remove_prefix(3);
-    // Programs wrote the version as a digit or as a number.
+    // Some programs write the version as a digit, others as a number.
     const int version = taken<std::uint8_t>("its version");
     version_ = version >= '0' ? version - '0' : version;
     if (version_ != 1 && version_ != 2) {

@@ -37,10 +37,10 @@ Orientation in_own_axes(const DomeSetup& setup, const Orientation& orientation) 
       {in_own_axes(setup, axes.right), in_own_axes(setup, axes.up), in_own_axes(setup, axes.forward)});
 }
 
-//! How many samples a warp's map gets.
+//! Number of samples in a warp's map.
 enum class MapSamples { each_pixel, as_needed };
 
-//! What a projector shows of the domemaster, whatever it was made from.
+//! Returns the region of profile 2d for a projector's picture, whatever that was made from.
 MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
   // Masks have a sample for each pixel: they are finer than the nodes of most meshes.
   const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);

@@ -21,7 +21,8 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
 //! alpha mask from intensities and blend mask; the beta mask from black level and lift. Gains are in both masks (put_light()). Throws Error for what projector_pictures() refuses.
 Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date);
 
-//! A calibration of profile 2d with these pictures, whose warps have as many samples as they need (thinned_map()). Calls `progress` with the number of regions that are done.
+//! Returns a calibration of profile 2d with these pictures, whose warps have as many samples as they need
+//! (thinned_map()). Calls `progress` with the number of finished regions.
 Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
                           const std::function<void(long)>& progress = {});
 

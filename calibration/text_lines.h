@@ -28,7 +28,7 @@ std::string_view take_word(std::string_view& line);
 std::optional<double> number_of(std::string_view word);
 std::optional<long long> whole_number_of(std::string_view word);
 
-//! The same as number_of(); also reads a comma for the decimal point, as programs of some countries write it.
+//! Parses a number as number_of() does; also accepts a decimal comma, which programs write in some countries.
 std::optional<double> decimal_of(std::string_view word);
 
 }  // namespace ergodome

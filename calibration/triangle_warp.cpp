@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! Which of a cell's corners a triangle has: bits 0 and 1 its first row, 2 and 3 the second. Nothing if it is in no cell.
+//! The corners of a grid cell that a triangle has: bits 0 and 1 in the first row, 2 and 3 in the second.
 struct CellPart {
   std::size_t cell;  //!< its first node
   unsigned corners;
@@ -21,7 +21,7 @@ struct CellPart {
 
 std::optional<CellPart> part_of_cell(const WarpTriangle& triangle, std::size_t columns) {
   const std::size_t first = *std::ranges::min_element(triangle);
-  // Its smallest node is the cell's first, or, where that is missing, the second.
+  // The triangle's smallest node is the cell's first, or its second if the triangle lacks the first.
   for (const std::size_t back : {std::size_t{0}, std::size_t{1}}) {
     if (first < back || (first - back) % columns + 1 == columns) {
       continue;
@@ -40,10 +40,10 @@ std::optional<CellPart> part_of_cell(const WarpTriangle& triangle, std::size_t c
   return std::nullopt;
 }
 
-//! Whether two triangles fill a cell: each has three corners, and they share a diagonal.
+//! Returns whether two triangles of three corners each fill a cell: they share a diagonal.
 bool fills_cell(unsigned a, unsigned b) { return (a | b) == 15U && ((a & b) == 9U || (a & b) == 6U); }
 
-//! Whether the triangles are all cells of a grid with so many columns, each cut in two.
+//! Returns whether the triangles are the two halves of every cell of a grid with `columns` columns of nodes.
 bool is_grid(std::size_t nodes, const std::vector<WarpTriangle>& triangles, std::size_t columns) {
   if (columns < 2 || nodes % columns != 0 || nodes / columns < 2 ||
       triangles.size() != 2 * (columns - 1) * (nodes / columns - 1)) {
@@ -66,7 +66,7 @@ bool is_grid(std::size_t nodes, const std::vector<WarpTriangle>& triangles, std:
   return 2 * filled == triangles.size();
 }
 
-//! Columns of the grid that the triangles make; 0 where they make none.
+//! Returns the columns of nodes in the grid that the triangles form; 0 if they form none.
 std::size_t grid_columns(std::size_t nodes, const std::vector<WarpTriangle>& triangles) {
   std::size_t widest = 0;
   for (const WarpTriangle& triangle : triangles) {
@@ -81,7 +81,7 @@ std::size_t grid_columns(std::size_t nodes, const std::vector<WarpTriangle>& tri
   return 0;
 }
 
-//! A cell for each triangle, with nodes between cells that are not drawn.
+//! Returns a mesh with a cell for each triangle, and undrawn nodes between the cells.
 WarpMesh separate_cells(const std::vector<WarpNode>& nodes, const std::vector<WarpTriangle>& triangles,
                         const std::string& file) {
   constexpr std::size_t most_in_row = (most_mesh_side + 1) / 3;
@@ -107,7 +107,7 @@ WarpMesh separate_cells(const std::vector<WarpNode>& nodes, const std::vector<Wa
   return mesh;
 }
 
-//! How far the nodes move on the raster from the first row to the last, or from the first column to the last, in sum.
+//! Distances on the raster from the first column to the last, summed over all rows.
 struct Extent {
   double x = 0.0;
   double y = 0.0;

@@ -7,22 +7,23 @@
 
 #include "calibration/warp_mesh.h"
 
-// Warps that files describe as triangles, as the grid that warp_mesh.h has.
+// Converts warps that files describe as triangles to the grid of warp_mesh.h.
 namespace ergodome {
 
-//! Numbers of three nodes.
+//! Indices of three nodes.
 using WarpTriangle = std::array<std::uint32_t, 3>;
 
-//! Returns a mesh that draws these triangles. Nodes that lie row after row and make a full grid of cells become that grid, whichever
-//! way rows and columns run. Other triangles become a cell each, the fourth corner being the third once more. Throws Error, naming
-//! `file`, where a triangle has a node that does not exist, and where there are no triangles or too many.
+//! Returns a mesh that draws these triangles. Triangles that form a complete grid, whose nodes are listed
+//! row after row, become that grid, whichever way rows and columns run. Other triangles become a cell each,
+//! which repeats the third corner as the fourth. Throws Error, naming `file`, if a triangle has a node that
+//! does not exist, and if there are no triangles or too many.
 WarpMesh warp_from_triangles(std::vector<WarpNode> nodes, const std::vector<WarpTriangle>& triangles,
                              const std::string& file);
 
-//! Returns a rectangular grid of nodes with rows from top to bottom and columns from left to right.
+//! Returns a rectangular mesh with its nodes reordered: rows from top to bottom, columns from left to right.
 WarpMesh in_reading_order(WarpMesh mesh);
 
-//! Returns the triangles of a strip; those with a node twice, which join parts of the strip, are left out.
+//! Returns the triangles of a strip, without those that have a node twice, which only join parts of it.
 std::vector<WarpTriangle> triangles_of_strip(const std::vector<std::uint32_t>& indices);
 
 }  // namespace ergodome

@@ -24,8 +24,9 @@ FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirec
 //! can.
 WarpMesh resampled_warp(const WarpMesh& mesh, int width, int height);
 
-//! Returns a mesh with each cell cut into `steps` x `steps`, for places between which not all is linear; into fewer where a mesh would
-//! have more than 8 million nodes. A polar mesh stays as it is.
+//! Returns a mesh that draws the same with each cell cut into `steps` x `steps`, for conversions that are
+//! not linear. Uses fewer steps if the mesh would exceed 2^23 nodes or most_mesh_side. Returns a polar mesh
+//! unchanged.
 WarpMesh refined_warp(const WarpMesh& mesh, int steps);
 
 //! A mesh in fill layout with nodes on the raster's rim added, continued in a straight line from the outermost two on each side:

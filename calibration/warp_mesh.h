@@ -26,11 +26,11 @@ struct WarpNode {
   bool valid = true;       //!< cells with a corner that is not are not drawn
 };
 
-//! Whether a mesh has sides, or is joined to itself.
+//! How the cells of a mesh are connected.
 enum class MeshTopology {
   rectangular,
-  polar,           //!< columns go round: the last is followed by the first
-  separate_cells,  //!< a cell for each triangle of a file, undrawn nodes between: columns and rows say nothing of the raster
+  polar,           //!< columns go round: the first follows the last
+  separate_cells,  //!< a cell for each triangle of a file, in no order on the raster, with undrawn nodes between
 };
 
 //! A warp in two dimensions: a grid of nodes, between which all is linear.

@@ -6,7 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! A cell's value at (s, t), 0 to 1 to the right and downwards; cells are cut from the top left corner to the bottom right.
+//! Returns the node at (s, t) in a cell, each from 0 to 1, to the right and downwards. Cells are cut from
+//! the top left corner to the bottom right.
 WarpNode in_cell(const WarpNode* const corners[4], float s, float t) {
   const WarpNode& a = *corners[0];
   const WarpNode& b = *corners[1];
@@ -16,7 +17,7 @@ WarpNode in_cell(const WarpNode* const corners[4], float s, float t) {
     const float side = s >= t ? (s - t) * (b.*of - a.*of) : (t - s) * (d.*of - a.*of);
     return a.*of + side + std::min(s, t) * (c.*of - a.*of);
   };
-  // On a cell's side it is the two corners there that count.
+  // On a cell's side, only the two corners of that side count.
   const bool left = s < 1.0F;
   const bool right = s > 0.0F;
   const bool top = t < 1.0F;

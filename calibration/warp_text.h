@@ -10,23 +10,23 @@
 
 namespace ergodome {
 
-//! The lines of a warp in text, with messages that name file and line.
+//! Reads the lines of a text file with a warp; its messages name file and line.
 class WarpText {
  public:
   WarpText(std::string_view text, std::string file) : lines_(text), file_(std::move(file)) {}
 
-  //! The next line that holds something; nothing at the end.
+  //! Returns the next line that is not blank; nothing at the end.
   std::optional<std::string_view> next() { return lines_.next(); }
 
-  //! "FILE:LINE".
+  //! Returns "FILE:LINE".
   [[nodiscard]] std::string place() const;
   [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
     return {place(), problem, remedy};
   }
 
-  //! A word as a number of size 10,000 at the most; `what` says what it is.
+  //! Parses a number between -10,000 and 10,000. `what` names it in messages.
   [[nodiscard]] double number(std::string_view word, std::string_view what) const;
-  //! A word as a whole number from `least` to `most`.
+  //! Parses a whole number from `least` to `most`.
   [[nodiscard]] long long whole(std::string_view word, std::string_view what, long long least, long long most) const;
 
  private:
@@ -34,10 +34,10 @@ class WarpText {
   std::string file_;
 };
 
-//! At most 40 characters of a file, for a message.
+//! Returns the first 40 bytes of a text, printable, for a message.
 std::string shown_of(std::string_view text);
 
-//! Throws Error unless a field of view is one that a flat picture can have.
+//! Throws Error, naming `place`, unless a flat picture can have this field of view.
 void check_view(const Frustum& frustum, const std::string& place);
 
 }  // namespace ergodome

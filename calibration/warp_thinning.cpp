@@ -23,7 +23,8 @@ MasterPlace between(const MasterPlace& a, const MasterPlace& b, const MasterPlac
   return {a.u + s * (b.u - a.u) + t * (c.u - a.u), a.v + s * (b.v - a.v) + t * (c.v - a.v)};
 }
 
-//! The samples of a map about a pixel, and the pixel's position among them: 0 to 1, beyond that at the raster's rim.
+//! The four samples of a map around a pixel, and the pixel's position between them: 0 to 1, or beyond at the
+//! raster's rim.
 struct Cell {
   MasterPlace top_left;
   MasterPlace top_right;
@@ -37,7 +38,7 @@ struct Cell {
     const MasterPlace bottom = between(bottom_left, bottom_right, bottom_left, x, 0.0);
     return between(top, bottom, top, y, 0.0);
   }
-  //! By the two triangles that the diagonal from the top left makes.
+  //! Interpolates on the two triangles that the diagonal from the top left forms.
   [[nodiscard]] MasterPlace triangular() const {
     return x >= y ? between(top_right, top_left, bottom_right, 1.0 - x, y)
                   : between(bottom_left, bottom_right, top_left, x, 1.0 - y);
@@ -60,7 +61,8 @@ Cell cell_of(const FloatMap& map, double x, double y) {
 
 bool sees_master(const WarpNode& node) { return node.valid && std::hypot(node.u - 0.5F, node.v - 0.5F) <= 0.5F; }
 
-//! The change of a warp from one pixel to the next along one axis, at a pixel; both neighbours count where they are drawn.
+//! Returns the change of a warp per pixel along one axis, at a pixel: between both neighbors if they are
+//! drawn, otherwise between the pixel and the one that is.
 MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int down) {
   const auto place = [](const WarpNode& node) { return MasterPlace{node.u, node.v}; };
   int from = 0;
@@ -78,7 +80,7 @@ MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int 
   return {change.u / steps, change.v / steps};
 }
 
-//! How many pixels of the raster an error of the master's place stands for.
+//! Converts an error on the master to pixels of the raster.
 double in_pixels(const WarpMesh& exact, int column, int row, const MasterPlace& error) {
   const MasterPlace along_x = slope_at(exact, column, row, 1, 0);
   const MasterPlace along_y = slope_at(exact, column, row, 0, 1);

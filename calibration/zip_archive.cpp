@@ -85,7 +85,7 @@ ZipArchive::~ZipArchive() = default;
 
 namespace {
 
-//! Returns the number of a member, or -1. Some Windows programs write backslashes between folders.
+//! Returns the index of a member, or -1. Some Windows programs write backslashes between folders.
 zip_int64_t located(zip_t* archive, std::string member) {
   const zip_int64_t index = zip_name_locate(archive, member.c_str(), ZIP_FL_NOCASE);
   if (index >= 0 || member.find('/') == std::string::npos) {

@@ -22,7 +22,7 @@ class ZipArchive {
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
 
-  //! Whether there is a member of that name; capitals count as small letters, and backslashes as slashes.
+  //! Returns whether there is a member of that name, regardless of case. Slashes also match backslashes.
   [[nodiscard]] bool has(const std::string& member) const;
 
   //! A member's bytes. Throws Error, naming archive and member, where it is missing, torn, or beyond a bound.

@@ -17,8 +17,8 @@
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 
-// Right values are worked out by hand from what SGCT makes of each format: its raster runs from -1 to 1 with y upwards, its textures
-// from 0 to 1 with t upwards.
+// Expected values are worked out by hand from how SGCT reads each format: its raster runs from -1 to 1 with
+// y upwards, its textures from 0 to 1 with t upwards.
 namespace ergodome {
 namespace {
 
@@ -51,7 +51,7 @@ void expect_angles(const WarpView& view, double yaw_deg, double pitch_deg, doubl
   EXPECT_NEAR(view.orientation.roll_deg, roll_deg, 1e-4);
 }
 
-//! A float's bytes, least significant first.
+//! Returns a float's bytes, least significant first.
 std::string float_bytes(float value) {
   std::uint32_t bits = 0;
   std::memcpy(&bits, &value, sizeof(bits));
@@ -79,7 +79,7 @@ TEST(DomeprojectionWarp, IsReadAsOtherProgramsAndCountriesWriteIt) {
       "x;y;u;v;column;row\r\n0,0;0,0;0,1;0,2;0;0\r\n1,0;0,0;0,9;0,2;1;0\r\n0,0;1,0;0,1;0,7;0;1\r\n1,0;1,0;0,9;0,7;1;"
       "1\r\n";
   expect_node(parse_foreign_warp(commas, "a.csv", WarpFormat::domeprojection).mesh.at(1, 1), 1, 1, 0.9, 0.7);
-  // Without a head, the rows in another order, and a node of a corner that is not shown left out.
+  // Without a header, with rows in another order, and without the node of a corner that is not shown.
   const std::string bare = "1;1;0.9;0.7;1;1\n0;1;0.1;0.7;0;1\n1;0;0.9;0.2;1;0\n";
   const WarpMesh mesh = parse_foreign_warp(bare, "a.csv", WarpFormat::domeprojection).mesh;
   expect_node(mesh.at(0, 1), 0, 1, 0.1, 0.7);
@@ -141,7 +141,8 @@ TEST(ObjWarp, AVertexWithTwoTextureCoordinatesIsTwoNodes) {
       at_middle.push_back(node.u);
     }
   }
-  // The left face has one triangle with it, whose cell repeats its last corner; the right face has two.
+  // The left face has one triangle with this vertex, as its last corner, which its cell repeats. The right
+  // face has two, as other corners.
   EXPECT_THAT(at_middle, testing::UnorderedElementsAre(0.5F, 0.5F, 0.7F, 0.7F));
 }
 
@@ -158,7 +159,7 @@ TEST(ObjWarp, RefusesWhatItCannotRead) {
 
 // SCISS
 
-//! A grid of 2 x 2 or its triangles, whose picture is turned by a quaternion.
+//! Returns a file with a grid of 2 x 2 nodes, or its triangles, and the given view.
 std::string sgc(char version, const std::vector<float>& view, std::uint32_t first, std::uint32_t second,
                 const std::vector<std::uint32_t>& indices) {
   std::string bytes = std::string("SGC") + version + little(0, 4);
@@ -177,7 +178,7 @@ std::string sgc(char version, const std::vector<float>& view, std::uint32_t firs
   return bytes;
 }
 
-//! Up by 40°, about x; then to the right by 30°, about y: the product of both quaternions (x, y, z, w).
+//! Returns a view whose quaternion (x, y, z, w) turns up by 40° about x, then to the right by 30° about y.
 std::vector<float> up_and_right() {
   const double half_up = 20.0 * one_degree;
   const double half_right = -15.0 * one_degree;

@@ -10,7 +10,7 @@ namespace {
 //! Corners row by row.
 const GridOffsets nudged = {2, {0.02, -0.1, 0.05, 0.25}, {-0.03, 0.04, -0.25, 0.2}};
 
-//! A grid whose points were all sent as far as they go, each another way.
+//! Returns a grid with all points moved as far as they may, each in another direction.
 GridOffsets crumpled(int points) {
   GridOffsets grid = GridOffsets().resized(points);
   for (int round = 0; round < 3; ++round) {

@@ -158,7 +158,8 @@ TEST_F(SimulatedDome, ThreeProjectorsShowTheMaster) {
   expect_master(setup, frames_of(setup));
 }
 
-//! The farthest that a warp which was read back is off [px of the projector], at the pixels that see the master.
+//! Returns the largest error [px of the projector] of a warp that was read back, at the pixels that see the
+//! master.
 double farthest_off_px(const ProjectorPicture& meant, const WarpMesh& read) {
   const WarpMesh exact = resampled_warp(meant.warp, meant.width_px, meant.height_px);
   const WarpMesh found = resampled_warp(read, meant.width_px, meant.height_px);
