@@ -25,6 +25,7 @@ inline constexpr Chromaticities rec_709 = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0
 struct ColorMetadata {
   std::vector<std::byte> icc_profile;  //!< empty if none; it describes the colors completely
   std::optional<Chromaticities> primaries;
+  bool adapts_xyz = false;  //!< primaries X, Y and Z: their white (1, 1, 1) is shown as white
   TransferCurve curve = TransferCurve::srgb;
   double gamma = 1.0;   //!< exponent of TransferCurve::gamma
   std::string problem;  //!< what is not supported; empty if nothing

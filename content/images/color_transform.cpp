@@ -139,7 +139,7 @@ ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels
     is_linear_ = !decode_;
     if (metadata.primaries && color_channels == 3 && !are_rec_709(*metadata.primaries)) {
       Chromaticities p = *metadata.primaries;
-      if (are_xyz(p)) {
+      if (are_xyz(p) && !metadata.adapts_xyz) {
         // Colors, not amounts of primaries: their white is not adapted.
         scale_ = {static_cast<float>(d65.y / d65.x), 1.0F, static_cast<float>(d65.y / (1.0 - d65.x - d65.y))};
         p[6] = d65.x;

@@ -16,6 +16,9 @@ class ImageBytes {
   ImageBytes(std::string name, std::optional<std::span<const std::byte>> bytes)
       : name_(std::move(name)), bytes_(bytes) {}
 
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::optional<std::span<const std::byte>>& memory() const { return bytes_; }
+
   //! Returns a reader from the first byte on. It must not outlive the bytes.
   [[nodiscard]] NextBytes from_start() const;
 

@@ -12,14 +12,15 @@
 #include "content/images/color_transform.h"
 #include "content/images/exr_header.h"
 #include "content/images/exr_layers.h"
+#include "content/images/icc_profile.h"
 #include "content/images/image_bytes.h"
-#include "content/images/jpeg_end.h"
+#include "content/images/jpeg_segments.h"
 #include "content/images/panorama_crop.h"
 #include "content/images/png_chunks.h"
 #include "content/images/radiance_header.h"
 #include "content/images/shown_pixels.h"
 #include "content/images/stored_rows.h"
-#include "content/images/tiff_strips.h"
+#include "content/images/tiff_directory.h"
 
 namespace ergodome {
 
@@ -45,12 +46,16 @@ constexpr std::size_t longest_head = std::size_t{1} << 16U;
 
 class Input final : public ImageInput {
  public:
-  //! Opens a file, or its bytes; is_open() tells whether it could.
-  Input(const std::string& name, const ImageLibrary::Wishes& asked)
-      : bytes_(name, asked.bytes),
+  //! Opens a file, or its bytes; is_open() returns whether that worked. `replaced` (empty: none) is read in
+  //! place of the file's bytes.
+  Input(const std::string& name, const ImageLibrary::Wishes& asked, std::string replaced)
+      : replaced_(std::move(replaced)),
+        bytes_(name, asked.bytes),
         asked_(asked),
-        memory_(asked.bytes ? asked.bytes->data() : nullptr, asked.bytes ? asked.bytes->size() : 0) {
-    OIIO::Filesystem::IOProxy* const memory = asked.bytes ? &memory_ : nullptr;
+        memory_(replaced_.empty() ? (asked.bytes ? asked.bytes->data() : nullptr)
+                                  : reinterpret_cast<const std::byte*>(replaced_.data()),
+                replaced_.empty() ? (asked.bytes ? asked.bytes->size() : 0) : replaced_.size()) {
+    OIIO::Filesystem::IOProxy* const memory = asked.bytes || !replaced_.empty() ? &memory_ : nullptr;
     OIIO::ImageSpec wishes;
     if (asked.separate_alpha) {
       wishes.attribute("oiio:UnassociatedAlpha", 1);
@@ -183,6 +188,7 @@ class Input final : public ImageInput {
   void take_colors() {
     ColorMetadata metadata = color_metadata(*input_, is("png") ? bytes_.from_start() : NextBytes());
     metadata.primaries = radiance_.primaries ? radiance_.primaries : metadata.primaries;
+    metadata.adapts_xyz = radiance_.is_xyz;
     problem_ = metadata.problem;
     if (!problem_.empty()) {
       return;
@@ -255,6 +261,7 @@ class Input final : public ImageInput {
     return put;
   }
 
+  std::string replaced_;
   ImageBytes bytes_;
   ImageLibrary::Wishes asked_;
   std::optional<std::string> torn_;  //!< what is wrong with a PNG, once that is known; empty where nothing is
@@ -285,6 +292,14 @@ std::string problem_of_size(int width, int height, std::uintmax_t file_bytes) {
   return fmt::format("it claims {} x {} pixels in {} bytes", width, height, file_bytes);
 }
 
+//! Returns a Radiance picture in CIE XYZ under the name of RGB. Both formats store three channels alike, but
+//! OpenImageIO opens only RGB.
+std::string as_rgbe(std::string bytes) {
+  constexpr std::string_view xyz = "\nFORMAT=32-bit_rle_xyze";
+  const std::size_t at = bytes.find(xyz);
+  return at == std::string::npos ? bytes : bytes.replace(at, xyz.size(), "\nFORMAT=32-bit_rle_rgbe");
+}
+
 }  // namespace
 
 std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibrary::Wishes& wishes,
@@ -292,12 +307,13 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
   const ImageBytes bytes(name, wishes.bytes);
   problem = problem_of_png(bytes.from_start(), PngExtent::to_pixels);
   problem = problem.empty() ? problem_of_exr(bytes.from_start(), bytes.size()) : problem;
-  // OpenImageIO refuses pictures in CIE XYZ without naming that reason.
-  problem = problem.empty() ? read_radiance_header(bytes.head(longest_head)).problem : problem;
+  const RadianceHeader radiance = read_radiance_header(bytes.head(longest_head));
+  problem = problem.empty() ? radiance.problem : problem;
+  problem = problem.empty() ? problem_of_icc_profiles(bytes) : problem;
   if (!problem.empty()) {
     return nullptr;
   }
-  auto input = std::make_unique<Input>(name, wishes);
+  auto input = std::make_unique<Input>(name, wishes, radiance.is_xyz ? as_rgbe(bytes.all()) : "");
   if (!input->is_open()) {
     problem = first_line(OIIO::geterror());
     return nullptr;

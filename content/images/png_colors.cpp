@@ -1,8 +1,11 @@
 #include "content/images/png_colors.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,35 +43,72 @@ bool skip(const NextBytes& next, std::size_t count, std::vector<char>& room) {
   return true;
 }
 
-}  // namespace
-
-PngColors read_png_colors(const NextBytes& next) {
-  constexpr std::size_t longest_color_chunk = 32;
+//! Passes kind and data of each chunk before the pixels to `take`, without those longer than `longest`.
+template <class Take>
+void for_each_chunk(const NextBytes& next, std::size_t longest, Take&& take) {
   constexpr std::size_t sum_bytes = 4;
-  PngColors colors;
   std::array<char, 8> head{};
   if (!next(head.data(), head.size()) || std::string_view(head.data(), head.size()) != png_signature) {
-    return colors;
+    return;
   }
   std::vector<char> room(std::size_t{1} << 16U);
   while (next(head.data(), head.size())) {
     const std::size_t length = big_endian_word({head.data(), head.size()});
     const std::string_view kind(head.data() + 4, 4);
     if (kind == "IDAT" || kind == "IEND") {
-      break;
+      return;
     }
-    if (length > longest_color_chunk) {
+    if (length > longest) {
       if (!skip(next, length + sum_bytes, room)) {
-        break;
+        return;
       }
       continue;
     }
+    room.resize(std::max(room.size(), length + sum_bytes));
     if (!next(room.data(), length + sum_bytes)) {
-      break;
+      return;
     }
-    take_color_chunk(kind, {room.data(), length}, colors);
+    take(kind, std::string_view(room.data(), length));
   }
+}
+
+//! Returns the profile of an iCCP chunk: a name, a zero, the compression method, compressed bytes.
+std::string unpacked_profile(std::string_view chunk) {
+  constexpr std::size_t largest_profile = std::size_t{1} << 24U;
+  const std::size_t zero = chunk.find('\0');
+  if (zero == std::string_view::npos || zero + 2 > chunk.size()) {
+    return "";
+  }
+  const std::string_view packed = chunk.substr(zero + 2);
+  // Deflate packs at most some 1032 times.
+  std::string profile(std::min(largest_profile, std::max<std::size_t>(1100 * packed.size(), 1024)), '\0');
+  auto size = static_cast<uLongf>(profile.size());
+  // What comes before a damaged byte counts: the PNG library may use it.
+  uncompress(reinterpret_cast<Bytef*>(profile.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+             static_cast<uLong>(packed.size()));
+  profile.resize(size);
+  return profile;
+}
+
+}  // namespace
+
+PngColors read_png_colors(const NextBytes& next) {
+  constexpr std::size_t longest_color_chunk = 32;
+  PngColors colors;
+  for_each_chunk(next, longest_color_chunk,
+                 [&](std::string_view kind, std::string_view data) { take_color_chunk(kind, data, colors); });
   return colors;
+}
+
+std::string png_icc_profile(const NextBytes& next) {
+  constexpr std::size_t longest_profile_chunk = std::size_t{1} << 24U;
+  std::string profile;
+  for_each_chunk(next, longest_profile_chunk, [&](std::string_view kind, std::string_view data) {
+    if (kind == "iCCP" && profile.empty()) {
+      profile = unpacked_profile(data);
+    }
+  });
+  return profile;
 }
 
 }  // namespace ergodome

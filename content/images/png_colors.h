@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "content/images/png_chunks.h"
 
@@ -26,5 +27,9 @@ struct PngColors {
 //! Reads the chunks of a PNG up to its pixels. Ignores damaged chunks and files of other formats.
 //! Source: Portable Network Graphics (third edition), 11.3.2.
 PngColors read_png_colors(const NextBytes& next);
+
+//! Returns the uncompressed ICC profile of a PNG, up to 16 MiB and to its first damaged byte; empty if it
+//! has none.
+std::string png_icc_profile(const NextBytes& next);
 
 }  // namespace ergodome

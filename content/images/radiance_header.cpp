@@ -54,7 +54,7 @@ void divide(RadianceHeader& header, std::size_t channel, double factor) {
 
 void take_line(std::string_view line, RadianceHeader& header) {
   if (line.starts_with("FORMAT=") && line.find("xyze") != std::string_view::npos) {
-    header.problem = "its colors are CIE XYZ (FORMAT=32-bit_rle_xyze), which is not supported; save it as RGB";
+    header.is_xyz = true;
   } else if (line.starts_with("PRIMARIES=")) {
     take_primaries(numbers_of(line), header);
   } else if (line.starts_with("EXPOSURE=")) {
@@ -85,6 +85,10 @@ RadianceHeader read_radiance_header(std::string_view head) {
     }
     take_line(line, header);
     head.remove_prefix(end + 1);
+  }
+  if (header.is_xyz) {
+    constexpr double third = 1.0 / 3.0;
+    header.primaries = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0, third, third};
   }
   return header;
 }

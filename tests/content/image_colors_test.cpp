@@ -267,6 +267,45 @@ TEST_F(ImageColors, ProfilesThatDoNotFitAreNamed) {
   EXPECT_THAT(with_profile(damaged), HasSubstr("its color profile is damaged"));
 }
 
+// OpenImageIO 2.4 reads texts of such profiles beyond their end.
+TEST_F(ImageColors, ProfilesWhoseTextsLieBeyondTheirEndAreRefusedInEveryFormat) {
+  const std::string sound = icc_profile(1.8, false);
+  const std::size_t text = sound.find("mluc");
+  ASSERT_NE(text, std::string::npos);
+  std::string long_text = sound;
+  long_text.at(text + 20) = '\x7F';  // the first record's length
+  std::string short_tag = sound;
+  short_tag.replace(text, 4, "desc");
+  const std::size_t entries = 128 + 4;
+  for (std::size_t entry = entries; entry < text; entry += 12) {
+    short_tag.replace(entry + 8, 4, std::string("\0\0\0\x01", 4));
+  }
+  // Longer than a segment of JPEG.
+  std::string long_profile = sound + std::string(100'000, '\0');
+  long_profile.replace(0, 4,
+                       std::string("\0\1", 2) + static_cast<char>((long_profile.size() >> 8U) & 0xFFU) +
+                           static_cast<char>(long_profile.size() & 0xFFU));
+  std::string long_damaged = long_profile;
+  long_damaged.replace(text, 4, "desc");
+  for (std::size_t entry = entries; entry < text; entry += 12) {
+    long_damaged.replace(entry + 8, 4, std::string("\0\0\0\x01", 4));
+  }
+  for (const std::string name : {"map.png", "map.tif", "map.jpg"}) {
+    const auto with_profile = [&](const std::string& profile) {
+      OIIO::ImageSpec spec(map_width, map_height, 3, OIIO::TypeDesc::UINT8);
+      spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                     profile.data());
+      return write(name, spec, {0.5F, 0.5F, 0.5F});
+    };
+    const std::string refusal = "its color profile is damaged";
+    EXPECT_THAT(problem_of(with_profile(short_tag)), HasSubstr(refusal)) << name;
+    EXPECT_THAT(problem_of(with_profile(long_text)), HasSubstr(refusal)) << name;
+    EXPECT_THAT(problem_of(with_profile(long_damaged)), HasSubstr(refusal)) << name;
+    const float light = std::pow(0.5F, 1.8F);
+    EXPECT_THAT(first_texel(with_profile(long_profile)), near(light, light, light, 0.004F)) << name;
+  }
+}
+
 TEST_F(ImageColors, TheMainLayerOfOpenExrIsShownAndOthersCanBeSelected) {
   const fs::path file = foreign_images / "blender_ao.exr";
   EXPECT_THAT(first_texel(file), near(0.4F, 0.2F, 0.1F));

@@ -85,7 +85,8 @@ class TurnedImages : public test::FolderTest {
   fs::path write_radiance(const std::string& header, const std::string& size, const std::vector<int>& numbers) {
     fs::path path = folder_ / "map.hdr";
     std::ofstream file(path, std::ios::binary);
-    file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n" << header << "\n" << size << "\n";
+    const bool has_format = header.find("FORMAT=") != std::string::npos;
+    file << "#?RADIANCE\n" << (has_format ? "" : "FORMAT=32-bit_rle_rgbe\n") << header << "\n" << size << "\n";
     for (const int number : numbers) {
       for (const int byte : {number, number, number, 129}) {
         file.put(static_cast<char>(byte));
@@ -143,12 +144,30 @@ TEST_F(TurnedImages, TheExposureOfRadiancePicturesIsTakenOut) {
   EXPECT_NEAR(image.rgb[2], 0.125, 0.01);
 }
 
+// Equal parts of X, Y and Z are white, as Radiance's ra_xyze has it. The other color is that of Bradford's
+// adaptation from illuminant E to D65 and sRGB's matrix as published by Lindbloom (brucelindbloom.com).
+TEST_F(TurnedImages, RadiancePicturesInXyzBecomeRgb) {
+  const std::vector<int> numbers(shown_width * shown_height, 128);
+  const auto light_of = [&](const std::string& header) {
+    return read_environment_image(
+               write_radiance("ra_xyze -r\nFORMAT=32-bit_rle_xyze\n" + header, "-Y 16 +X 32", numbers))
+        .rgb;
+  };
+  const auto white = light_of("");
+  EXPECT_NEAR(white[0], 1.0, 0.003);
+  EXPECT_NEAR(white[1], 1.0, 0.003);
+  EXPECT_NEAR(white[2], 1.0, 0.003);
+  const auto green = light_of("COLORCORR=1 0.8 0.9\n");
+  EXPECT_NEAR(green[0], 0.5301, 0.004);
+  EXPECT_NEAR(green[1], 1.4934, 0.004);
+  EXPECT_NEAR(green[2], 1.0742, 0.004);
+}
+
 TEST_F(TurnedImages, ColorsOfRadiancePicturesThatAreNotConvertedAreNamed) {
   const std::vector<int> numbers(shown_width * shown_height, 128);
   const auto problem_of = [&](const std::string& header) {
     return test::error_of([&] { read_environment_image(write_radiance(header, "-Y 16 +X 32", numbers)); });
   };
-  EXPECT_THAT(problem_of("FORMAT=32-bit_rle_xyze\n"), HasSubstr("CIE XYZ"));
   EXPECT_THAT(problem_of("PRIMARIES=0.708 0.292\n"), HasSubstr("PRIMARIES"));
   EXPECT_EQ(problem_of("PRIMARIES=0.640 0.330 0.290 0.600 0.150 0.060 0.333 0.333\n"), "");
   EXPECT_THAT(problem_of("EXPOSURE=-1\n"), HasSubstr("EXPOSURE"));

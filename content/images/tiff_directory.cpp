@@ -1,4 +1,4 @@
-#include "content/images/tiff_strips.h"
+#include "content/images/tiff_directory.h"
 
 #include <tiffio.h>
 
@@ -112,6 +112,17 @@ std::string problem_of_tiff(const std::string& name, const std::optional<std::sp
   }
   const std::uint64_t file_bytes = TIFFGetSizeProc(file.get())(TIFFClientdata(file.get()));
   return problem_of_image(file.get(), file_bytes);
+}
+
+std::string tiff_icc_profile(const std::string& name, const std::optional<std::span<const std::byte>>& bytes) {
+  Source memory{bytes.value_or(std::span<const std::byte>())};
+  const File file = open(name, bytes ? &memory : nullptr);
+  std::uint32_t size = 0;
+  const char* profile = nullptr;
+  if (!file || TIFFGetField(file.get(), TIFFTAG_ICCPROFILE, &size, &profile) == 0 || profile == nullptr) {
+    return "";
+  }
+  return {profile, size};
 }
 
 }  // namespace ergodome

@@ -11,4 +11,7 @@ namespace ergodome {
 //! hold fewer bytes than their pixels need. OpenImageIO reads such pixels as black. Empty where nothing is wrong.
 std::string problem_of_tiff(const std::string& name, const std::optional<std::span<const std::byte>>& bytes);
 
+//! Returns the ICC profile of a TIFF's first image; empty if it has none, and for files of other formats.
+std::string tiff_icc_profile(const std::string& name, const std::optional<std::span<const std::byte>>& bytes);
+
 }  // namespace ergodome
