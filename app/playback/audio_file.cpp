@@ -36,6 +36,16 @@ bool begins_as_mp3(const std::filesystem::path& path) {
          (head.size() == 4 && byte(0) == 0xFFU && (byte(1) & 0xE0U) == 0xE0U && (byte(1) & 0x06U) != 0);
 }
 
+//! Returns whether a file is an Ogg stream of FLAC, some of which libsndfile cannot read (RFC 9639, 10.1).
+bool is_ogg_flac(const std::filesystem::path& path) {
+  constexpr std::size_t page_head_bytes = 28;
+  const std::string head = first_bytes(path, page_head_bytes + 5);
+  return head.starts_with("OggS") && head.size() > page_head_bytes &&
+         head.substr(page_head_bytes) ==
+             "\x7F"
+             "FLAC";
+}
+
 //! Returns the name of a format that neither library reads; empty for all others.
 std::string unsupported_kind(const std::filesystem::path& path) {
   using namespace std::string_view_literals;
@@ -101,6 +111,9 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
     why.erase(why.find_last_not_of(" .\n") + 1);
     // So its reader of MP3 says of whatever it does not know; the file is there.
     why = why.starts_with("File does not exist") ? "it holds no sound" : why;
+    if (is_ogg_flac(path)) {
+      throw Error(path.string(), "is FLAC in an Ogg container, which cannot be read", "convert it to a .flac file");
+    }
     throw Error(path.string(), fmt::format("is no sound file that can be read ({})", why), remedy);
   }
   if (info.channels < 1 || info.channels > most_channels) {

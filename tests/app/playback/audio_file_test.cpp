@@ -182,7 +182,10 @@ TEST_F(AudioFiles, KindsThatAreNotSupportedAreNamed) {
        "ftypM4A \0\0\0\0"sv,
        "M4A"},
       {"\xFF\xF1\x50\x80\x00\x1F\xFC\x00"sv, "is AAC"},
-      {"\x30\x26\xB2\x75\x8E\x66\xCF\x11\xA6\xD9\x00\xAA"sv, "WMA"}};
+      {"\x30\x26\xB2\x75\x8E\x66\xCF\x11\xA6\xD9\x00\xAA"sv, "WMA"},
+      {"OggS\0\2\0\0\0\0\0\0\0\0\x82\xF4\x0C\x25\0\0\0\0\xA9\x97\xC5\xCC\1\x33\x7F"
+       "FLAC\1\0"sv,
+       "FLAC in an Ogg container"}};
   for (const auto& [head, name] : kinds) {
     std::ofstream(folder_ / "a.mp3", std::ios::binary) << head << std::string(1000, '\0');
     EXPECT_THAT(sound_problem(folder_ / "a.mp3"), testing::HasSubstr(name));
