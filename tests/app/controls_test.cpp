@@ -54,7 +54,7 @@ std::string first_block_of(const std::string& page) {
 }
 
 TEST(Controls, TheirPagesExampleIsRead) {
-  const std::string example = first_block_of(ERGODOME_SOURCE_DIR "/app/navigation/CONTROLS.md");
+  const std::string example = first_block_of(ERGODOME_SOURCE_DIR "/content/docs/reference/controls.md");
   EXPECT_THAT(example, HasSubstr("[steer]"));
   EXPECT_EQ(error_of(example), "");
 }

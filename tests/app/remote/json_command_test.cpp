@@ -156,7 +156,7 @@ TEST(JsonCommand, SuggestsAKindThatIsNearAndNoneThatIsFar) {
 }
 
 TEST(StatusJson, HasEachKeyInItsDocument) {
-  std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../app/remote/WEB.md");
+  std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../content/docs/reference/http.md");
   const std::string document{std::istreambuf_iterator<char>(file), {}};
   const nlohmann::json status = json_of(test::example_status());
   for (const auto& [key, value] : status.items()) {
@@ -165,11 +165,11 @@ TEST(StatusJson, HasEachKeyInItsDocument) {
 }
 
 TEST(JsonCommand, HasEachKindInItsDocument) {
-  std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../app/remote/WEB.md");
+  std::ifstream file(ERGODOME_TEST_DATA_DIR "/../../content/docs/reference/http.md");
   const std::string whole{std::istreambuf_iterator<char>(file), {}};
-  const std::size_t begin = whole.find("### Kinds of commands");
+  const std::size_t begin = whole.find("\n## Commands\n");
   ASSERT_NE(begin, std::string::npos);
-  const std::string document = whole.substr(begin, whole.find("\n### ", begin + 1) - begin);
+  const std::string document = whole.substr(begin, whole.find("\n## ", begin + 1) - begin);
   for (const CommandRule& rule : command_rules()) {
     EXPECT_NE(document.find("`" + std::string(rule.name) + "`"), std::string::npos) << rule.name;
   }
