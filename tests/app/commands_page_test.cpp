@@ -16,7 +16,7 @@ using test::CommandLine;
 
 //! The page that lists the commands.
 std::string commands_page() {
-  std::ifstream stream(ERGODOME_TEST_DATA_DIR "/../../content/docs/COMMANDS.md");
+  std::ifstream stream(ERGODOME_TEST_DATA_DIR "/../../content/docs/reference/commands.md");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -56,7 +56,7 @@ class CommandsPage : public CommandLine {};
 
 TEST_F(CommandsPage, NamesEveryOptionOfEveryCommand) {
   const std::string page = commands_page();
-  const std::string shared = part_of_page(page, "What is shown");
+  const std::string shared = part_of_page(page, "Shared options");
   ASSERT_EQ(run("--help"), 0) << output_;
   const std::vector<std::string> commands = words_of_help(output_, "Subcommands:", "");
   ASSERT_GE(commands.size(), 13U) << output_;
@@ -66,7 +66,7 @@ TEST_F(CommandsPage, NamesEveryOptionOfEveryCommand) {
     ASSERT_EQ(run(command + " --help"), 0) << output_;
     for (const std::string& option : words_of_help(output_, "Options:", "--")) {
       const bool described = names_option(part, option) ||
-                             (part.find("(#what-is-shown)") != std::string::npos && names_option(shared, option));
+                             (part.find("(#shared-options)") != std::string::npos && names_option(shared, option));
       EXPECT_TRUE(described) << command << " " << option;
     }
   }
