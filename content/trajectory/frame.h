@@ -8,7 +8,7 @@
 
 namespace ergodome {
 
-// The outer layers of a trajectory file: its header, and frames. content/trajectory/FORMAT.md has it byte by byte.
+// The outer layers of a trajectory file: its header, and frames. content/docs/reference/trajectory-file.md describes it byte by byte.
 
 inline constexpr std::uint32_t trajectory_version = 2;
 //! Of files all of whose stations are outside the horizon: programs that know of none within read these.

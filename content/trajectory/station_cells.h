@@ -7,7 +7,7 @@
 #include "content/bytes.h"
 #include "content/lens_station.h"
 
-// What stations of every kind have in their bytes: where they are, their chart and their cells. content/trajectory/FORMAT.md has it byte by byte.
+// What stations of every kind have in their bytes: where they are, their chart and their cells. content/docs/reference/trajectory-file.md describes it byte by byte.
 namespace ergodome {
 
 //! Bits of a station's flags.

@@ -13,7 +13,7 @@
 #include "tests/hard_cases/ray_sets.h"
 #include "tests/hard_cases/sky_window.h"
 
-// Makes the pictures and the tables of HARD_CASES.md: show_hard_cases FOLDER.
+// Makes the pictures and the tables of content/docs/explanation/hard-cases.md: show_hard_cases FOLDER.
 namespace ergodome::test {
 namespace {
 
