@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "app/usage_error.h"
+#include "app/cli/usage_error.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

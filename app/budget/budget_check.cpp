@@ -5,7 +5,7 @@
 #include "app/budget/lens_error.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/accuracy/statistics.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {

@@ -4,10 +4,10 @@
 
 #include <cstdio>
 
-#include "app/backend_choice.h"
 #include "app/budget/budget_texts.h"
-#include "app/usage_error.h"
-#include "calibration/projector_picture.h"
+#include "app/cli/backend_choice.h"
+#include "app/cli/usage_error.h"
+#include "calibration/projectors/projector_picture.h"
 #include "content/files/console.h"
 #include "kernels/core/error.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/frame_writer.h"
+#include "app/commands/render/frame_writer.h"
 
 namespace ergodome {
 

@@ -10,12 +10,12 @@
 
 #include "app/budget/lens_error.h"
 #include "app/budget/picture_timer.h"
-#include "content/animated_show.h"
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/accuracy/picture_race.h"
 #include "render/accuracy/statistics.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {

@@ -8,7 +8,7 @@
 #include "app/exhibit/exhibit.h"
 #include "app/exhibit/kept_settings.h"
 #include "app/playback/transport.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

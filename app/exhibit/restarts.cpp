@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "app/interrupt.h"
+#include "app/cli/interrupt.h"
 #include "content/files/console.h"
 #include "kernels/core/error.h"
 

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
 
 namespace ergodome {
 

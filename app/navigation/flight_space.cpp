@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "content/fall/within.h"
-#include "kernels/metric/kerr.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

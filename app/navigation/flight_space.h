@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/navigation/camera_place.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

@@ -4,13 +4,13 @@
 #include <string_view>
 
 #include "app/navigation/camera_place.h"
+#include "app/navigation/controls/steering.h"
 #include "app/navigation/flight_space.h"
 #include "app/navigation/observer_mode.h"
 #include "app/navigation/orbit_ride.h"
 #include "app/navigation/path_return.h"
-#include "app/navigation/steering.h"
 #include "app/navigation/turn_limits.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

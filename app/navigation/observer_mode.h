@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/navigation/camera_place.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

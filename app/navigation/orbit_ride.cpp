@@ -6,7 +6,7 @@
 #include "app/navigation/observer_mode.h"
 #include "app/navigation/turn_limits.h"
 #include "kernels/core/angles.h"
-#include "kernels/geodesic/rain_orbit.h"
+#include "kernels/spacetime/geodesic/rain_orbit.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 
 #include "app/navigation/camera_place.h"
 #include "app/navigation/flight_space.h"
-#include "kernels/geodesic/timelike_orbit.h"
+#include "kernels/spacetime/geodesic/timelike_orbit.h"
 
 namespace ergodome {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/navigation/comfort.h"
-#include "content/key_curve.h"
+#include "content/camera/key_curve.h"
 #include "kernels/core/angles.h"
-#include "kernels/metric/kerr.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

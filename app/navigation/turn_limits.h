@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/flight_settings.h"
+#include "content/show/flight_settings.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

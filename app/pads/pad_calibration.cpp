@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/pad_names.h"
+#include "app/pads/pad_names.h"
 
 namespace ergodome {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "calibration/pad_raw.h"
-#include "calibration/pad_settings.h"
+#include "app/pads/pad_raw.h"
+#include "app/pads/pad_settings.h"
 
 namespace ergodome {
 

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <thread>
 
-#include "app/commands.h"
-#include "app/idle_options.h"
-#include "app/interrupt.h"
-#include "app/number_check.h"
-#include "app/pads/hid_fixture.h"
+#include "app/cli/commands.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/number_check.h"
+#include "app/pads/hid/hid_fixture.h"
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
 #include "app/pads/pad_lines.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "calibration/pad_names.h"
+#include "app/pads/pad_names.h"
 #include "content/files/counted.h"
 
 namespace ergodome {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "app/pads/hid_api.h"
-#include "calibration/pad_settings.h"
+#include "app/pads/hid/hid_api.h"
+#include "app/pads/pad_settings.h"
 
 namespace ergodome {
 

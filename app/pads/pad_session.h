@@ -3,9 +3,9 @@
 #include <functional>
 #include <memory>
 
-#include "app/pads/hid_api.h"
+#include "app/pads/hid/hid_api.h"
 #include "app/pads/pad_decoder.h"
-#include "calibration/pad_response.h"
+#include "app/pads/pad_response.h"
 
 namespace ergodome {
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/playback/audio_mixer.h"
 #include "app/playback/external_clock.h"
-#include "app/playback/fader.h"
 #include "app/playback/show_clock.h"
+#include "app/playback/sound/audio_mixer.h"
+#include "app/playback/sound/fader.h"
 #include "app/playback/transport.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

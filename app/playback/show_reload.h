@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/playback/show_time.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

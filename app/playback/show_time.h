@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "content/frame_rate.h"
+#include "content/timeline/frame_rate.h"
 
 namespace ergodome {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "content/show.h"
-#include "render/frame/narrowed_eyes.h"
+#include "content/show/show.h"
+#include "render/eyes/narrowed_eyes.h"
 
 namespace ergodome {
 

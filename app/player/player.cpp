@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "app/cli/interrupt.h"
+#include "app/cli/show_loading.h"
 #include "app/exhibit/supervisor.h"
-#include "app/interrupt.h"
-#include "app/pads/hid_fixture.h"
+#include "app/pads/hid/hid_fixture.h"
+#include "app/pads/pad_settings.h"
 #include "app/player/player_texts.h"
-#include "app/show_loading.h"
-#include "calibration/pad_settings.h"
 #include "content/files/reading_stop.h"
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"

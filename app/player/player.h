@@ -8,18 +8,18 @@
 #include "app/budget/play_budget.h"
 #include "app/exhibit/exhibit_scenes.h"
 #include "app/exhibit/operator_log.h"
-#include "app/navigation/controls.h"
-#include "app/pads/hid_api.h"
+#include "app/navigation/controls/controls.h"
+#include "app/pads/hid/hid_api.h"
 #include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"
 #include "app/player/note_board.h"
-#include "app/player/picture_flow.h"
 #include "app/player/player_inputs.h"
 #include "app/player/player_screen.h"
 #include "app/player/player_services.h"
 #include "app/player/player_session.h"
-#include "app/player/recording_file.h"
-#include "app/player/scene_renderers.h"
+#include "app/player/recording/recording_file.h"
+#include "app/player/renderers/picture_flow.h"
+#include "app/player/renderers/scene_renderers.h"
 
 namespace ergodome {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/interrupt.h"
+#include "app/cli/interrupt.h"
 #include "app/player/player.h"
 
 // What a player does for an exhibit alone.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/navigation/controls.h"
+#include "app/navigation/controls/controls.h"
 #include "app/pads/pad_hub.h"
 #include "app/player/player_session.h"
 #include "render/present/window.h"

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "app/player/player_session.h"
-#include "content/animated_show.h"
+#include "content/camera/key_curve.h"
 #include "content/fall/rain_pose.h"
-#include "content/key_curve.h"
-#include "render/overlay/overlay_place.h"
+#include "content/show/animated_show.h"
+#include "render/passes/overlay/overlay_place.h"
 
 namespace ergodome {
 

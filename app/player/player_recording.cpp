@@ -3,7 +3,7 @@
 
 #include "app/navigation/flight_space.h"
 #include "app/player/player_session.h"
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
 
 namespace ergodome {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/setup_show.h"
+#include "app/cli/setup_show.h"
 #include "render/output/color_bar.h"
 #include "render/output/image_writer.h"
 #include "render/output/text_image.h"

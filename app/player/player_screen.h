@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/navigation/help_layout.h"
-#include "app/player/frame_source.h"
+#include "app/navigation/controls/help_layout.h"
+#include "app/player/renderers/frame_source.h"
 #include "render/present/presenter.h"
-#include "render/present/projector_windows.h"
+#include "render/present/projectors/projector_windows.h"
 #include "render/present/text_panel.h"
 #include "render/present/window.h"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/exhibit/log_file.h"
-#include "app/playback/audio_player.h"
 #include "app/playback/midi_clock_input.h"
 #include "app/playback/playback.h"
+#include "app/playback/sound/audio_player.h"
 #include "app/playback/watched_shows.h"
 #include "app/remote/log_ring.h"
 #include "app/remote/remote_control.h"

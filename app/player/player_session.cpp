@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/stereo_controls.h"
-#include "content/animated_show.h"
+#include "app/player/stereo_controls.h"
+#include "content/show/animated_show.h"
 
 namespace ergodome {
 

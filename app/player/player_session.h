@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/navigation/actions.h"
+#include "app/navigation/controls/actions.h"
 #include "app/navigation/navigator.h"
 #include "app/navigation/observer_mode.h"
 #include "app/playback/playback.h"
-#include "app/player/flight_recorder.h"
-#include "app/player/player_frame.h"
+#include "app/player/recording/flight_recorder.h"
+#include "app/player/renderers/player_frame.h"
 
 namespace ergodome {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/stereo_controls.h"
+#include "app/player/stereo_controls.h"
 
 namespace ergodome {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "app/player/picture_flow.h"
 #include "app/player/player_session.h"
-#include "content/timeline.h"
+#include "app/player/renderers/picture_flow.h"
+#include "content/timeline/timeline.h"
 
 namespace ergodome {
 

@@ -2,13 +2,13 @@
 
 #include <utility>
 
+#include "app/cli/lens_options.h"
 #include "app/exhibit/supervisor.h"
-#include "app/lens_options.h"
 #include "app/player/player.h"
 #include "app/player/player_texts.h"
 #include "content/files/console.h"
 #include "content/files/counted.h"
-#include "render/overlay/camera_readout.h"
+#include "render/passes/overlay/camera_readout.h"
 
 // What a player says: on the screen, to whoever asks for its status, and at its end.
 namespace ergodome {

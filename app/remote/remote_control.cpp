@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/remote/osc_server.h"
-#include "app/remote/web_server.h"
-#include "app/remote/web_token.h"
-#include "app/usage_error.h"
+#include "app/cli/usage_error.h"
+#include "app/remote/osc/osc_server.h"
+#include "app/remote/web/web_server.h"
+#include "app/remote/web/web_token.h"
 #include "content/files/atomic_file.h"
 #include "kernels/core/error.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/playback/transport.h"
 #include "app/remote/log_ring.h"
-#include "app/remote/osc_handler.h"
+#include "app/remote/osc/osc_handler.h"
 
 namespace CLI {
 class App;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "content/animated_show.h"
-#include "content/key_curve.h"
+#include "content/camera/key_curve.h"
+#include "content/show/animated_show.h"
 
 namespace ergodome {
 

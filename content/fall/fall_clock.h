@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "content/fall/fall_settings.h"
-#include "content/timeline.h"
+#include "content/timeline/timeline.h"
 
 namespace ergodome {
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
+#include "content/camera/motion_reader.h"
 #include "content/fall/within.h"
-#include "content/motion_reader.h"
-#include "content/own_number.h"
-#include "content/show_reader.h"
-#include "content/timeline_reader.h"
-#include "kernels/metric/kerr.h"
+#include "content/show/animated_show.h"
+#include "content/show/own_number.h"
+#include "content/show/show_reader.h"
+#include "content/timeline/timeline_reader.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

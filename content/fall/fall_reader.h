@@ -3,7 +3,7 @@
 #include <string>
 
 #include "content/files/toml_table.h"
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

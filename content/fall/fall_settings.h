@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "kernels/metric/observer.h"
+#include "kernels/spacetime/kerr/observer.h"
 
 namespace ergodome {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
 #include "content/fall/rain_pose.h"
 #include "kernels/core/angles.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "content/fall/fall_clock.h"
-#include "kernels/geodesic/timelike_orbit.h"
+#include "kernels/spacetime/geodesic/timelike_orbit.h"
 
 namespace ergodome {
 

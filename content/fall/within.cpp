@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "content/animated_show.h"
-#include "kernels/metric/kerr.h"
+#include "content/show/animated_show.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

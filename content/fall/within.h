@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

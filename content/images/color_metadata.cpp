@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "content/images/png_colors.h"
+#include "content/images/formats/png_colors.h"
 
 namespace ergodome {
 

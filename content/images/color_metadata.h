@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "content/images/png_chunks.h"
+#include "content/images/formats/png_chunks.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "content/images/png_chunks.h"
+#include "content/images/formats/png_chunks.h"
 
 namespace ergodome {
 

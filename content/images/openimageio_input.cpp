@@ -10,17 +10,17 @@
 
 #include "content/images/color_metadata.h"
 #include "content/images/color_transform.h"
-#include "content/images/exr_header.h"
-#include "content/images/exr_layers.h"
-#include "content/images/icc_profile.h"
+#include "content/images/formats/exr_header.h"
+#include "content/images/formats/exr_layers.h"
+#include "content/images/formats/icc_profile.h"
+#include "content/images/formats/jpeg_segments.h"
+#include "content/images/formats/panorama_crop.h"
+#include "content/images/formats/png_chunks.h"
+#include "content/images/formats/radiance_header.h"
+#include "content/images/formats/tiff_directory.h"
 #include "content/images/image_bytes.h"
-#include "content/images/jpeg_segments.h"
-#include "content/images/panorama_crop.h"
-#include "content/images/png_chunks.h"
-#include "content/images/radiance_header.h"
 #include "content/images/shown_pixels.h"
 #include "content/images/stored_rows.h"
-#include "content/images/tiff_directory.h"
 
 namespace ergodome {
 

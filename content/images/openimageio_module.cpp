@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "content/images/fits_file.h"
+#include "content/images/formats/fits_file.h"
 #include "content/images/image_library.h"
 #include "content/images/openimageio_input.h"
 

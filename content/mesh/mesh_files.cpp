@@ -8,8 +8,8 @@
 
 #include "content/files/whole_file.h"
 #include "content/mesh/mesh_limits.h"
-#include "content/mesh/named_file.h"
-#include "content/mesh/obj_reader.h"
+#include "content/mesh/obj/named_file.h"
+#include "content/mesh/obj/obj_reader.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -7,9 +7,9 @@
 
 #include "content/files/counted.h"
 #include "content/files/whole_file.h"
-#include "content/mesh/gltf_reader.h"
+#include "content/mesh/gltf/gltf_reader.h"
 #include "content/mesh/mesh_normals.h"
-#include "content/mesh/obj_reader.h"
+#include "content/mesh/obj/obj_reader.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

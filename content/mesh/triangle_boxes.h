@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "content/mesh/triangle_mesh.h"
-#include "kernels/mesh/triangle_tree.h"
+#include "kernels/objects/triangle_tree.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/mesh/surface.h"
+#include "kernels/objects/surface.h"
 
 namespace ergodome {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

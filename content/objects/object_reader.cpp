@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/animated_show.h"
 #include "content/fall/free_fall.h"
-#include "content/timeline_reader.h"
+#include "content/show/animated_show.h"
+#include "content/timeline/timeline_reader.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

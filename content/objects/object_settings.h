@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "content/mesh/mesh_shapes.h"
-#include "content/timeline.h"
-#include "kernels/mesh/lamp_place.h"
-#include "kernels/schwarzschild/tessellation.h"
+#include "content/timeline/timeline.h"
+#include "kernels/objects/lamp_place.h"
+#include "kernels/spacetime/schwarzschild/tessellation.h"
 
 namespace ergodome {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "content/files/counted.h"
-#include "content/show_files.h"
-#include "content/sky_map.h"
+#include "content/show/show_files.h"
+#include "content/sky/sky_map.h"
 #include "content/stars/star_file.h"
 #include "content/stars/star_table.h"
 #include "kernels/core/angles.h"

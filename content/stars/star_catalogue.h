@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "kernels/core/vector3.h"
 
 namespace ergodome {

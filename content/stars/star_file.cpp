@@ -9,8 +9,8 @@
 #include <fstream>
 #include <limits>
 
-#include "content/byte_planes.h"
 #include "content/files/atomic_file.h"
+#include "content/trajectory/byte_planes.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "content/bytes.h"
+#include "content/trajectory/bytes.h"
 
 namespace ergodome {
 

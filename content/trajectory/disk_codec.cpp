@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "content/byte_planes.h"
+#include "content/trajectory/byte_planes.h"
 
 namespace ergodome {
 

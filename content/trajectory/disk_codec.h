@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "content/disk_station.h"
+#include "content/trajectory/disk_station.h"
 #include "content/trajectory/station_cells.h"
 
 namespace ergodome {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "content/bytes.h"
+#include "content/trajectory/bytes.h"
 
 namespace ergodome {
 

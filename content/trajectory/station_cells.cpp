@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/byte_planes.h"
-#include "kernels/metric/kerr.h"
+#include "content/trajectory/byte_planes.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "content/bytes.h"
-#include "content/lens_station.h"
+#include "content/trajectory/bytes.h"
+#include "content/trajectory/lens_station.h"
 
 // What stations of every kind have in their bytes: where they are, their chart and their cells. content/docs/reference/trajectory-file.md describes it byte by byte.
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "content/byte_planes.h"
+#include "content/trajectory/byte_planes.h"
 
 namespace ergodome {
 

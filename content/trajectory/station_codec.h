@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "content/bytes.h"
-#include "content/lens_station.h"
+#include "content/trajectory/bytes.h"
+#include "content/trajectory/lens_station.h"
 #include "content/trajectory/station_cells.h"
 
 namespace ergodome {

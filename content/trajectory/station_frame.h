@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "content/disk_station.h"
+#include "content/trajectory/disk_station.h"
 #include "content/trajectory/trajectory.h"
 
 namespace ergodome {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "content/bytes.h"
-#include "content/lens_station.h"
-#include "kernels/metric/observer.h"
+#include "content/trajectory/bytes.h"
+#include "content/trajectory/lens_station.h"
+#include "kernels/spacetime/kerr/observer.h"
 
 namespace ergodome {
 

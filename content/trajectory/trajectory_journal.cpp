@@ -10,7 +10,7 @@
 #include "content/files/atomic_file.h"
 #include "content/trajectory/frame.h"
 #include "content/trajectory/station_frame.h"
-#include "kernels/metric/kerr.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "content/disk_station.h"
 #include "content/trajectory/data_file.h"
+#include "content/trajectory/disk_station.h"
 #include "content/trajectory/trajectory.h"
 
 namespace ergodome {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "content/disk_station.h"
 #include "content/trajectory/data_file.h"
+#include "content/trajectory/disk_station.h"
 #include "content/trajectory/trajectory.h"
 
 namespace ergodome {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/arithmetic.h"
-#include "kernels/metric/kerr.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 // Matter of a thin equatorial disk that runs along +φ, on circular geodesics; against the hole's spin where that is negative. (Bardeen, Press &
 // Teukolsky 1972, section II; inside the last stable orbit Cunningham 1975.)

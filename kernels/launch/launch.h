@@ -4,9 +4,9 @@
 
 #include "kernels/launch/kernel_table.h"
 #include "kernels/stars/draw_stars.h"
-#include "kernels/stars/patch_search.h"
+#include "kernels/stars/search/patch_search.h"
+#include "kernels/stars/search/star_twins.h"
 #include "kernels/stars/star_sheet.h"
-#include "kernels/stars/star_twins.h"
 
 namespace ergodome {
 

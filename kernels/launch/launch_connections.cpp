@@ -2,7 +2,7 @@
 
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
-#include "kernels/schwarzschild/connection_table_kernel.h"
+#include "kernels/spacetime/schwarzschild/connection_table_kernel.h"
 
 namespace ergodome {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/schwarzschild/connection_table.h"
+#include "kernels/spacetime/schwarzschild/connection_table.h"
 
 namespace ergodome {
 

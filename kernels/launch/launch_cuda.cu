@@ -1,8 +1,8 @@
+#include "kernels/eyes/omni/trace_omni_pixels_kernel.h"
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
-#include "kernels/trace/trace_omni_pixels_kernel.h"
-#include "kernels/trace/trace_pixels_kernel.h"
-#include "kernels/trace/trace_rays_kernel.h"
+#include "kernels/spacetime/trace/trace_pixels_kernel.h"
+#include "kernels/spacetime/trace/trace_rays_kernel.h"
 
 namespace ergodome {
 

@@ -2,23 +2,23 @@
 
 #include <cstddef>
 
-#include "kernels/flat_eyes/draw_flat_eyes.h"
+#include "kernels/eyes/flat/draw_flat_eyes.h"
+#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/warp_pixels.h"
 #include "kernels/lens/grid_build.h"
 #include "kernels/lens/look_up.h"
-#include "kernels/lens/quadtree_look_up.h"
-#include "kernels/mesh/draw_objects.h"
 #include "kernels/near_field/draw_near_field.h"
+#include "kernels/objects/draw_objects.h"
 #include "kernels/overlay/draw_overlay.h"
-#include "kernels/shadow/edge_kernel.h"
+#include "kernels/published/quadtree_look_up.h"
+#include "kernels/spacetime/shadow/edge_kernel.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 #include "kernels/stars/draw_stars.h"
-#include "kernels/stars/patch_search.h"
+#include "kernels/stars/search/patch_search.h"
+#include "kernels/stars/search/star_twins.h"
 #include "kernels/stars/star_sheet.h"
-#include "kernels/stars/star_twins.h"
-#include "kernels/trace/omni_camera.h"
-#include "kernels/trace/trace_pixels.h"
-#include "kernels/trace/trace_rays.h"
 
 namespace ergodome {
 

@@ -4,9 +4,9 @@
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/launch/run_on_cpu.h"
 #include "kernels/stars/draw_stars_kernel.h"
-#include "kernels/stars/patch_search_kernel.h"
+#include "kernels/stars/search/patch_search_kernel.h"
+#include "kernels/stars/search/star_twins_kernel.h"
 #include "kernels/stars/star_points_kernel.h"
-#include "kernels/stars/star_twins_kernel.h"
 
 // What devices do with stars; on the processor it is there for tests, and for pictures that are made in one piece.
 namespace ergodome {

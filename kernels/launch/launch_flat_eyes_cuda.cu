@@ -1,4 +1,4 @@
-#include "kernels/flat_eyes/draw_flat_eyes_kernel.h"
+#include "kernels/eyes/flat/draw_flat_eyes_kernel.h"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/launch/launch_in_steps_cuda.cuh"
 

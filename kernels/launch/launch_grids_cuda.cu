@@ -2,7 +2,7 @@
 #include "kernels/launch/launch_in_steps_cuda.cuh"
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
-#include "kernels/lens/quadtree_look_up_kernel.h"
+#include "kernels/published/quadtree_look_up_kernel.h"
 
 // The kernels of lens grids, in a file of their own: the compiler takes minutes for each.
 namespace ergodome {

@@ -1,8 +1,8 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
-#include "kernels/mesh/look_at_flat_objects_kernel.h"
-#include "kernels/mesh/mark_flat_tiles_kernel.h"
-#include "kernels/mesh/mark_tiles_kernel.h"
+#include "kernels/objects/look_at_flat_objects_kernel.h"
+#include "kernels/objects/mark_flat_tiles_kernel.h"
+#include "kernels/objects/mark_tiles_kernel.h"
 
 namespace ergodome {
 

@@ -3,9 +3,9 @@
 #include "kernels/launch/launch_cuda.cuh"
 #include "kernels/launch/launch_cuda.h"
 #include "kernels/stars/draw_stars_kernel.h"
-#include "kernels/stars/patch_search_kernel.h"
+#include "kernels/stars/search/patch_search_kernel.h"
+#include "kernels/stars/search/star_twins_kernel.h"
 #include "kernels/stars/star_points_kernel.h"
-#include "kernels/stars/star_twins_kernel.h"
 
 namespace ergodome {
 

@@ -1,7 +1,7 @@
 #include "kernels/launch/own_flat_eyes.h"
 
-#include "kernels/flat_eyes/draw_flat_eyes_kernel.h"
-#include "kernels/flat_eyes/look_up_flat_eyes_kernel.h"
+#include "kernels/eyes/flat/draw_flat_eyes_kernel.h"
+#include "kernels/eyes/flat/look_up_flat_eyes_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {

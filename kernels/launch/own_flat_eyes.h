@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/host_device.h"
-#include "kernels/flat_eyes/draw_flat_eyes.h"
+#include "kernels/eyes/flat/draw_flat_eyes.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

@@ -1,6 +1,6 @@
 #include "kernels/launch/own_objects.h"
-#include "kernels/mesh/look_at_flat_objects_kernel.h"
-#include "kernels/mesh/mark_flat_tiles_kernel.h"
+#include "kernels/objects/look_at_flat_objects_kernel.h"
+#include "kernels/objects/mark_flat_tiles_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,7 @@
 #include "kernels/launch/own_objects.h"
 
-#include "kernels/mesh/look_at_objects_kernel.h"
-#include "kernels/mesh/mark_tiles_kernel.h"
+#include "kernels/objects/look_at_objects_kernel.h"
+#include "kernels/objects/mark_tiles_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/host_device.h"
-#include "kernels/mesh/draw_objects.h"
+#include "kernels/objects/draw_objects.h"
 
 // The drawing of objects, compiled once per instruction set.
 namespace ergodome::inline ERGO_TARGET {

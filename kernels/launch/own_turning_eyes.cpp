@@ -2,8 +2,8 @@
 
 #include "kernels/lens/grid_build_kernel.h"
 #include "kernels/lens/look_up_kernel.h"
+#include "kernels/spacetime/trace/trace_rays_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
-#include "kernels/trace/trace_rays_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {

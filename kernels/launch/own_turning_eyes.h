@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/host_device.h"
-#include "kernels/lens/omni_batches.h"
+#include "kernels/eyes/omni/omni_batches.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

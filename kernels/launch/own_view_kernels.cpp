@@ -1,6 +1,6 @@
 #include "kernels/core/host_device.h"
 #include "kernels/launch/view_kernels.h"
-#include "kernels/trace/follow_rays_kernel.h"
+#include "kernels/spacetime/trace/follow_rays_kernel.h"
 
 // Compiled once per instruction set; ERGO_TARGET names it.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/launch/instruction_set.h"
-#include "kernels/trace/follow_rays.h"
+#include "kernels/spacetime/trace/follow_rays.h"
 
 namespace ergodome {
 

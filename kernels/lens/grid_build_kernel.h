@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
-#include "kernels/geodesic/taylor.h"
 #include "kernels/lens/grid_build.h"
+#include "kernels/spacetime/geodesic/taylor.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

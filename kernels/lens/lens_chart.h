@@ -3,7 +3,7 @@
 #include "kernels/core/dual.h"
 #include "kernels/core/mixed_dual.h"
 #include "kernels/core/transcendental.h"
-#include "kernels/shadow/edge_curve.h"
+#include "kernels/spacetime/shadow/edge_curve.h"
 
 namespace ergodome {
 

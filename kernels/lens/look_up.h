@@ -1,10 +1,10 @@
 #pragma once
 
+#include "kernels/eyes/omni/omni_camera.h"
 #include "kernels/lens/lens_grid.h"
-#include "kernels/metric/frame_boost.h"
-#include "kernels/trace/omni_camera.h"
-#include "kernels/trace/trace_pixels.h"
-#include "kernels/trace/trace_rays.h"
+#include "kernels/spacetime/kerr/frame_boost.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 
 namespace ergodome {
 

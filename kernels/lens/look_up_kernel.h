@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernels/geodesic/taylor.h"
 #include "kernels/lens/look_up.h"
-#include "kernels/trace/pixel_geometry.h"
-#include "kernels/trace/trace_pixels_kernel.h"
+#include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/trace/pixel_geometry.h"
+#include "kernels/spacetime/trace/trace_pixels_kernel.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

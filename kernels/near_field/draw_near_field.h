@@ -1,10 +1,10 @@
 #pragma once
 
 #include "kernels/disk/disk_look.h"
-#include "kernels/mesh/lay_objects.h"
+#include "kernels/eyes/omni/omni_camera.h"
+#include "kernels/objects/lay_objects.h"
 #include "kernels/shells/shell_look.h"
-#include "kernels/trace/omni_camera.h"
-#include "kernels/trace/trace_pixels.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
 
 namespace ergodome {
 

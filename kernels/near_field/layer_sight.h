@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
-#include "kernels/mesh/lay_objects.h"
 #include "kernels/near_field/seen_light.h"
+#include "kernels/objects/lay_objects.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

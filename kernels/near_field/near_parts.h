@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/geodesic/taylor.h"
 #include "kernels/near_field/near_ray.h"
+#include "kernels/spacetime/geodesic/taylor.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

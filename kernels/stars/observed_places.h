@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/lens/lens_chart.h"
-#include "kernels/metric/camera_station.h"
-#include "kernels/metric/frame_boost.h"
+#include "kernels/spacetime/kerr/camera_station.h"
+#include "kernels/spacetime/kerr/frame_boost.h"
 
 namespace ergodome {
 

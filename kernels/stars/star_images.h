@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernels/geodesic/integration_settings.h"
 #include "kernels/lens/lens_chart.h"
-#include "kernels/metric/camera_station.h"
-#include "kernels/metric/frame_boost.h"
+#include "kernels/spacetime/geodesic/integration_settings.h"
+#include "kernels/spacetime/kerr/camera_station.h"
+#include "kernels/spacetime/kerr/frame_boost.h"
 
 namespace ergodome {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernels/geodesic/taylor.h"
+#include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/trace/trace_pixels_kernel.h"
 #include "kernels/stars/star_images.h"
-#include "kernels/trace/trace_pixels_kernel.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

@@ -7,7 +7,7 @@
 #include <ctime>
 #include <optional>
 
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
 #include "kernels/core/angles.h"
 #include "kernels/launch/instruction_set.h"
 #include "kernels/launch/parallel_for.h"

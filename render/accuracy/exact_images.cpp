@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "kernels/core/dual.h"
-#include "kernels/geodesic/closed_form.h"
-#include "kernels/geodesic/taylor.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/spacetime/geodesic/closed_form.h"
+#include "kernels/spacetime/geodesic/taylor.h"
 
 namespace ergodome {
 

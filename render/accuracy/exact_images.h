@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/stars/star_finder.h"
+#include "render/passes/stars/search/star_finder.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/trace/trace_rays.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 #include "render/accuracy/scene.h"
 #include "render/lens/lens_source.h"
 

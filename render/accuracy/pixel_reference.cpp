@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "kernels/core/dual.h"
-#include "kernels/geodesic/taylor.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
-#include "kernels/shadow/critical_curve.h"
+#include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/accuracy/scene.h"
 #include "render/lens/direct_lens.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome {
 

@@ -4,7 +4,7 @@
 
 #include "kernels/launch/launch.h"
 #include "render/accuracy/pixel_lens.h"
-#include "render/lens/quadtree_builder.h"
+#include "render/published/quadtree_builder.h"
 
 namespace ergodome {
 

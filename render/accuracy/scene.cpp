@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/frame/view_projection.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
 #include "kernels/projection/projection.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome {
 

@@ -4,10 +4,10 @@
 
 #include "content/trajectory/station_codec.h"
 #include "render/lens/direct_lens.h"
-#include "render/lens/grid_builder.h"
-#include "render/lens/grid_lens.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/lens/grid/grid_lens.h"
 #include "render/lens/lens_choice.h"
-#include "render/lens/quadtree_source.h"
+#include "render/published/quadtree_source.h"
 
 namespace ergodome {
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <map>
 
-#include "content/sky_map.h"
+#include "content/sky/sky_map.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/accuracy/exact_images.h"
 #include "render/accuracy/stopwatch.h"
-#include "render/stars/picture_sheets.h"
-#include "render/stars/star_pass.h"
-#include "render/stars/view_cone.h"
+#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/search/view_cone.h"
+#include "render/passes/stars/star_pass.h"
 
 namespace ergodome {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <memory>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
 #include "content/trajectory/station_codec.h"
 #include "render/accuracy/source_lens.h"
-#include "render/lens/grid_builder.h"
-#include "render/lens/grid_lens.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/lens/grid/grid_lens.h"
 #include "render/lens/lens_choice.h"
 
 namespace ergodome {

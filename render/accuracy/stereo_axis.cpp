@@ -6,14 +6,14 @@
 #include <memory>
 #include <utility>
 
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
 #include "kernels/core/angles.h"
 #include "render/accuracy/source_lens.h"
 #include "render/frame/shadow_mask.h"
 #include "render/frame/view_projection.h"
 #include "render/lens/direct_lens.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/flat_shadow.h"
+#include "render/lens/flat/flat_shadow.h"
+#include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_chooser.h"
 #include "render/lens/omni_chooser.h"
 

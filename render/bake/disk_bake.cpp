@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
-#include "render/disk/disk_grid_builder.h"
-#include "render/disk/disk_grid_error.h"
-#include "render/disk/disk_grids.h"
-#include "render/disk/disk_layers.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
+#include "render/passes/disk/disk_grid_builder.h"
+#include "render/passes/disk/disk_grid_error.h"
+#include "render/passes/disk/disk_grids.h"
+#include "render/passes/disk/disk_layers.h"
 
 namespace ergodome {
 

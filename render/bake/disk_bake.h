@@ -4,10 +4,10 @@
 
 #include "content/trajectory/trajectory_journal.h"
 #include "render/bake/trajectory_baker.h"
-#include "render/disk/disk_camera.h"
-#include "render/disk/disk_pass.h"
-#include "render/lens/eye_camera.h"
-#include "render/lens/screen_error.h"
+#include "render/eyes/eye_camera.h"
+#include "render/lens/grid/screen_error.h"
+#include "render/passes/disk/disk_camera.h"
+#include "render/passes/disk/disk_pass.h"
 
 namespace ergodome {
 

@@ -7,17 +7,17 @@
 #include <map>
 #include <memory>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
-#include "content/show_reader.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
+#include "content/show/show_reader.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "kernels/core/error.h"
 #include "render/bake/disk_bake.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/eye_camera.h"
-#include "render/lens/grid_builder.h"
-#include "render/lens/screen_error.h"
-#include "render/lens/station_blend.h"
+#include "render/eyes/eye_camera.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/lens/grid/screen_error.h"
+#include "render/lens/stations/station_blend.h"
 
 namespace ergodome {
 

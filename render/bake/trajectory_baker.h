@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "content/trajectory/trajectory.h"
 
 namespace ergodome {

@@ -9,9 +9,9 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/core/dual.h"
-#include "kernels/geodesic/taylor.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
+#include "kernels/spacetime/geodesic/taylor.h"
 #include "render/channels/disk_channels.h"
 #include "render/lens/direct_lens.h"
 

@@ -7,7 +7,7 @@
 
 #include "kernels/projection/projection.h"
 #include "render/channels/channel_names.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome {
 

@@ -7,7 +7,7 @@
 
 #include "content/objects/object_settings.h"
 #include "kernels/launch/parallel_for.h"
-#include "kernels/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
 
 namespace ergodome {
 

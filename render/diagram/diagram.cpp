@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
-#include "kernels/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
 #include "render/diagram/diagram_meshes.h"
 #include "render/diagram/diagram_surroundings.h"
 #include "render/diagram/light_curve.h"

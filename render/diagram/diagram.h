@@ -3,11 +3,11 @@
 #include <map>
 #include <vector>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "render/diagram/apparent_mesh.h"
 #include "render/diagram/diagram_scene.h"
-#include "render/objects/object_meshes.h"
-#include "render/objects/object_rays.h"
+#include "render/passes/objects/object_meshes.h"
+#include "render/passes/objects/object_rays.h"
 
 namespace ergodome {
 

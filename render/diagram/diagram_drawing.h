@@ -5,7 +5,7 @@
 
 #include "render/diagram/diagram_scene.h"
 #include "render/diagram/outside_camera.h"
-#include "render/objects/object_target.h"
+#include "render/passes/objects/polygons/object_target.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/diagram/diagram_drawing.h"
-#include "render/objects/gl_thread.h"
+#include "render/passes/objects/polygons/gl_thread.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
-#include "kernels/metric/kerr.h"
+#include "kernels/spacetime/kerr/kerr.h"
 #include "render/diagram/view_outline.h"
 
 namespace ergodome {

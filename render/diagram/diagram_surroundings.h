@@ -1,8 +1,8 @@
 #pragma once
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "render/diagram/diagram_scene.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/schwarzschild/apparent_place.h"
-#include "kernels/schwarzschild/ray_curve.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/ray_curve.h"
 
 namespace ergodome {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "kernels/projection/projection.h"
-#include "render/lens/eye_camera.h"
-#include "render/objects/object_rays.h"
+#include "render/eyes/eye_camera.h"
+#include "render/passes/objects/object_rays.h"
 
 namespace ergodome {
 

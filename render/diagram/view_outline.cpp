@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
-#include "kernels/metric/frame_boost.h"
+#include "kernels/spacetime/kerr/frame_boost.h"
 #include "render/frame/view_projection.h"
 
 namespace ergodome {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "content/show.h"
-#include "render/lens/eye_camera.h"
+#include "content/show/show.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome {
 

@@ -6,7 +6,7 @@
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/effects/bloom_across_seams.h"
+#include "render/passes/effects/bloom_across_seams.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {

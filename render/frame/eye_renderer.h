@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "render/backend/buffer.h"
-#include "render/disk/disk_grids.h"
-#include "render/disk/streamed_disk.h"
 #include "render/lens/follow_lens.h"
 #include "render/lens/lens_chooser.h"
-#include "render/near_field/near_field.h"
-#include "render/objects/object_pass.h"
-#include "render/output/pixel_values.h"
 #include "render/output/tone.h"
-#include "render/sky/polygon_filter.h"
-#include "render/sky/sky_cube.h"
-#include "render/stars/star_pass.h"
-#include "render/stars/tiled_stars.h"
+#include "render/passes/disk/disk_grids.h"
+#include "render/passes/disk/streamed_disk.h"
+#include "render/passes/near_field/near_field.h"
+#include "render/passes/objects/object_pass.h"
+#include "render/passes/sky/polygon_filter.h"
+#include "render/passes/sky/sky_cube.h"
+#include "render/passes/stars/drawing/tiled_stars.h"
+#include "render/passes/stars/star_pass.h"
+#include "render/picture/pixel_values.h"
 
 namespace ergodome {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"

@@ -8,7 +8,7 @@
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
 #include "kernels/projection/projection.h"
-#include "kernels/shadow/pixel_coverage.h"
+#include "kernels/spacetime/shadow/pixel_coverage.h"
 
 namespace ergodome {
 

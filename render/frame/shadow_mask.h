@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/shadow/edge_curve.h"
+#include "kernels/spacetime/shadow/edge_curve.h"
 #include "render/frame/eye_renderer.h"
 
 namespace ergodome {

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <iterator>
 
-#include "content/animated_show.h"
 #include "content/fall/rain_pose.h"
-#include "content/repaired_texels.h"
+#include "content/show/animated_show.h"
+#include "content/sky/repaired_texels.h"
 #include "kernels/core/error.h"
-#include "kernels/metric/kerr.h"
+#include "kernels/spacetime/kerr/kerr.h"
 #include "render/frame/image_alpha.h"
 #include "render/output/stereo_layout.h"
-#include "render/overlay/camera_readout.h"
-#include "render/overlay/caption_notes.h"
-#include "render/overlay/overlay_place.h"
+#include "render/passes/overlay/camera_readout.h"
+#include "render/passes/overlay/caption_notes.h"
+#include "render/passes/overlay/overlay_place.h"
 #include "render/plan/frame_needs.h"
 
 namespace ergodome {

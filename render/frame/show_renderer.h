@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "content/camera_path.h"
-#include "content/show.h"
+#include "content/camera/camera_path.h"
+#include "content/show/show.h"
+#include "render/eyes/narrowed_eyes.h"
 #include "render/frame/cube_pictures.h"
 #include "render/frame/eye_renderer.h"
-#include "render/frame/narrowed_eyes.h"
 #include "render/frame/view_projection.h"
 #include "render/lens/omni_chooser.h"
 #include "render/output/auto_exposure.h"
-#include "render/overlay/overlay_pass.h"
+#include "render/passes/overlay/overlay_pass.h"
+#include "render/passes/sky/show_sky.h"
 #include "render/plan/frame_needs.h"
-#include "render/sky/show_sky.h"
 
 namespace ergodome {
 

@@ -1,7 +1,7 @@
 #include <optional>
 #include <utility>
 
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
 #include "kernels/core/error.h"
 #include "render/frame/show_renderer.h"
 

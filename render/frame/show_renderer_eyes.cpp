@@ -7,12 +7,12 @@
 
 #include "kernels/core/error.h"
 #include "kernels/projection/pixel_measure.h"
+#include "render/eyes/eye_distance.h"
 #include "render/frame/shadow_mask.h"
 #include "render/frame/show_renderer.h"
-#include "render/lens/eye_distance.h"
-#include "render/lens/flat_shadow.h"
-#include "render/near_field/flat_near_field.h"
+#include "render/lens/flat/flat_shadow.h"
 #include "render/output/stereo_layout.h"
+#include "render/passes/near_field/flat_near_field.h"
 
 // How a show's renderer draws two eyes, by the models of stereo.
 namespace ergodome {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "kernels/projection/projection.h"
 
 namespace ergodome {

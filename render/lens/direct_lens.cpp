@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
-#include "kernels/metric/kerr.h"
 #include "kernels/projection/pixel_measure.h"
+#include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/launch/launch.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
+#include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_source.h"
 
 namespace ergodome {

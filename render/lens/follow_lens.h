@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "content/show.h"
-#include "kernels/trace/follow_rays.h"
+#include "content/show/show.h"
+#include "kernels/spacetime/trace/follow_rays.h"
 #include "render/lens/direct_lens.h"
 
 namespace ergodome {

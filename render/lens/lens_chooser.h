@@ -6,14 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/grid_lens.h"
-#include "render/lens/grid_worker.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/grid/grid_lens.h"
+#include "render/lens/grid/grid_worker.h"
 #include "render/lens/lens_source.h"
-#include "render/lens/quadtree_builder.h"
-#include "render/lens/station_stream.h"
+#include "render/lens/stations/station_stream.h"
+#include "render/published/quadtree_builder.h"
 
 namespace ergodome {
 

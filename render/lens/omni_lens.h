@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/lens/omni_batches.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/grid_builder.h"
+#include "kernels/eyes/omni/omni_batches.h"
+#include "render/eyes/omni_camera.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/grid/grid_builder.h"
 #include "render/lens/lens_source.h"
-#include "render/lens/omni_camera.h"
-#include "render/lens/station_blend.h"
+#include "render/lens/stations/station_blend.h"
 
 namespace ergodome {
 

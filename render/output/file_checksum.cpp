@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "content/fingerprint.h"
+#include "content/files/fingerprint.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

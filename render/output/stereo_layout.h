@@ -1,6 +1,6 @@
 #pragma once
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "render/frame/eye_renderer.h"
 
 namespace ergodome {

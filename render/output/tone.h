@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "kernels/image/tone_curve.h"
 
 namespace ergodome {

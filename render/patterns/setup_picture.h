@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "calibration/projector_picture.h"
+#include "calibration/projectors/projector_picture.h"
 #include "render/frame/eye_renderer.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 
 namespace ergodome {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/launch/launch.h"
 #include "render/lens/lens_source.h"

@@ -1,7 +1,7 @@
 #include "kernels/launch/launch.h"
-#include "render/disk/disk_grids.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/flat_shadow.h"
+#include "render/lens/flat/flat_shadow.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/passes/disk/disk_grids.h"
 #include "render/plan/planner.h"
 
 // Eyes of the stereo model `flat`: the sky is drawn for the head, and what stands near the hole for each.

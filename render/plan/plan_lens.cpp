@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "render/lens/edge_table.h"
+#include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_choice.h"
 #include "render/plan/planner.h"
 

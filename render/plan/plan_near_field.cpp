@@ -1,11 +1,11 @@
 #include <algorithm>
 
-#include "content/animated_show.h"
-#include "render/disk/disk_grids.h"
-#include "render/disk/disk_pass.h"
+#include "content/show/animated_show.h"
+#include "render/passes/disk/disk_grids.h"
+#include "render/passes/disk/disk_pass.h"
+#include "render/passes/shells/shell_pass.h"
+#include "render/passes/stars/drawing/blackbody_colours.h"
 #include "render/plan/planner.h"
-#include "render/shells/shell_pass.h"
-#include "render/stars/blackbody_colours.h"
 
 namespace ergodome {
 

@@ -1,8 +1,8 @@
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
+#include "render/passes/sky/column_sums.h"
+#include "render/passes/sky/sky_cube.h"
+#include "render/passes/stars/drawing/blackbody_colours.h"
 #include "render/plan/planner.h"
-#include "render/sky/column_sums.h"
-#include "render/sky/sky_cube.h"
-#include "render/stars/blackbody_colours.h"
 
 namespace ergodome {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "content/animated_show.h"
+#include "content/show/animated_show.h"
 #include "render/frame/show_renderer.h"
-#include "render/stars/picture_sheets.h"
+#include "render/passes/stars/drawing/picture_sheets.h"
 
 namespace ergodome {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "content/show.h"
+#include "content/show/show.h"
 #include "render/plan/frame_needs.h"
 #include "render/plan/frame_plan.h"
 

@@ -6,7 +6,7 @@
 
 #include "render/frame/eye_renderer.h"
 #include "render/output/stereo_layout.h"
-#include "render/overlay/caption_layer.h"
+#include "render/passes/overlay/caption_layer.h"
 
 namespace ergodome {
 

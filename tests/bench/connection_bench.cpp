@@ -8,7 +8,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
-#include "render/polygon/connection_table.h"
+#include "render/published/connection_table.h"
 
 // Tables of connecting rays of the size and for the observers of Müller, Schulz & Weiskopf's table 2 (10, 20 and 30 Schwarzschild radii): 256
 // rows and 512 columns an order, r from 2.5 to 30 M. Counters: errors against the closed form at 1e5 random pairs, evenly in 1/r and φ. And

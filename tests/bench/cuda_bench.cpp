@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/work_counter.h"

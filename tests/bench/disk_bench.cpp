@@ -3,13 +3,13 @@
 #include <memory>
 #include <optional>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
-#include "render/disk/disk_grids.h"
-#include "render/disk/disk_layers.h"
 #include "render/frame/view_projection.h"
-#include "render/near_field/near_field.h"
+#include "render/passes/disk/disk_grids.h"
+#include "render/passes/disk/disk_layers.h"
+#include "render/passes/near_field/near_field.h"
 
 // A disk over pixels, memory to memory, without a sky: by a ray for each pixel that may see it (rays), read from a grid that is there already (kept),
 // from one that each picture builds anew (live), or from baked layers that each picture blends anew (streamed).

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <functional>
 
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
 #include "render/lens/direct_lens.h"

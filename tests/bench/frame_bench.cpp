@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
-#include "render/lens/edge_table.h"
-#include "render/lens/grid_builder.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/grid/grid_builder.h"
 
 // Whole frames, memory to memory: the lens with its footprints, the shadow's soft edge, and the filtered sky. The lens is traced (a
 // ray a pixel), or read from a grid that is there already (kept), or from one that each frame builds anew (live).

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "content/camera_path.h"
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/camera/camera_path.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "render/frame/view_projection.h"
-#include "render/objects/object_pass.h"
-#include "render/objects/traced_objects.h"
+#include "render/passes/objects/object_pass.h"
+#include "render/passes/objects/traced_objects.h"
 #include "tests/bench/cuda_bench.h"
 
 // The sequences of Müller, Schulz & Weiskopf's table 3 by the built-in shows of their scenes: a triangle (300 frames), a sphere (360) and a disk

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/frame/show_renderer.h"
 #include "render/present/headless_context.h"
 #include "render/present/offscreen_frame.h"
-#include "render/present/projector_drawing.h"
-#include "render/present/software_projectors.h"
+#include "render/present/projectors/projector_drawing.h"
+#include "render/present/projectors/software_projectors.h"
 #include "tests/bench/cuda_bench.h"
 
 // What a projector adds to a frame: the master is rendered by the CPU, then warped and blended by OpenGL, on the GPU or by Mesa's software,

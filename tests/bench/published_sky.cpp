@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "content/stars/star_catalogue.h"
 #include "content/stars/star_file.h"
 #include "render/output/image_writer.h"

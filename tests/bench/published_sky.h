@@ -1,6 +1,6 @@
 #pragma once
 
-#include "content/show.h"
+#include "content/show/show.h"
 
 namespace ergodome {
 

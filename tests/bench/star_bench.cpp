@@ -5,7 +5,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/make_projection.h"
-#include "render/stars/star_pass.h"
+#include "render/passes/stars/star_pass.h"
 
 // Finding and drawing the images of stars on a 1024² dome, down to a magnitude: the grid and its turning round, as each new place of the
 // camera needs them, apart from what each picture needs.

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "kernels/launch/parallel_for.h"
-#include "render/frame/eye_disparity.h"
+#include "render/eyes/eye_disparity.h"
 #include "render/frame/show_renderer.h"
 
 // Frames of both eyes beside those of one, memory to memory.

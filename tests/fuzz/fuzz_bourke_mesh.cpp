@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "calibration/bourke_mesh.h"
-#include "calibration/warp_conversion.h"
+#include "calibration/formats/warps/bourke_mesh.h"
+#include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
 // Any text is either a mesh, which then reads back from its own text and can be drawn, or an Error.

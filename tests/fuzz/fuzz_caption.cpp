@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "render/overlay/caption_image.h"
+#include "render/passes/overlay/caption_image.h"
 
 // The first byte chooses where lines are broken, the rest is the text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

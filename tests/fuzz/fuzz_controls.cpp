@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/navigation/controls.h"
+#include "app/navigation/controls/controls.h"
 #include "kernels/core/error.h"
 
 // Any text is either a map of controls, which then reads back from its own text to the same map, or an Error.

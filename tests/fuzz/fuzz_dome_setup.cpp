@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "calibration/dome_setup.h"
+#include "calibration/dome/dome_setup.h"
 #include "kernels/core/error.h"
 
 // Any text is either a setup, which then reads back from its own text, or an Error.

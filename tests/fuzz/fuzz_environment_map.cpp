@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "content/environment_image.h"
+#include "content/sky/environment_image.h"
 #include "kernels/core/error.h"
 
 // The first byte chooses the format, the rest is the file. Images of more than 256 px are left to the size check of the reader.

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "calibration/bourke_mesh.h"
-#include "calibration/foreign_warp.h"
-#include "calibration/projector_picture.h"
-#include "calibration/warp_conversion.h"
+#include "calibration/formats/warps/bourke_mesh.h"
+#include "calibration/formats/warps/foreign_warp.h"
+#include "calibration/projectors/projector_picture.h"
+#include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
 // A file is of the format that its content shows, or of the one that its first byte chooses. It is a warp that can be drawn and written,

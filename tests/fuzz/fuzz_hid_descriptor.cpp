@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/pads/decoders/decoders.h"
-#include "calibration/pad_response.h"
+#include "app/pads/pad_response.h"
 #include "kernels/core/error.h"
 
 // Two bytes say how long the descriptor is; then come the descriptor and reports, each behind its length. Any descriptor is either read,

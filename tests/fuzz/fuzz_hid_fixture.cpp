@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "app/pads/hid_fixture.h"
+#include "app/pads/hid/hid_fixture.h"
 #include "kernels/core/error.h"
 
 // Any text is either a fixture, which then can be played, or an Error.

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "calibration/mpcdi_conversion.h"
-#include "calibration/mpcdi_reader.h"
-#include "calibration/mpcdi_writer.h"
+#include "calibration/formats/mpcdi/mpcdi_conversion.h"
+#include "calibration/formats/mpcdi/mpcdi_reader.h"
+#include "calibration/formats/mpcdi/mpcdi_writer.h"
 #include "kernels/core/error.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "app/remote/command_rules.h"
-#include "app/remote/osc_handler.h"
+#include "app/remote/osc/osc_handler.h"
 
 namespace {
 

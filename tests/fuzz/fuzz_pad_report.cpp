@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/pads/pad_decoder.h"
-#include "calibration/pad_response.h"
+#include "app/pads/pad_response.h"
 
 // The first byte chooses a pad and its bus, the rest are reports, each behind its length (0: of 256 bytes and more, as long as two bytes
 // say). No report makes a decoder read beyond its end or an axis leave its range.

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "calibration/pad_settings.h"
+#include "app/pads/pad_settings.h"
 #include "kernels/core/error.h"
 
 // Any text is either settings, which then read back the same from their own text, or an Error.

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <string>
 
-#include "content/pair_table.h"
+#include "content/tables/pair_table.h"
 #include "kernels/core/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <span>
 
-#include "calibration/pfm.h"
-#include "calibration/warp_conversion.h"
+#include "calibration/formats/warps/pfm.h"
+#include "calibration/warps/warp_conversion.h"
 #include "kernels/core/error.h"
 
 // The first byte chooses the order of rows and the direction of v, the rest is the file.

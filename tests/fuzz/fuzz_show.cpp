@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
-#include "content/show_reader.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
+#include "content/show/show_reader.h"
 #include "kernels/core/error.h"
 
 namespace {

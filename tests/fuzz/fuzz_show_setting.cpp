@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "kernels/core/error.h"
 
 // Any two settings either change a show, or are an Error.

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "app/remote/web_guard.h"
+#include "app/remote/web/web_guard.h"
 
 // No head of a request opens the page without the token, and each is answered whole.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,7 +4,7 @@
 
 #include "kernels/image/shade_pixels_kernel.h"
 #include "kernels/projection/make_projection.h"
-#include "kernels/trace/trace_pixels_kernel.h"
+#include "kernels/spacetime/trace/trace_pixels_kernel.h"
 #include "tests/gpu/dome.cuh"
 
 namespace ergodome::gpu_check {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "kernels/trace/trace_rays_kernel.h"
+#include "kernels/spacetime/trace/trace_rays_kernel.h"
 #include "tests/gpu/harness.cuh"
 
 namespace ergodome::gpu_check {

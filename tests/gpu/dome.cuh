@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "kernels/projection/make_projection.h"
-#include "kernels/shadow/critical_curve.h"
-#include "kernels/trace/trace_pixels.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
 #include "tests/gpu/harness.cuh"
 
 namespace ergodome::gpu_check {

@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "kernels/image/color_map.h"
-#include "kernels/shadow/critical_curve.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/output/image_writer.h"
-#include "render/overlay/caption_image.h"
+#include "render/passes/overlay/caption_image.h"
 #include "tests/hard_cases/miss.h"
 #include "tests/hard_cases/ray_sets.h"
 #include "tests/hard_cases/sky_window.h"

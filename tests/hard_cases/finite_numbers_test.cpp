@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/check_numbers.h"
 #include "render/frame/show_renderer.h"

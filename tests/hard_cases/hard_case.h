@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/metric/camera_station.h"
+#include "kernels/spacetime/kerr/camera_station.h"
 
 namespace ergodome::test {
 

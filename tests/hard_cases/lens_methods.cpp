@@ -4,9 +4,9 @@
 
 #include "content/trajectory/station_codec.h"
 #include "kernels/launch/launch.h"
-#include "render/lens/grid_builder.h"
-#include "render/lens/quadtree_builder.h"
-#include "render/lens/station_blend.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/lens/stations/station_blend.h"
+#include "render/published/quadtree_builder.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome::test {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/lens/look_up.h"
-#include "kernels/trace/trace_rays.h"
+#include "kernels/spacetime/trace/trace_rays.h"
 #include "tests/hard_cases/hard_case.h"
 
 namespace ergodome::test {

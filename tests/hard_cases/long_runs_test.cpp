@@ -5,12 +5,12 @@
 #include <cmath>
 #include <functional>
 
-#include "content/animated_show.h"
-#include "content/camera_path.h"
-#include "content/show_reader.h"
+#include "content/camera/camera_path.h"
+#include "content/show/animated_show.h"
+#include "content/show/show_reader.h"
 #include "kernels/core/angles.h"
-#include "kernels/shadow/shadow_chart.h"
-#include "render/lens/eye_camera.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
+#include "render/eyes/eye_camera.h"
 #include "tests/hard_cases/miss.h"
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"

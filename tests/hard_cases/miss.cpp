@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "kernels/core/dual.h"
-#include "kernels/geodesic/closed_form.h"
-#include "kernels/geodesic/taylor.h"
-#include "kernels/shadow/shadow_chart.h"
+#include "kernels/spacetime/geodesic/closed_form.h"
+#include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
 
 namespace ergodome::test {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "kernels/core/angles.h"
-#include "kernels/shadow/critical_curve.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
 
 namespace ergodome::test {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
-#include "kernels/geodesic/closed_form.h"
 #include "kernels/projection/dome_fisheye.h"
 #include "kernels/projection/make_projection.h"
-#include "kernels/shadow/critical_curve.h"
+#include "kernels/spacetime/geodesic/closed_form.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
 #include "tests/support/sanitized.h"
 
 namespace ergodome::test {

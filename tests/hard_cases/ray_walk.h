@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/geodesic/radial_potential.h"
-#include "kernels/geodesic/taylor.h"
+#include "kernels/spacetime/geodesic/radial_potential.h"
+#include "kernels/spacetime/geodesic/taylor.h"
 
 // A ray step by step, as trace_taylor goes, with somebody who looks on.
 namespace ergodome::test {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "kernels/core/angles.h"
-#include "kernels/shadow/critical_curve.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/output/image_writer.h"
 #include "tests/hard_cases/case_sheets.h"
 #include "tests/hard_cases/miss.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "kernels/shadow/shadow_chart.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/hard_cases/hard_case.h"
 
 namespace ergodome::test {

@@ -4,9 +4,9 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/launch/launch.h"
-#include "kernels/shadow/critical_curve.h"
-#include "render/lens/grid_builder.h"
-#include "render/lens/station_blend.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/lens/stations/station_blend.h"
 #include "tests/hard_cases/miss.h"
 #include "tests/hard_cases/random_places.h"
 #include "tests/support/sanitized.h"

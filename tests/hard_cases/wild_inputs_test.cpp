@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "content/camera_path.h"
-#include "content/show_reader.h"
+#include "content/camera/camera_path.h"
+#include "content/show/show_reader.h"
 #include "kernels/core/error.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 #include "tests/hard_cases/lens_methods.h"
 #include "tests/hard_cases/ray_sets.h"
 

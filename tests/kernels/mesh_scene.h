@@ -6,8 +6,8 @@
 
 #include "content/mesh/built_in_meshes.h"
 #include "content/mesh/triangle_boxes.h"
-#include "kernels/mesh/mesh_rays.h"
-#include "kernels/metric/camera_station.h"
+#include "kernels/objects/mesh_rays.h"
+#include "kernels/spacetime/kerr/camera_station.h"
 
 namespace ergodome::test {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kernels/geodesic/ray.h"
-#include "kernels/metric/camera_station.h"
+#include "kernels/spacetime/geodesic/ray.h"
+#include "kernels/spacetime/kerr/camera_station.h"
 
 namespace ergodome::test {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "calibration/projector_picture.h"
+#include "calibration/projectors/projector_picture.h"
 
 // Projectors that use all that a projector's picture can hold.
 namespace ergodome::test {

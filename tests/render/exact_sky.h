@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "kernels/geodesic/closed_form.h"
-#include "tests/render/star_cameras.h"
+#include "kernels/spacetime/geodesic/closed_form.h"
+#include "tests/render/passes/stars/star_cameras.h"
 
 namespace ergodome::test {
 

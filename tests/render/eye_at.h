@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/angles.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome::test {
 

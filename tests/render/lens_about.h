@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kernels/projection/pixel_measure.h"
+#include "tests/render/passes/stars/star_cameras.h"
 #include "tests/render/ray_mesh.h"
-#include "tests/render/star_cameras.h"
 
 namespace ergodome::test {
 

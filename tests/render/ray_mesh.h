@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "kernels/launch/launch.h"
-#include "kernels/shadow/critical_curve.h"
-#include "tests/render/star_cameras.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+#include "tests/render/passes/stars/star_cameras.h"
 
 namespace ergodome::test {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "render/frame/eye_renderer.h"
 #include "tests/support/tiny_sky.h"
 

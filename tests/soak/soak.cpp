@@ -13,10 +13,10 @@
 
 #include "app/exhibit/exhibit_scenes.h"
 #include "app/exhibit/log_file.h"
-#include "app/pads/hid_fixture.h"
+#include "app/pads/hid/hid_fixture.h"
 #include "app/playback/show_reload.h"
-#include "app/player/picture_flow.h"
 #include "app/player/player_inputs.h"
+#include "app/player/renderers/picture_flow.h"
 #include "content/files/atomic_file.h"
 #include "tests/support/baked_show.h"
 

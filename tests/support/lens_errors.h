@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "kernels/core/dual.h"
-#include "kernels/geodesic/taylor.h"
 #include "kernels/launch/launch.h"
-#include "kernels/shadow/shadow_chart.h"
+#include "kernels/spacetime/geodesic/taylor.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
 #include "tests/support/sanitized.h"
 
 // How far a lens is from traced rays, on the screen and over random directions, by other means than the builders use.

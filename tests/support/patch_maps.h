@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernels/stars/bezier_patch.h"
+#include "kernels/stars/search/bezier_patch.h"
 
 namespace ergodome::test {
 

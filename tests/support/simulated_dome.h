@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "calibration/bourke_mesh.h"
-#include "calibration/dome_blend.h"
-#include "calibration/dome_setup.h"
+#include "calibration/dome/dome_blend.h"
+#include "calibration/dome/dome_setup.h"
+#include "calibration/formats/warps/bourke_mesh.h"
 #include "kernels/core/angles.h"
 
 // A dome that is there only in numbers, and its projectors.

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/pads/hid_descriptor.h"
-#include "calibration/pad_raw.h"
+#include "app/pads/hid/hid_descriptor.h"
+#include "app/pads/pad_raw.h"
 
 namespace ergodome {
 

@@ -10,8 +10,8 @@
 #include "app/budget/budget_check.h"
 #include "app/budget/budget_choice.h"
 #include "app/budget/budget_texts.h"
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "tests/render/accuracy/accuracy_scene.h"
 #include "tests/support/sanitized.h"
 

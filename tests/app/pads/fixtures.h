@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/pads/hid_fixture.h"
+#include "app/pads/hid/hid_fixture.h"
 #include "app/pads/pad_decoder.h"
-#include "calibration/pad_names.h"
-#include "calibration/pad_response.h"
+#include "app/pads/pad_names.h"
+#include "app/pads/pad_response.h"
 
 namespace ergodome::test {
 

@@ -1,4 +1,4 @@
-#include "app/pads/hid_descriptor.h"
+#include "app/pads/hid/hid_descriptor.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "app/pads/hid_text.h"
+#include "app/pads/hid/hid_text.h"
 #include "tests/app/pads/fixtures.h"
 #include "tests/support/errors.h"
 

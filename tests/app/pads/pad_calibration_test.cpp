@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/pads/decoders/decoders.h"
-#include "calibration/pad_response.h"
+#include "app/pads/pad_response.h"
 #include "tests/app/pads/fixtures.h"
 
 namespace ergodome::test {

@@ -1,4 +1,4 @@
-#include "app/playback/audio_file.h"
+#include "app/playback/sound/audio_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

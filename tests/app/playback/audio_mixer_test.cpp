@@ -1,4 +1,4 @@
-#include "app/playback/audio_mixer.h"
+#include "app/playback/sound/audio_mixer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

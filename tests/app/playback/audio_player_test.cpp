@@ -1,4 +1,4 @@
-#include "app/playback/audio_player.h"
+#include "app/playback/sound/audio_player.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

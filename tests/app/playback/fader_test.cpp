@@ -1,4 +1,4 @@
-#include "app/playback/fader.h"
+#include "app/playback/sound/fader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/playback/audio_mixer.h"
+#include "app/playback/sound/audio_mixer.h"
 
 namespace ergodome {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "tests/support/folder_test.h"
 
 namespace ergodome {

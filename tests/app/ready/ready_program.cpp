@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/program.h"
+#include "app/cli/program.h"
 #include "content/images/image_library.h"
 #include "tests/app/ready/call.h"
 

@@ -1,4 +1,4 @@
-#include "app/remote/json_command.h"
+#include "app/remote/web/json_command.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/remote/command_rules.h"
-#include "app/remote/status_json.h"
+#include "app/remote/web/status_json.h"
 #include "tests/support/errors.h"
 #include "tests/support/fake_player.h"
 

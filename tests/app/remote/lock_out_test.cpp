@@ -6,7 +6,7 @@
 #include <list>
 #include <thread>
 
-#include "app/remote/web_server.h"
+#include "app/remote/web/web_server.h"
 #include "tests/support/fake_player.h"
 #include "tests/support/network_hosts.h"
 #include "tests/support/raw_client.h"

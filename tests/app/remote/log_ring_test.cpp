@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/remote/status_json.h"
+#include "app/remote/web/status_json.h"
 
 namespace ergodome {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/remote/osc_handler.h"
+#include "app/remote/osc/osc_handler.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/remote/osc_message.h"
+#include "app/remote/osc/osc_message.h"
 
 #include <gtest/gtest.h>
 

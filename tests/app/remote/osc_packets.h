@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/remote/osc_message.h"
+#include "app/remote/osc/osc_message.h"
 
 namespace ergodome::test {
 

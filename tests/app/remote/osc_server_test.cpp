@@ -1,4 +1,4 @@
-#include "app/remote/osc_server.h"
+#include "app/remote/osc/osc_server.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "app/remote/web_guard.h"
+#include "app/remote/web/web_guard.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <fstream>
 
-#include "app/remote/web_token.h"
+#include "app/remote/web/web_token.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 

@@ -1,4 +1,4 @@
-#include "content/mesh/gltf_reader.h"
+#include "content/mesh/gltf/gltf_reader.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -9,7 +9,7 @@
 
 #include "content/mesh/mesh_files.h"
 #include "content/mesh/mesh_normals.h"
-#include "content/mesh/named_file.h"
+#include "content/mesh/obj/named_file.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 

@@ -1,4 +1,4 @@
-#include "content/mesh/obj_reader.h"
+#include "content/mesh/obj/obj_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "content/mesh/mesh_reader.h"
-#include "content/mesh/obj_materials.h"
+#include "content/mesh/obj/obj_materials.h"
 #include "tests/support/errors.h"
 #include "tests/support/folder_test.h"
 

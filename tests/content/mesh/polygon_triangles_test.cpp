@@ -1,4 +1,4 @@
-#include "content/mesh/polygon_triangles.h"
+#include "content/mesh/obj/polygon_triangles.h"
 
 #include <gtest/gtest.h>
 

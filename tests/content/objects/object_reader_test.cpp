@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "content/objects/object_motion.h"
-#include "content/show_reader.h"
+#include "content/show/show_reader.h"
 #include "kernels/core/angles.h"
 
 namespace ergodome {

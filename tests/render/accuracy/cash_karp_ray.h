@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/launch/launch.h"
-#include "render/lens/eye_camera.h"
+#include "render/eyes/eye_camera.h"
 
 namespace ergodome::test {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "content/camera_path.h"
+#include "content/camera/camera_path.h"
 #include "tests/render/accuracy/accuracy_scene.h"
 #include "tests/render/accuracy/cash_karp_ray.h"
 

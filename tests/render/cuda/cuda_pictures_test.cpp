@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "content/show_reader.h"
-#include "content/sky_map.h"
+#include "content/show/show_reader.h"
+#include "content/sky/sky_map.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/launch_cuda.h"
 #include "render/frame/show_renderer.h"

@@ -14,7 +14,7 @@
 #include "render/output/tone_map.h"
 #include "render/present/headless_context.h"
 #include "render/present/presenter.h"
-#include "render/present/raster_texture.h"
+#include "render/present/projectors/raster_texture.h"
 #include "tests/support/gl_driver.h"
 
 // No report of leaks where a driver was at work.

@@ -6,9 +6,9 @@
 
 #include "kernels/launch/launch.h"
 #include "render/backend/buffer.h"
-#include "render/present/software_projectors.h"
+#include "render/present/projectors/software_projectors.h"
 #include "tests/render/curved_projector.h"
-#include "tests/render/projector_frames.h"
+#include "tests/render/present/projectors/projector_frames.h"
 
 // What projectors are sent is the same whether a device draws it or the processor.
 namespace ergodome {

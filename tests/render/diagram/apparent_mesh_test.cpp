@@ -9,7 +9,7 @@
 
 #include "content/mesh/built_in_meshes.h"
 #include "kernels/core/angles.h"
-#include "kernels/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
 #include "tests/render/diagram/place.h"
 
 // Meshes where they seem to be.

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "kernels/schwarzschild/apparent_place.h"
-#include "kernels/schwarzschild/ray_curve.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/schwarzschild/ray_curve.h"
 #include "tests/render/diagram/place.h"
 
 // Light rays as diagrams draw them.

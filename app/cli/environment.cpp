@@ -1,0 +1,58 @@
+#include "app/cli/environment.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "app/cli/usage_error.h"
+#include "kernels/launch/instruction_set.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What a variable is set to; one that is empty counts as not set.
+std::string_view value_of(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr ? value : "";
+}
+
+void check_instruction_set(const char* variable) {
+  const std::string_view wish = value_of(variable);
+  std::string present;
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (has_instruction_set(set)) {
+      if (wish == name_of(set)) {
+        return;
+      }
+      present += fmt::format("{}{}", present.empty() ? "" : ", ", name_of(set));
+    }
+  }
+  if (!wish.empty()) {
+    throw UsageError(variable, fmt::format("is \"{}\", which this program does not have here", wish),
+                     "set it to one of " + present + ", or unset it");
+  }
+}
+
+void check_threads(const char* variable) {
+  const std::string_view wish = value_of(variable);
+  int threads = 0;
+  const auto [end, error] = std::from_chars(wish.data(), wish.data() + wish.size(), threads);
+  if (!wish.empty() && (error != std::errc() || end != wish.data() + wish.size() || threads < 1)) {
+    throw UsageError(variable, fmt::format("is \"{}\", which is no number of threads", wish),
+                     "set it to 1 or more, or unset it");
+  }
+}
+
+}  // namespace
+
+void check_environment() {
+  check_instruction_set("ERGODOME_INSTRUCTION_SET");
+  check_threads("ERGODOME_THREADS");
+}
+
+}  // namespace ergodome

@@ -1,0 +1,181 @@
+#include "app/cli/lens_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+#include "app/cli/usage_error.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
+#include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/frame/show_renderer.h"
+#include "render/lens/lens_choice.h"
+#include "render/lens/lens_chooser.h"
+
+namespace ergodome {
+
+namespace {
+
+//! One eye's pictures of a width; 0: the show's own.
+Projection projection_of(const Show& show, int size_px) {
+  return make_projection(show.view, size_px > 0 ? size_px : show.view.size_px, 0.0);
+}
+
+std::shared_ptr<StationStream> open(const Show& show, const std::filesystem::path& file, const LensOptions& options,
+                                    Backend backend, const Tell& tell) {
+  TrajectoryReader trajectory(file);
+  require_path_of(show, trajectory);
+  const std::size_t memory = static_cast<std::size_t>(options.stream_memory_mib.value_or(usual_stream_memory_mib))
+                             << 20U;
+  return std::make_shared<StationStream>(backend, std::move(trajectory), memory,
+                                         [tell](const std::string& problem) { tell(problem + " (skipped)"); });
+}
+
+//! Where a show's own trajectory would be.
+std::filesystem::path trajectory_beside(const Show& show) {
+  return std::filesystem::path(show.folder) / (show.name + ".trajectory");
+}
+
+//! What is drawn where stations are too coarse.
+const char* stand_in_for_stream(const Projection& projection, const LensOptions& options, Backend backend) {
+  if (lens_choice(options) == LensChoice::streamed) {
+    return "the budget is missed";
+  }
+  const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
+  return is_worth_a_grid(backend, pixels) ? "lenses are made anew" : "a ray is followed for each pixel";
+}
+
+}  // namespace
+
+void add_lens_options(CLI::App& command, LensOptions& options, IdleOptions& idle) {
+  command
+      .add_option("--lens", options.lens,
+                  "streamed (from a trajectory), live (a grid for each place), direct (a ray a pixel), or auto")
+      ->check(CLI::IsMember({"auto", "streamed", "live", "direct"}))
+      ->capture_default_str();
+  command.add_option("--trajectory", options.trajectory,
+                     "file made by ergodome bake (default: the show's name with .trajectory, beside it)");
+  command
+      .add_option("--stream-memory", options.stream_memory_mib,
+                  fmt::format("most memory for streamed stations, in MiB (default: {})", usual_stream_memory_mib))
+      ->check(CLI::Range(1, 1 << 20));
+  idle.add("with --lens live or direct",
+           [&options] {
+             const LensChoice choice = lens_choice(options);
+             return choice == LensChoice::live || choice == LensChoice::direct;
+           },
+           {"--trajectory", "--stream-memory"});
+}
+
+LensChoice lens_choice(const LensOptions& options) {
+  return options.lens == "streamed" ? LensChoice::streamed
+         : options.lens == "live"   ? LensChoice::live
+         : options.lens == "direct" ? LensChoice::direct
+                                    : LensChoice::automatic;
+}
+
+void tell_on_terminal(const std::string& note) {
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::scoped_lock lock(mutex);
+  if (told.insert(note).second) {
+    print_note("{}", note);
+  }
+}
+
+std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend, Tell tell) {
+  const LensChoice choice = lens_choice(options);
+  if (choice == LensChoice::live || choice == LensChoice::direct) {
+    return nullptr;
+  }
+  if (!options.trajectory.empty()) {
+    return open(show, options.trajectory, options, backend, tell);
+  }
+  const std::filesystem::path beside = trajectory_beside(show);
+  std::error_code problem;
+  if (!std::filesystem::exists(beside, problem)) {
+    if (choice == LensChoice::streamed) {
+      throw Error(beside.string(), "there is no trajectory to stream from",
+                  "make one with ergodome bake, and name it with --trajectory");
+    }
+    return nullptr;
+  }
+  try {
+    return open(show, beside, options, backend, tell);
+  } catch (const Error& error) {
+    if (choice == LensChoice::streamed) {
+      throw;
+    }
+    tell(std::string(error.what()) + " (left alone)");
+    return nullptr;
+  }
+}
+
+void require_used_memory(const Show& show, const LensOptions& options) {
+  std::error_code problem;
+  if (options.stream_memory_mib && options.trajectory.empty() && lens_choice(options) == LensChoice::automatic &&
+      !std::filesystem::exists(trajectory_beside(show), problem)) {
+    throw UsageError("--stream-memory", fmt::format("there is no trajectory of {} to stream from", show.name),
+                     "leave it out, or name one with --trajectory");
+  }
+}
+
+bool is_fine_enough(const StationStream& stream, const Show& show, int size_px) {
+  const TrajectoryProvenance& baked = stream.trajectory().provenance();
+  return holds_budget(baked, show.quality.budget_px * pixel_angle(projection_of(show, size_px)));
+}
+
+std::vector<std::string> stream_notes(const StationStream* stream, const Show& show, const LensOptions& options,
+                                      Backend backend, int size_px) {
+  if (stream == nullptr) {
+    return {};
+  }
+  const TrajectoryReader& trajectory = stream->trajectory();
+  if (eye_count(show.stereo) > 1 && show.stereo.model == StereoModel::omni) {
+    const bool asked_for = !options.trajectory.empty() || lens_choice(options) == LensChoice::streamed;
+    return asked_for
+               ? std::vector{fmt::format("eyes of the model omni have a camera for each pixel, and use nothing of {}",
+                                         trajectory.path().string())}
+               : std::vector<std::string>();
+  }
+  const TrajectoryProvenance& baked = trajectory.provenance();
+  const Projection projection = projection_of(show, size_px);
+  const int width_px = size_px > 0 ? size_px : show.view.size_px;
+  const double pixel = pixel_angle(projection);
+  const double budget_px = show.quality.budget_px;
+  if (!is_fine_enough(*stream, show, size_px)) {
+    // Three digits are near enough: holds_budget() leaves a hundredth.
+    const std::string finer = budget_px < baked.budget_px ? fmt::format(" --budget {:.3g}", budget_px) : "";
+    // By its name: each sentence is told once, and of an exhibit's shows two may have trajectories that are too coarse alike.
+    return {
+        fmt::format("{} was baked for {:.3g} px in pictures {:.0f} px wide, and is too coarse for {:.3g} px at {}: {}; "
+                    "bake it again with --size {}{}",
+                    trajectory.path().string(), baked.budget_px, width_px * pixel / baked.pixel, budget_px, width_px,
+                    stand_in_for_stream(projection, options, backend), width_px, finer)};
+  }
+  // What a station's pixel is in this picture.
+  const double scale = baked.pixel / pixel;
+  const MissedGaps missed = missed_gaps(trajectory.stations(), std::max(budget_px / scale, baked.budget_px));
+  if (missed.count == 0) {
+    return {};
+  }
+  return {
+      fmt::format("{} misses the budget of {:.3g} px in {} between its stations, {:.3g} s of the show, the worst with "
+                  "{:.3f} px at {:.2f} s; pictures there get live grids",
+                  trajectory.path().string(), budget_px, counted(missed.count, "gap"), missed.seconds,
+                  missed.worst_px * scale, missed.worst_time_s)};
+}
+
+void print_statistics(const StreamStatistics& s) {
+  print_out("streamed: {}, {} of them waited, {} given up; {} read, {} bad{}; {:.1f} MiB held at most\n",
+            counted(s.asked, "lens", "lenses"), s.waits, s.missed, counted(s.read, "station"), s.bad,
+            s.lost_disks > 0 ? fmt::format(", {} without their disk", s.lost_disks) : "",
+            static_cast<double>(s.most_bytes_held) / (1 << 20));
+}
+
+}  // namespace ergodome

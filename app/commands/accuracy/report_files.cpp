@@ -1,0 +1,137 @@
+#include "app/commands/accuracy/report_files.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace ergodome {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+//! A field of a CSV line: quoted where it holds what separates fields.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + '"';
+}
+
+std::string number(double value) { return fmt::format("{:.6g}", value); }
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json json_of(const ErrorSummary& error) {
+  return {{"count", error.count},
+          {"median", finite(error.median)},
+          {"p99", finite(error.p99)},
+          {"p99.9", finite(error.p999)},
+          {"max", finite(error.largest)}};
+}
+
+Json json_of(const Measurement& choice) {
+  Json json = {{"method", choice.method},       {"setting", choice.setting},      {"precision", choice.precision},
+               {"published", choice.published}, {"error", json_of(choice.error)}, {"lost", choice.lost}};
+  if (choice.flicker) {
+    json["flicker_p99"] = finite(*choice.flicker);
+  }
+  if (choice.light_error) {
+    json["light_error"] = json_of(*choice.light_error);
+  }
+  json["prepare_ms"] = choice.prepare_ms;
+  json["frame_ms"] = choice.frame_ms;
+  if (!choice.passes_ms.empty()) {
+    json["passes_ms"] = choice.passes_ms;
+  }
+  json["memory_bytes"] = choice.memory_bytes;
+  if (choice.disk_bytes) {
+    json["disk_bytes"] = *choice.disk_bytes;
+  }
+  json["pareto"] = choice.best_ready;
+  json["pareto_anew"] = choice.best_anew;
+  if (!choice.picture.empty()) {
+    json["picture"] = choice.picture;
+  }
+  return json;
+}
+
+std::string csv_line(const AccuracyReport& report, const AccuracyAxis& axis, const Measurement& choice) {
+  const Spread frame = spread_of(choice.frame_ms);
+  const Spread prepare = spread_of(choice.prepare_ms);
+  const std::string unit = unit_name(axis.unit);
+  std::string line;
+  for (const std::string* const word :
+       {&report.show, &axis.name, &choice.method, &choice.setting, &choice.precision, &choice.published, &unit}) {
+    line += field(*word);
+    line += ',';
+  }
+  for (const double value : {choice.error.median, choice.error.p99, choice.error.p999, choice.error.largest}) {
+    line += number(value) + ',';
+  }
+  line += (axis.unit == ErrorUnit::pixels ? number(choice.error.p99 * report.pixel_arcmin) : "") + ',';
+  line += (choice.flicker ? number(*choice.flicker) : "") + ',';
+  line += (choice.light_error ? number(choice.light_error->p99) : "") + ',';
+  for (const double value :
+       {choice.lost, frame.median, frame.least, frame.greatest, prepare.median, prepare.least, prepare.greatest}) {
+    line += number(value) + ',';
+  }
+  line += fmt::format("{},{},{},{}\n", choice.memory_bytes,
+                      choice.disk_bytes ? std::to_string(*choice.disk_bytes) : std::string(), choice.best_ready ? 1 : 0,
+                      choice.best_anew ? 1 : 0);
+  return line;
+}
+
+}  // namespace
+
+std::string csv_text(const AccuracyReport& report) {
+  std::string text =
+      "show,axis,method,setting,precision,published,unit,error_median,error_p99,error_p99.9,error_max,error_p99_arcmin,"
+      "flicker_p99,light_error_p99,lost,frame_ms,frame_ms_least,frame_ms_greatest,prepare_ms,prepare_ms_least,"
+      "prepare_ms_greatest,memory_bytes,disk_bytes,pareto,pareto_anew\n";
+  for (const AccuracyAxis& axis : report.axes) {
+    for (const Measurement& choice : axis.choices) {
+      text += csv_line(report, axis, choice);
+    }
+  }
+  return text;
+}
+
+std::string json_text(const AccuracyReport& report) {
+  Json json = {{"show", report.show},
+               {"title", report.title},
+               {"machine", report.machine},
+               {"date", report.date},
+               {"width_px", report.width_px},
+               {"height_px", report.height_px},
+               {"pixel_arcmin", report.pixel_arcmin},
+               {"times_s", report.times_s},
+               {"samples", report.samples},
+               {"rounds", report.rounds},
+               {"took_s", report.took_s},
+               {"time_spread", time_spread(report)},
+               {"too_busy_to_rank", is_too_busy(report)},
+               {"notes", report.notes},
+               {"axes", Json::array()}};
+  for (const AccuracyAxis& axis : report.axes) {
+    Json choices = Json::array();
+    for (const Measurement& choice : axis.choices) {
+      choices.push_back(json_of(choice));
+    }
+    json["axes"].push_back({{"name", axis.name},
+                            {"title", axis.title},
+                            {"unit", unit_name(axis.unit)},
+                            {"time", axis.time},
+                            {"reference", axis.reference},
+                            {"base", axis.base},
+                            {"choices", std::move(choices)}});
+  }
+  return json.dump(1) + '\n';
+}
+
+}  // namespace ergodome

@@ -1,0 +1,238 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/number_check.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress.h"
+#include "app/cli/show_loading.h"
+#include "app/commands/inspect/inspect_trajectory.h"
+#include "content/files/atomic_file.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
+#include "content/show/animated_show.h"
+#include "content/trajectory/trajectory_journal.h"
+#include "content/trajectory/trajectory_reader.h"
+#include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/bake/trajectory_baker.h"
+#include "render/frame/show_renderer.h"
+
+namespace ergodome {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BakeOptions {
+  std::string show;
+  ShowSettings set;
+  std::string out;
+  std::string part;
+  int size_px = 0;
+  double budget_px = 0.0;
+  bool no_derivatives = false;
+  bool replace = false;
+};
+
+//! K and N of "K/N"; none of anything else.
+std::optional<std::pair<int, int>> part_of(const std::string& text) {
+  int part = 0;
+  int parts = 0;
+  int used = 0;
+  const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &used) == 2;
+  if (!read || used != static_cast<int>(text.size()) || part < 1 || part > parts || parts > 1000) {
+    return std::nullopt;
+  }
+  return std::pair(part, parts);
+}
+
+BakeSettings settings_of(const BakeOptions& options, const Show& show) {
+  BakeSettings settings;
+  // A field of view that changes is baked for where it looks most closely.
+  const ViewSettings view = show_at_least(show).view;
+  const Projection projection = make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0);
+  settings.pixel = pixel_angle(projection);
+  settings.share = sky_share(projection);
+  settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
+  settings.derivatives = !options.no_derivatives;
+  if (!options.part.empty()) {
+    std::tie(settings.part, settings.parts) = part_of(options.part).value();
+  }
+  return settings;
+}
+
+fs::path journal_path(const BakeOptions& options, const BakeSettings& settings) {
+  return settings.parts == 1 ? fs::path(options.out + ".part")
+                             : fs::path(fmt::format("{}.part-{}-of-{}", options.out, settings.part, settings.parts));
+}
+
+//! Files beside the output whose names begin so.
+std::vector<fs::path> beside(const fs::path& out, const std::string& beginning, const std::string& end) {
+  std::vector<fs::path> found;
+  std::error_code problem;
+  const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(beginning) && name.ends_with(end)) {
+      found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool is_baked(const fs::path& out, const TrajectoryProvenance& provenance) {
+  std::error_code problem;
+  if (!fs::exists(out, problem)) {
+    return false;
+  }
+  try {
+    return TrajectoryReader(out).provenance() == provenance;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+//! Throws Error where the output is there and no bake of this show's, whatever its settings are: it may have taken hours.
+void require_own(const fs::path& out, const Show& show) {
+  std::error_code problem;
+  if (!fs::exists(out, problem)) {
+    return;
+  }
+  const auto refuse = [&](const std::string& why) {
+    throw Error("--out " + out.string(), why, "choose another name, or add --replace to lose what is there");
+  };
+  if (!is_trajectory(out)) {
+    refuse("is there, and is no trajectory");
+  }
+  try {
+    require_path_of(show, TrajectoryReader(out));
+  } catch (const Error& error) {
+    // One that is damaged, or of another version, is of no use to this program either, but may be to another.
+    refuse("is there, and not of this show: " + error.problem());
+  }
+}
+
+BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal) {
+  constexpr long steps = 10'000;
+  Progress progress("baking", steps);
+  return bake_trajectory(show, settings, journal, [&](double done_s) {
+    const double whole_s = std::max(show.duration_s, 1e-9);
+    const double begin_s = whole_s * (settings.part - 1) / settings.parts;
+    progress.advance_to(std::clamp(std::lround(steps * settings.parts * (done_s - begin_s) / whole_s), 0L, steps));
+    return !interrupted();
+  });
+}
+
+//! The disk's part of what blending misses by, where the disk's layers are blended: ", the disk by 0.196".
+std::string disk_text(const TrajectoryReader& trajectory) {
+  double worst_px = 0.0;
+  for (const StationEntry& station : trajectory.stations()) {
+    const double error_px = static_cast<double>(station.disk_gap_error_px);
+    if (station.disk_bytes > 0 && error_px <= trajectory.provenance().budget_px) {
+      worst_px = std::max(worst_px, error_px);
+    }
+  }
+  return worst_px > 0.0 ? fmt::format(", the disk by {:.3f}", worst_px) : "";
+}
+
+void say(const fs::path& file, const BakeResult& result, double seconds) {
+  const TrajectoryReader trajectory(file);
+  const std::string disk = disk_text(trajectory);
+  print_out("{}: {} ({} built now), {:.1f} MB, {:.1f} s; blending misses {}by {:.3f} px at most{}\n", file.string(),
+            counted(trajectory.stations().size(), "station"), result.built,
+            1e-6 * static_cast<double>(trajectory.file_bytes()), seconds, disk.empty() ? "" : "the sky ",
+            result.worst_px, disk);
+  if (result.live_disk_s > 0.0) {
+    print_out(
+        "the disk's grid is made anew in {:.1f} s of the show, where blending would miss more (next to its plane)\n",
+        result.live_disk_s);
+  }
+  if (result.unmet > 0) {
+    const double budget_px = trajectory.provenance().budget_px;
+    print_note(
+        "{} of {} between stations {} over the budget of {} px, the worst with {:.3f} px at {:.2f} s; "
+        "pictures there get live grids ({:.3g} s of the show)",
+        result.unmet, counted(static_cast<long>(trajectory.stations().size()) - 1, "gap"),
+        result.unmet == 1 ? "stays" : "stay", budget_px, result.worst_px, result.worst_time_s,
+        missed_gaps(trajectory.stations(), budget_px).seconds);
+  }
+}
+
+void run(const BakeOptions& options) {
+  require_output_file("--out", options.out, {options.show});
+  const auto start = std::chrono::steady_clock::now();
+  const Show show = load_show(options.show, options.set);
+  if (show.grid_scheme != GridScheme::conforming) {
+    throw Error(show.name, "the quadtree grid is for comparison and is not baked", "leave grid.scheme out of the show");
+  }
+  const BakeSettings settings = settings_of(options, show);
+  const TrajectoryProvenance provenance = provenance_of(show, settings);
+  const fs::path out = options.out;
+  if (!options.replace) {
+    require_own(out, show);
+  }
+  const std::string name = out.filename().string();
+  const bool whole = settings.parts == 1;
+  std::vector<fs::path> journals = {journal_path(options, settings)};
+  const std::vector<fs::path> parts = whole ? beside(out, name + ".part-", "") : std::vector<fs::path>{};
+  if (parts.empty() && !fs::exists(journals.front()) && is_baked(out, provenance)) {
+    print_out("{}: is baked already\n", out.string());
+    return;
+  }
+  TrajectoryJournal journal(journals.front(), provenance);
+  for (const fs::path& part : parts) {
+    journal.absorb(TrajectoryJournal(part, provenance));
+    journals.push_back(part);
+  }
+  const BakeResult result = bake(show, settings, journal);
+  if (!whole) {
+    print_out("{}: part {} of {} is baked ({}); bake without --part joins the parts\n", journals.front().string(),
+              settings.part, settings.parts, counted(journal.station_count(), "station"));
+    return;
+  }
+  // A bake that was killed while it sealed has left a partial file.
+  remove_abandoned_files(fs::absolute(behind_links(out)).parent_path());
+  journal.seal(out, result.times_s);
+  for (const fs::path& done : journals) {
+    fs::remove(done);
+  }
+  say(out, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app) {
+  auto options = std::make_shared<BakeOptions>();
+  CLI::App* command = app.add_subcommand(
+      "bake", "Compute the lenses along a show's camera path beforehand; goes on where an earlier run was stopped");
+  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show")->required();
+  add_set_option(*command, options->set);
+  command->add_option("--out", options->out, "trajectory file to write")->required();
+  command->add_option("--part", options->part, "K/N: bake this stretch alone, beside other processes with the others")
+      ->check([](const std::string& text) {
+        return part_of(text) ? std::string() : text + " is no part of a bake; write K/N, as in 2/4";
+      });
+  command->add_option("--size", options->size_px, "width of the pictures in pixels, instead of the show's")
+      ->check(CLI::Range(1, 16384));
+  command->add_option("--budget", options->budget_px, "error on the screen in pixels, instead of the show's")
+      ->check(number_between(1e-3, 100.0));
+  command->add_flag("--no-derivatives", options->no_derivatives,
+                    "stations that tell their own place alone: many more are needed, and stereo eyes get live grids");
+  command->add_flag("--replace", options->replace, "write over a file of --out that is not a trajectory of this show");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,226 @@
+#include "app/commands/calibrate/calibration_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/setup_show.h"
+#include "app/commands/calibrate/calibration_keys.h"
+#include "app/commands/calibrate/saved_calibration.h"
+#include "content/files/atomic_file.h"
+#include "content/files/console.h"
+#include "kernels/core/error.h"
+#include "render/output/image_writer.h"
+#include "render/patterns/test_pattern.h"
+
+namespace ergodome {
+
+namespace {
+
+//! After the patterns of the master comes a sheet with its number for each projector.
+int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; }
+
+constexpr int key_font_px = 14;
+constexpr int first_master_px = 1024;
+
+}  // namespace
+
+CalibrationWindow::CalibrationWindow(const LiveOptions& options)
+    : options_(options),
+      state_(read_dome_setup(options.setup), pattern_count()),
+      pictures_(state_.setup()),
+      window_(700, 700, "Ergodome calibrate", false),
+      projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control, WarpUse::adjusted) {
+  if (options_.master_px <= 0) {
+    options_.master_px = enough_master_px(pictures_.pictures());
+  }
+  // Shows a small pattern at once; run() draws the full-size one.
+  drawn_px_ = std::min(options_.master_px, first_master_px);
+  renewal_ = Renewal::master;
+  try {
+    require_writable(options_.setup);
+  } catch (const Error& problem) {
+    // Patterns can be looked at all the same; who adjusts is to know beforehand.
+    message_ = std::string("cannot be saved: ") + problem.what();
+    tell_refusal(problem.what());
+  }
+  renew_master();
+  renew_text();
+}
+
+void CalibrationWindow::run() {
+  const auto start = Clock::now();
+  draw();
+  drawn_px_ = options_.master_px;
+  while (!window_.closed() && !projectors_.closed() && !interrupted()) {
+    for (const WindowEvent& event : window_.events(0.02)) {
+      handle(event);
+    }
+    for (const WindowEvent& event : projectors_.events()) {
+      handle(event);
+    }
+    repeat_held_key();
+    renew();
+    draw();
+    if (options_.for_seconds > 0.0 &&
+        std::chrono::duration<double>(Clock::now() - start).count() >= options_.for_seconds) {
+      break;
+    }
+  }
+  if (!options_.screenshot.empty()) {
+    projectors_.save_screenshots(options_.screenshot, plain_names(state_.setup()));
+  }
+  if (state_.unsaved()) {
+    print_out("changes were not saved\n");
+  }
+}
+
+void CalibrationWindow::handle(const WindowEvent& event) {
+  if (event.kind == WindowEvent::Kind::key_down) {
+    act(calibration_action_of(event.key));
+    keys_.press(event.key, Clock::now());
+  } else if (event.kind == WindowEvent::Kind::key_up) {
+    keys_.release(event.key);
+  }
+}
+
+void CalibrationWindow::repeat_held_key() {
+  const std::optional<int> key = keys_.due(Clock::now());
+  const CalibrationAction action = key ? calibration_action_of(*key) : CalibrationAction::none;
+  if (action >= CalibrationAction::left && action <= CalibrationAction::downwards) {
+    act(action);
+    keys_.repeated(Clock::now());
+  }
+}
+
+void CalibrationWindow::act(CalibrationAction action) {
+  if (action == CalibrationAction::quit) {
+    window_.close();
+  } else if (action == CalibrationAction::save) {
+    renew();
+    save();
+  } else {
+    message_.clear();
+    renewal_ = std::min(renewal_, state_.press(action));
+  }
+}
+
+void CalibrationWindow::save() {
+  try {
+    const DomeSetup& setup = state_.setup();
+    // What cannot be shown could not be opened again.
+    pictures_.follow(setup, state_.offsets());
+    const bool behind = pictures_.leaves_behind(setup);
+    state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.offsets(),
+                                       pictures_.outdated(setup)));
+    message_ = "saved to " + options_.setup;
+    message_ += behind ? "; patterns follow the new tilt, and warps in files that were not computed from lenses and "
+                         "places\nare those of the old one: run again what has made them"
+                       : "";
+    // What is shown from now on is what the files hold.
+    pictures_ = DomePictures(state_.setup());
+    for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+      projectors_.replace(i, pictures_.pictures()[i]);
+    }
+    told_refusal_.clear();
+    print_out("{}\n", message_);
+  } catch (const Error& problem) {
+    // What was adjusted is still there, and can be saved once the reason is gone.
+    message_ = std::string("cannot be saved: ") + problem.what();
+    tell_refusal(problem.what());
+  }
+  renew_text();
+}
+
+void CalibrationWindow::tell_refusal(const std::string& problem) {
+  if (std::exchange(told_refusal_, problem) != problem) {
+    print_note("cannot be saved: {}", problem);
+  }
+}
+
+void CalibrationWindow::renew() {
+  const Renewal renewal = std::exchange(renewal_, Renewal::nothing);
+  if (renewal == Renewal::nothing) {
+    return;
+  }
+  const bool shown = renewal > Renewal::colours || renew_projectors();
+  if (renewal <= Renewal::master && shown) {
+    renew_master();
+  }
+  renew_text();
+}
+
+std::string CalibrationWindow::pattern_name() const {
+  const auto& names = test_pattern_names();
+  const auto pattern = static_cast<std::size_t>(state_.pattern());
+  return pattern < names.size() ? names[pattern] : "numbers of the projectors";
+}
+
+void CalibrationWindow::renew_master() {
+  const bool numbers = state_.pattern() + 1 == pattern_count();
+  for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+    if (numbers) {
+      const ProjectorPicture& raster = pictures_.pictures()[i];
+      const Picture sheet =
+          draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
+      projectors_.set_raster(i, &sheet);
+    } else {
+      projectors_.set_raster(i, nullptr);
+    }
+  }
+  if (!numbers) {
+    presenter_.upload(
+        draw_test_pattern(static_cast<TestPattern>(state_.pattern()), upright_master(state_.setup(), drawn_px_)));
+  }
+}
+
+bool CalibrationWindow::renew_projectors() {
+  try {
+    const bool masks = pictures_.follow(state_.setup(), state_.offsets());
+    for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+      const ProjectorPicture& picture = pictures_.pictures()[i];
+      masks ? projectors_.replace(i, picture) : projectors_.change(i, picture);
+    }
+    return true;
+  } catch (const Error& problem) {
+    // The pictures stay as they are until another key leads back.
+    message_ = problem.what();
+    return false;
+  }
+}
+
+void CalibrationWindow::renew_text() {
+  const std::string adjusted =
+      state_.text() + "\npattern: " + pattern_name() + "   F1: keys" + (message_.empty() ? "" : "\n" + message_) +
+      (state_.keys_shown() && !projectors_.control_shown() ? "\n\n" + calibration_key_lines("") : "");
+  for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+    const std::string other = fmt::format("{}: {}", i + 1, pictures_.pictures()[i].name);
+    projectors_.set_text(i, !state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);
+  }
+  const bool on_control = projectors_.control_shown();
+  window_.make_current();
+  keys_panel_.set(state_.keys_shown() && on_control ? calibration_key_lines("") : "", key_font_px,
+                  TextFace::monospaced);
+  std::string title = "Ergodome calibrate  " + state_.text();
+  for (char& c : title) {
+    c = c == '\n' ? ' ' : c;
+  }
+  window_.set_title(title);
+}
+
+void CalibrationWindow::draw() {
+  projectors_.show(presenter_.shown());
+  if (projectors_.control_shown()) {
+    int width = 0;
+    int height = 0;
+    window_.framebuffer_size(width, height);
+    presenter_.draw(width, height);
+    keys_panel_.draw(width, height, PanelPlace::top_left);
+    window_.swap();
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,101 @@
+#include "app/commands/channels/channel_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <vector>
+
+#include "app/cli/usage_error.h"
+#include "kernels/core/error.h"
+#include "render/channels/channel_names.h"
+#include "render/frame/view_projection.h"
+#include "render/output/frame_format.h"
+#include "render/output/stereo_layout.h"
+
+namespace ergodome {
+
+namespace {
+
+std::vector<std::string> format_choices() {
+  std::vector<std::string> choices = image_format_names();
+  choices.emplace_back("fits");
+  return choices;
+}
+
+//! Whether a list of channels asks for the picture's light.
+bool asks_for_light(const std::string& channels) {
+  const std::vector<ChannelGroup> groups = channel_groups(channels);
+  return std::ranges::find(groups, ChannelGroup::color) != groups.end();
+}
+
+//! Returns what is wrong with a list of channels; nothing where it is right.
+std::string problem_of_channels(const std::string& list) {
+  try {
+    static_cast<void>(channel_groups(list));
+  } catch (const Error& problem) {
+    return fmt::format("{}; {}", problem.problem(), problem.remedy());
+  }
+  return "";
+}
+
+}  // namespace
+
+CLI::Option* add_format_option(CLI::App& command, RenderOptions& options) {
+  return command
+      .add_option("--format", options.format,
+                  "png (8 bits), png16, tiff (16 bits) or exr (linear light); of --channels exr (default) or fits")
+      ->check(CLI::IsMember(format_choices()))
+      ->capture_default_str();
+}
+
+void add_channel_option(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--channels", options.channels,
+                  fmt::format("numbers at every pixel instead of pictures, separated by commas: {}",
+                              fmt::join(channel_group_names(), ", ")))
+      ->check(problem_of_channels);
+}
+
+void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
+  idle.add("with --channels, which writes numbers of one eye and no pictures",
+           [options] { return !options->channels.empty(); },
+           {"--view", "--view-range", "--method", "--alpha", "--movie", "--pattern", "--setup", "--budget", "--check",
+            "--tint-eyes", "--baseline"});
+  idle.add("with --channels without color",
+           [options] { return !options->channels.empty() && !asks_for_light(options->channels); },
+           {"--backend", "--lens", "--trajectory", "--stream-memory", "--objects", "--language"});
+}
+
+void choose_number_format(RenderOptions& options, bool format_is_given) {
+  if (!options.channels.empty() && !format_is_given) {
+    options.format = "exr";
+  }
+  if (options.channels.empty() && options.format == "fits") {
+    throw UsageError("--format fits", "is for numbers", "add --channels, for instance --channels g,sky");
+  }
+}
+
+void require_channels(const RenderOptions& options, const Show& show) {
+  const std::string option = "--channels " + options.channels;
+  if (options.format != "exr" && options.format != "fits") {
+    throw UsageError("--format " + options.format, "holds no floating-point numbers, which --channels writes",
+                     "choose --format exr or fits");
+  }
+  if (options.compression == "dwaa") {
+    throw UsageError("--compression dwaa", "is lossy and would change the numbers of --channels", "choose zip or none");
+  }
+  if (eye_count(show.stereo) > 1) {
+    throw UsageError(option, "writes the numbers of one eye, and the show has two", "add --stereo mono");
+  }
+  if (has_face_files(show.view)) {
+    throw UsageError(option, "writes one file a frame, and cube_layout = \"faces\" has six",
+                     "choose another --projection, or cube_layout = \"cross\" in the show");
+  }
+  const std::vector<ChannelGroup> groups = channel_groups(options.channels);
+  if (!show.disk && std::ranges::any_of(groups, is_of_disk)) {
+    throw UsageError(option, show.name + " has no disk", "add a table [disk] to the show, or leave disk out");
+  }
+}
+
+}  // namespace ergodome

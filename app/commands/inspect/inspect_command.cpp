@@ -1,0 +1,334 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/json_text.h"
+#include "app/cli/number_check.h"
+#include "app/cli/output_file.h"
+#include "app/cli/show_loading.h"
+#include "app/commands/inspect/idle_line_facts.h"
+#include "app/commands/inspect/inspect_fall.h"
+#include "app/commands/inspect/inspect_kinds.h"
+#include "app/commands/inspect/inspect_setup.h"
+#include "app/commands/inspect/inspect_timeline.h"
+#include "app/commands/inspect/inspect_trajectory.h"
+#include "app/commands/inspect/mesh_facts.h"
+#include "app/commands/inspect/narrowed_eyes_facts.h"
+#include "app/commands/inspect/show_notes.h"
+#include "app/commands/inspect/star_facts.h"
+#include "content/camera/camera_path.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
+#include "content/show/animated_show.h"
+#include "content/show/show_reader.h"
+#include "content/sky/environment_image.h"
+#include "content/sky/sky_map.h"
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+#include "render/frame/show_renderer.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/output/image_writer.h"
+#include "render/picture/grid_picture.h"
+
+namespace ergodome {
+
+namespace {
+
+struct InspectOptions {
+  std::string file;
+  ShowSettings set;
+  bool json = false;
+  std::string picture;
+  double time_s = 0.0;
+  int size_px = 1024;
+};
+
+//! Angular width of the shadow along ±φ from the show's camera at a time [deg].
+double shadow_width_deg(const Show& show, double time_s) {
+  const CameraPose pose = camera_pose(show, time_s);
+  const double spin = spin_at(show, time_s);
+  const ObserverMotion motion = !pose.velocity          ? show.camera.motion
+                                : pose.velocity_in_rain ? ObserverMotion::rain_boost
+                                                        : ObserverMotion::velocity;
+  const CameraStation camera =
+      make_camera_station(spin, pose.r, pose.theta, 0.0, motion, pose.velocity.value_or(show.camera.velocity));
+  const ShadowChart chart = make_shadow_chart(camera);
+  return radian_deg * (edge_polar_angle(camera, chart, 0.0) + edge_polar_angle(camera, chart, pi));
+}
+
+nlohmann::json facts_of(const Show& show) {
+  const ShowNotes notes = notes_of_files(show);
+  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
+  constexpr const char* projections[] = {"dome", "equirect", "cube", "cylinder", "pinhole"};
+  nlohmann::json facts;
+  const bool one_title = show.title.size() == 1 && show.title.contains("");
+  facts["title"] = one_title ? nlohmann::json(show.title.at("")) : nlohmann::json(show.title);
+  facts["duration_s"] = show.duration_s;
+  facts["frames"] = frame_count(show);
+  facts["spin"] = show.spin;
+  facts["horizon_r"] = horizon_radius(show.spin);
+  facts["observer"] = show.camera.keys.front().velocity ? "keys" : observers[static_cast<int>(show.camera.motion)];
+  facts["sky_map"] = show.sky.map;
+  facts["projection"] = projections[static_cast<int>(show.view.projection)];
+  facts["size_px"] = show.view.size_px;
+  facts["stereo"] = stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)];
+  facts["stereo_model"] = stereo_model_names[static_cast<std::size_t>(show.stereo.model)];
+  facts["baseline"] = show.stereo.baseline;
+  facts["budget_px"] = show.quality.budget_px;
+  facts["not_drawn_yet"] = missing_features(show);
+  facts["timeline"] = facts_of_timeline(show, notes.unusable);
+  facts["idle"] = facts_of_idle_lines(show);
+  facts["notes"] = notes.unseen;
+  facts["maps"] = notes.repaired;
+  facts["meshes"] = facts_of_meshes(show, notes.meshes);
+  if (notes.stars) {
+    facts["stars"] = facts_of_stars(show, notes);
+  }
+  if (const auto narrowed = narrowed_path(show)) {
+    facts["narrowed_eyes"] = facts_of(*narrowed);
+    facts["narrowed_eyes"]["note"] = note_of(show, *narrowed);
+  }
+  if (show.camera.orbit) {
+    facts["fall"] = facts_of_fall(show);
+  }
+  for (const CameraKey& key : show.camera.keys) {
+    const CameraPose pose = camera_pose(show, key.time_s);
+    facts["keys"].push_back({{"t_s", key.time_s},
+                             {"r", pose.r},
+                             {"theta_deg", pose.theta * radian_deg},
+                             {"phi_deg", pose.phi * radian_deg},
+                             {"shadow_width_deg", shadow_width_deg(show, key.time_s)},
+                             {"after_end", key.time_s > show.duration_s}});
+  }
+  return facts;
+}
+
+void print_sentences(const char* heading, const nlohmann::json& sentences) {
+  if (!sentences.empty()) {
+    print_out("\n{}\n", heading);
+  }
+  for (const auto& sentence : sentences) {
+    print_out("  {}\n", sentence.get<std::string>());
+  }
+}
+
+void print_facts(const nlohmann::json& facts) {
+  for (const auto& [name, value] : facts.items()) {
+    // These have lines of their own.
+    constexpr std::array apart = {"keys",  "fall",          "grid", "timeline", "idle",
+                                  "notes", "narrowed_eyes", "maps", "meshes",   "stars"};
+    if (std::ranges::find(apart, name) == apart.end()) {
+      print_out("{:<16}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+  if (facts.contains("stars")) {
+    print_stars(facts["stars"]);
+  }
+  if (facts.contains("keys")) {
+    print_out("\n{:>10} {:>12} {:>12} {:>12} {:>18}\n", "t [s]", "r [M]", "theta [deg]", "phi [deg]",
+              "shadow width [deg]");
+    for (const auto& key : facts["keys"]) {
+      print_out("{:>10.3f} {:>12.6g} {:>12.4f} {:>12.4f} {:>18.4f}{}\n", key["t_s"].get<double>(),
+                key["r"].get<double>(), key["theta_deg"].get<double>(), key["phi_deg"].get<double>(),
+                key["shadow_width_deg"].get<double>(), key["after_end"].get<bool>() ? "  AFTER THE END" : "");
+    }
+  }
+  if (facts.contains("fall")) {
+    print_fall(facts["fall"]);
+  }
+  if (facts.contains("timeline")) {
+    print_timeline(facts["timeline"]);
+  }
+  if (facts.contains("idle")) {
+    print_idle_lines(facts["idle"]);
+  }
+  if (facts.contains("narrowed_eyes")) {
+    print_out("\neyes closer than asked\n  {}\n", facts["narrowed_eyes"]["note"].get<std::string>());
+  }
+  print_sentences("not to be seen", facts.value("notes", nlohmann::json::array()));
+  print_sentences("maps", facts.value("maps", nlohmann::json::array()));
+  print_meshes(facts.value("meshes", nlohmann::json::array()));
+}
+
+void print_grid(const nlohmann::json& grid) {
+  print_out("\nlens grid at r = {:.6g} M, theta = {:.4f} deg: {}, {}{}, {} of them{} left to rays\n",
+            grid["r"].get<double>(), grid["theta_deg"].get<double>(), counted(grid["nodes"].get<int>(), "node"),
+            counted(grid["cells"].get<int>(), "cell"), grid["mirrored"].get<bool>() ? " (half the sky, mirrored)" : "",
+            grid["left_to_rays"].get<int>(),
+            grid.contains("left_to_rays_px") ? fmt::format(" ({} px)", grid["left_to_rays_px"].get<double>()) : "");
+  print_out("{:>10} {:>8} {:>14}\n", "halvings", "cells", "left to rays");
+  for (const auto& level : grid["levels"]) {
+    print_out("{:>10} {:>8} {:>14}\n", level["halvings"].get<int>(), level["cells"].get<int>(),
+              level["left_to_rays"].get<int>());
+  }
+}
+
+nlohmann::json facts_of(const EnvironmentImage& image) {
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    sum[i % 3] += image.rgb[i];
+  }
+  const double texels = static_cast<double>(image.width) * image.height;
+  nlohmann::json facts = {{"name", image.name},
+                          {"width", image.file_width},
+                          {"height", image.file_width / 2},
+                          {"read_width", image.width},
+                          {"repaired_texels", image.repaired.all()},
+                          {"mean_light", {sum[0] / texels, sum[1] / texels, sum[2] / texels}}};
+  if (image.repaired.all() > 0) {
+    facts["repaired"] = repair_text(image.repaired);
+    facts["too_bright"] = image.repaired.too_bright;
+    facts["below_zero"] = image.repaired.below_zero;
+    facts["not_a_number"] = image.repaired.not_numbers;
+  }
+  return facts;
+}
+
+//! The lens grid that a picture of the show would be read from, at the show's budget and size.
+LensStation grid_of(const Show& show, double time_s, GridSettings& settings, GridStatistics& statistics) {
+  const EyeCamera eye = eye_camera(show_at(show, time_s), camera_pose(show, time_s), 0.0);
+  settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));
+  settings.budget_px = show.quality.budget_px;
+  settings.observer = aberration_to_rain(eye.spin, eye.r, eye.theta, eye.motion, eye.velocity);
+  return build_lens_station(eye.spin, eye.r, eye.theta, settings, &statistics);
+}
+
+//! Draws a station's grid, and adds its numbers to the facts.
+void inspect_grid(const LensStation& station, double budget_px, const InspectOptions& options, nlohmann::json& facts) {
+  write_png(options.picture, draw_grid(station, options.size_px, budget_px), options.size_px, options.size_px);
+  nlohmann::json& grid = facts["grid"];
+  const std::vector<bool> flagged = flagged_leaves(station);
+  grid = {{"r", station.r},
+          {"theta_deg", station.theta * radian_deg},
+          {"mirrored", station.mirrored},
+          {"nodes", station.node_count()},
+          {"cells", station.leaf_count()},
+          {"left_to_rays", std::count(flagged.begin(), flagged.end(), true)}};
+  for (const GridLevel& level : grid_levels(station)) {
+    grid["levels"].push_back({{"halvings", level.halvings}, {"cells", level.leaves}, {"left_to_rays", level.flagged}});
+  }
+}
+
+//! Whether a file that is neither a trajectory nor a setup is read as a sky map.
+bool is_image(const std::filesystem::path& file) { return file.has_extension() && file.extension() != ".toml"; }
+
+void run_for_trajectory(const InspectOptions& options) {
+  nlohmann::json facts = facts_of_trajectory(options.file);
+  if (!options.picture.empty()) {
+    inspect_grid(station_of_trajectory(options.file, options.time_s), facts["budget_px"].get<double>(), options, facts);
+  }
+  if (options.json) {
+    print_out("{}\n", json_text(facts));
+  } else {
+    print_trajectory(facts);
+    if (facts.contains("grid")) {
+      print_grid(facts["grid"]);
+    }
+  }
+  if (!facts["damaged"].empty()) {
+    throw Error(options.file,
+                fmt::format("{} of {} {} damaged", facts["damaged"].size(),
+                            counted(facts["stations"].size(), "station"), facts["damaged"].size() == 1 ? "is" : "are"),
+                "bake the show again; until then they are blended across");
+  }
+}
+
+//! Throws Error where a show names files that could not be shown or heard, which the facts tell one by one.
+void require_usable_files(const std::string& show, const nlohmann::json& facts) {
+  const FaultyFiles files = facts.contains("timeline") ? faulty_files(facts["timeline"]) : FaultyFiles{};
+  if (files.faulty > 0) {
+    throw Error(show,
+                fmt::format("{} of {} that it names {} of no use", files.faulty, counted(files.all, "file"),
+                            files.faulty == 1 ? "is" : "are"),
+                "the list of what is in it says which and why");
+  }
+}
+
+void run(const InspectOptions& options) {
+  require_other_png("--picture", options.picture, {options.file});
+  const std::filesystem::path file = options.file;
+  if (is_trajectory(file) || file.extension() == ".trajectory") {
+    require_finished_trajectory(file);
+    return run_for_trajectory(options);
+  }
+  require_inspectable(file);
+  if (is_dome_setup(options.file)) {
+    const nlohmann::json facts = inspect_setup(options.file, options.picture, options.size_px);
+    if (options.json) {
+      print_out("{}\n", json_text(facts));
+    } else {
+      print_setup(facts);
+    }
+    return;
+  }
+  nlohmann::json facts;
+  if (is_image(file)) {
+    facts = facts_of(read_environment_image(options.file));
+  } else {
+    const Show show = load_show(options.file, options.set);
+    facts = facts_of(show);
+    if (!options.picture.empty()) {
+      require_time("inspect --time", show, options.time_s);
+      GridSettings settings;
+      GridStatistics statistics;
+      const LensStation station = grid_of(show, options.time_s, settings, statistics);
+      inspect_grid(station, settings.budget_px, options, facts);
+      facts["grid"]["left_to_rays_px"] = std::round(statistics.flagged_px);
+    }
+  }
+  if (options.json) {
+    print_out("{}\n", json_text(facts));
+  } else {
+    print_facts(facts);
+    if (facts.contains("grid")) {
+      print_grid(facts["grid"]);
+    }
+  }
+  require_usable_files(options.file, facts);
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* command = app.add_subcommand("inspect", "Tell what is in a show, a trajectory, a dome setup or a sky map");
+  command
+      ->add_option(
+          "file", options->file,
+          "show (.toml or the name of a built-in one), trajectory, dome setup (.toml), or equirectangular image")
+      ->required();
+  add_set_option(*command, options->set);
+  CLI::Option* const picture = command->add_option(
+      "--picture", options->picture,
+      "draw the lens grid of the show's camera or of a trajectory's station, or a dome's projectors, to this PNG");
+  command->add_option("--time", options->time_s, "with --picture: show time [s]")
+      ->check(show_time())
+      ->needs(picture)
+      ->capture_default_str();
+  command->add_option("--size", options->size_px, "with --picture: its width in pixels")
+      ->check(CLI::Range(16, 8192))
+      ->needs(picture)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "as JSON");
+  IdleOptions idle(*command);
+  idle.add("of a sky map", [options] { return !is_trajectory(options->file) && is_image(options->file); },
+           {"--picture", "--set"});
+  idle.add("of a dome setup", [options] { return is_dome_setup(options->file); }, {"--time", "--set"});
+  idle.add("of a trajectory", [options] { return is_trajectory(options->file); }, {"--set"});
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,106 @@
+#include "app/commands/inspect/inspect_fall.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/camera/camera_path.h"
+#include "content/fall/rain_pose.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_turns_printed = 24;
+
+//! Against the zamo; within the horizon, where there is none, against the rain.
+double speed_at(const Show& show, double time_s) {
+  const CameraPose pose = in_zamo_frame(camera_pose(show, time_s), show.spin);
+  const Vector3<double> v = pose.velocity.value_or(Vector3<double>{});
+  return std::sqrt(dot(v, v));
+}
+
+}  // namespace
+
+json facts_of_fall(const Show& show) {
+  constexpr const char* kinds[] = {"nearest", "farthest", "northernmost", "southernmost"};
+  const FreeFall& orbit = *show.camera.orbit;
+  const double begin_s = orbit.begin_s();
+  const double end_s = orbit.until_s().value_or(show.duration_s);
+  const FallPlace end = orbit.at(end_s);
+  json facts = {{"t_s", begin_s},
+                {"until_s", end_s},
+                {"beta", speed_at(show, begin_s)},
+                {"own_time", orbit.proper_time(end_s)},
+                {"rounds", orbit.swept_angle(end_s) / (2.0 * pi)},
+                {"end", {{"r", end.r}, {"theta_deg", end.theta * radian_deg}, {"beta", speed_at(show, end_s)}}},
+                {"turns", json::array()}};
+  double least_r = std::min(orbit.start().r, end.r);
+  for (const FallTurn& turn : orbit.turns()) {
+    if (turn.time_s <= end_s) {
+      least_r = std::min(least_r, turn.r);
+      facts["turns"].push_back({{"kind", kinds[static_cast<int>(turn.kind)]},
+                                {"t_s", turn.time_s},
+                                {"r", turn.r},
+                                {"theta_deg", turn.theta * radian_deg},
+                                {"beta", speed_at(show, turn.time_s)}});
+    }
+  }
+  facts["least_r"] = least_r;
+  if (orbit.leads_within() && orbit.horizon_s() && *orbit.horizon_s() <= end_s) {
+    const FallPlace place = orbit.at(*orbit.horizon_s());
+    facts["horizon"] = {
+        {"t_s", *orbit.horizon_s()}, {"r", place.r}, {"theta_deg", place.theta * radian_deg}, {"beta", 1.0}};
+  }
+  if (orbit.stop_s() && *orbit.stop_s() <= end_s) {
+    facts["stop_s"] = *orbit.stop_s();
+  }
+  return facts;
+}
+
+void print_fall(const json& facts) {
+  print_out(
+      "\nfalls from {:.3f} s to {:.3f} s, at {:.4f} c, through {:.6g} M of its own time: {:.2f} times round the hole, "
+      "down to "
+      "{:.6g} M\n",
+      facts["t_s"].get<double>(), facts["until_s"].get<double>(), facts["beta"].get<double>(),
+      facts["own_time"].get<double>(), facts["rounds"].get<double>(), facts["least_r"].get<double>());
+  const auto line = [](double time_s, const json& at, const std::string& what) {
+    print_out("{:>10.3f} {:>12.6g} {:>12.4f} {:>10.4f}  {}\n", time_s, at["r"].get<double>(),
+              at["theta_deg"].get<double>(), at["beta"].get<double>(), what);
+  };
+  if (facts["turns"].empty() && !facts.contains("stop_s") && !facts.contains("horizon")) {
+    return;
+  }
+  print_out("{:>10} {:>12} {:>12} {:>10}\n", "t [s]", "r [M]", "theta [deg]", "speed [c]");
+  const double crossing_s = facts.contains("horizon") ? facts["horizon"]["t_s"].get<double>() : INFINITY;
+  bool crosses = facts.contains("horizon");
+  const auto cross_before = [&](double time_s) {
+    if (crosses && crossing_s < time_s) {
+      line(crossing_s, facts["horizon"], "through the horizon; from here speeds are against the rain");
+      crosses = false;
+    }
+  };
+  std::size_t printed = 0;
+  for (const json& turn : facts["turns"]) {
+    const auto time_s = turn["t_s"].get<double>();
+    cross_before(time_s);
+    if (++printed > most_turns_printed) {
+      print_out("and {} more\n", counted(facts["turns"].size() - most_turns_printed, "turn"));
+      break;
+    }
+    line(time_s, turn, turn["kind"].get<std::string>());
+  }
+  cross_before(INFINITY);
+  if (facts.contains("stop_s")) {
+    line(facts["stop_s"].get<double>(), facts["end"], "time is at rest");
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,151 @@
+#include "app/commands/inspect/inspect_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calibration/projectors/projector_optics.h"
+#include "calibration/projectors/projector_picture.h"
+#include "content/files/console.h"
+#include "content/files/toml_table.h"
+#include "content/files/whole_file.h"
+#include "render/output/image_writer.h"
+#include "render/patterns/setup_picture.h"
+
+namespace ergodome {
+
+namespace {
+
+const char* lens_word(const Lens& lens) {
+  constexpr const char* words[] = {"none", "frustum", "fisheye"};
+  return words[lens.index()];
+}
+
+nlohmann::json facts_of(const ProjectorSetup& projector, const ProjectorPicture& picture, double lit_part) {
+  nlohmann::json facts = {{"name", projector.name},
+                          {"width_px", projector.width_px},
+                          {"height_px", projector.height_px},
+                          {"lens", lens_word(projector.lens)},
+                          {"warp", projector.warp ? projector.warp->file : "from geometry"},
+                          {"columns", picture.warp.columns},
+                          {"rows", picture.warp.rows},
+                          {"blend_mask", picture.blend.width > 0},
+                          {"gamma", projector.gamma},
+                          {"lit_part", lit_part}};
+  if (projector.output.monitor) {
+    facts["monitor"] = *projector.output.monitor;
+  } else {
+    facts["window_px"] = {projector.output.window_x_px, projector.output.window_y_px};
+  }
+  return facts;
+}
+
+//! Where a rectangular mesh of Bourke's fills its raster from bottom to top, but not from side to side or beyond them: made for a raster of
+//! another shape, as it seems. Empty: not so.
+std::string note_of_shape(const ProjectorSetup& projector, const WarpMesh& mesh) {
+  constexpr float tolerance = 0.01F;
+  if (!projector.warp || projector.warp->format != WarpFormat::bourke || mesh.topology == MeshTopology::polar) {
+    return {};
+  }
+  const auto [left, right] = std::ranges::minmax(mesh.nodes, {}, &WarpNode::x);
+  const auto [top, bottom] = std::ranges::minmax(mesh.nodes, {}, &WarpNode::y);
+  const bool fills_height = std::abs(top.y) < tolerance && std::abs(1.0F - bottom.y) < tolerance;
+  const bool fills_width = std::abs(left.x) < tolerance && std::abs(1.0F - right.x) < tolerance;
+  const bool even = std::abs(left.x + right.x - 1.0F) < tolerance;
+  if (!fills_height || fills_width || !even) {
+    return {};
+  }
+  const double read_to = projector.warp->x_to_one ? 1.0 : static_cast<double>(projector.width_px) / projector.height_px;
+  const double half_width = read_to * (static_cast<double>(right.x) - static_cast<double>(left.x));
+  const bool to_one = std::abs(half_width - 1.0) < static_cast<double>(tolerance);
+  return fmt::format(
+      "{}: x in {} runs to {:.3f}, where the raster's sides are at {:.3f}, so {}; {}", projector.name,
+      projector.warp->file, half_width, read_to,
+      half_width < read_to ? "these stay black" : "the mesh goes on beyond them",
+      to_one ? "with x_range = \"one\" it fills the raster"
+             : fmt::format("was it made for a raster of another shape? (ergodome convert {} MESH.pfm --aspect {:.4f} "
+                           "makes a map that fills any)",
+                           projector.warp->file, half_width));
+}
+
+//! Whether light of a projector, which its lens and place tell, comes to the dome from outside its sphere.
+bool stands_outside(const DomeSetup& setup, const ProjectorSetup& projector) {
+  const bool placed = !projector.warp && !std::holds_alternative<std::monostate>(projector.lens);
+  return placed && ProjectorOptics(setup, projector).outside();
+}
+
+std::vector<std::string> remarks_on(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures) {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const ProjectorSetup& projector = setup.projectors[i];
+    if (stands_outside(setup, projector)) {
+      notes.push_back(projector.name + outside_note);
+    }
+    for (const std::string& note : pictures[i].notes) {
+      notes.push_back(fmt::format("{}: {}", projector.name, note));
+    }
+    if (std::string note = note_of_shape(projector, pictures[i].warp); !note.empty()) {
+      notes.push_back(std::move(note));
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+
+bool is_dome_setup(const std::string& file) {
+  if (!file.ends_with(".toml")) {
+    return false;
+  }
+  try {
+    const toml::table table = parse_toml(read_whole_file(file, std::size_t{4} << 20U, ""), file, 4, "dome setup");
+    return table.contains("projector") || table.contains("dome");
+  } catch (const std::exception&) {
+    // Whatever is wrong, the reader of shows says it.
+    return false;
+  }
+}
+
+nlohmann::json inspect_setup(const std::string& file, const std::string& picture, int size_px) {
+  const DomeSetup setup = read_dome_setup(file);
+  const std::vector<ProjectorPicture> pictures = projector_pictures(setup);
+  const std::vector<double> lit = lit_parts(pictures);
+  nlohmann::json facts = {{"radius_m", setup.radius_m},
+                          {"tilt_deg", setup.tilt_deg},
+                          {"rotation_deg", setup.rotation_deg},
+                          {"enough_master_px", enough_master_px(pictures)},
+                          {"dark_part", lit.back()}};
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    facts["projectors"].push_back(facts_of(setup.projectors[i], pictures[i], lit[i]));
+  }
+  facts["notes"] = remarks_on(setup, pictures);
+  if (!picture.empty()) {
+    write_picture(picture, {}, draw_setup(pictures, size_px), {});
+  }
+  return facts;
+}
+
+void print_setup(const nlohmann::json& facts) {
+  for (const char* name : {"radius_m", "tilt_deg", "rotation_deg", "enough_master_px"}) {
+    print_out("{:<18}{}\n", name, facts[name].dump());
+  }
+  print_out("\n{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>8}  {}\n", "", "projector", "raster", "lens", "warp", "mask",
+            "of dome", "warp from");
+  int number = 0;
+  for (const auto& projector : facts["projectors"]) {
+    print_out("{:>3} {:<16} {:>11} {:>8} {:>11} {:>6} {:>6.1f} %  {}\n", ++number, projector["name"].get<std::string>(),
+              fmt::format("{} x {}", projector["width_px"].get<int>(), projector["height_px"].get<int>()),
+              projector["lens"].get<std::string>(),
+              fmt::format("{} x {}", projector["columns"].get<int>(), projector["rows"].get<int>()),
+              projector["blend_mask"].get<bool>() ? "yes" : "no", 100.0 * projector["lit_part"].get<double>(),
+              projector["warp"].get<std::string>());
+  }
+  print_out("{:.1f} % of the dome is lit by none\n", 100.0 * facts["dark_part"].get<double>());
+  for (const auto& note : facts["notes"]) {
+    print_out("{}\n", note.get<std::string>());
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "render/eyes/narrowed_eyes.h"
+
+namespace ergodome {
+
+//! Where eyes stand closer than was asked, when, and how far apart: where that begins and where they are closest.
+inline nlohmann::json facts_of(const NarrowedPath& path) {
+  const auto facts = [](double time_s, const NarrowedEyes& eyes) {
+    return nlohmann::json{{"t_s", time_s}, {"r", eyes.r}, {"asked", eyes.asked}, {"baseline", eyes.baseline}};
+  };
+  return {{"first", facts(path.first_s, path.first)}, {"least", facts(path.least_s, path.least)}};
+}
+
+}  // namespace ergodome

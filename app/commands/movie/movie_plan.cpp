@@ -1,0 +1,59 @@
+#include "app/commands/movie/movie_plan.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/lens_options.h"
+#include "app/cli/usage_error.h"
+#include "app/commands/movie/movie.h"
+#include "kernels/core/error.h"
+#include "render/output/frame_names.h"
+
+namespace ergodome {
+
+void require_movie(const RenderOptions& options, const Show& show) {
+  if (options.movie.empty()) {
+    return;
+  }
+  const std::string named = "--movie " + options.movie;
+  if (options.format == "exr") {
+    throw UsageError(named, "is not made of linear light", "choose --format png, png16 or tiff");
+  }
+  if (!options.setup.empty()) {
+    throw UsageError(named, "is of the master, not of projectors' frames", "leave out --setup");
+  }
+  if (has_face_files(show.view)) {
+    throw Error(named, "is not made of a cube's single faces", "choose cube_layout = \"cross\"");
+  }
+  if (show.stereo.layout == StereoLayout::rows && movie_ending(options.movie) == ".mp4") {
+    throw UsageError(named, "has one colour for two rows, in which the eyes of layout rows would mix",
+                     "choose .mov or .mkv");
+  }
+  if (options.alpha && !holds_alpha(movie_ending(options.movie))) {
+    throw UsageError(named, "has no channel for what frames cover", "choose .mov or .mkv, or leave out --alpha");
+  }
+  for (const FramePart part : movie_parts(show)) {
+    require_movie_encoder(movie_path(options.movie, part));
+  }
+}
+
+void tell_movie_losses(const RenderOptions& options, const Show& show) {
+  const StereoLayout layout = show.stereo.layout;
+  const bool by_colour = layout == StereoLayout::anaglyph || layout == StereoLayout::dubois || show.stereo.tint_eyes;
+  if (!options.movie.empty() && by_colour && movie_ending(options.movie) == ".mp4") {
+    tell_on_terminal(fmt::format(
+        "{} keeps colours at half the resolution, and with them one eye's picture; .mov and .mkv keep all of it",
+        options.movie));
+  }
+}
+
+std::filesystem::path movie_path(const std::filesystem::path& file, FramePart part) {
+  const std::string eye = eye_folder(part).string();
+  return file.parent_path() / (file.stem().string() + (eye.empty() ? "" : "_" + eye) + file.extension().string());
+}
+
+std::vector<FramePart> movie_parts(const Show& show) {
+  return show.stereo.layout == StereoLayout::separate ? std::vector<FramePart>{FramePart::left, FramePart::right}
+                                                      : std::vector<FramePart>{FramePart::whole};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,336 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/cli/backend_choice.h"
+#include "app/cli/commands.h"
+#include "app/cli/json_text.h"
+#include "app/cli/lens_options.h"
+#include "app/cli/number_check.h"
+#include "app/cli/show_loading.h"
+#include "app/commands/inspect/idle_line_facts.h"
+#include "app/commands/inspect/narrowed_eyes_facts.h"
+#include "app/commands/run_cost.h"
+#include "content/files/console.h"
+#include "content/show/animatable_number.h"
+#include "content/sky/sky_map.h"
+#include "kernels/core/error.h"
+#include "kernels/launch/work_counter.h"
+#include "render/frame/show_renderer.h"
+#include "render/plan/frame_plan.h"
+
+namespace ergodome {
+
+namespace {
+
+struct PlanOptions {
+  std::string show;
+  ShowSettings set;
+  std::string projection;
+  std::string objects;
+  std::string stereo;
+  std::optional<double> tilt_deg;
+  std::optional<double> baseline;
+  std::string backend = "auto";
+  std::string view = "sky";
+  std::string method;
+  LensOptions lens;
+  int size_px = 0;
+  double time_s = 0.0;
+  std::string format = "png";
+  std::string out = "frames";
+  bool measure = false;
+  bool json = false;
+};
+
+//! What a picture has taken: the first one at its place, and one more there.
+struct Measured {
+  std::map<std::string, WorkCount> first;
+  std::map<std::string, WorkCount> next;
+  double next_ms = 0.0;
+};
+
+Measured measure(const PlanOptions& options, const Show& show, Backend backend, std::shared_ptr<StationStream> stream) {
+  Measured measured;
+  const auto start = work_done();
+  ShowRenderer renderer(show, backend, lens_choice(options.lens), std::move(stream));
+  const ViewChoice choice = {view_mode(options.view), options.size_px,
+                             follow_method(options.method, options.view, show)};
+  renderer.render(options.time_s, choice);
+  const auto first = work_done();
+  const auto begin = std::chrono::steady_clock::now();
+  renderer.render(options.time_s, choice);
+  measured.next_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  measured.first = work_between(start, first);
+  measured.next = work_between(first, work_done());
+  return measured;
+}
+
+//! Time and disk space of rendering the whole show.
+struct RunEstimate {
+  int frames = 0;
+  int measured_frame = 0;  //!< from 0
+  RunFrameCost frame;
+  std::uintmax_t free_bytes = 0;  //!< on the disk of --out
+
+  [[nodiscard]] std::uintmax_t bytes() const { return frame.bytes * static_cast<std::uintmax_t>(frames); }
+};
+
+//! Whether a picture's buffers of known size fit in half of the memory of this machine.
+bool fits_in_memory(const FramePlan& plan) {
+  double bytes = 0.0;
+  for (const PlannedBuffer& buffer : plan.buffers) {
+    bytes += static_cast<double>(buffer.bytes);
+  }
+  return bytes <= 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+//! Renders the frame in the middle of the show and takes it for all. None, with a note, where that cannot be.
+std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show, Backend backend,
+                                    std::shared_ptr<StationStream> stream, const FramePlan& plan) {
+  if (!fits_in_memory(plan)) {
+    print_note("no estimate of time and disk space: a frame takes more than half of this machine's memory");
+    return std::nullopt;
+  }
+  try {
+    ShowRenderer renderer(show, backend, lens_choice(options.lens), std::move(stream));
+    const ViewChoice choice = {view_mode(options.view), options.size_px,
+                               follow_method(options.method, options.view, show)};
+    RunEstimate estimate;
+    estimate.frames = frame_count(show);
+    estimate.measured_frame = estimate.frames / 2;
+    estimate.frame =
+        measured_frame_cost(renderer, choice, frame_format(options.format, "", false), estimate.measured_frame);
+    estimate.free_bytes = free_bytes(options.out);
+    return estimate;
+  } catch (const std::exception& problem) {
+    print_note("no estimate of time and disk space: {}", problem.what());
+    return std::nullopt;
+  }
+}
+
+nlohmann::json json_of(const RunEstimate& estimate) {
+  return {{"frames", estimate.frames},
+          {"measured_frame", estimate.measured_frame + 1},
+          {"frame_s", estimate.frame.seconds},
+          {"frame_bytes", estimate.frame.bytes},
+          {"run_s", estimate.frames * estimate.frame.seconds},
+          {"run_bytes", estimate.bytes()},
+          {"free_bytes", estimate.free_bytes}};
+}
+
+nlohmann::json json_of(const WorkCount& count) {
+  return {{"runs", count.runs}, {"elements", count.elements}, {"ms", static_cast<double>(count.time_ns) * 1e-6}};
+}
+
+//! Counts that a plan leaves open are null.
+nlohmann::json known(long number) { return number > 0 ? nlohmann::json(number) : nlohmann::json(nullptr); }
+
+nlohmann::json json_of(const Show& show, const FramePlan& plan) {
+  constexpr const char* moments[] = {"start", "place", "picture"};
+  nlohmann::json all = {{"show", text_in(show.title, "")},
+                        {"width_px", plan.width_px},
+                        {"height_px", plan.height_px},
+                        {"eyes", plan.eyes},
+                        {"lens", plan.lens},
+                        {"channels", nlohmann::json::array()},
+                        {"passes", nlohmann::json::array()},
+                        {"buffers", nlohmann::json::array()}};
+  for (const PlannedChannel& channel : plan.channels) {
+    all["channels"].push_back({{"name", channel.name}, {"floats", channel.floats}, {"why", channel.why}});
+  }
+  for (const PlannedPass& pass : plan.passes) {
+    all["passes"].push_back({{"name", pass.name},
+                             {"when", moments[static_cast<int>(pass.moment)]},
+                             {"runs", known(pass.runs)},
+                             {"elements", known(pass.elements)},
+                             {"if_needed", pass.if_needed},
+                             {"why", pass.why}});
+  }
+  for (const PlannedBuffer& buffer : plan.buffers) {
+    all["buffers"].push_back({{"name", buffer.name},
+                              {"when", moments[static_cast<int>(buffer.moment)]},
+                              {"bytes", known(buffer.bytes)},
+                              {"why", buffer.why}});
+  }
+  all["idle"] = facts_of_idle_lines(show);
+  return all;
+}
+
+std::string text_of(const nlohmann::json& number) {
+  return number.is_null() ? "-" : fmt::format("{}", number.get<long>());
+}
+
+void print(const nlohmann::json& plan) {
+  print_out("{}: {} x {} pixels, {} {}, lens: {}\n", plan["show"].get<std::string>(), plan["width_px"].get<int>(),
+            plan["height_px"].get<int>(), plan["eyes"].get<int>(), plan["eyes"] == 1 ? "eye" : "eyes",
+            plan["lens"].get<std::string>());
+  print_out("\nfor each pixel    floats  because of\n");
+  for (const auto& channel : plan["channels"]) {
+    print_out("  {:<16}{:>6}  {}\n", channel["name"].get<std::string>(), channel["floats"].get<int>(),
+              channel["why"].get<std::string>());
+  }
+  print_out("\npass                               once a        runs    elements  because of\n");
+  for (const auto& pass : plan["passes"]) {
+    print_out("  {:<33}{:<8}{:>10}{:>12}  {}{}\n", pass["name"].get<std::string>(), pass["when"].get<std::string>(),
+              text_of(pass["runs"]), text_of(pass["elements"]), pass["why"].get<std::string>(),
+              pass["if_needed"].get<bool>() ? ", if needed" : "");
+  }
+  print_out("\nmemory                                       once a         bytes  because of\n");
+  for (const auto& buffer : plan["buffers"]) {
+    print_out("  {:<43}{:<8}{:>12}  {}\n", buffer["name"].get<std::string>().substr(8),
+              buffer["when"].get<std::string>(), text_of(buffer["bytes"]), buffer["why"].get<std::string>());
+  }
+  print_out("\n-: as many as it takes\n");
+  print_idle_lines(plan["idle"]);
+}
+
+void print(const Measured& measured) {
+  print_out("\nmeasured                                     first picture there        the next one: {:.1f} ms\n",
+            measured.next_ms);
+  print_out("                                            runs      elements        runs      elements        ms\n");
+  for (const auto& [name, count] : measured.first) {
+    const auto next = measured.next.find(name);
+    const WorkCount again = next != measured.next.end() ? next->second : WorkCount{};
+    print_out("  {:<40}{:>6}{:>14}{:>12}{:>14}{:>10.2f}\n", name, count.runs, count.elements, again.runs,
+              again.elements, static_cast<double>(again.time_ns) * 1e-6);
+  }
+  print_out("\nTimes of passes hold those of the kernels that they call. Elements of buffers are bytes.\n");
+}
+
+void print(const RunEstimate& estimate, const PlanOptions& options) {
+  print_out("\nrender: {}\n", run_cost_text(estimate.frames, estimate.frame));
+  print_out(
+      "  measured: frame {}, in the middle of the show, rendered and written as {}\n  free on the disk of {}: {}\n",
+      estimate.measured_frame + 1, options.format, options.out, size_text(estimate.free_bytes));
+}
+
+void run(const PlanOptions& options) {
+  Show show = load_show(options.show, options.set);
+  if (options.measure) {
+    require_time("plan --time", show, options.time_s);
+  }
+  override_view(show, options.projection, options.stereo);
+  override_baseline(show, options.baseline);
+  override_tilt(show, options.tilt_deg, false);
+  require_two_eyes(show, "--baseline", options.baseline.has_value());
+  require_used_memory(show, options.lens);
+  override_objects(show, options.objects);
+  require_features(show);
+  const Backend backend = choose_backend(options.backend);
+  std::shared_ptr<StationStream> stream = open_stream(show, options.lens, backend);
+  for (const std::string& note : stream_notes(stream.get(), show, options.lens, backend, options.size_px)) {
+    tell_on_terminal(note);
+  }
+  const std::optional<NarrowedPath> narrowed = narrowed_path(show);
+  if (narrowed) {
+    tell_on_terminal(note_of(show, *narrowed));
+  }
+  const FrameRequest request = {
+      backend,
+      view_mode(options.view),
+      lens_choice(options.lens),
+      follow_method(options.method, options.view, show),
+      options.size_px,
+      load_sky_map(show).width,
+      stream && (lens_choice(options.lens) == LensChoice::streamed || is_fine_enough(*stream, show, options.size_px)),
+      OverlayPass::image_bytes(show),
+      has_objects(show, ObjectMethod::polygon) ? ObjectPass::mesh_bytes(show) : 0};
+  const FramePlan planned = plan_frame(show, request);
+  nlohmann::json plan = json_of(show, planned);
+  plan["narrowed_eyes"] = narrowed ? facts_of(*narrowed) : nlohmann::json(nullptr);
+  std::optional<Measured> measured;
+  if (options.measure) {
+    measured = measure(options, show, backend, stream);
+  }
+  const std::optional<RunEstimate> whole = estimate(options, show, backend, std::move(stream), planned);
+  const std::string room = whole ? room_note(options.out, "the show", whole->bytes(), whole->free_bytes) : "";
+  if (!room.empty()) {
+    print_note("{}", room);
+  }
+  plan["estimate"] = whole ? json_of(*whole) : nlohmann::json(nullptr);
+  if (!options.json) {
+    print(plan);
+    if (measured) {
+      print(*measured);
+    }
+    if (whole) {
+      print(*whole, options);
+    }
+    return;
+  }
+  if (measured) {
+    plan["measured"]["picture_ms"] = measured->next_ms;
+    for (const auto& [name, count] : measured->first) {
+      plan["measured"]["first"][name] = json_of(count);
+    }
+    for (const auto& [name, count] : measured->next) {
+      plan["measured"]["next"][name] = json_of(count);
+    }
+  }
+  print_out("{}\n", json_text(plan));
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command =
+      app.add_subcommand("plan",
+                         "Tell what a picture of a show takes, which lines of the show call for it, and what time and "
+                         "disk space all frames take");
+  command->add_option("show", options->show, "show (.toml or the name of a built-in one)")->required();
+  add_set_option(*command, options->set);
+  command->add_option("--view", options->view, "what to show")
+      ->check(CLI::IsMember(view_mode_names()))
+      ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
+      ->check(CLI::IsMember(follow_method_names()));
+  command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
+      ->check(CLI::IsMember(object_method_names()));
+  command
+      ->add_option("--projection", options->projection,
+                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
+      ->check(CLI::IsMember(projection_names()));
+  command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
+      ->check(CLI::IsMember(stereo_names()));
+  command
+      ->add_option("--tilt", options->tilt_deg,
+                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
+  command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
+  command->add_option("--size", options->size_px, "width of an eye's image in pixels")->check(CLI::Range(1, 16384));
+  command->add_option("--backend", options->backend, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->capture_default_str();
+  IdleOptions idle(*command);
+  add_lens_options(*command, options->lens, idle);
+  CLI::Option* const measure =
+      command->add_flag("--measure", options->measure, "render a picture, twice, and count what it has taken");
+  command->add_option("--time", options->time_s, "with --measure: show time [s]")
+      ->check(show_time())
+      ->needs(measure)
+      ->capture_default_str();
+  command->add_option("--format", options->format, "of the frames that are to be rendered: png, png16, tiff or exr")
+      ->check(CLI::IsMember(image_format_names()))
+      ->capture_default_str();
+  command
+      ->add_option("--out", options->out,
+                   "folder for the frames, to compare with the free space of its disk; it is not created")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "as JSON");
+  command->callback([options, idle] {
+    idle.refuse();
+    run(*options);
+  });
+}
+
+}  // namespace ergodome

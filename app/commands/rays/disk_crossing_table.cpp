@@ -1,0 +1,76 @@
+#include "app/commands/rays/disk_crossing_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+#include "kernels/disk/disk_emitter.h"
+#include "kernels/disk/equatorial_crossings.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Rays that are followed out so far beyond the camera cross the plane no more, but for those that run along it.
+constexpr double farthest = 1e6;
+constexpr int step_limit = 100'000;
+constexpr int rays_at_a_time = 16;
+
+//! φ in (-π, π].
+double azimuth_of(const EquatorialCrossing<double>& crossing) {
+  const double phi = std::remainder(std::atan2(crossing.y, crossing.x) + crossing.drag, 2.0 * pi);
+  return phi <= -pi ? pi : phi;
+}
+
+//! Nothing where the ray does not converge.
+std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const DiskFlow<double>& flow,
+                                    const CrossingTableOptions& options) {
+  const NearRay<double> ray = start_near_ray(camera, row.direction);
+  const CrossingLimits<double> limits = {camera.u / farthest, options.tolerance, step_limit};
+  EquatorialCrossing<double> crossings[crossing_orders];
+  if (!trace_crossings<20, true>(camera.spin, ray, limits, true, crossings)) {
+    return std::nullopt;
+  }
+  std::string text;
+  for (int order = 0; order < crossing_orders && crossings[order].u > 0.0; ++order) {
+    const EquatorialCrossing<double>& at = crossings[order];
+    const DiskLight<double> light = {1.0 / at.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant,
+                                     at.u_rate > 0.0};
+    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g},", row.id, order, light.r, azimuth_of(at), at.delay);
+    if (light.r >= flow.stable_r || options.plunging) {
+      text += fmt::format("{:.17g}", 1.0 / disk_frequency(flow, light));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string crossing_lines(std::span<const RayRow> rows, const CrossingTableOptions& options) {
+  const RayRow& first = rows.front();
+  const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
+  const DiskFlow<double> flow = make_disk_flow(first.spin);
+  std::vector<std::optional<std::string>> lines(rows.size());
+  parallel_for(static_cast<int>(rows.size()), rays_at_a_time, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      lines[at] = lines_of(rows[at], camera, flow, options);
+    }
+  });
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i]) {
+      throw Error("trace --disk", "ray " + rows[i].id + " did not converge", "give a larger --tolerance");
+    }
+    text += *lines[i];
+  }
+  return text;
+}
+
+}  // namespace ergodome

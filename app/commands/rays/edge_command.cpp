@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/output_file.h"
+#include "app/cli/table_file.h"
+#include "app/commands/rays/ray_groups.h"
+#include "content/tables/ray_table.h"
+#include "kernels/core/angles.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+
+namespace ergodome {
+
+namespace {
+
+struct EdgeOptions {
+  std::string rays;
+  std::string out;
+  int points = 0;
+};
+
+void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
+                   std::string& text) {
+  for (int i = 0; i < count; ++i) {
+    const double gamma = full_turn * i / count;
+    const double alpha = edge_polar_angle(camera, chart, gamma);
+    const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", id, i, n.x, n.y, n.z);
+  }
+}
+
+void run_edge(const EdgeOptions& options) {
+  std::vector<RayRow> rows = read_ray_table(options.rays);
+  if (options.points > 0) {
+    // Points are of cameras, wherever their rows stand.
+    rows = grouped_by_camera(std::move(rows)).rows;
+  }
+  std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
+  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    const RayRow& row = rows[begin];
+    const CameraStation camera = make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
+    const ShadowChart chart = make_shadow_chart(camera);
+    if (options.points > 0) {
+      append_points(camera, chart, rows[begin].id, options.points, text);
+      return;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      text += fmt::format("{},{:.17g}\n", rows[i].id, edge_distance(camera, chart, rows[i].direction));
+    }
+  });
+  write_table(options.out, text);
+}
+
+}  // namespace
+
+void add_edge_command(CLI::App& app) {
+  auto options = std::make_shared<EdgeOptions>();
+  CLI::App* command =
+      app.add_subcommand("edge", "Signed angle of directions from the shadow's edge, or points of the edge");
+  command->add_option("--rays", options->rays, "table of rays (CSV), as for trace")->required();
+  command->add_option("--out", options->out, "table to write")->required();
+  command->add_option("--points", options->points, "write this many points of the edge for each camera instead")
+      ->check(CLI::Range(1, 1'000'000));
+  command->footer(
+      ray_table_help() +
+      "\nedge_distance: angle from the shadow's edge [rad], positive outside. Points are directions as n_* are.");
+  command->callback([options] {
+    require_table_ending("--out", options->out);
+    require_output_file("--out", options->out, {options->rays});
+    run_edge(*options);
+  });
+}
+
+}  // namespace ergodome

@@ -1,0 +1,111 @@
+#include "app/commands/rays/near_ray_commands.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <span>
+
+#include "app/cli/number_check.h"
+#include "app/cli/show_loading.h"
+#include "app/cli/table_file.h"
+#include "app/cli/usage_error.h"
+#include "app/commands/rays/disk_crossing_table.h"
+#include "app/commands/rays/object_hit_table.h"
+#include "app/commands/rays/ray_groups.h"
+#include "app/commands/rays/shell_crossing_table.h"
+#include "content/tables/ray_table.h"
+
+namespace ergodome {
+
+namespace {
+
+using LinesOf = std::function<std::string(std::span<const RayRow>)>;
+
+//! Writes a head and the lines of each camera's rays.
+void write_lines(const RayFiles& files, const char* head, const LinesOf& lines) {
+  const std::vector<RayRow> rows = read_ray_table(files.rays);
+  std::string text = head;
+  for_each_camera(
+      rows, [&](std::size_t begin, std::size_t end) { text += lines(std::span(rows).subspan(begin, end - begin)); });
+  write_table(files.out, text);
+}
+
+void run_disk(const NearRayOptions& options, const RayFiles& files) {
+  CrossingTableOptions table;
+  table.tolerance = files.tolerance > 0.0 ? files.tolerance : table.tolerance;
+  table.plunging = options.plunging;
+  write_lines(files, crossing_table_head, [&](std::span<const RayRow> rows) { return crossing_lines(rows, table); });
+}
+
+void run_shell(const NearRayOptions& options, const RayFiles& files) {
+  ShellTableOptions table{*options.shell_r};
+  table.tolerance = files.tolerance > 0.0 ? files.tolerance : table.tolerance;
+  write_lines(files, shell_table_head, [&](std::span<const RayRow> rows) { return shell_lines(rows, table); });
+}
+
+void run_objects(const NearRayOptions& options, const RayFiles& files) {
+  const Show show = load_show(options.objects, options.set);
+  if (show.objects.empty()) {
+    throw UsageError("trace --objects", options.objects + " has no objects", "name a show with [[objects]]");
+  }
+  if (show.duration_s > 0.0) {
+    require_time("trace --at", show, options.time_s);
+  }
+  const ObjectRays objects(show, options.time_s);
+  const double tolerance = files.tolerance > 0.0 ? files.tolerance : 1e-15;
+  write_lines(files, object_table_head,
+              [&](std::span<const RayRow> rows) { return object_lines(rows, objects, tolerance); });
+}
+
+}  // namespace
+
+std::shared_ptr<NearRayOptions> add_near_ray_options(CLI::App& command, const std::vector<CLI::Option*>& excluded) {
+  auto options = std::make_shared<NearRayOptions>();
+  CLI::Option* const disk = command.add_flag(
+      "--disk", options->disk,
+      "list each ray's first three crossings of the equatorial plane instead: radius, azimuth, delay, g of a "
+      "circular orbit");
+  command
+      .add_flag("--plunging", options->plunging,
+                "with --disk: g inside the last stable orbit too, of matter that falls from it")
+      ->needs(disk);
+  CLI::Option* const shell =
+      command
+          .add_option(
+              "--shell", options->shell_r,
+              "list each ray's crossings of a sphere of this radius [M] instead: polar angle, azimuth, times, g "
+              "of an observer without angular momentum")
+          ->check(number_between(1.0, 1e15))
+          ->excludes(disk);
+  CLI::Option* const objects =
+      command
+          .add_option("--objects", options->objects,
+                      "list where rays meet the objects of this show instead: object, triangle, weights of its second "
+                      "and third corner, place, delay")
+          ->excludes(disk)
+          ->excludes(shell);
+  add_set_option(command, options->set)->needs(objects);
+  command.add_option("--at", options->time_s, "with --objects: time of the show [s]")
+      ->check(show_time())
+      ->needs(objects);
+  for (CLI::Option* const other : excluded) {
+    disk->excludes(other);
+    shell->excludes(other);
+    objects->excludes(other);
+  }
+  return options;
+}
+
+bool run_near_rays(const NearRayOptions& options, const RayFiles& files) {
+  if (options.disk) {
+    run_disk(options, files);
+  } else if (options.shell_r) {
+    run_shell(options, files);
+  } else if (!options.objects.empty()) {
+    run_objects(options, files);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,54 @@
+#include "app/commands/rays/object_hit_table.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <vector>
+
+#include "kernels/core/error.h"
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int object_rays_at_a_time = 16;
+
+//! Empty where the ray meets nothing; nothing where it does not converge.
+std::optional<std::string> line_of(const RayRow& row, const CameraStation& camera, const ObjectRays& objects,
+                                   double tolerance) {
+  const std::optional<MeshHit> hit = objects.look(camera, row.direction, tolerance);
+  if (!hit) {
+    return std::nullopt;
+  }
+  if (hit->mesh < 0) {
+    return std::string();
+  }
+  return fmt::format("{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", row.id, hit->mesh,
+                     objects.triangle(*hit), hit->weight_1, hit->weight_2, hit->point.x, hit->point.y, hit->point.z,
+                     hit->delay);
+}
+
+}  // namespace
+
+std::string object_lines(std::span<const RayRow> rows, const ObjectRays& objects, double tolerance) {
+  const RayRow& first = rows.front();
+  const CameraStation camera = make_camera_station(first.spin, first.r, first.theta, 0.0, first.motion, first.velocity);
+  std::vector<std::optional<std::string>> lines(rows.size());
+  parallel_for(static_cast<int>(rows.size()), object_rays_at_a_time, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      lines[at] = line_of(rows[at], camera, objects, tolerance);
+    }
+  });
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i]) {
+      throw Error("trace --objects", fmt::format("ray {} did not converge", rows[i].id), "give a larger --tolerance");
+    }
+    text += *lines[i];
+  }
+  return text;
+}
+
+}  // namespace ergodome

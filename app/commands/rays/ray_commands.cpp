@@ -1,0 +1,302 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/number_check.h"
+#include "app/cli/output_file.h"
+#include "app/cli/pixel_text.h"
+#include "app/cli/table_file.h"
+#include "app/commands/rays/near_ray_commands.h"
+#include "app/commands/rays/ray_groups.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
+#include "content/tables/ray_table.h"
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+#include "kernels/launch/launch.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/published/quadtree_builder.h"
+
+namespace ergodome {
+
+namespace {
+
+struct RayOptions {
+  std::string rays;
+  std::string out;
+  std::string method = "taylor";
+  std::string precision = "double";
+  double tolerance = 0.0;
+  std::string budget = "0.1px";
+  int size_px = 4096;
+  int level = 10;
+  std::string interpolation = "spline";
+  double blend = 0.0;
+};
+
+const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::taylor},
+                                                    {"rk34", TraceMethod::rk34},
+                                                    {"cash_karp", TraceMethod::cash_karp},
+                                                    {"closed_form", TraceMethod::closed_form},
+                                                    {"baseline_rk34", TraceMethod::baseline_rk34}};
+
+CameraStation station_of(const RayRow& row) {
+  return make_camera_station(row.spin, row.r, row.theta, 0.0, row.motion, row.velocity);
+}
+
+//! Arrays of one batch: inputs and outputs of the rays that share a camera.
+template <class S>
+struct BatchArrays {
+  std::vector<S> n[3], sky[3], g, status, steps, error_estimate;
+
+  explicit BatchArrays(std::size_t count) {
+    for (int i = 0; i < 3; ++i) {
+      n[i].resize(count);
+      sky[i].resize(count);
+    }
+    for (auto* each : {&g, &status, &steps, &error_estimate}) {
+      each->resize(count);
+    }
+  }
+};
+
+//! The batch of rows [begin, end), which share a camera, and its arrays.
+template <class S>
+RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchArrays<S>& arrays) {
+  RayBatch<S> batch{};
+  batch.camera = converted_station<S>(station_of(rows[begin]));
+  batch.count = static_cast<int>(arrays.g.size());
+  for (int k = 0; k < 3; ++k) {
+    batch.direction[k] = arrays.n[k].data();
+    batch.sky[k] = arrays.sky[k].data();
+  }
+  for (std::size_t i = 0; i < arrays.g.size(); ++i) {
+    const Vector3<double>& n = rows[begin + i].direction;
+    arrays.n[0][i] = static_cast<S>(n.x);
+    arrays.n[1][i] = static_cast<S>(n.y);
+    arrays.n[2][i] = static_cast<S>(n.z);
+  }
+  batch.frequency_ratio = arrays.g.data();
+  batch.status = arrays.status.data();
+  batch.steps = arrays.steps.data();
+  batch.error_estimate = arrays.error_estimate.data();
+  return batch;
+}
+
+//! What is written: a line for each ray.
+struct SkyTable {
+  std::vector<std::string> lines;
+  std::size_t unresolved = 0;  //!< rays that did not converge
+};
+
+//! Appends a line for each ray of a batch that starts at row `begin`; of one that did not converge nothing says how far it is off.
+template <class S>
+void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
+  constexpr const char* words[] = {"escaped", "captured", "not_converged"};
+  for (std::size_t i = 0; i < arrays.g.size(); ++i) {
+    const auto status = static_cast<std::size_t>(arrays.status[i]);
+    const bool unresolved = status == static_cast<std::size_t>(RayStatus::not_converged);
+    std::string text = fmt::format("{},{},", rows[begin + i].id, words[status]);
+    if (status == 0) {
+      text += fmt::format("{:.17g},{:.17g},{:.17g},", arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]);
+    } else {
+      text += ",,,";
+    }
+    text += fmt::format("{:.17g},{:.0f},", arrays.g[i], arrays.steps[i]);
+    text += unresolved ? "\n" : fmt::format("{:.17g}\n", arrays.error_estimate[i]);
+    table.lines.push_back(std::move(text));
+    table.unresolved += unresolved ? 1 : 0;
+  }
+}
+
+//! Of a method that none is given for: the finest that it reaches in float or in double, but the published tracer's own (`rk34_step(0.01, ...)`), which with a
+//! fine one would take more steps than anybody waits for.
+double usual_tolerance(const std::string& method, bool in_float) {
+  if (method == "baseline_rk34") {
+    return 0.01;
+  }
+  const double finest = method == "taylor" ? 1e-14 : 1e-12;
+  return in_float ? 1e-7 : finest;
+}
+
+//! Traces rows [begin, end), which share a camera, and appends a line for each.
+template <class S>
+void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                 SkyTable& table) {
+  BatchArrays<S> arrays(end - begin);
+  const double tolerance =
+      options.tolerance > 0.0 ? options.tolerance : usual_tolerance(options.method, sizeof(S) == 4);
+  RayBatch<S> batch = batch_of(rows, begin, arrays);
+  batch.settings = {tolerance, 1'000'000};
+  if (options.method == "baseline_rk34") {
+    batch.settings.step_limit = 20'000;  // ten times the published tracer's limit
+  }
+  batch.method = methods.at(options.method);
+  trace_rays(Backend::cpu, batch);
+  append_rays(rows, begin, arrays, table);
+}
+
+//! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line for each.
+void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                   SkyTable& table) {
+  const RayRow& row = rows[begin];
+  GridSettings settings;
+  settings.pixel = pi / options.size_px;
+  settings.budget_px = pixels_of("--budget", options.budget);
+  settings.observer = aberration_to_rain(row.spin, row.r, row.theta, row.motion, row.velocity);
+  settings.fine = options.precision == "double";
+  GridStatistics statistics;
+  const auto start = std::chrono::steady_clock::now();
+  const LensStation station = build_lens_station(row.spin, row.r, row.theta, settings, &statistics);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  BatchArrays<double> arrays(end - begin);
+  const LensGrid grid = grid_view(station);
+  LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
+  batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
+  look_up_rays(Backend::cpu, batch);
+  append_rays(rows, begin, arrays, table);
+  print_out(
+      "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to rays, "
+      "{:.1f} ms\n",
+      row.spin, row.r, row.theta, counted(statistics.nodes, "node"),
+      station.mirrored ? " (half the sky, mirrored)" : "",
+      counted(statistics.traced_nodes + statistics.traced_checks, "ray"), counted(statistics.leaves, "cell"),
+      statistics.flagged_leaves, statistics.flagged_px, time.count());
+}
+
+//! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a line for each.
+void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+                         SkyTable& table) {
+  const RayRow& row = rows[begin];
+  QuadtreeSettings settings;
+  settings.coarsest_level = std::min(settings.coarsest_level, options.level);
+  settings.finest_level = options.level;
+  const bool mirrored = quadtree_is_mirrored(row.theta, row.velocity);
+  // One grid here, or one half the distance nearer and one half the distance farther.
+  std::vector<CameraStation> cameras;
+  for (const double side : {-0.5, 0.5}) {
+    if (cameras.empty() || options.blend > 0.0) {
+      RayRow at = row;
+      at.r += options.blend > 0.0 ? side * options.blend : 0.0;
+      cameras.push_back(station_of(at));
+    }
+  }
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<QuadtreeLens> lenses;
+  std::vector<QuadtreeShadowTable> shadows;
+  for (const CameraStation& camera : cameras) {
+    lenses.emplace_back(camera, mirrored, settings);
+    shadows.emplace_back(camera, lenses.back().view().level);
+  }
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  const bool linear = options.interpolation == "linear";
+  const QuadtreeLookUp look_up = {{lenses.front().view(), lenses.back().view()},
+                                  {shadows.front().view(), shadows.back().view()},
+                                  cameras.size() > 1 ? 0.5F : 0.0F,
+                                  linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline};
+  BatchArrays<double> arrays(end - begin);
+  read_quadtree_rays(Backend::cpu, {batch_of(rows, begin, arrays), look_up});
+  append_rays(rows, begin, arrays, table);
+  print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spin, row.r, row.theta,
+            lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
+            mirrored ? " (half the sky, mirrored)" : "", time.count());
+}
+
+void run_trace(const RayOptions& options) {
+  // A grid is built once for each camera, wherever its rows stand.
+  const GroupedRows grouped = grouped_by_camera(read_ray_table(options.rays));
+  const std::vector<RayRow>& rows = grouped.rows;
+  SkyTable table;
+  table.lines.reserve(rows.size());
+  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    if (options.method == "grid") {
+      look_up_group(rows, begin, end, options, table);
+    } else if (options.method == "quadtree") {
+      read_quadtree_group(rows, begin, end, options, table);
+    } else if (options.precision == "float") {
+      trace_group<float>(rows, begin, end, options, table);
+    } else {
+      trace_group<double>(rows, begin, end, options, table);
+    }
+  });
+  write_table(options.out,
+              "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" + joined_in_place(table.lines, grouped.place));
+  if (table.unresolved > 0) {
+    print_note("{} of {} did not converge; give {}another --method", table.unresolved, counted(rows.size(), "ray"),
+               options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
+  }
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app) {
+  auto options = std::make_shared<RayOptions>();
+  CLI::App* command = app.add_subcommand("trace", "Trace single light rays from a table to a table");
+  command->add_option("--rays", options->rays, "table of rays (CSV; its columns are listed below)")->required();
+  command->add_option("--out", options->out, "table to write")->required();
+  CLI::Option* const method =
+      command
+          ->add_option("--method", options->method,
+                       "taylor, rk34, cash_karp, closed_form, baseline_rk34; or, through a grid built for each camera: "
+                       "grid, quadtree")
+          ->check(CLI::IsMember({"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34", "grid", "quadtree"}))
+          ->capture_default_str();
+  CLI::Option* const precision = command->add_option("--precision", options->precision, "float or double")
+                                     ->check(CLI::IsMember({"float", "double"}))
+                                     ->capture_default_str();
+  command
+      ->add_option(
+          "--tolerance", options->tolerance,
+          "accepted error of the sky direction [rad] (default: the finest; of baseline_rk34 the published 0.01)")
+      ->check(number_between(1e-16, 1.0));
+  command->add_option("--budget", options->budget, "for grid: accepted displacement on the screen")
+      ->capture_default_str();
+  command
+      ->add_option("--size", options->size_px, "for grid: the screen is a dome of 180 degrees, this many pixels wide")
+      ->check(CLI::Range(16, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--level", options->level, "for quadtree: the finest level")
+      ->check(CLI::Range(3, 13))
+      ->capture_default_str();
+  command->add_option("--interpolation", options->interpolation, "for quadtree: linear or spline")
+      ->check(CLI::IsMember({"linear", "spline"}))
+      ->capture_default_str();
+  command
+      ->add_option("--blend", options->blend,
+                   "for quadtree: blend two grids whose r lie this far apart around the camera's [M]")
+      ->check(number_between(0.0, 1e3));
+  const auto near_field = add_near_ray_options(*command, {method, precision});
+  IdleOptions idle(*command);
+  idle.add("without --method grid", [options] { return options->method != "grid"; }, {"--budget", "--size"});
+  idle.add("without --method quadtree", [options] { return options->method != "quadtree"; },
+           {"--level", "--interpolation", "--blend"});
+  idle.add("with --method closed_form", [options] { return options->method == "closed_form"; },
+           {"--tolerance", "--precision"});
+  idle.add("with --method quadtree", [options] { return options->method == "quadtree"; },
+           {"--tolerance", "--precision"});
+  command->footer(
+      ray_table_help() +
+      "\nsky_x, sky_y, sky_z: unit vector to where light that escapes comes from, far away: z along the spin "
+      "axis, x\ntowards phi = 0, y towards phi = 90 degrees. g: frequency that the camera sees, of light that "
+      "is sent out with 1 there.");
+  command->callback([options, near_field, idle] {
+    idle.refuse();
+    require_table_ending("--out", options->out);
+    require_output_file("--out", options->out, {options->rays, near_field->objects});
+    if (!run_near_rays(*near_field, {options->rays, options->out, options->tolerance})) {
+      run_trace(*options);
+    }
+  });
+}
+
+}  // namespace ergodome

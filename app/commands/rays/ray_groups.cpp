@@ -1,0 +1,87 @@
+#include "app/commands/rays/ray_groups.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What tells cameras apart.
+auto camera_of(const RayRow& row) {
+  return std::tuple(row.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
+}
+
+bool same_camera(const RayRow& a, const RayRow& b) { return camera_of(a) == camera_of(b); }
+
+}  // namespace
+
+std::string ray_table_help() {
+  return "Columns of the table of rays (a line each, named in the first; others are ignored; M = 1):\n"
+         "  a or spin             of the hole, -1 to 1\n"
+         "  r                     of the camera [M]\n"
+         "  theta or theta_deg    its angle from the spin axis [rad or degrees]: 0 over the pole, pi/2 on the equator\n"
+         "  observer              zamo, static, geodesic, retrograde, rain, boost, rain_boost: how the camera moves\n"
+         "  beta_r, beta_theta, beta_phi   of boost and rain_boost: velocity against the zamo or the rain, below 1\n"
+         "  n_r, n_theta, n_phi   to where the light seems to come from, in the observer's frame; of any length but 0\n"
+         "  id                    any text that comes back with the ray's results (else: its number, from 0)\n"
+         "Axes: e_r away from the hole, e_theta away from the spin axis's north (towards larger theta), e_phi the way "
+         "a hole\n"
+         "of positive spin turns. The camera is at phi = 0.\n"
+         "The ending of --out chooses the format: .csv, .tsv (tabs) or .json (an array of objects).";
+}
+
+GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
+  std::map<decltype(camera_of(rows[0])), std::size_t> number_of;
+  std::vector<std::size_t> camera(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    camera[i] = number_of.try_emplace(camera_of(rows[i]), number_of.size()).first->second;
+  }
+  GroupedRows grouped;
+  grouped.place.resize(rows.size());
+  std::iota(grouped.place.begin(), grouped.place.end(), std::size_t{0});
+  std::ranges::stable_sort(grouped.place, {}, [&](std::size_t i) { return camera[i]; });
+  grouped.rows.reserve(rows.size());
+  for (const std::size_t i : grouped.place) {
+    grouped.rows.push_back(std::move(rows[i]));
+  }
+  return grouped;
+}
+
+std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& place) {
+  std::vector<std::size_t> from(place.size());
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    from[place[i]] = i;
+  }
+  std::string text;
+  for (const std::size_t i : from) {
+    text += lines[i];
+  }
+  return text;
+}
+
+void for_each_camera(const std::vector<RayRow>& rows, const std::function<void(std::size_t, std::size_t)>& work) {
+  constexpr std::size_t longest_run = 1'000'000;
+  Progress progress("tracing", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
+  for (std::size_t begin = 0; begin < rows.size();) {
+    std::size_t end = begin + 1;
+    while (end < rows.size() && end - begin < longest_run && same_camera(rows[begin], rows[end])) {
+      ++end;
+    }
+    if (interrupted()) {
+      throw Error("trace", "stopped; nothing was written", "run it again");
+    }
+    work(begin, end);
+    begin = end;
+    progress.advance_to(static_cast<long>(end));
+  }
+}
+
+}  // namespace ergodome

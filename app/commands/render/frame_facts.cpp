@@ -1,0 +1,90 @@
+#include "app/commands/render/frame_facts.h"
+
+#include <fmt/format.h>
+
+#include <glm/common.hpp>
+
+#include "app/cli/show_loading.h"
+#include "content/camera/camera_path.h"
+#include "kernels/core/angles.h"
+#include "render/output/stereo_layout.h"
+
+namespace ergodome {
+
+namespace {
+
+std::string number_text(double number) { return fmt::format("{:.12g}", number); }
+
+//! An axis of the view in the camera's own (e_r, e_θ, e_φ), without the roundings of turns.
+std::string axis_of_view(const CameraPose& pose, const glm::dvec3& axis) {
+  const glm::dvec3 own = glm::round(1e12 * (pose.orientation * axis)) / 1e12 + 0.0;
+  return fmt::format("{:.12g} {:.12g} {:.12g}", own.x, own.y, own.z);
+}
+
+void add_camera(const Show& show, double time_s, FrameMetadata& facts) {
+  constexpr const char* observers[] = {"zamo", "static", "geodesic", "retrograde", "rain", "velocity"};
+  const CameraPose pose = camera_pose(show, time_s);
+  const char* const observer = !pose.velocity      ? observers[static_cast<int>(show.camera.motion)]
+                               : show.camera.orbit ? "fall"
+                                                   : "velocity";
+  facts.emplace_back("spin", number_text(show.spin));
+  facts.emplace_back("r", number_text(pose.r));
+  facts.emplace_back("theta_deg", number_text(pose.theta * radian_deg));
+  facts.emplace_back("phi_deg", number_text(pose.phi * radian_deg));
+  facts.emplace_back("observer", observer);
+  facts.emplace_back("forward", axis_of_view(pose, {0.0, 0.0, -1.0}));
+  facts.emplace_back("right", axis_of_view(pose, {1.0, 0.0, 0.0}));
+  facts.emplace_back("up", axis_of_view(pose, {0.0, 1.0, 0.0}));
+}
+
+void add_angles(const ViewSettings& view, FrameMetadata& facts) {
+  const bool whole_sky = view.projection == ViewProjection::equirect || view.projection == ViewProjection::cube;
+  const bool off_axis = view.projection == ViewProjection::pinhole && view.frustum;
+  if (!whole_sky && !off_axis) {
+    facts.emplace_back("fov_deg", number_text(view.field_of_view_deg));
+  }
+  if (view.projection == ViewProjection::dome) {
+    facts.emplace_back("tilt_deg", number_text(view.tilt_deg));
+  }
+}
+
+void add_tone(const ToneSettings& tone, FrameMetadata& facts) {
+  facts.emplace_back("exposure_stops", number_text(tone.exposure_stops));
+  facts.emplace_back("tone_curve", tone_curve_names[static_cast<std::size_t>(tone.curve)]);
+  if (tone.curve == ToneCurve::reinhard) {
+    facts.emplace_back("tone_white", number_text(tone.white));
+  } else if (tone.curve == ToneCurve::gamma) {
+    facts.emplace_back("tone_gamma", number_text(tone.gamma));
+  }
+}
+
+}  // namespace
+
+FrameMetadata frame_facts(const Show& show, const FrameFile& file) {
+  constexpr const char* parts[] = {"whole", "left", "right"};
+  const double time_s = frame_time_s(show, file.frame);
+  FrameMetadata facts = {{"show", text_in(show.title, "")},
+                         {"frame", std::to_string(file.frame + 1)},
+                         {"time_s", fmt::format("{:.6f}", time_s)}};
+  add_camera(show, time_s, facts);
+  facts.emplace_back("projection", projection_names()[static_cast<std::size_t>(show.view.projection)]);
+  add_angles(show.view, facts);
+  facts.emplace_back("from_outside", show.view.from_outside ? "true" : "false");
+  facts.emplace_back("part", parts[static_cast<int>(file.part)]);
+  facts.emplace_back("face", file.face ? cube_face_name(*file.face) : "none");
+  facts.emplace_back("stereo", stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
+  facts.emplace_back("version", ERGODOME_VERSION);
+  // The colours of heat maps are their own.
+  if (file.mode == ViewMode::sky) {
+    add_tone(show.tone, facts);
+  }
+  if (eye_count(show.stereo) > 1) {
+    facts.emplace_back("stereo_model", stereo_model_names[static_cast<std::size_t>(show.stereo.model)]);
+    facts.emplace_back("baseline_M", number_text(file.baseline));
+    facts.emplace_back("convergence_M",
+                       show.stereo.convergence > 0.0 ? number_text(show.stereo.convergence) : "infinity");
+  }
+  return facts;
+}
+
+}  // namespace ergodome

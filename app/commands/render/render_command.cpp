@@ -1,0 +1,342 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/budget/budget_option.h"
+#include "app/budget/render_budget.h"
+#include "app/cli/commands.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/number_check.h"
+#include "app/cli/progress.h"
+#include "app/cli/show_loading.h"
+#include "app/cli/usage_error.h"
+#include "app/commands/channels/channel_frames.h"
+#include "app/commands/channels/channel_options.h"
+#include "app/commands/movie/movie_plan.h"
+#include "app/commands/render/frame_range.h"
+#include "app/commands/render/frame_request.h"
+#include "app/commands/render/frame_writer.h"
+#include "app/commands/render/numbered_frames.h"
+#include "app/commands/render/pattern_frames.h"
+#include "app/playback/playback.h"
+#include "content/files/atomic_file.h"
+#include "content/files/console.h"
+#include "content/files/counted.h"
+#include "content/show/animatable_number.h"
+#include "kernels/core/error.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/image_writer.h"
+#include "render/patterns/test_pattern.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Whether files can hold what the layout makes.
+void require_file_layout(const RenderOptions& options, const Show& show) {
+  if (show.stereo.layout == StereoLayout::multiview && options.format != "exr") {
+    throw UsageError("stereo layout multiview", "is two views in one EXR, which no other format holds",
+                     "add --format exr");
+  }
+  if (show.stereo.layout == StereoLayout::quad_buffer) {
+    throw UsageError("stereo layout quad_buffer", "is for a window with two buffers; files have none",
+                     "choose another with --stereo, for instance side_by_side");
+  }
+}
+
+//! The show, or for patterns without one a dome of 180°, with what the command line says instead.
+Show chosen_show(const RenderOptions& options) {
+  if (options.show.empty() && options.pattern.empty()) {
+    throw UsageError("render", "needs a show, or --pattern", "name a show file or a built-in show");
+  }
+  Show show = options.show.empty() ? Show{} : load_show(options.show, options.set);
+  override_view(show, options.projection, options.stereo);
+  override_baseline(show, options.baseline);
+  override_tilt(show, options.tilt_deg, !options.setup.empty());
+  override_objects(show, options.objects);
+  show.view.from_outside = show.view.from_outside || options.from_outside;
+  show.stereo.tint_eyes = show.stereo.tint_eyes || options.tint_eyes;
+  if (options.frame_rate_hz > 0.0) {
+    show.frame_rate_hz = options.frame_rate_hz;
+  }
+  return show;
+}
+
+//! The dome whose projectors' frames are asked for, if any are.
+std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
+  if (options.setup.empty()) {
+    return std::nullopt;
+  }
+  if (options.format != "png" || options.alpha || !options.movie.empty()) {
+    throw UsageError("--setup " + options.setup, "writes the 8 bits that projectors are sent, as PNG alone",
+                     "leave out --format, --alpha and --movie");
+  }
+  return read_dome_setup(options.setup);
+}
+
+//! Throws UsageError where options have no use for this show.
+void require_used_options(const RenderOptions& options, const Show& show) {
+  static_cast<void>(follow_method(options.method, options.view, show));
+  static_cast<void>(view_range(options.view_range, view_mode(options.view), !options.method.empty()));
+  require_two_eyes(show, "--baseline", options.baseline.has_value());
+  require_two_eyes(show, "--tint-eyes", options.tint_eyes);
+  require_used_memory(show, options.lens);
+  const bool narrated =
+      std::ranges::any_of(show.timeline.audio, [](const AudioTrack& track) { return !track.language.empty(); });
+  const bool titled = std::ranges::any_of(show.title, [](const auto& each) { return !each.first.empty(); });
+  if (!options.language.empty() && !titled && !show.readout && show.timeline.captions.empty() &&
+      (options.movie.empty() || !narrated)) {
+    throw UsageError("--language " + options.language,
+                     fmt::format("{} has no captions{}, no readout and no title in several languages", show.name,
+                                 options.movie.empty() ? "" : ", no narration"),
+                     "leave it out");
+  }
+}
+
+void tell_language(const RenderOptions& options, const Show& show) {
+  Timeline heard;
+  heard.captions = show.timeline.captions;
+  if (!options.movie.empty()) {
+    heard.audio = show.timeline.audio;
+  }
+  if (const std::string note = language_note(show.name, heard, options.language); !note.empty()) {
+    tell_on_terminal(note);
+  }
+}
+
+int write_patterns(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
+  if (setup) {
+    return write_pattern_frames({options.pattern, show.stereo.layout, options.size_px, options.out}, *setup);
+  }
+  require_file_layout(options, show);
+  return write_pattern_frames({options.pattern, options.out, format_of(options), options.size_px}, show);
+}
+
+//! The sheet of facts of the frames first to last, if these are any and are the master's.
+void write_facts(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
+  if (options.setup.empty() && last >= first) {
+    writer.write_facts(first, last);
+  }
+}
+
+void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
+  const int there = writer.resumed();
+  const std::string again =
+      writer.renewed() > 0 ? fmt::format(" ({} again, asked for otherwise before)", writer.renewed()) : "";
+  print_out(
+      "{} in {}{}{}\n", counted(writer.written(), "frame"), options.out, again,
+      there > 0 ? fmt::format(", beside {} that {} there", counted(there, "frame"), there == 1 ? "was" : "were") : "");
+}
+
+//! Ends a run that somebody has stopped.
+[[noreturn]] void stop(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
+  std::string unwritten;
+  try {
+    // The sheet of an earlier run may tell of other frames.
+    write_facts(options, writer, first, last);
+  } catch (const Error& problem) {
+    unwritten = fmt::format(" (and {})", problem.what());
+  }
+  throw Error("render", fmt::format("stopped after {}{}", counted(writer.written(), "frame"), unwritten),
+              "go on with --resume");
+}
+
+void write_frames(const RenderOptions& options, FrameWriter& writer, int first, int last) {
+  Progress progress("rendering", last - first + 1);
+  for (int frame = first; frame <= last; ++frame) {
+    if (interrupted()) {
+      stop(options, writer, first, frame - 1);
+    }
+    writer.write(frame);
+    for (const std::string& note : writer.run_notes(frame + 1, last)) {
+      progress.clear();
+      print_note("{}", note);
+    }
+    progress.advance_to(frame - first + 1);
+  }
+  write_facts(options, writer, first, last);
+  tell_frames(options, writer);
+  if (const std::vector<int> others = writer.asked_otherwise(first, last); !others.empty()) {
+    print_out("{} there {} asked for otherwise ({})\n", counted(others.size(), "frame"),
+              others.size() == 1 ? "was" : "were", frame_ranges(others));
+  }
+}
+
+void write_channels(const RenderOptions& options, const Show& show) {
+  require_channels(options, show);
+  const auto [first, last] = frame_range(options.frames, frame_count(show));
+  write_channel_frames(options, show, FrameRequests(options, show, std::nullopt), first, last);
+}
+
+void run(RenderOptions options) {
+  Show show = chosen_show(options);
+  const std::optional<DomeSetup> setup = chosen_setup(options);
+  if (setup) {
+    const double tilt_deg = show.view.tilt_deg;
+    fit_to_setup(show, *setup, options.stereo);
+    if (show.view.tilt_deg != tilt_deg && !options.show.empty()) {
+      print_note("the dome is tilted by {:g} deg, as the setup says, not by the show's {:g}; --tilt sets another",
+                 show.view.tilt_deg, tilt_deg);
+    }
+  }
+  if (!options.pattern.empty()) {
+    const int files = write_patterns(options, show, setup);
+    print_out("{} in {}\n", counted(files, "file"), options.out);
+    return;
+  }
+  require_features(show);
+  require_used_options(options, show);
+  if (!options.channels.empty()) {
+    return write_channels(options, show);
+  }
+  tell_equal_eyes(show);
+  require_file_layout(options, show);
+  require_movie(options, show);
+  tell_movie_losses(options, show);
+  tell_language(options, show);
+  // Files hold the title in one language.
+  show.title = {{"", text_in(show.title, options.language)}};
+  const auto [first, last] = options.frames.empty() ? frames_between(options.from, options.to, show)
+                                                    : frame_range(options.frames, frame_count(show));
+  // What a budget leaves open is chosen by times that are others in each run.
+  const FrameRequests requests(options, show, setup);
+  if (!use_render_budget(options, show, setup)) {
+    return;
+  }
+  if (!options.movie.empty()) {
+    // Before the frames, which may need the room.
+    remove_abandoned_files(std::filesystem::path(options.movie).parent_path());
+  }
+  FrameWriter writer(options, show, setup, requests);
+  write_frames(options, writer, first, last);
+  if (!options.movie.empty()) {
+    writer.write_movies(first, last);
+    if (options.delete_frames) {
+      writer.delete_frames();
+    }
+  }
+  if (const auto streamed = writer.stream_statistics()) {
+    print_statistics(*streamed);
+  }
+  if (writer.unresolved() > 0) {
+    print_note("{} did not converge and {} the mean of the sky", counted(writer.unresolved(), "pixel"),
+               writer.unresolved() == 1 ? "shows" : "show");
+  }
+}
+
+//! Options that say something else than what projectors' frames, test patterns and checks are.
+void add_idle_options(const std::shared_ptr<RenderOptions>& options, IdleOptions& idle) {
+  idle.add("of projectors' frames, whose domemasters the setup tells", [options] { return !options->setup.empty(); },
+           {"--from-outside"});
+  idle.add("of projectors' frames, whose domemasters the setup tells",
+           [options] { return !options->setup.empty() && options->projection != "dome"; }, {"--projection"});
+  idle.add("of a test pattern", [options] { return !options->pattern.empty(); },
+           {"--frames", "--from", "--to", "--movie", "--delete-frames", "--fps", "--view", "--view-range", "--method",
+            "--budget", "--check", "--resume", "--baseline", "--language", "--objects", "--backend", "--lens",
+            "--trajectory", "--stream-memory"});
+  idle.add("without a show", [options] { return options->show.empty(); }, {"--set"});
+  idle.add("of a test pattern for one eye",
+           [options] {
+             const bool mono = options->stereo.empty() ? options->show.empty() : options->stereo == "mono";
+             return !options->pattern.empty() && mono;
+           },
+           {"--tint-eyes"});
+  idle.add("without --format exr", [options] { return options->format != "exr"; }, {"--compression"});
+  idle.add("with --check, which writes no frames", [options] { return options->checked_moments > 0; },
+           {"--frames", "--from", "--to", "--movie", "--delete-frames", "--format", "--compression", "--alpha",
+            "--resume", "--language"});
+}
+
+//! What --pattern takes.
+std::vector<std::string> pattern_choices() {
+  std::vector<std::string> choices = test_pattern_names();
+  choices.emplace_back("all");
+  return choices;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Render a show to numbered frames, without a display");
+  command->add_option("show", options->show, "show file (.toml), or the name of a built-in show");
+  add_set_option(*command, options->set);
+  command->add_option("--out", options->out, "folder for the frames")->capture_default_str();
+  CLI::Option* const frames =
+      command->add_option("--frames", options->frames, std::string(frame_range_words) + " (default: all)");
+  command->add_option("--from", options->from, std::string("frames from this time of the show on: ") + moment_words)
+      ->excludes(frames);
+  command->add_option("--to", options->to, "frames before this time of the show, written as for --from")
+      ->excludes(frames);
+  command->add_option("--size", options->size_px, "width of one eye's image in pixels")->check(CLI::Range(1, 16384));
+  command->add_option("--objects", options->objects, "how objects are drawn: polygon or trace; else as the show says")
+      ->check(CLI::IsMember(object_method_names()));
+  command
+      ->add_option("--projection", options->projection,
+                   "dome, equirect, cube, cylinder or pinhole, instead of the show's")
+      ->check(CLI::IsMember(projection_names()));
+  command->add_flag("--from-outside", options->from_outside, "the mirror image: a dome as it is seen from outside");
+  command->add_option("--stereo", options->stereo, "stereo layout, instead of the show's")
+      ->check(CLI::IsMember(stereo_names()));
+  command
+      ->add_option("--tilt", options->tilt_deg,
+                   "tilt of the dome's picture [deg], instead of the show's and the setup's")
+      ->check(number_between(limits_of("view.tilt_deg").least, limits_of("view.tilt_deg").greatest));
+  command->add_option("--baseline", options->baseline, "distance of the eyes [M], instead of the show's")
+      ->check(number_between(limits_of("stereo.baseline").least, limits_of("stereo.baseline").greatest));
+  command->add_flag("--tint-eyes", options->tint_eyes, "the left eye's picture reddish, the right one's cyan");
+  command->add_option("--backend", options->backend, "auto, cpu or cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->capture_default_str();
+  CLI::Option* const format = add_format_option(*command, *options);
+  command->add_option("--compression", options->compression, "of EXR: zip (default), none, or dwaa, which is lossy")
+      ->check(CLI::IsMember(exr_compression_names()));
+  command->add_flag("--alpha", options->alpha,
+                    "a fourth channel: what the image covers, a dome's circle for instance, with the hole's shadow");
+  command->add_option("--fps", options->frame_rate_hz, "frames a second, instead of the show's: 24, 29.97, 30000/1001")
+      ->transform(frame_rate_between(0.1, 1000.0));
+  CLI::Option* const movie =
+      command->add_option("--movie", options->movie, "puts the frames together with ffmpeg: FILE.mp4, .mov or .mkv")
+          ->check([](const std::string& file) { return file.empty() ? "is empty; name a file" : ""; });
+  command
+      ->add_flag(
+          "--delete-frames", options->delete_frames,
+          "with --movie: delete the frames that this run has made, once the film of them is complete and checked")
+      ->needs(movie);
+  command->add_option("--view", options->view, "sky, or a heat map: steps, error, order, g, magnification")
+      ->check(CLI::IsMember(view_mode_names()))
+      ->capture_default_str();
+  command->add_option("--view-range", options->view_range,
+                      "MIN:MAX, ends of the colours of a heat map, for instance 0.5:2 (default: those of the view)");
+  command
+      ->add_option("--method", options->method,
+                   "how rays of --view steps and error are followed: taylor, rk34, cash_karp or baseline_rk34")
+      ->check(CLI::IsMember(follow_method_names()));
+  add_channel_option(*command, *options);
+  add_budget_option(*command, options->budget);
+  command
+      ->add_option("--check", options->checked_moments,
+                   "with --budget: measure the error at so many random moments of the show, and write no frames")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--pattern", options->pattern, "a test pattern, or all of them, instead of the show's frames")
+      ->check(CLI::IsMember(pattern_choices()));
+  command->add_option("--setup", options->setup,
+                      "dome setup (.toml): write what each of its projectors shows, as NAME_000001_PROJECTOR.png");
+  command->add_option("--language", options->language, "of captions, by its tag (en, de)");
+  command->add_flag("--resume", options->resume, "skip frames that are there, complete, and were asked for alike");
+  IdleOptions idle(*command);
+  add_lens_options(*command, options->lens, idle);
+  add_idle_options(options, idle);
+  add_channel_rules(options, idle);
+  command->callback([options, idle, format] {
+    choose_number_format(*options, format->count() > 0);
+    idle.refuse();
+    run(*options);
+  });
+}
+
+}  // namespace ergodome

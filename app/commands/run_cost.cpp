@@ -1,0 +1,152 @@
+#include "app/commands/run_cost.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "kernels/core/error.h"
+#include "render/output/color_bar.h"
+#include "render/output/image_writer.h"
+
+namespace ergodome {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! A new folder that is removed with all that is in it.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "ergodome-plan-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw Error(name, "cannot be made", "free some space there, or name another folder with TMPDIR");
+    }
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+RunFrameCost cost_of(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame) {
+  const ScratchFolder folder;
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<FrameImage> images = renderer.render(frame_time_s(renderer.show(), frame), choice);
+  for (FrameImage& image : images) {
+    draw_color_bar(image.picture, choice.mode);
+  }
+  const bool views = renderer.show().stereo.layout == StereoLayout::multiview && images.size() > 1;
+  RunFrameCost cost;
+  for (std::size_t i = 0; i < images.size(); i += views ? 2 : 1) {
+    const fs::path file = folder.path() / fmt::format("{}.{}", i, file_ending(format.image));
+    if (views) {
+      write_views(file, format, images[i].picture, images[i + 1].picture, {});
+    } else {
+      write_picture(file, format, images[i].picture, {});
+    }
+    cost.bytes += fs::file_size(file);
+  }
+  cost.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return cost;
+}
+
+//! A count with commas between thousands, whatever the locale is.
+std::string grouped(long count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t end = digits.size(); end > 3;) {
+    end -= 3;
+    digits.insert(end, ",");
+  }
+  return digits;
+}
+
+//! Two digits, without an exponent.
+std::string rounded(double number) {
+  return number >= 9.95 ? fmt::format("{:.0f}", number) : fmt::format("{:.2g}", number);
+}
+
+}  // namespace
+
+std::string size_text(std::uintmax_t bytes) {
+  constexpr std::array units = {"bytes", "kB", "MB", "GB", "TB", "PB"};
+  auto size = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (size >= 999.5 && unit + 1 < units.size()) {
+    size /= 1000.0;
+    ++unit;
+  }
+  return fmt::format("{} {}", unit == 0 ? std::to_string(bytes) : rounded(size), units[unit]);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 59.5) {
+    return seconds < 0.01 ? "10 ms or less" : rounded(seconds) + " s";
+  }
+  const auto minutes = static_cast<long>(std::min(std::round(seconds / 60.0), 1e15));
+  const auto two = [](long large, const char* large_unit, long small, const char* small_unit) {
+    return small == 0 ? fmt::format("{} {}", grouped(large), large_unit)
+                      : fmt::format("{} {} {} {}", grouped(large), large_unit, small, small_unit);
+  };
+  constexpr long hour = 60;
+  constexpr long day = 24 * hour;
+  if (minutes < hour) {
+    return fmt::format("{} min", minutes);
+  }
+  return minutes < day ? two(minutes / hour, "h", minutes % hour, "min")
+                       : two(minutes / day, "d", minutes % day / hour, "h");
+}
+
+std::string run_cost_text(long frames, const RunFrameCost& frame) {
+  const double bytes = static_cast<double>(frames) * static_cast<double>(frame.bytes);
+  const std::string size = size_text(static_cast<std::uintmax_t>(std::min(bytes, 1e18)));
+  if (frames == 1) {
+    return fmt::format("1 frame: about {}, {}", duration_text(frame.seconds), size);
+  }
+  return fmt::format("{} frames, about {} each: {}, {}", grouped(frames), duration_text(frame.seconds),
+                     duration_text(static_cast<double>(frames) * frame.seconds), size);
+}
+
+std::string room_note(const std::string& folder, const std::string& what, std::uintmax_t needed_bytes,
+                      std::uintmax_t left_bytes) {
+  if (needed_bytes <= left_bytes) {
+    return "";
+  }
+  return fmt::format("{}: {} needs about {}, and its disk has {} free; free some, or choose another --out", folder,
+                     what, size_text(needed_bytes), size_text(left_bytes));
+}
+
+std::uintmax_t free_bytes(const fs::path& folder) {
+  fs::path there = fs::absolute(folder).lexically_normal();
+  while (!fs::exists(there) && there.has_relative_path()) {
+    there = there.parent_path();
+  }
+  return fs::space(there).available;
+}
+
+RunFrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format,
+                                 int frame) {
+  if (frame > 0) {
+    const RunFrameCost first = cost_of(renderer, choice, format, frame - 1);
+    if (first.seconds >= slow_frame_s) {
+      return first;
+    }
+  }
+  return cost_of(renderer, choice, format, frame);
+}
+
+}  // namespace ergodome

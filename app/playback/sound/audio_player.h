@@ -1,0 +1,70 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/playback/sound/audio_mixer.h"
+
+namespace ergodome {
+
+//! Plays a show's sound on the machine's device, from a thread of its own.
+//!
+//! Without a device, or when it is unplugged, the show goes on in silence, which is said once; a device is looked for again every
+//! few seconds.
+class AudioPlayer {
+ public:
+  explicit AudioPlayer(double later_s = 0.0);
+  ~AudioPlayer();
+  AudioPlayer(const AudioPlayer&) = delete;
+  AudioPlayer& operator=(const AudioPlayer&) = delete;
+
+  //! Another show, or another version of it.
+  void set_soundtrack(Soundtrack soundtrack);
+  //! Once a frame: where the show is. Returns at once.
+  void follow(const AudioCue& cue);
+
+  //! Sentences about what went wrong since the last call, each once.
+  std::vector<std::string> take_problems();
+  //! What is wrong with this show's sound: the last of them; empty where nothing is, or is no more.
+  [[nodiscard]] std::string problem() const;
+  //! Where sound goes, or that there is none: for the status.
+  [[nodiscard]] std::string state() const;
+
+ private:
+  void run();
+  void find_output();
+  void mix(const AudioCue& cue);
+  void take_over(Soundtrack soundtrack);
+  void say(std::string problem);
+  void unsay(const std::string& problem);
+  void set_state(std::string state);
+  void look_at_files();
+
+  double later_s_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool ends_ = false;
+  std::optional<Soundtrack> new_soundtrack_;
+  std::optional<AudioCue> cue_;
+  std::vector<std::string> problems_;
+  std::string problem_;
+  std::string state_ = "no sound yet";
+
+  // The thread's own.
+  Soundtrack soundtrack_;
+  std::unique_ptr<AudioOutput> output_;
+  std::unique_ptr<AudioMixer> mixer_;
+  std::optional<MonotonicTime> looked_at_;
+  bool said_silent_ = false;
+  bool looked_at_files_ = false;  //!< of this soundtrack, for want of a device that would show what is wrong with them
+  std::set<std::string> said_of_files_;  //!< once each, however often a show comes again
+  std::thread thread_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,157 @@
+#include "app/player/recording/recorded_fall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/navigation/orbit_ride.h"
+#include "content/fall/rain_pose.h"
+#include "content/fall/within.h"
+#include "kernels/spacetime/geodesic/rain_orbit.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double own_time_tolerance = 1e-8;  // [M]
+
+RainOrbit orbit_of(double spin, const CameraPose& falls) {
+  const CameraPose ingoing = pose_of(ingoing_place(falls, spin));
+  return make_rain_orbit(spin, ingoing.r, ingoing.theta, ingoing.phi, *falls.velocity);
+}
+
+//! Place and velocity of a body, without a view.
+CameraPose pose_on_orbit(double spin, const OrbitConstants& constants, const OrbitState& s) {
+  const double c = std::cos(s.drag);
+  const double d = std::sin(s.drag);
+  const CameraPlace place = {1.0 / s.u,
+                             glm::normalize(glm::dvec3(c * s.m.x - d * s.m.y, d * s.m.x + c * s.m.y, s.m.z))};
+  CameraPose pose = pose_of_ingoing(place, spin);
+  pose.velocity = orbit_rain_velocity(spin, constants, s, pose_of(place).phi - s.drag);
+  pose.velocity_in_rain = true;
+  return pose;
+}
+
+//! Whether a fall of a show may begin there: slow enough for the ZAMO that nothing is lost in rounding.
+bool may_begin_at(double spin, const CameraPose& falls) {
+  constexpr double fastest = 0.99;
+  if (!(falls.r > horizon_radius(spin))) {
+    return false;
+  }
+  const Vector3<double> velocity = *in_zamo_frame(falls, spin).velocity;
+  return dot(velocity, velocity) < fastest * fastest;
+}
+
+struct FallBeginning {
+  CameraPose pose;  //!< in the rain's frame
+  double own_time;  //!< before the first moment, 0 or less [M]
+};
+
+//! Follows the orbit back to where a fall may begin.
+std::optional<FallBeginning> beginning_of(double spin, const CameraPose& first) {
+  if (may_begin_at(spin, first)) {
+    return FallBeginning{first, 0.0};
+  }
+  constexpr double tolerance = 1e-13;
+  constexpr double longest_step = 0.02;  // radii
+  constexpr int most_steps = 2000;
+  const RainOrbit orbit = orbit_of(spin, first);
+  OrbitState state = orbit.state;
+  FallBeginning back = {first, 0.0};
+  double h = 1e-3 / state.u;
+  for (int step = 0; step < most_steps; ++step) {
+    const OrbitStep next = orbit_step(spin, orbit.constants, -h, state);
+    if (next.error <= tolerance) {
+      state = next.end;
+      back = {pose_on_orbit(spin, orbit.constants, state), back.own_time - h};
+      if (may_begin_at(spin, back.pose)) {
+        return back;
+      }
+    }
+    h = std::min(h * orbit_step_growth(next.error, tolerance), longest_step / state.u);
+  }
+  return std::nullopt;
+}
+
+struct OwnTimeAt {
+  double time_s;
+  double own_time;
+};
+
+//! A clock that runs evenly from key to key, with as few keys as have the own times within the tolerance.
+std::vector<NumberKey> clock_through(const std::vector<OwnTimeAt>& times) {
+  std::vector<NumberKey> keys;
+  std::size_t from = 0;
+  while (from + 1 < times.size()) {
+    double least = 0.0;
+    double most = INFINITY;
+    double rate = 0.0;
+    std::size_t to = from;
+    for (std::size_t i = from + 1; i < times.size(); ++i) {
+      const double seconds = times[i].time_s - times[from].time_s;
+      const double run = times[i].own_time - times[from].own_time;
+      if (i > from + 1 && !(run / seconds >= least && run / seconds <= most)) {
+        break;
+      }
+      rate = run / seconds;
+      to = i;
+      least = std::max(least, (run - own_time_tolerance) / seconds);
+      most = std::min(most, (run + own_time_tolerance) / seconds);
+    }
+    keys.push_back({times[from].time_s, std::max(rate, 0.0), Ease::hold});
+    from = to;
+  }
+  // Beyond the record time rests, as the camera of a show does after its last key.
+  keys.push_back({times.back().time_s, 0.0, Ease::hold});
+  return keys;
+}
+
+}  // namespace
+
+bool falls_on(double spin, const FallMoment& before, const FallMoment& after) {
+  constexpr double same = 1e-6;
+  const OrbitConstants a = orbit_of(spin, before.pose).constants;
+  const OrbitConstants b = orbit_of(spin, after.pose).constants;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= same * (1.0 + std::abs(x)); };
+  return after.own_time >= before.own_time && near(a.energy, b.energy) &&
+         near(a.axial_angular_momentum, b.axial_angular_momentum) && near(a.polar_constant, b.polar_constant);
+}
+
+std::optional<RecordedFall> recorded_fall(double spin, std::span<const FallMoment> moments, double before_s) {
+  const FallMoment& first = moments.front();
+  const std::optional<FallBeginning> begins = beginning_of(spin, first.pose);
+  if (!begins) {
+    return std::nullopt;
+  }
+  const bool earlier = begins->own_time < 0.0;
+  const CameraPose start = in_zamo_frame(begins->pose, spin);
+  RecordedFall fall;
+  fall.start.time_s = earlier ? 0.5 * (before_s + first.time_s) : first.time_s;
+  fall.start.r = start.r;
+  fall.start.theta = start.theta;
+  fall.start.phi = start.phi;
+  fall.start.velocity = start.velocity;
+  std::vector<OwnTimeAt> times;
+  if (earlier) {
+    times.push_back({fall.start.time_s, begins->own_time});
+  }
+  for (const FallMoment& moment : moments) {
+    times.push_back({moment.time_s, moment.own_time - first.own_time});
+  }
+  fall.clock = clock_through(times);
+  fall.settings.time_s = fall.start.time_s;
+  fall.settings.motion = ObserverMotion::velocity;
+  fall.settings.velocity = *start.velocity;
+  fall.settings.clock = std::ranges::max(fall.clock, {}, &NumberKey::value).value;
+  fall.settings.ease_s = 0.0;
+  fall.settings.least_r = deepest_rest(spin);
+  return fall;
+}
+
+void put_fall(const RecordedFall& fall, Show& show) {
+  show.camera.fall = fall.settings;
+  show.timeline.animations.push_back({"camera.fall.clock", fall.clock});
+  show.camera.orbit = follow_fall(show);
+  show.camera.after_fall.clear();
+}
+
+}  // namespace ergodome

@@ -1,0 +1,236 @@
+#include "app/player/renderers/frame_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "app/player/renderers/picture_error.h"
+#include "app/player/renderers/picture_light.h"
+#include "render/output/color_bar.h"
+#include "render/output/stereo_layout.h"
+
+namespace ergodome {
+
+using Clock = std::chrono::steady_clock;
+
+//! What the thread and its owner share; the thread holds it, too, so that it may outlive the owner.
+struct FrameSource::Worker {
+  Render render;
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::optional<PictureRequest> request;
+  std::optional<PictureAnswer> answer;
+  std::optional<Clock::time_point> began;  //!< while a picture is in work
+  bool ended = false;
+  std::thread thread;
+
+  void work();
+};
+
+namespace {
+
+PictureAnswer answer_to(const FrameSource::Render& render, const PictureRequest& request) {
+  const auto start = Clock::now();
+  PictureAnswer answer;
+  try {
+    answer = render(request);
+  } catch (const std::exception& problem) {
+    answer.problem = problem.what();
+  }
+  answer.size_px = request.size_px;
+  answer.time_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count() - answer.measuring_ms;
+  return answer;
+}
+
+}  // namespace
+
+namespace {
+
+//! Brings a show's renderer to a frame.
+void set_up(ShowRenderer& renderer, const PictureRequest& request) {
+  const PlayerFrame& frame = request.frame;
+  renderer.apply(frame.time_s);
+  renderer.set_observer(frame.observer.motion, frame.observer.velocity);
+  renderer.set_exposure(frame.exposure_stops);
+  renderer.set_stereo(frame.stereo);
+  if (request.quality) {
+    FrameQuality quality = *request.quality;
+    quality.budget_px *= static_cast<double>(request.size_px) / request.whole_px;
+    renderer.set_quality(quality);
+  }
+  OverlayPass& overlays = renderer.overlays();
+  overlays.set_language(frame.language);
+  overlays.set_captions(frame.captions);
+  overlays.set_captions_apart(request.window.has_value());
+  overlays.set_extra(request.captions, request.captions_opacity);
+}
+
+EyesInWindow eyes_in_window(StereoLayout layout) {
+  return !fills_window_by_eye(layout)          ? EyesInWindow::as_one
+         : layout == StereoLayout::quad_buffer ? EyesInWindow::in_buffers
+                                               : EyesInWindow::in_rows;
+}
+
+//! Width of an eye's captions that have a pixel for each of the window's, along both sides [px].
+int caption_width_px(const ImageSize& window, StereoLayout layout, const Projection& eye) {
+  constexpr double widest_px = 8192.0;
+  const EyeGrid grid = eye_grid(layout);
+  const ImageSize whole = window_picture_size(layout, {eye.width_px, eye.height_px});
+  const double scale =
+      std::min(static_cast<double>(window.width) / whole.width, static_cast<double>(window.height) / whole.height);
+  const double across = scale * whole.width / grid.columns;
+  const double along = scale * whole.height / grid.rows * eye.width_px / eye.height_px;
+  return static_cast<int>(std::lround(std::clamp(std::max(across, along), 1.0, widest_px)));
+}
+
+//! Joining eyes copies both of them, and a window need not: where light is shown they go up one by one. Colour bars lie across both, but
+//! where each eye fills the window.
+void show_eyes(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection, const ShowMoment& moment,
+               PictureAnswer& answer) {
+  if (frame.mode != ViewMode::sky && !fills_window_by_eye(frame.stereo.layout)) {
+    answer.picture = renderer.render_window(frame.pose, projection, frame.mode, moment);
+    draw_color_bar(answer.picture, frame.mode);
+    return;
+  }
+  std::vector<Picture> parts = renderer.render_window_parts(frame.pose, projection, frame.mode, moment);
+  for (Picture& part : parts) {
+    draw_color_bar(part, frame.mode);
+  }
+  answer.picture = std::move(parts.front());
+  if (parts.size() > 1) {
+    answer.picture.behind = answer.picture.behind || parts[1].behind;
+    answer.right_eye = std::move(parts[1]);
+    answer.eyes_above = frame.stereo.layout == StereoLayout::top_bottom;
+  }
+}
+
+}  // namespace
+
+PictureAnswer render_for_window(const PictureRequest& request) {
+  ShowRenderer& renderer = *request.renderer;
+  const PlayerFrame& frame = request.frame;
+  set_up(renderer, request);
+  const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
+  // A seek shows something soon, streamed or not, and a grid that takes longer is for the next picture.
+  const ShowMoment moment = {frame.path_time_s, request.patience_s};
+  PictureAnswer answer;
+  if (request.light_asked_s) {
+    const auto begun = Clock::now();
+    // Before the picture itself, which may stay in the renderer's memory.
+    answer.light = ViewLight{*request.light_asked_s, lit_part_of_view(renderer, request, moment)};
+    answer.measuring_ms += std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+  }
+  answer.eyes = eyes_in_window(frame.stereo.layout);
+  if (renderer.may_stay_in_place(frame.mode)) {
+    const EyesInPlace eyes = renderer.render_eyes_in_place(frame.pose, projection, frame.mode, moment);
+    answer.picture.lens = eyes.first.lens;
+    answer.picture.behind = eyes.first.behind || (eyes.right && eyes.right->behind);
+    answer.on_device = {eyes.first.rgba,
+                        eyes.right ? eyes.right->rgba : nullptr,
+                        frame.stereo.layout == StereoLayout::top_bottom,
+                        projection.width_px,
+                        projection.height_px,
+                        frame.mode != ViewMode::sky,
+                        renderer.tone()};
+  } else {
+    show_eyes(renderer, frame, projection, moment, answer);
+  }
+  answer.eye_grid = eye_grid(frame.stereo.layout);
+  if (request.window) {
+    const int width_px = caption_width_px(*request.window, frame.stereo.layout, projection);
+    answer.captions = renderer.caption_layer(make_projection(renderer.show().view, width_px, frame.field_of_view_deg),
+                                             frame.mode, frame.time_s);
+  }
+  answer.narrowed = renderer.narrowed_eyes();
+  if (request.errors_asked) {
+    const auto begun = Clock::now();
+    answer.errors_px = picture_errors(renderer, request, projection, moment);
+    answer.measuring_ms += std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+  }
+  if (request.disparity_asked) {
+    Show shown = renderer.show();
+    shown.stereo.baseline = answer.narrowed ? answer.narrowed->baseline : shown.stereo.baseline;
+    answer.disparity =
+        frame_disparity(shown, frame.pose, projection, renderer.object_outlines(), renderer.hiding_objects());
+  }
+  return answer;
+}
+
+void FrameSource::Worker::work() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    wake.wait(lock, [this] { return ended || request.has_value(); });
+    if (ended) {
+      return;
+    }
+    const PictureRequest next = *std::exchange(request, std::nullopt);
+    began = Clock::now();
+    lock.unlock();
+    PictureAnswer made = answer_to(render, next);
+    lock.lock();
+    answer = std::move(made);
+    began.reset();
+  }
+}
+
+namespace {
+
+template <class Worker>
+std::shared_ptr<Worker> started_worker(const FrameSource::Render& render) {
+  auto worker = std::make_shared<Worker>();
+  worker->render = render;
+  worker->thread = std::thread([worker] { worker->work(); });
+  return worker;
+}
+
+}  // namespace
+
+FrameSource::FrameSource(Render render) : render_(std::move(render)), worker_(started_worker<Worker>(render_)) {}
+
+FrameSource::~FrameSource() {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    worker_->ended = true;
+  }
+  worker_->wake.notify_all();
+  worker_->thread.join();
+}
+
+bool FrameSource::idle() {
+  const std::lock_guard lock(worker_->mutex);
+  return !worker_->began && !worker_->request;
+}
+
+void FrameSource::ask(const PictureRequest& request) {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    worker_->request = request;
+  }
+  worker_->wake.notify_all();
+}
+
+std::optional<PictureAnswer> FrameSource::take() {
+  const std::lock_guard lock(worker_->mutex);
+  return std::exchange(worker_->answer, std::nullopt);
+}
+
+std::chrono::duration<double> FrameSource::working_for() {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->began ? Clock::now() - *worker_->began : Clock::duration::zero();
+}
+
+void FrameSource::abandon() {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    worker_->ended = true;
+  }
+  worker_->wake.notify_all();
+  worker_->thread.detach();
+  worker_ = started_worker<Worker>(render_);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,256 @@
+#include "app/remote/osc/osc_message.h"
+
+#include <fmt/format.h>
+#include <lo/lo.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::string_view bundle_head{"#bundle\0", 8};
+constexpr std::size_t bundle_head_bytes = 16;  // with its time tag
+constexpr int most_arguments = 16;
+
+struct FreeMessage {
+  void operator()(lo_message message) const { lo_message_free(message); }
+};
+using MessageOwner = std::unique_ptr<std::remove_pointer_t<lo_message>, FreeMessage>;
+
+[[noreturn]] void refuse(const std::string& problem) {
+  throw Error("OSC packet", problem, "OSC.md says what is understood");
+}
+
+std::uint32_t big_endian(std::span<const std::byte> bytes) {
+  std::uint32_t number = 0;
+  for (const std::byte byte : bytes.first(4)) {
+    number = (number << 8U) | std::to_integer<std::uint32_t>(byte);
+  }
+  return number;
+}
+
+//! What liblo finds wrong with a message.
+std::string problem_of(int code) {
+  switch (code) {
+    case LO_EINVALIDPATH:
+      return "has an address that is not ended and filled up to four bytes with zeros";
+    case LO_ENOTYPE:
+    case LO_EBADTYPE:
+      return "has arguments without type tags";
+    case LO_EINVALIDTYPE:
+      return "has type tags that are not ended and filled up to four bytes with zeros";
+    case LO_EINVALIDARG:
+      return "has an argument that is cut off, or is not of the type that its tag says";
+    case LO_ESIZE:
+      return "has a size that does not fit its type tags";
+    case LO_ETERM:
+      return "has a text that is not ended with a zero";
+    case LO_EPAD:
+      return "has a text that is not filled up to four bytes with zeros";
+    case LO_TOOBIG:
+      return "is too large";
+    default:
+      return fmt::format("is broken (liblo's code {})", code);
+  }
+}
+
+//! A number of liblo's, which stands where the packet had it: on four bytes, even where its type asks for eight.
+template <class Number>
+double number_at(const void* place) {
+  Number number;
+  std::memcpy(&number, place, sizeof number);
+  return static_cast<double>(number);
+}
+
+OscArgument argument_of(char type, const void* place) {
+  switch (type) {
+    case LO_INT32:
+      return number_at<std::int32_t>(place);
+    case LO_INT64:
+      return number_at<std::int64_t>(place);
+    case LO_FLOAT:
+      return number_at<float>(place);
+    case LO_DOUBLE:
+      return number_at<double>(place);
+    case LO_STRING:
+    case LO_SYMBOL:
+      return std::string(static_cast<const char*>(place));
+    case LO_TRUE:
+      return true;
+    case LO_FALSE:
+      return false;
+    case LO_NIL:
+    case LO_INFINITUM:  // A touch without a value.
+      return std::monostate{};
+    default:
+      refuse(fmt::format("has a first argument of type '{}'",
+                         std::isprint(static_cast<unsigned char>(type)) ? type : '?'));
+  }
+}
+
+//! True if a message is an address and nothing else: older senders leave out the type tags of messages without arguments, and OSC
+//! 1.0 asks receivers to accept that.
+bool is_bare_address(std::span<const std::byte> bytes) {
+  const auto end = std::ranges::find(bytes, std::byte{0});
+  const auto length = static_cast<std::size_t>(end - bytes.begin());
+  constexpr std::size_t word = 4;
+  return end != bytes.end() && bytes.size() == (length / word + 1) * word &&
+         std::all_of(end, bytes.end(), [](std::byte byte) { return byte == std::byte{0}; });
+}
+
+//! The size of a text that ends with a zero and is filled up to four bytes, from `at` on; 0 where it does not end.
+std::size_t text_size(std::span<const std::byte> bytes, std::size_t at) {
+  const auto rest = bytes.subspan(std::min(at, bytes.size()));
+  const auto end = std::ranges::find(rest, std::byte{0});
+  return end == rest.end() ? 0 : (static_cast<std::size_t>(end - rest.begin()) / 4 + 1) * 4;
+}
+
+constexpr char colour = 'r';
+
+//! Returns the type tags of a message without the brackets of arrays, whose elements stand one after the other all the same; and leaves in
+//! the message tags that liblo knows, for it refuses arrays and colours, which have four bytes.
+std::string take_tags(std::vector<std::byte>& message) {
+  const std::size_t start = text_size(message, 0);
+  const std::size_t size = text_size(message, start);
+  if (start == 0 || size == 0 || start + size > message.size() || message[start] != std::byte{','}) {
+    return {};
+  }
+  std::string tags(reinterpret_cast<const char*>(message.data()) + start + 1);
+  std::erase_if(tags, [](char tag) { return tag == '[' || tag == ']'; });
+  std::string known = "," + tags;
+  std::ranges::replace(known, colour, static_cast<char>(LO_INT32));
+  known.resize((known.size() / 4 + 1) * 4);
+  const auto* const bytes = reinterpret_cast<const std::byte*>(known.data());
+  const auto place = message.begin() + static_cast<std::ptrdiff_t>(start);
+  message.insert(message.erase(place, place + static_cast<std::ptrdiff_t>(size)), bytes, bytes + known.size());
+  return tags;
+}
+
+bool is_understood(char type) { return std::string_view("ihfdsSTFNI").find(type) != std::string_view::npos; }
+
+OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
+  if (bytes.empty()) {
+    refuse("is empty");
+  }
+  if (bytes[0] != std::byte{'/'}) {
+    refuse("has an address that does not begin with /");
+  }
+  // liblo changes the byte order in a copy of its own, but takes a pointer that is not to constants.
+  std::vector<std::byte> copy(bytes.begin(), bytes.end());
+  if (is_bare_address(bytes)) {
+    copy.insert(copy.end(), {std::byte{','}, std::byte{0}, std::byte{0}, std::byte{0}});
+  }
+  const std::string types = take_tags(copy);
+  int problem = 0;
+  const MessageOwner message(lo_message_deserialise(copy.data(), copy.size(), &problem));
+  if (message == nullptr) {
+    refuse(problem_of(problem));
+  }
+  const int count = lo_message_get_argc(message.get());
+  if (count > most_arguments) {
+    refuse(fmt::format("has more than {} arguments", most_arguments));
+  }
+  OscMessage result;
+  result.time = time;
+  // What was deserialised begins with its address, which liblo found to end within the packet.
+  result.address = reinterpret_cast<const char*>(copy.data());
+  lo_arg** const arguments = lo_message_get_argv(message.get());
+  for (std::size_t i = 0; i < std::min(types.size(), static_cast<std::size_t>(count)); ++i) {
+    // Further arguments are often ignored, whatever they are.
+    const bool is_ignored = i > 0 && !is_understood(types[i]);
+    result.arguments.push_back(is_ignored ? OscArgument() : argument_of(types[i], arguments[i]));
+  }
+  return result;
+}
+
+bool is_bundle(std::span<const std::byte> bytes) {
+  return bytes.size() >= bundle_head_bytes && std::memcmp(bytes.data(), bundle_head.data(), bundle_head.size()) == 0;
+}
+
+//! Adds the messages of an element, a message or a bundle at a depth.
+void add_messages(std::span<const std::byte> bytes, OscTime time, int depth, std::vector<OscMessage>& messages) {
+  if (!is_bundle(bytes)) {
+    if (messages.size() >= most_osc_messages) {
+      refuse(fmt::format("has more than {} messages", most_osc_messages));
+    }
+    messages.push_back(message_of(bytes, time));
+    return;
+  }
+  if (depth >= deepest_osc_bundle) {
+    refuse(fmt::format("has bundles nested deeper than {}", deepest_osc_bundle));
+  }
+  const OscTime own_time = (OscTime{big_endian(bytes.subspan(8))} << 32U) | big_endian(bytes.subspan(12));
+  std::span<const std::byte> rest = bytes.subspan(bundle_head_bytes);
+  while (!rest.empty()) {
+    if (rest.size() < 4 || big_endian(rest) > rest.size() - 4) {
+      refuse("has an element that is longer than the packet");
+    }
+    const std::size_t size = big_endian(rest);
+    add_messages(rest.subspan(4, size), own_time, depth + 1, messages);
+    rest = rest.subspan(4 + size);
+  }
+}
+
+void add(lo_message message, bool value) { value ? lo_message_add_true(message) : lo_message_add_false(message); }
+void add(lo_message message, float value) { lo_message_add_float(message, value); }
+void add(lo_message message, OscInteger value) { lo_message_add_int32(message, value.value); }
+void add(lo_message message, OscDouble value) { lo_message_add_double(message, value.value); }
+void add(lo_message message, const std::string& value) { lo_message_add_string(message, value.c_str()); }
+
+std::vector<char> serialised(const OscOutput& output) {
+  const MessageOwner message(lo_message_new());
+  for (const auto& argument : output.arguments) {
+    std::visit([&](const auto& value) { add(message.get(), value); }, argument);
+  }
+  std::vector<char> bytes(lo_message_length(message.get(), output.address.c_str()));
+  lo_message_serialise(message.get(), output.address.c_str(), bytes.data(), nullptr);
+  return bytes;
+}
+
+}  // namespace
+
+OscTime osc_now() {
+  lo_timetag now;
+  lo_timetag_now(&now);
+  return (OscTime{now.sec} << 32U) | now.frac;
+}
+
+double osc_difference_s(OscTime a, OscTime b) {
+  // The difference of unsigned numbers wraps as the era of 2036 does.
+  return static_cast<double>(static_cast<std::int64_t>(a - b)) / 4294967296.0;
+}
+
+std::vector<OscMessage> parse_osc(std::span<const std::byte> packet) {
+  if (packet.size() > largest_osc_packet) {
+    refuse(fmt::format("is longer than {} bytes", largest_osc_packet));
+  }
+  std::vector<OscMessage> messages;
+  add_messages(packet, osc_at_once, 0, messages);
+  return messages;
+}
+
+std::vector<char> osc_packet(std::span<const OscOutput> messages) {
+  if (messages.size() == 1) {
+    return serialised(messages[0]);
+  }
+  std::vector<char> packet(bundle_head.begin(), bundle_head.end());
+  packet.insert(packet.end(), {0, 0, 0, 0, 0, 0, 0, static_cast<char>(osc_at_once)});
+  for (const OscOutput& output : messages) {
+    const std::vector<char> bytes = serialised(output);
+    const auto size = static_cast<std::uint32_t>(bytes.size());
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+      packet.push_back(static_cast<char>((size >> shift) & 0xFFU));
+    }
+    packet.insert(packet.end(), bytes.begin(), bytes.end());
+  }
+  return packet;
+}
+
+}  // namespace ergodome

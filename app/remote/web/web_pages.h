@@ -1,0 +1,49 @@
+#pragma once
+
+#include <httplib.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "app/playback/transport.h"
+#include "app/remote/log_ring.h"
+#include "app/remote/web/http_stream.h"
+#include "app/remote/web/rate_limit.h"
+#include "app/remote/web/web_guard.h"
+
+namespace ergodome {
+
+//! What the status page's server answers (WEB.md): httplib parses and writes, connections come from outside.
+class WebPages : private httplib::Server {
+ public:
+  static constexpr int most_event_streams = 12;  //!< of this machine, and as many of others
+  static constexpr std::chrono::milliseconds event_interval{100};
+
+  //! `guard` and `stop` must outlive this.
+  WebPages(const WebGuard& guard, CommandQueue& commands, const StatusBoard& board, std::shared_ptr<const LogRing> log,
+           const StopSignal& stop);
+
+  //! Answers the requests of a connection until it ends, or the stop signal is raised.
+  void serve(HttpStream& stream);
+
+ private:
+  HandlerResponse let_in(const httplib::Request& request, httplib::Response& response);
+  void add_files();
+  void take_command(const httplib::Request& request, httplib::Response& response);
+  void send_log(const httplib::Request& request, httplib::Response& response) const;
+  void send_events(const httplib::Request& request, httplib::Response& response);
+
+  const WebGuard& guard_;
+  CommandQueue& commands_;
+  const StatusBoard& board_;
+  std::shared_ptr<const LogRing> log_;
+  const StopSignal& stop_;
+  std::atomic<int> local_streams_ = 0;
+  std::atomic<int> outside_streams_ = 0;
+  std::mutex rate_mutex_;
+  RateLimit command_rate_{100.0, 200.0};
+};
+
+}  // namespace ergodome

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+
+#include "app/playback/transport.h"
+#include "app/remote/log_ring.h"
+#include "app/remote/net_address.h"
+#include "app/remote/stop_signal.h"
+#include "app/remote/web/web_guard.h"
+#include "app/remote/web/web_lobby.h"
+
+namespace ergodome {
+
+class WebPages;
+
+//! The status page's server: one thread accepts connections and waits for their first requests, a few more answer them.
+//!
+//! Half of the answering threads are for this machine, the other half for clients that have the token: neither can keep out
+//! the other.
+class WebServer {
+ public:
+  static constexpr std::size_t most_local_connections = 16;
+  static constexpr std::size_t most_outside_connections = 16;
+
+  //! An empty token lets nobody in but from loopback. Throws Error where the address cannot be had.
+  WebServer(const NetAddress& address, const std::string& token, CommandQueue& commands, const StatusBoard& board,
+            std::shared_ptr<const LogRing> log);
+  //! Ends open connections, whatever their clients do.
+  ~WebServer();
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
+
+  [[nodiscard]] NetAddress address() const { return local_address(socket_.get()); }
+
+ private:
+  //! A thread that answers one connection; it can be used again when it is done.
+  struct Connection {
+    std::thread thread;
+    std::atomic<bool> done = true;
+  };
+
+  void accept_all();
+  void accept_some();
+  void begin_to_serve(std::unique_ptr<HttpStream> stream);
+  static Connection* free_connection(std::span<Connection> connections);
+
+  StopSignal stop_;
+  WebGuard guard_;
+  std::unique_ptr<WebPages> pages_;
+  Descriptor socket_;
+  WebLobby lobby_;
+  std::array<Connection, most_local_connections> local_connections_;
+  std::array<Connection, most_outside_connections> outside_connections_;
+  std::thread thread_;
+};
+
+}  // namespace ergodome

@@ -1,0 +1,122 @@
+#include "calibration/dome/dome_pictures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "calibration/dome/computed_files.h"
+
+namespace ergodome {
+
+namespace {
+
+std::vector<LoadedProjector> all_loaded(const DomeSetup& setup) {
+  std::vector<LoadedProjector> files;
+  files.reserve(setup.projectors.size());
+  for (const ProjectorSetup& projector : setup.projectors) {
+    files.push_back(load_projector(setup, projector));
+  }
+  return files;
+}
+
+}  // namespace
+
+DomePictures::DomePictures(DomeSetup setup)
+    : read_(std::move(setup)),
+      files_(all_loaded(read_)),
+      pictures_(projector_pictures(read_)),
+      tilt_deg_(read_.tilt_deg),
+      rotation_deg_(read_.rotation_deg) {
+  without_ = without_computed_files(read_, files_);
+  bool any = false;
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    if (read_.projectors[i].warp && !without_.projectors[i].warp) {
+      files_[i].warp = std::monostate{};
+    }
+    masks_.push_back(has_computed_mask(i) ? pictures_[i].blend : BlendMap{});
+    any = any || has_computed_mask(i);
+  }
+  if (any) {
+    blend_ = blend_of(read_);
+  }
+}
+
+bool DomePictures::has_computed_mask(std::size_t projector) const {
+  // Without all lenses there is none, which the picture tells.
+  const ProjectorSetup& files = without_.projectors[projector];
+  return !files.warp && files.blend_mask.empty() && pictures_[projector].blend.width > 0;
+}
+
+std::vector<BlendMap> DomePictures::masks_at_tilt(const DomeSetup& setup) const {
+  const DomeBlend now = blend_of(setup);
+  std::vector<BlendMap> masks(masks_.size());
+  for (std::size_t i = 0; i < masks_.size(); ++i) {
+    if (masks_[i].width > 0) {
+      masks[i] = now.mask_after_tilt(i, masks_[i], *blend_);
+    }
+  }
+  return masks;
+}
+
+bool DomePictures::follow(const DomeSetup& setup, const std::vector<GridOffsets>& offsets) {
+  const bool turned = setup.tilt_deg != tilt_deg_ || setup.rotation_deg != rotation_deg_;
+  std::vector<WarpMesh> warps;
+  for (std::size_t i = 0; turned && i < pictures_.size(); ++i) {
+    warps.push_back(master_warp(setup, setup.projectors[i], files_[i]));
+  }
+  const bool renews_masks = blend_ && setup.tilt_deg != tilt_deg_;
+  std::vector<BlendMap> masks = renews_masks ? masks_at_tilt(setup) : std::vector<BlendMap>{};
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    ProjectorPicture& picture = pictures_[i];
+    const ProjectorSetup& projector = setup.projectors[i];
+    if (turned) {
+      picture.warp = std::move(warps[i]);
+    }
+    picture.offsets = offsets[i];
+    picture.gamma = projector.gamma;
+    const Vector3<double>& lift = projector.black_level_lift;
+    picture.black_level_lift = dot(lift, lift) > 0.0 ? lift : files_[i].black_level_lift;
+    if (renews_masks && masks[i].width > 0) {
+      picture.blend = std::move(masks[i]);
+    }
+  }
+  tilt_deg_ = setup.tilt_deg;
+  rotation_deg_ = setup.rotation_deg;
+  return renews_masks;
+}
+
+bool DomePictures::leaves_behind(const DomeSetup& setup) const {
+  if (setup.tilt_deg == read_.tilt_deg) {
+    return false;
+  }
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    // Surfaces, and what a lens shows, are put into the master by the tilt.
+    const bool flat = std::holds_alternative<WarpMesh>(files_[i].warp) && files_[i].source == WarpSource::dome_picture;
+    if (flat) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<bool> DomePictures::outdated(const DomeSetup& setup) const {
+  std::vector<bool> projectors;
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const bool computed = read_.projectors[i].warp && !without_.projectors[i].warp;
+    projectors.push_back(computed && setup.tilt_deg != read_.tilt_deg);
+  }
+  return projectors;
+}
+
+DomeSetup DomePictures::without_outdated(const DomeSetup& setup) const {
+  DomeSetup without = setup;
+  const std::vector<bool> old = outdated(setup);
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (old[i]) {
+      without.projectors[i].warp = without_.projectors[i].warp;
+      without.projectors[i].blend_mask = without_.projectors[i].blend_mask;
+    }
+  }
+  return without;
+}
+
+}  // namespace ergodome

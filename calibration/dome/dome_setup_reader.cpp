@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "calibration/dome/dome_setup.h"
+#include "calibration/projectors/projector_reader.h"
+#include "content/files/toml_table.h"
+#include "content/files/whole_file.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t largest_mib = 4;
+constexpr std::size_t most_projectors = 64;
+
+void read_dome(TomlTable& root, const std::string& file, DomeSetup& setup) {
+  const toml::table* const node = root.table("dome");
+  if (node == nullptr) {
+    throw root.error_at("dome", "is missing", "write [dome] with radius_m");
+  }
+  TomlTable dome(*node, file, "dome");
+  if (!dome.has("radius_m")) {
+    throw dome.error_at("radius_m", "is missing", "write the radius of the dome's sphere in metres");
+  }
+  setup.radius_m = dome.number("radius_m", setup.radius_m, 0.1, 1000.0);
+  setup.tilt_known = dome.has("tilt_deg");
+  setup.tilt_deg = dome.number("tilt_deg", setup.tilt_deg, -90.0, 90.0);
+  setup.rotation_deg = dome.number("rotation_deg", setup.rotation_deg, -360.0, 360.0);
+  dome.refuse_unknown_keys();
+}
+
+void read_viewer(TomlTable& root, const std::string& file, DomeSetup& setup) {
+  const toml::table* const node = root.table("viewer");
+  if (node == nullptr) {
+    return;
+  }
+  TomlTable viewer(*node, file, "viewer");
+  setup.viewer_m = read_place(viewer, "position_m");
+  if (!(std::sqrt(dot(setup.viewer_m, setup.viewer_m)) < setup.radius_m)) {
+    throw viewer.error_at("position_m", "lies outside the dome",
+                          fmt::format("stay within {} m of its middle", setup.radius_m));
+  }
+  viewer.refuse_unknown_keys();
+}
+
+bool share_output(const ProjectorSetup& a, const ProjectorSetup& b) {
+  if (a.output.monitor || b.output.monitor) {
+    return a.output.monitor == b.output.monitor;
+  }
+  return a.output.window_x_px < b.output.window_x_px + b.width_px &&
+         b.output.window_x_px < a.output.window_x_px + a.width_px &&
+         a.output.window_y_px < b.output.window_y_px + b.height_px &&
+         b.output.window_y_px < a.output.window_y_px + a.height_px;
+}
+
+//! Two projectors may share neither a name nor a part of the screen.
+void check_apart(const TomlTable& table, const ProjectorSetup& projector, const ProjectorSetup& other) {
+  if (projector.name == other.name) {
+    throw table.error_at("name", fmt::format("is \"{}\" like another's", projector.name.substr(0, 60)),
+                         "name each projector differently");
+  }
+  if (share_output(projector, other)) {
+    throw table.error_at(projector.output.monitor ? "monitor" : "window_px",
+                         fmt::format("covers the output of \"{}\"", other.name.substr(0, 60)),
+                         "give each projector a monitor, or a window_px = [x, y] where its resolution fits");
+  }
+}
+
+//! Projectors and mirrors far outside the dome are slips of units.
+void check_places(const TomlTable& table, const ProjectorSetup& projector, double radius_m) {
+  constexpr double farthest_radii = 10.0;
+  if (!(std::sqrt(dot(projector.position_m, projector.position_m)) <= farthest_radii * radius_m)) {
+    throw table.error_at("position_m", "is more than ten radii away from the dome", "places are in metres");
+  }
+  if (projector.mirror && !(std::sqrt(dot(projector.mirror->position_m, projector.mirror->position_m)) < radius_m)) {
+    throw table.error_at("mirror", "lies outside the dome", "correct its position_m, in metres from the dome's middle");
+  }
+}
+
+}  // namespace
+
+std::string place_of(const ProjectorSetup& projector) {
+  return fmt::format("{}{}projector {}", projector.read_from, projector.read_from.empty() ? "" : ", ", projector.name);
+}
+
+DomeSetup parse_dome_setup(std::string_view text, const std::string& file, NamedFiles named_files) {
+  const toml::table parsed = parse_toml(text, file, largest_mib, "a dome setup");
+  DomeSetup setup;
+  setup.folder = std::filesystem::path(file).parent_path();
+  TomlTable root(parsed, file, "");
+  read_dome(root, file, setup);
+  read_viewer(root, file, setup);
+  const auto tables = root.tables("projector", most_projectors);
+  if (tables.empty()) {
+    throw root.error_at("projector", "is missing", "write a [[projector]] for each projector of the dome");
+  }
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    TomlTable table(*tables[i], file, fmt::format("projector[{}]", i));
+    ProjectorSetup projector = read_projector(table, file, setup.folder, named_files);
+    projector.read_from = fmt::format("{}:{}", file, tables[i]->source().begin.line);
+    check_places(table, projector, setup.radius_m);
+    for (const ProjectorSetup& other : setup.projectors) {
+      check_apart(table, projector, other);
+    }
+    setup.projectors.push_back(std::move(projector));
+  }
+  root.refuse_unknown_keys();
+  return setup;
+}
+
+DomeSetup read_dome_setup(const std::filesystem::path& path) {
+  if (path.extension() == ".mpcdi") {
+    throw Error(path.string(), "is a calibration, not a setup",
+                fmt::format("make one of it: ergodome convert {} dome.toml", path.string()));
+  }
+  if (path.extension() == ".data" || path.extension() == ".pfm") {
+    throw Error(path.string(), "is a warp mesh, not a setup",
+                fmt::format("name it in one, as a projector's warp = \"{}\"", path.filename().string()));
+  }
+  return parse_dome_setup(read_whole_file(path, largest_mib << 20U, "give the path of a dome setup (.toml)"),
+                          path.string(), NamedFiles::must_exist);
+}
+
+}  // namespace ergodome

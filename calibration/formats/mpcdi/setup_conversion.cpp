@@ -1,0 +1,188 @@
+#include "calibration/formats/mpcdi/setup_conversion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "calibration/formats/mpcdi/mpcdi_conversion.h"
+#include "calibration/formats/mpcdi/mpcdi_light.h"
+#include "calibration/projectors/projector_files.h"
+#include "calibration/warps/warp_conversion.h"
+#include "calibration/warps/warp_thinning.h"
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+//! The axes of the dome as MPCDI tells axes: yaw down, pitch right, roll to the front.
+constexpr MpcdiFrame dome_frame = {{0, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}};
+
+//! A direction or a place in the axes of the dome itself, turned about its own axis with the picture: there the dome stands upright, and the master's front
+//! is in front.
+Vector3<double> in_own_axes(const DomeSetup& setup, const Vector3<double>& v) {
+  const double tilt = one_degree * setup.tilt_deg;
+  const double turn = one_degree * setup.rotation_deg;
+  const double back = std::sin(tilt) * v.y + std::cos(tilt) * v.z;
+  return {std::cos(turn) * v.x + std::sin(turn) * back, std::cos(tilt) * v.y - std::sin(tilt) * v.z,
+          std::cos(turn) * back - std::sin(turn) * v.x};
+}
+
+Orientation in_own_axes(const DomeSetup& setup, const Orientation& orientation) {
+  if (setup.tilt_deg == 0.0 && setup.rotation_deg == 0.0) {
+    return orientation;
+  }
+  const ProjectorAxes axes = axes_of(orientation);
+  return orientation_of(
+      {in_own_axes(setup, axes.right), in_own_axes(setup, axes.up), in_own_axes(setup, axes.forward)});
+}
+
+//! Number of samples in a warp's map.
+enum class MapSamples { each_pixel, as_needed };
+
+//! Returns the region of profile 2d for a projector's picture, whatever that was made from.
+MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
+  // Masks have a sample for each pixel: they are finer than the nodes of most meshes.
+  const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
+  MpcdiRegion region;
+  region.id = picture.name;
+  region.resolution_x = picture.width_px;
+  region.resolution_y = picture.height_px;
+  region.geometry =
+      MpcdiGeometry{samples == MapSamples::as_needed
+                        ? thinned_map(picture.warp, fine)
+                        : map_from_warp(fine, picture.width_px, picture.height_px, TextureDirection::downwards)};
+  put_light(picture, mask_from_warp(fine, picture.width_px, picture.height_px), region);
+  return region;
+}
+
+//! The pictures of a setup's projectors, once somebody asks: all files, warps and masks go into them.
+class PicturesOnce {
+ public:
+  explicit PicturesOnce(const DomeSetup& setup) : setup_(setup) {}
+
+  const ProjectorPicture& at(std::size_t index) {
+    if (pictures_.empty()) {
+      pictures_ = projector_pictures(setup_);
+    }
+    return pictures_[index];
+  }
+
+ private:
+  const DomeSetup& setup_;
+  std::vector<ProjectorPicture> pictures_;
+};
+
+MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const LoadedProjector& loaded,
+                         const Frustum& frustum, PicturesOnce& pictures) {
+  const ProjectorSetup& projector = setup.projectors[index];
+  MpcdiRegion region;
+  region.id = projector.name;
+  region.resolution_x = projector.width_px;
+  region.resolution_y = projector.height_px;
+  region.orientation = in_own_axes(setup, loaded.orientation);
+  region.frustum = frustum;
+  region.frame = dome_frame;
+  region.frame->position = in_own_axes(setup, loaded.position_m);
+  region.unit = "m";
+  const std::optional<MpcdiMask> beta =
+      beta_of(loaded.black_level.value_or(BlendMap{}), loaded.black_level_lift, projector.gain);
+  if (has_gain(projector.gain) || (beta && !loaded.blend)) {
+    // Who names the file for its masks has no blend by lens and place any more: the alphaMap has that, too.
+    const auto pixels = static_cast<std::size_t>(projector.width_px) * static_cast<std::size_t>(projector.height_px);
+    put_light(pictures.at(index), {projector.width_px, projector.height_px, 1, 16, std::vector<float>(pixels, 1.0F)},
+              region);
+    return region;
+  }
+  region.decode_gamma = 1.0;
+  region.encode_gamma = projector.gamma;
+  region.alpha = loaded.blend;
+  region.beta = beta;
+  return region;
+}
+
+//! The flat lenses and places of all projectors; none where one of them has something else, too.
+std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
+  std::vector<MpcdiRegion> regions;
+  PicturesOnce pictures(setup);
+  for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
+    const ProjectorSetup& projector = setup.projectors[i];
+    const LoadedProjector loaded = load_projector(setup, projector);
+    const auto* const frustum = std::get_if<Frustum>(&loaded.lens);
+    if (frustum == nullptr || !std::holds_alternative<std::monostate>(loaded.warp) || projector.mirror) {
+      return std::nullopt;
+    }
+    regions.push_back(posed_region(setup, i, loaded, *frustum, pictures));
+  }
+  return regions;
+}
+
+}  // namespace
+
+DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double radius_m) {
+  DomeSetup setup;
+  setup.radius_m = radius_m;
+  int left_px = 0;
+  for (const MpcdiBuffer& buffer : mpcdi.buffers) {
+    for (const MpcdiRegion& region : buffer.regions) {
+      ProjectorSetup projector;
+      projector.name = region.id;
+      projector.width_px = region.resolution_x;
+      projector.height_px = region.resolution_y;
+      projector.output.window_x_px = left_px;
+      left_px += region.resolution_x;
+      if (region.orientation) {
+        const ProjectorPose pose = pose_of(region);
+        projector.lens = lens_of(region);
+        projector.position_m = pose.position_m;
+        projector.orientation = pose.orientation;
+      }
+      // Without a warp it is the masks that the file is named for.
+      if (region.geometry || !region.orientation || region.alpha || region.beta) {
+        projector.warp = WarpFile{file, WarpFormat::mpcdi, RowOrder::bottom_up, TextureDirection::downwards, region.id};
+      }
+      projector.gamma = region.encode_gamma.value_or(projector.gamma);
+      setup.projectors.push_back(std::move(projector));
+    }
+  }
+  return setup;
+}
+
+namespace {
+
+Mpcdi calibration_of(MpcdiProfile profile, std::vector<MpcdiRegion> regions, const std::string& date) {
+  Mpcdi mpcdi = media_calibration(std::move(regions), date);
+  mpcdi.profile = profile;
+  const bool lifted =
+      std::ranges::any_of(mpcdi.buffers[0].regions, [](const MpcdiRegion& region) { return !!region.beta; });
+  mpcdi.color_level = lifted ? 3 : 1;
+  return mpcdi;
+}
+
+}  // namespace
+
+Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
+                          const std::function<void(long)>& progress) {
+  std::vector<MpcdiRegion> regions;
+  for (const ProjectorPicture& picture : pictures) {
+    regions.push_back(flat_region(picture, MapSamples::as_needed));
+    if (progress) {
+      progress(static_cast<long>(regions.size()));
+    }
+  }
+  return calibration_of(MpcdiProfile::media_2d, std::move(regions), date);
+}
+
+Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date) {
+  std::optional<std::vector<MpcdiRegion>> posed = posed_regions(setup);
+  if (posed) {
+    return calibration_of(MpcdiProfile::shader_lamps, std::move(*posed), date);
+  }
+  std::vector<MpcdiRegion> flat;
+  for (const ProjectorPicture& picture : projector_pictures(setup)) {
+    flat.push_back(flat_region(picture, MapSamples::each_pixel));
+  }
+  return calibration_of(MpcdiProfile::media_2d, std::move(flat), date);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "calibration/dome/orientation.h"
+#include "calibration/formats/warps/text_lines.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+//! Reads the lines of a text file with a warp; its messages name file and line.
+class WarpText {
+ public:
+  WarpText(std::string_view text, std::string file) : lines_(text), file_(std::move(file)) {}
+
+  //! Returns the next line that is not blank; nothing at the end.
+  std::optional<std::string_view> next() { return lines_.next(); }
+
+  //! Returns "FILE:LINE".
+  [[nodiscard]] std::string place() const;
+  [[nodiscard]] Error error(const std::string& problem, const std::string& remedy) const {
+    return {place(), problem, remedy};
+  }
+
+  //! Parses a number between -10,000 and 10,000. `what` names it in messages.
+  [[nodiscard]] double number(std::string_view word, std::string_view what) const;
+  //! Parses a whole number from `least` to `most`.
+  [[nodiscard]] long long whole(std::string_view word, std::string_view what, long long least, long long most) const;
+
+ private:
+  TextLines lines_;
+  std::string file_;
+};
+
+//! Returns the first 40 bytes of a text, printable, for a message.
+std::string shown_of(std::string_view text);
+
+//! Throws Error, naming `place`, unless a flat picture can have this field of view.
+void check_view(const Frustum& frustum, const std::string& place);
+
+}  // namespace ergodome

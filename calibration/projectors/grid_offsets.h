@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "calibration/projectors/blend_map.h"
+#include "calibration/projectors/projector_optics.h"
+#include "calibration/warps/warp_mesh.h"
+
+// Corrects a projector that was nudged: a grid of points moves its picture back, bilinearly in between.
+namespace ergodome {
+
+//! Offsets of the points of a regular grid over the raster: to the right as fractions of its width,
+//! downwards as fractions of its height.
+struct GridOffsets {
+  //! Largest offset of a point.
+  static constexpr double farthest = 0.25;
+
+  //! Largest difference between the offsets of neighbors, as a fraction of their distance. Below 1/2, the
+  //! displacement has an inverse.
+  static constexpr double slack = 0.4;
+
+  //! Points on each side. Each grid contains the points of those before it.
+  static constexpr std::array sizes = {2, 3, 5, 9};
+
+  int points = 2;  //!< on each side; 2: the corners alone
+  std::vector<double> right = std::vector<double>(4);
+  std::vector<double> down = std::vector<double>(4);
+
+  [[nodiscard]] bool none() const;
+
+  //! Returns the index of a point, row by row.
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(points) + static_cast<std::size_t>(column);
+  }
+
+  //! Sets the offset of a point, clamped to what `farthest` and `slack` allow.
+  void move(std::size_t point, double new_right, double new_down);
+
+  //! Returns the same displacement as a grid of another size. A coarser grid loses detail.
+  [[nodiscard]] GridOffsets resized(int new_points) const;
+
+  friend bool operator==(const GridOffsets&, const GridOffsets&) = default;
+};
+
+//! Returns where a position of the raster is moved. Positions outside it move like the
+//! nearest one on its edge.
+RasterPlace moved_place(const GridOffsets& grid, const RasterPlace& place);
+
+//! Inverts moved_place() to 1e-9, for positions on the raster.
+RasterPlace moved_back(const GridOffsets& grid, const RasterPlace& place);
+
+//! Returns a warp with moved nodes, refined by refined_for() first.
+WarpMesh moved_warp(const GridOffsets& grid, const WarpMesh& mesh);
+
+//! Returns a mesh with nodes added by interpolation, so that it has at least two cells per cell of the grid.
+//! Returns it unchanged if it is not rectangular, or if the grid has only corners.
+WarpMesh refined_for(const GridOffsets& grid, const WarpMesh& mesh);
+
+//! Returns a mask that fits the moved warp: each pixel holds the value of the position that is moved there.
+//! Values on the mask's edge continue beyond it.
+BlendMap moved_mask(const GridOffsets& grid, const BlendMap& mask);
+
+}  // namespace ergodome

@@ -1,0 +1,21 @@
+#include "calibration/warps/warp_mesh.h"
+
+#include <fmt/format.h>
+
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+void check_mesh_size(long long columns, long long rows, const std::string& place) {
+  if (columns < 2 || rows < 2) {
+    throw Error(place, fmt::format("is a mesh of {} x {} nodes", columns, rows),
+                "a mesh has at least 2 x 2, or there is no cell to draw");
+  }
+  if (columns > most_mesh_side || rows > most_mesh_side ||
+      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) > most_mesh_nodes) {
+    throw Error(place, fmt::format("is a mesh of {} x {} nodes", columns, rows),
+                fmt::format("{} a side and {} in all are the most", most_mesh_side, most_mesh_nodes));
+  }
+}
+
+}  // namespace ergodome

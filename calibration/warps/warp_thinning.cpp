@@ -1,0 +1,128 @@
+#include "calibration/warps/warp_thinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "calibration/warps/warp_conversion.h"
+
+namespace ergodome {
+
+namespace {
+
+struct MasterPlace {
+  double u = 0.0;
+  double v = 0.0;
+};
+
+MasterPlace operator-(const MasterPlace& a, const MasterPlace& b) { return {a.u - b.u, a.v - b.v}; }
+
+//! a + s (b - a) + t (c - a)
+MasterPlace between(const MasterPlace& a, const MasterPlace& b, const MasterPlace& c, double s, double t) {
+  return {a.u + s * (b.u - a.u) + t * (c.u - a.u), a.v + s * (b.v - a.v) + t * (c.v - a.v)};
+}
+
+//! The four samples of a map around a pixel, and the pixel's position between them: 0 to 1, or beyond at the
+//! raster's rim.
+struct Cell {
+  MasterPlace top_left;
+  MasterPlace top_right;
+  MasterPlace bottom_left;
+  MasterPlace bottom_right;
+  double x = 0.0;
+  double y = 0.0;
+
+  [[nodiscard]] MasterPlace bilinear() const {
+    const MasterPlace top = between(top_left, top_right, top_left, x, 0.0);
+    const MasterPlace bottom = between(bottom_left, bottom_right, bottom_left, x, 0.0);
+    return between(top, bottom, top, y, 0.0);
+  }
+  //! Interpolates on the two triangles that the diagonal from the top left forms.
+  [[nodiscard]] MasterPlace triangular() const {
+    return x >= y ? between(top_right, top_left, bottom_right, 1.0 - x, y)
+                  : between(bottom_left, bottom_right, top_left, x, 1.0 - y);
+  }
+};
+
+Cell cell_of(const FloatMap& map, double x, double y) {
+  const double column = x * map.width - 0.5;
+  const double row = y * map.height - 0.5;
+  const int left = std::clamp(static_cast<int>(std::floor(column)), 0, map.width - 2);
+  const int top = std::clamp(static_cast<int>(std::floor(row)), 0, map.height - 2);
+  const auto sample = [&](int i, int j) {
+    const std::size_t first =
+        3 * (static_cast<std::size_t>(j) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(i));
+    return MasterPlace{map.samples[first], map.samples[first + 1]};
+  };
+  return {sample(left, top),         sample(left + 1, top), sample(left, top + 1),
+          sample(left + 1, top + 1), column - left,         row - top};
+}
+
+bool sees_master(const WarpNode& node) { return node.valid && std::hypot(node.u - 0.5F, node.v - 0.5F) <= 0.5F; }
+
+//! Returns the change of a warp per pixel along one axis, at a pixel: between both neighbors if they are
+//! drawn, otherwise between the pixel and the one that is.
+MasterPlace slope_at(const WarpMesh& exact, int column, int row, int right, int down) {
+  const auto place = [](const WarpNode& node) { return MasterPlace{node.u, node.v}; };
+  int from = 0;
+  int to = 0;
+  const auto drawn = [&](int steps) {
+    const int i = column + steps * right;
+    const int j = row + steps * down;
+    return i >= 0 && j >= 0 && i < exact.columns && j < exact.rows && exact.at(i, j).valid;
+  };
+  from = drawn(-1) ? -1 : 0;
+  to = drawn(1) ? 1 : 0;
+  const MasterPlace change =
+      place(exact.at(column + to * right, row + to * down)) - place(exact.at(column + from * right, row + from * down));
+  const int steps = std::max(to - from, 1);
+  return {change.u / steps, change.v / steps};
+}
+
+//! Converts an error on the master to pixels of the raster.
+double in_pixels(const WarpMesh& exact, int column, int row, const MasterPlace& error) {
+  const MasterPlace along_x = slope_at(exact, column, row, 1, 0);
+  const MasterPlace along_y = slope_at(exact, column, row, 0, 1);
+  const double area = along_x.u * along_y.v - along_x.v * along_y.u;
+  const double x = error.u * along_y.v - error.v * along_y.u;
+  const double y = error.v * along_x.u - error.u * along_x.v;
+  return area == 0.0 ? std::numeric_limits<double>::infinity() : std::hypot(x, y) / std::abs(area);
+}
+
+}  // namespace
+
+double map_error_px(const WarpMesh& exact, const FloatMap& map, double enough_px) {
+  double worst = 0.0;
+  for (int row = 0; row < exact.rows; ++row) {
+    for (int column = 0; column < exact.columns; ++column) {
+      const WarpNode& node = exact.at(column, row);
+      if (!sees_master(node)) {
+        continue;
+      }
+      const Cell cell = cell_of(map, fill_position(column, exact.columns), fill_position(row, exact.rows));
+      const MasterPlace place = {node.u, node.v};
+      for (const MasterPlace& read : {cell.bilinear(), cell.triangular()}) {
+        const double error = in_pixels(exact, column, row, read - place);
+        if (!(error <= enough_px)) {
+          return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+        }
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  return worst;
+}
+
+FloatMap thinned_map(const WarpMesh& warp, const WarpMesh& exact) {
+  for (const int pixels : {8, 4, 2}) {
+    const auto samples = [&](int side) { return std::max(2, (side + pixels - 1) / pixels); };
+    FloatMap map = map_from_warp(warp, samples(exact.columns), samples(exact.rows), TextureDirection::downwards);
+    if (map_error_px(exact, map, thinned_error_px) <= thinned_error_px) {
+      return map;
+    }
+  }
+  return map_from_warp(exact, exact.columns, exact.rows, TextureDirection::downwards);
+}
+
+}  // namespace ergodome

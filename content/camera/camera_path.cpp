@@ -1,0 +1,300 @@
+#include "content/camera/camera_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtx/quaternion.hpp>
+#include <span>
+#include <utility>
+
+#include "content/camera/key_curve.h"
+#include "content/camera/proper_velocity.h"
+#include "content/show/animated_show.h"
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+using CameraKeys = std::span<const CameraKey>;
+
+//! When the camera leaves a key.
+double leave_s(const CameraKey& key) { return key.time_s + key.hold_s; }
+
+//! The way from a key to the next one.
+struct Way {
+  std::size_t from;
+  double span_s;
+  SpanEnds ends;
+};
+
+double span_s(const CameraKeys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
+
+//! Derivatives of some measure of the path at both ends of a way. `rise(i)` is what it adds from key i to the next one.
+template <class Rise>
+std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, const Rise& rise) {
+  const auto chord = [&](std::size_t i) {
+    const double span = span_s(keys, i);
+    return Chord{rise(i) / span, span};
+  };
+  const Chord own = chord(way.from);
+  return {motion_at_begin(way.ends.begin, way.from > 0 ? chord(way.from - 1) : own, own),
+          motion_at_end(way.ends.end, own, way.from + 2 < keys.size() ? chord(way.from + 1) : own)};
+}
+
+//! A coordinate at t in [0, 1] of a way.
+template <class Value>
+double interpolated(const CameraKeys& keys, const Way& way, double t, const Value& value) {
+  const double from = value(keys[way.from]);
+  const double to = value(keys[way.from + 1]);
+  if (keys[way.from].ease == Ease::linear) {
+    return from + (to - from) * t;
+  }
+  const auto [begin, end] = motions(keys, way, [&](std::size_t i) { return value(keys[i + 1]) - value(keys[i]); });
+  return quintic(from, to, way.span_s, begin, end, t);
+}
+
+glm::dquat nearer(const glm::dquat& q, const glm::dquat& to) { return glm::dot(q, to) < 0.0 ? -q : q; }
+
+//! Axis times half the angle of a turn.
+glm::dvec3 logarithm(const glm::dquat& turn) {
+  const glm::dvec3 v(turn.x, turn.y, turn.z);
+  const double sine = glm::length(v);
+  return sine > 0.0 ? v * (std::atan2(sine, turn.w) / sine) : glm::dvec3(0.0);
+}
+
+glm::dquat exponential(const glm::dvec3& v) {
+  const double half_angle = glm::length(v);
+  const double factor = half_angle > 1e-12 ? std::sin(half_angle) / half_angle : 1.0;
+  return {std::cos(half_angle), v.x * factor, v.y * factor, v.z * factor};
+}
+
+//! Logarithm of the turn from one key's orientation to the next, the short way. It is the same vector in the frames of both.
+glm::dvec3 turn_between(const CameraKeys& keys, std::size_t i) {
+  const glm::dquat from = key_orientation(keys[i]);
+  return logarithm(glm::inverse(from) * nearer(key_orientation(keys[i + 1]), from));
+}
+
+//! C² between keys: the cumulative form of Kim, Kim & Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
+//!
+//! q(t) = q0 Π exp(ω_k B_k(t)), B_k the sum of the basis from k on. In the camera's own frame its turning rate at t = 0 is 5 ω1 and
+//! changes by 20 (ω2 - ω1); at t = 1 they are 5 ω5 and 20 (ω5 - R ω4), where R turns back by ω5. Rates of a key are limited part by part
+//! as those of a coordinate are, and the ways on both sides have them in the key's own frame: that is one frame.
+glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t) {
+  const glm::dquat q0 = key_orientation(keys[way.from]);
+  const glm::dvec3 whole = turn_between(keys, way.from);
+  if (keys[way.from].ease == Ease::linear) {
+    return glm::normalize(q0 * exponential(whole * t));
+  }
+  const glm::dvec3 before = way.from > 0 ? turn_between(keys, way.from - 1) : whole;
+  const glm::dvec3 after = way.from + 2 < keys.size() ? turn_between(keys, way.from + 1) : whole;
+  glm::dvec3 turn[5];
+  for (int part = 0; part < 3; ++part) {
+    const auto [begin, end] = motions(keys, way, [&](std::size_t i) {
+      return i < way.from ? before[part] : i > way.from ? after[part] : whole[part];
+    });
+    turn[0][part] = way.span_s * begin.rate / 5.0;
+    turn[1][part] = turn[0][part] + way.span_s * way.span_s * begin.change / 20.0;
+    turn[4][part] = way.span_s * end.rate / 5.0;
+    turn[3][part] = turn[4][part] - way.span_s * way.span_s * end.change / 20.0;
+  }
+  turn[3] = exponential(turn[4]) * turn[3];
+  turn[2] = logarithm(glm::inverse(exponential(turn[0]) * exponential(turn[1])) * exponential(whole) *
+                      glm::inverse(exponential(turn[3]) * exponential(turn[4])));
+  const double s = 1.0 - t;
+  const double basis[6] = {s * s * s * s * s,        5.0 * s * s * s * s * t, 10.0 * s * s * s * t * t,
+                           10.0 * s * s * t * t * t, 5.0 * s * t * t * t * t, t * t * t * t * t};
+  glm::dquat turned(1.0, 0.0, 0.0, 0.0);
+  double sum = 0.0;
+  for (int k = 5; k > 0; --k) {
+    sum += basis[k];
+    turned = exponential(turn[k - 1] * sum) * turned;
+  }
+  return glm::normalize(q0 * turned);
+}
+
+//! Keys up to a time, that one included.
+CameraKeys keys_until(CameraKeys keys, double time_s) {
+  return {keys.begin(), std::ranges::upper_bound(keys, time_s, {}, &CameraKey::time_s)};
+}
+
+//! A time between two keys: the way there, and the part of it that is done; or a key that is held.
+struct OnTheWay {
+  std::optional<std::size_t> held;
+  Way way{};
+  double t = 0.0;
+};
+
+OnTheWay on_the_way(CameraKeys keys, double time_s) {
+  const auto after = std::ranges::upper_bound(keys, time_s, {}, &CameraKey::time_s);
+  if (after == keys.begin()) {
+    return {0};
+  }
+  const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
+  if (after == keys.end() || time_s <= leave_s(keys[i])) {
+    return {i};
+  }
+  const Way way = {i, span_s(keys, i), span_ends(keys.size(), i, [&](std::size_t k) {
+                     return CurveKey{keys[k].time_s, leave_s(keys[k]), keys[k].ease};
+                   })};
+  return {std::nullopt, way, (time_s - leave_s(keys[i])) / way.span_s};
+}
+
+glm::dquat orientation_at(CameraKeys keys, double time_s) {
+  const OnTheWay now = on_the_way(keys, time_s);
+  return now.held ? key_orientation(keys[*now.held]) : orientation_between(keys, now.way, now.t);
+}
+
+//! The place, and the velocity where keys have one.
+CameraPose place_at(CameraKeys keys, double time_s) {
+  const OnTheWay now = on_the_way(keys, time_s);
+  if (now.held) {
+    const CameraKey& key = keys[*now.held];
+    return {key.r, key.theta, key.phi, {}, key.velocity};
+  }
+  const auto along = [&](auto value) { return interpolated(keys, now.way, now.t, value); };
+  CameraPose pose = {std::exp(along([](const CameraKey& key) { return std::log(key.r); })),
+                     along([](const CameraKey& key) { return key.theta; }),
+                     along([](const CameraKey& key) { return key.phi; }),
+                     {}};
+  if (keys.front().velocity) {
+    pose.velocity = velocity_of_proper({along([](const CameraKey& key) { return proper_velocity(*key.velocity).x; }),
+                                        along([](const CameraKey& key) { return proper_velocity(*key.velocity).y; }),
+                                        along([](const CameraKey& key) { return proper_velocity(*key.velocity).z; })});
+  }
+  return pose;
+}
+
+//! The velocity of the keys or of the observer, and the given part of the way from it to that of a fall.
+Vector3<double> between_observer_and_fall(const Show& show, double time_s, const CameraPose& pose,
+                                          const Vector3<double>& falls, double part) {
+  const Vector3<double> own = pose.velocity.value_or(
+      observer_velocity(show.camera.motion, spin_at(show, time_s), pose.r, pose.theta, show.camera.velocity));
+  return own + part * (falls - own);
+}
+
+//! The camera before its show's fall, turned as in its own place.
+CameraPose pose_before_fall(const Show& show, double time_s) {
+  const FreeFall& orbit = *show.camera.orbit;
+  CameraPose pose = place_at(keys_until(show.camera.keys, orbit.begin_s()), time_s);
+  if (time_s > orbit.begin_s() - orbit.ease_s()) {
+    const double part = eased(1.0 + (time_s - orbit.begin_s()) / orbit.ease_s());
+    pose.velocity = between_observer_and_fall(show, time_s, pose, orbit.start().velocity, part);
+  }
+  return pose;
+}
+
+//! The part of the roll about e_r, which a fall has left, that is still there: it goes on the way to the next place.
+double roll_left(CameraKeys places, double time_s) {
+  if (places.size() < 2 || !(time_s > leave_s(places[0]))) {
+    return 1.0;
+  }
+  return 1.0 - eased(std::min((time_s - leave_s(places[0])) / span_s(places, 0), 1.0));
+}
+
+//! The camera after its show's fall. `orientation` goes into the frame that the fall has taken along.
+CameraPose pose_after_fall(const Show& show, double time_s, const glm::dquat& orientation) {
+  const FreeFall& orbit = *show.camera.orbit;
+  const FallPlace end = orbit.at(time_s);
+  CameraPose pose = place_at(show.camera.after_fall, time_s);
+  const glm::dvec3 roll = logarithm(nearer(end.frame, glm::dquat(1.0, 0.0, 0.0, 0.0)));
+  pose.orientation = glm::normalize(exponential(roll_left(show.camera.after_fall, time_s) * roll) * orientation);
+  const double since_s = time_s - *orbit.until_s();
+  if (since_s < orbit.ease_s()) {
+    pose.velocity = between_observer_and_fall(show, time_s, pose, end.velocity, eased(1.0 - since_s / orbit.ease_s()));
+  }
+  return pose;
+}
+
+CameraPose pose_on_path(const Show& show, double time_s) {
+  const FreeFall* const orbit = show.camera.orbit.get();
+  const glm::dquat orientation = orientation_at(show.camera.keys, time_s);
+  if (orbit != nullptr && orbit->until_s() && time_s > *orbit->until_s()) {
+    return pose_after_fall(show, time_s, orientation);
+  }
+  if (orbit != nullptr && time_s >= orbit->begin_s()) {
+    const FallPlace place = orbit->at(time_s);
+    const glm::dquat turned = glm::normalize(place.frame * orientation);
+    return {place.r, place.theta, place.phi, turned, place.velocity, orbit->leads_within()};
+  }
+  CameraPose pose = orbit != nullptr ? pose_before_fall(show, time_s) : place_at(show.camera.keys, time_s);
+  pose.orientation = orientation;
+  return pose;
+}
+
+}  // namespace
+
+CameraPose camera_pose(const Show& show, double time_s) {
+  CameraPose pose = pose_on_path(show, time_s);
+  if (leads_within(show)) {
+    pose.clock_lead = outer_lag(show.spin, pose.r);
+  }
+  return pose;
+}
+
+std::shared_ptr<const FreeFall> follow_fall(const Show& show) {
+  if (!show.camera.fall) {
+    return nullptr;
+  }
+  constexpr double beyond_s = 1.0;  // shutters close after the last picture
+  const FallSettings& fall = *show.camera.fall;
+  const CameraKey& key = keys_until(show.camera.keys, fall.time_s).back();
+  const FallStart start = {key.r, key.theta, key.phi,
+                           observer_velocity(fall.motion, show.spin, key.r, key.theta, fall.velocity)};
+  return std::make_shared<const FreeFall>(show.spin, start, fall, find_animation(show, "camera.fall.clock"),
+                                          show.duration_s + beyond_s);
+}
+
+std::vector<CameraKey> keys_after_fall(const Show& show) {
+  const FreeFall* const orbit = show.camera.orbit.get();
+  if (orbit == nullptr || !orbit->until_s()) {
+    return {};
+  }
+  const double until_s = *orbit->until_s();
+  const CameraKeys during = keys_until(show.camera.keys, until_s);
+  const FallPlace end = orbit->at(until_s);
+  CameraKey first;
+  first.time_s = until_s;
+  first.r = end.r;
+  first.theta = end.theta;
+  first.phi = end.phi;
+  if (during.back().time_s == until_s) {
+    first.hold_s = during.back().hold_s;
+    first.ease = during.back().ease;
+  }
+  std::vector<CameraKey> places = {first};
+  places.insert(places.end(), show.camera.keys.begin() + std::ssize(during), show.camera.keys.end());
+  for (std::size_t i = places.size(); i-- > 1;) {
+    places[i].phi += 2.0 * pi * std::round((first.phi - places[1].phi) / (2.0 * pi));
+  }
+  return places;
+}
+
+bool leads_within(const Show& show) { return show.camera.orbit != nullptr && show.camera.orbit->leads_within(); }
+
+bool camera_moves(const Show& show) { return show.camera.keys.size() > 1 || show.camera.orbit != nullptr; }
+
+std::vector<double> path_ends_s(const Show& show) {
+  std::vector<double> ends = {0.0, show.duration_s};
+  const auto add = [&](double time_s) { ends.push_back(std::clamp(time_s, 0.0, show.duration_s)); };
+  for (const CameraKey& key : show.camera.keys) {
+    add(key.time_s);
+    add(leave_s(key));
+  }
+  if (show.camera.orbit) {
+    const FreeFall& orbit = *show.camera.orbit;
+    for (const FallTurn& turn : orbit.turns()) {
+      add(turn.time_s);
+    }
+    add(orbit.begin_s() - orbit.ease_s());
+    add(orbit.stop_s().value_or(show.duration_s));
+    if (orbit.until_s()) {
+      add(*orbit.until_s());
+      add(*orbit.until_s() + orbit.ease_s());
+    }
+  }
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+}  // namespace ergodome

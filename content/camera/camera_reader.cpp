@@ -1,0 +1,220 @@
+#include "content/camera/camera_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "content/camera/camera_path.h"
+#include "content/camera/motion_reader.h"
+#include "content/fall/fall_reader.h"
+#include "content/files/toml_table.h"
+#include "content/show/animated_show.h"
+#include "content/show/show_reader.h"
+#include "content/timeline/timeline_reader.h"
+#include "kernels/core/angles.h"
+#include "kernels/spacetime/kerr/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr double largest_camera_angle_deg = 1e9;
+constexpr std::size_t most_keys = 100'000;
+
+CameraKey read_key(TomlTable& table) {
+  CameraKey key;
+  key.time_s = table.number("t_s", 0.0, -1e12, 1e12);
+  key.r = table.number("r", 10.0, 0.0, 1e9);
+  key.theta = one_degree * table.number("theta_deg", 90.0, 0.0, 180.0);
+  key.phi = one_degree * table.number("phi_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.yaw = one_degree * table.number("yaw_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.pitch = one_degree * table.number("pitch_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  key.roll = one_degree * table.number("roll_deg", 0.0, -largest_camera_angle_deg, largest_camera_angle_deg);
+  const toml::node* look = table.node("look");
+  if (look != nullptr && look->is_array()) {
+    key.look = {LookTarget::Kind::direction, read_vector(table, "look", *look)};
+  } else if (table.choice("look", 0, {"hole", "away"}) == 1) {
+    key.look.kind = LookTarget::Kind::away;
+  }
+  key.hold_s = table.number("hold_s", 0.0, 0.0, 1e12);
+  key.ease = static_cast<Ease>(table.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out"}));
+  return key;
+}
+
+//! Whether a show's observer would have to be faster than light there.
+bool outruns_light(const CameraSettings& camera, double spin, double r, double theta) {
+  const Vector3<double> v = observer_velocity(camera.motion, spin, r, theta, camera.velocity);
+  return !(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain;
+}
+
+const char* observer_word(const CameraSettings& camera) {
+  return camera.motion == ObserverMotion::fixed ? "a static" : "an orbiting";
+}
+
+//! Gives a key with a place the velocity that its table says, if it says one: all keys do, or none.
+void take_velocity(TomlTable& table, const std::string& file, const Show& show, CameraKey& key) {
+  const WrittenMotion written = read_motion(table, "velocity", file, {});
+  if (!show.camera.keys.empty() && table.has("velocity") != show.camera.keys.front().velocity.has_value()) {
+    throw table.error_at("velocity", table.has("velocity") ? "is not there at the keys before" : "is missing",
+                         "give all keys of the camera a velocity, or none");
+  }
+  if (!table.has("velocity")) {
+    return;
+  }
+  if (show.camera.fall && show.camera.fall->until_s) {
+    throw table.error_at("velocity", "is not for a camera whose fall ends",
+                         "leave out until_s of [camera.fall], or the velocities of all keys");
+  }
+  const Vector3<double> v =
+      observer_velocity(written.motion, spin_at(show, key.time_s), key.r, key.theta, written.velocity);
+  if (!(dot(v, v) <= fastest_observer * fastest_observer * (1.0 + 1e-12))) {
+    throw table.error_at("velocity", fmt::format("would outrun light at r = {} M", key.r),
+                         "lead the camera further out, or write velocity = { beta = 0.3, toward = [0, 0, 1] }");
+  }
+  key.velocity = v;
+}
+
+//! A key comes after those before it, and not at once after a fall.
+void check_time(const TomlTable& table, const CameraSettings& camera, const CameraKey& key) {
+  if (!camera.keys.empty()) {
+    const CameraKey& before = camera.keys.back();
+    if (!(key.time_s - before.time_s >= least_key_gap_s)) {
+      throw table.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+    }
+    if (!(key.time_s - before.time_s - before.hold_s >= least_key_gap_s)) {
+      throw table.error_at("t_s", "comes before the camera has left the key before",
+                           "shorten its hold_s, or put this key later");
+    }
+  }
+  const double since_fall_s = camera.fall && camera.fall->until_s ? key.time_s - *camera.fall->until_s : 0.0;
+  if (since_fall_s > 0.0 && since_fall_s < least_key_gap_s) {
+    throw table.error_at("t_s", "does not come after the end of the fall", "put the key later, or end the fall before");
+  }
+}
+
+//! A camera must be outside the horizon, and its observer slower than light there.
+void check_key(const TomlTable& table, double spin, const CameraSettings& camera, const CameraKey& key) {
+  const double horizon = horizon_radius(spin);
+  if (!(key.r > horizon)) {
+    throw table.error_at("r", fmt::format("is {} M, inside the horizon at {:.6g} M", key.r, horizon),
+                         fmt::format("choose r above {:.6g}", horizon));
+  }
+  if (!key.velocity && outruns_light(camera, spin, key.r, key.theta)) {
+    throw table.error_at(
+        "r", fmt::format("is {} M, where {} observer would outrun light", key.r, observer_word(camera)),
+        camera.motion == ObserverMotion::fixed
+            ? fmt::format("stay above {:.6g} M or choose observer = \"zamo\"", static_limit_radius(spin, key.theta))
+            : "stay outside the photon orbit or choose observer = \"zamo\"");
+  }
+}
+
+//! The same at a time of the show, for which the table of the key that leads there is blamed.
+void check_place(const TomlTable& table, const Show& show, double time_s) {
+  const CameraPose pose = camera_pose(show, time_s);
+  if (outruns_light(show.camera, spin_at(show, time_s), pose.r, pose.theta)) {
+    throw table.error_at(
+        "r",
+        fmt::format("leads by r = {:.4g} M and theta = {:.4g} deg at {:.4g} s, where {} observer would "
+                    "outrun light",
+                    pose.r, radian_deg * pose.theta, time_s, observer_word(show.camera)),
+        "lead the camera further out between the keys, or choose observer = \"zamo\"");
+  }
+}
+
+//! The same where a fall ends, for which its table is blamed.
+void check_end_of_fall(const TomlTable& fall, const Show& show) {
+  if (show.camera.after_fall.empty()) {
+    return;
+  }
+  const CameraKey& end = show.camera.after_fall.front();
+  if (outruns_light(show.camera, show.spin, end.r, end.theta)) {
+    throw fall.error_at("until_s",
+                        fmt::format("ends a fall at r = {:.4g} M, where {} observer would outrun light", end.r,
+                                    observer_word(show.camera)),
+                        "end it where the camera is further out, or choose observer = \"zamo\"");
+  }
+}
+
+//! Where the way to a key that is no fall's begins: at the key before, or where the fall has ended.
+const CameraKey& key_before(const Show& show, std::size_t i) {
+  const CameraKey& before = show.camera.keys[i - 1];
+  const std::vector<CameraKey>& after_fall = show.camera.after_fall;
+  return !after_fall.empty() && before.time_s <= after_fall.front().time_s &&
+                 show.camera.keys[i].time_s > after_fall.front().time_s
+             ? after_fall.front()
+             : before;
+}
+
+//! The same between two keys, with what the first one holds, and wherever the spin has a key; not in a fall, which is always slower.
+void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
+  // Static observers are slow enough outside 2 M, those on orbits outside 4 M, whatever the spin.
+  constexpr double safe_r = 4.0;
+  const ObserverMotion motion = show.camera.motion;
+  if (show.camera.keys.front().velocity) {
+    return;
+  }
+  if (motion != ObserverMotion::fixed && motion != ObserverMotion::geodesic && motion != ObserverMotion::retrograde) {
+    return;
+  }
+  const auto table_of = [&](std::size_t key) {
+    return TomlTable(*tables[key], file, fmt::format("camera.key[{}]", key));
+  };
+  const std::vector<CameraKey>& keys = show.camera.keys;
+  // A path of many keys has them near to each other, and is to be read at once.
+  const int places = keys.size() > 1000 ? 8 : 64;
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (show.camera.fall && falls_at(*show.camera.fall, keys[i].time_s)) {
+      continue;
+    }
+    const CameraKey& from = key_before(show, i);
+    for (int k = 1; k < places && std::min(from.r, keys[i].r) <= safe_r; ++k) {
+      check_place(table_of(i), show, from.time_s + (keys[i].time_s - from.time_s) * k / places);
+    }
+  }
+  if (const Animation* const spin = find_animation(show, "hole.spin")) {
+    for (const NumberKey& key : spin->keys) {
+      check_place(table_of(key.time_s > keys.back().time_s ? keys.size() - 1 : 0), show, key.time_s);
+    }
+  }
+}
+
+}  // namespace
+
+void read_camera(const toml::table* table, const std::string& file, Show& show) {
+  const toml::table empty;
+  TomlTable camera(table != nullptr ? *table : empty, file, "camera");
+  const WrittenMotion observer = read_motion(camera, "observer", file, {});
+  show.camera.motion = observer.motion;
+  show.camera.velocity = observer.velocity;
+  const auto keys = camera.tables("key", most_keys);
+  if (keys.empty()) {
+    throw camera.error_at("key", "is missing",
+                          "give the camera at least one [[camera.key]] with r, theta_deg and phi_deg");
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    TomlTable each(*keys[i], file, fmt::format("camera.key[{}]", i));
+    CameraKey key = read_key(each);
+    const bool falls = show.camera.fall && falls_at(*show.camera.fall, key.time_s);
+    if (falls && i > 0) {
+      take_place_of_fall(each, show.camera.keys.back(), key);
+    } else if (!each.has("r")) {
+      throw each.error_at("r", "is missing", "write the camera's radius in units of M");
+    }
+    check_time(each, show.camera, key);
+    if (!falls) {
+      take_velocity(each, file, show, key);
+      check_key(each, spin_at(show, key.time_s), show.camera, key);
+    }
+    each.refuse_unknown_keys();
+    show.camera.keys.push_back(key);
+  }
+  if (const toml::table* const fall = camera.table("fall")) {
+    let_fall(*fall, file, show);
+    check_end_of_fall(TomlTable(*fall, file, "camera.fall"), show);
+  }
+  check_ways(keys, file, show);
+  camera.refuse_unknown_keys();
+}
+
+}  // namespace ergodome

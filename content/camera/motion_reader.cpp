@@ -1,0 +1,54 @@
+#include "content/camera/motion_reader.h"
+
+#include <cmath>
+
+#include "content/show/show_reader.h"
+
+namespace ergodome {
+
+Vector3<double> read_vector(TomlTable& table, std::string_view key, const toml::node& node) {
+  const toml::array* list = node.as_array();
+  Vector3<double> v{};
+  double* const parts[3] = {&v.x, &v.y, &v.z};
+  if (list == nullptr || list->size() != 3) {
+    throw table.error_at(key, "is not a direction", "write three numbers: [e_r, e_theta, e_phi]");
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto part = list->get(i)->value<double>();
+    if (!part || !std::isfinite(*part) || std::abs(*part) > 1e100) {
+      throw table.error_at(key, "holds something that is not a number", "write three numbers");
+    }
+    *parts[i] = *part;
+  }
+  if (!(dot(v, v) > 0.0)) {
+    throw table.error_at(key, "has no length", "write a direction that is not zero");
+  }
+  return v;
+}
+
+WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::string& file,
+                          const WrittenMotion& otherwise) {
+  const toml::node* at = table.node(key);
+  if (at == nullptr) {
+    return otherwise;
+  }
+  if (!at->is_table()) {
+    constexpr ObserverMotion motions[] = {ObserverMotion::zamo, ObserverMotion::fixed, ObserverMotion::geodesic,
+                                          ObserverMotion::retrograde, ObserverMotion::rain};
+    return {motions[table.choice(key, 0, {"zamo", "static", "geodesic", "retrograde", "rain"})], {}};
+  }
+  TomlTable velocity(*at->as_table(), file, table.path_of(key));
+  const double beta = velocity.number("beta", 0.0, 0.0, 1.0);
+  if (!(beta <= fastest_observer)) {
+    throw velocity.error_at("beta", "is the speed of light", "choose a speed up to 0.999999");
+  }
+  const toml::node* toward = velocity.node("toward");
+  if (toward == nullptr) {
+    throw velocity.error_at("toward", "is missing", "write toward = [e_r, e_theta, e_phi]");
+  }
+  const Vector3<double> v = read_vector(velocity, "toward", *toward);
+  velocity.refuse_unknown_keys();
+  return {ObserverMotion::velocity, (beta / std::sqrt(dot(v, v))) * v};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,80 @@
+#include "content/images/formats/jpeg_segments.h"
+
+#include <cstddef>
+#include <map>
+
+namespace ergodome {
+
+namespace {
+
+constexpr unsigned start_of_scan = 0xDA;
+constexpr unsigned end_of_image = 0xD9;
+constexpr unsigned app2 = 0xE2;
+constexpr unsigned no_marker = 0;
+
+//! A marker and the data of its segment.
+struct JpegSegment {
+  unsigned marker = no_marker;
+  std::string_view data;
+};
+
+//! Markers without a length behind them: the start, restarts, and 0 behind a 255 that is no marker.
+bool stands_alone(unsigned marker) { return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9); }
+
+//! Returns the segment at or after `at`, and moves `at` behind it; `no_marker` at the end of the bytes.
+JpegSegment next_segment(std::string_view bytes, std::size_t& at) {
+  const auto byte = [&](std::size_t place) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[place])); };
+  while ((at = bytes.find('\xFF', at)) < bytes.size() && at + 1 < bytes.size()) {
+    const unsigned marker = byte(at + 1);
+    if (marker == 0xFF) {
+      at += 1;
+    } else if (stands_alone(marker)) {
+      at += 2;
+      if (marker > 0x01) {
+        return {marker, {}};
+      }
+    } else if (at + 3 < bytes.size()) {
+      const std::size_t begin = at + 4;
+      at += 2 + 256 * byte(at + 2) + byte(at + 3);
+      return {marker, begin < at && at <= bytes.size() ? bytes.substr(begin, at - begin) : std::string_view()};
+    } else {
+      break;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+bool has_jpeg_end(std::string_view bytes) {
+  std::size_t at = 0;
+  JpegSegment segment;
+  do {
+    segment = next_segment(bytes, at);
+  } while (segment.marker != no_marker && segment.marker != end_of_image);
+  return segment.marker == end_of_image;
+}
+
+std::string jpeg_icc_profile(std::string_view bytes) {
+  constexpr std::string_view name("ICC_PROFILE\0", 12);
+  std::map<unsigned, std::string_view> parts;
+  unsigned count = 0;
+  std::size_t at = 0;
+  for (JpegSegment segment = next_segment(bytes, at); segment.marker != no_marker && segment.marker != start_of_scan;
+       segment = next_segment(bytes, at)) {
+    if (segment.marker == app2 && segment.data.starts_with(name) && segment.data.size() >= name.size() + 2) {
+      const std::string_view part = segment.data.substr(name.size());
+      parts.emplace(static_cast<unsigned char>(part[0]), part.substr(2));
+      count = static_cast<unsigned char>(part[1]);
+    }
+  }
+  std::string profile;
+  if (parts.size() == count) {
+    for (const auto& [number, part] : parts) {
+      profile += part;
+    }
+  }
+  return profile;
+}
+
+}  // namespace ergodome

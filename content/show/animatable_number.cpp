@@ -1,0 +1,177 @@
+#include "content/show/animatable_number.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+#include "content/show/shell_numbers.h"
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr NumberChange picture{};
+constexpr NumberChange stars{true, false, false};
+constexpr NumberChange sky{true, true, false};
+constexpr NumberChange exposure{false, false, true};
+
+//! `place(show)` points to the number in a show, const or not, or is nullptr.
+template <class Place>
+constexpr AnimatableNumber number(std::string_view path, double least, double greatest, const NumberChange& change,
+                                  Place) {
+  return {path,
+          {least, greatest},
+          change,
+          [](const Show& show) {
+            const double* const at = Place{}(show);
+            return at != nullptr ? std::optional(*at) : std::nullopt;
+          },
+          [](Show& show, double value) {
+            if (double* const at = Place{}(show)) {
+              *at = value;
+            }
+          }};
+}
+
+//! Points to a member of a part that a show may be without.
+constexpr auto part_of(auto& part, auto member) -> decltype(&((*part).*member)) {
+  return part ? &((*part).*member) : nullptr;
+}
+
+constexpr std::array numbers = {
+    number("camera.fall.clock", 0.0, 1e9, picture,
+           [](auto& show) { return part_of(show.camera.fall, &FallSettings::clock); }),
+    number("hole.spin", -1.0, 1.0, picture, [](auto& show) { return &show.spin; }),
+    number("sky.exposure", 0.0, 1e12, stars, [](auto& show) { return &show.sky.exposure; }),
+    number("sky.faintest_mag", -30.0, 60.0, stars, [](auto& show) { return &show.sky.faintest_mag; }),
+    number("sky.spin_axis.ra_deg", -360.0, 360.0, sky, [](auto& show) { return &show.sky.spin_axis_ra_deg; }),
+    number("sky.spin_axis.dec_deg", -90.0, 90.0, sky, [](auto& show) { return &show.sky.spin_axis_dec_deg; }),
+    number("disk.outer", 1.0, 1e6, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::outer); }),
+    number("disk.temperature_K", 300.0, 1e7, picture,
+           [](auto& show) { return part_of(show.disk, &DiskSettings::temperature_k); }),
+    number("disk.opacity", 0.0, 1.0, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::opacity); }),
+    number("disk.exposure", 0.0, 1e12, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::exposure); }),
+    number("disk.contrast", 0.0, 4.0, picture, [](auto& show) { return part_of(show.disk, &DiskSettings::contrast); }),
+    number("effects.psf.sigma_px", 0.0, 100.0, stars, [](auto& show) { return &show.effects.psf.sigma_px; }),
+    number("effects.psf.cutoff_px", 0.0, 100.0, stars, [](auto& show) { return &show.effects.psf.cutoff_px; }),
+    number("effects.trails.shutter_s", 0.0, 1e6, picture,
+           [](auto& show) { return part_of(show.effects.trails, &TrailSettings::shutter_s); }),
+    number("effects.diffraction.brighter_than_mag", -40.0, 40.0, stars,
+           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::brighter_than_mag); }),
+    number("effects.diffraction.strength", 0.0, 1.0, stars,
+           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::strength); }),
+    number("effects.diffraction.obstruction", 0.0, 0.9, stars,
+           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::obstruction); }),
+    number("effects.diffraction.scale", 0.25, 8.0, stars,
+           [](auto& show) { return part_of(show.effects.diffraction, &DiffractionSettings::scale); }),
+    number("effects.bloom.strength", 0.0, 1.0, picture,
+           [](auto& show) { return part_of(show.effects.bloom, &BloomSettings::strength); }),
+    number("effects.bloom.radius_px", 0.0, 4096.0, picture,
+           [](auto& show) { return part_of(show.effects.bloom, &BloomSettings::radius_px); }),
+    number("view.fov_deg", 1e-6, 360.0, picture, [](auto& show) { return &show.view.field_of_view_deg; }),
+    number("view.tilt_deg", -180.0, 180.0, picture, [](auto& show) { return &show.view.tilt_deg; }),
+    number("stereo.baseline", 0.0, 1e6, picture, [](auto& show) { return &show.stereo.baseline; }),
+    number("stereo.convergence", 1e-6, 1e9, picture, [](auto& show) { return &show.stereo.convergence; }),
+    number("stereo.fade.from_deg", 0.0, 90.0, picture, [](auto& show) { return &show.stereo.fade_from_deg; }),
+    number("stereo.fade.to_deg", 0.0, 90.0, picture, [](auto& show) { return &show.stereo.fade_to_deg; }),
+    number("tone.exposure_stops", -40.0, 40.0, picture, [](auto& show) { return &show.tone.exposure_stops; }),
+    number("tone.white", 1e-3, 1e6, picture, [](auto& show) { return &show.tone.white; }),
+    number("tone.gamma", 0.1, 10.0, picture, [](auto& show) { return &show.tone.gamma; }),
+    number("tone.auto.target", 1e-4, 1.0, exposure,
+           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::target); }),
+    number("tone.auto.least_stops", -40.0, 40.0, exposure,
+           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::least_stops); }),
+    number("tone.auto.most_stops", -40.0, 40.0, exposure,
+           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::most_stops); }),
+    number("tone.auto.adapt_s", 0.0, 1e3, exposure,
+           [](auto& show) { return part_of(show.tone.automatic, &AutoExposureSettings::adapt_s); }),
+};
+
+struct Reason {
+  std::string_view path;
+  const char* reason;
+};
+
+constexpr const char* of_the_picture = "all pictures of a show have one size";
+constexpr const char* of_the_screen = "it belongs to the screen, not to the show";
+constexpr const char* of_the_spikes = "whole numbers do not change little by little";
+constexpr std::array fixed_numbers = {
+    Reason{"duration_s", "a show has one length"},
+    Reason{"frame_rate_hz", "a show has one frame rate"},
+    Reason{"disk.inner", "it follows the spin where it is \"isco\""},
+    Reason{"disk.speed", "clouds would jump"},
+    Reason{"view.size_px", of_the_picture},
+    Reason{"view.aspect", of_the_picture},
+    Reason{"view.height_deg", of_the_picture},
+    Reason{"view.frustum", of_the_screen},
+    Reason{"view.truncate", of_the_screen},
+    Reason{"view.viewer", of_the_screen},
+    Reason{"view.polynomial", of_the_screen},
+    Reason{"effects.diffraction.blades", of_the_spikes},
+    Reason{"effects.diffraction.vanes", of_the_spikes},
+    Reason{"effects.diffraction.size_px", of_the_spikes},
+    Reason{"stereo.comfort_deg", "it is a person's, not the show's"},
+    Reason{"camera.observer", "the way an observer moves is one for the whole show"},
+    Reason{"camera", "the camera moves by its own keys: [[camera.key]]"},
+    Reason{"quality.budget_px", "lenses are baked for one budget"},
+};
+
+}  // namespace
+
+NumberChange& NumberChange::operator|=(const NumberChange& other) {
+  stars = stars || other.stars;
+  sky = sky || other.sky;
+  exposure = exposure || other.exposure;
+  return *this;
+}
+
+std::span<const AnimatableNumber> animatable_numbers() {
+  static const std::vector<AnimatableNumber> all = [] {
+    std::vector<AnimatableNumber> list(numbers.begin(), numbers.end());
+    list.insert(list.end(), shell_numbers().begin(), shell_numbers().end());
+    return list;
+  }();
+  return all;
+}
+
+const AnimatableNumber* find_animatable(std::string_view path) {
+  const auto all = animatable_numbers();
+  const auto found = std::ranges::find(all, path, &AnimatableNumber::path);
+  return found != all.end() ? &*found : nullptr;
+}
+
+NumberLimits limits_of(std::string_view path) {
+  const AnimatableNumber* const found = find_animatable(path);
+  if (found == nullptr) {
+    throw std::logic_error("no such number: " + std::string(path));
+  }
+  return found->limits;
+}
+
+NumberLimits limits_in(const Show& show, const AnimatableNumber& number) {
+  NumberLimits limits = number.limits;
+  if (number.path != "view.fov_deg") {
+    return limits;
+  }
+  if (show.view.projection == ViewProjection::pinhole) {
+    limits.greatest = widest_pinhole_deg;
+  } else if (show.view.projection == ViewProjection::dome) {
+    const auto& f = show.view.polynomial;
+    limits.greatest =
+        std::min(limits.greatest, 2.0 * radian_deg * largest_half_angle(show.view.lens, {f[0], f[1], f[2], f[3]}));
+  }
+  return limits;
+}
+
+std::optional<std::string> why_not_animatable(std::string_view path) {
+  for (const Reason& each : fixed_numbers) {
+    if (path.starts_with(each.path) && (path.size() == each.path.size() || path[each.path.size()] == '.')) {
+      return each.reason;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,129 @@
+#include "content/show/animation_reader.h"
+
+#include <fmt/format.h>
+
+#include "content/show/animated_show.h"
+#include "content/timeline/timeline_reader.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::size_t most_animations = 1000;
+constexpr std::size_t most_number_keys = 100'000;
+constexpr double longest_animation_s = 1e12;
+
+const AnimatableNumber& number_of(TomlTable& table) {
+  const std::string path = table.text("number", "");
+  if (const AnimatableNumber* found = find_animatable(path)) {
+    return *found;
+  }
+  if (path.empty()) {
+    throw table.error_at("number", "is missing", "name what changes, as in number = \"hole.spin\"");
+  }
+  const std::string problem = fmt::format("is \"{}\"", path.substr(0, 60));
+  if (const auto reason = why_not_animatable(path)) {
+    throw table.error_at("number", problem + ", which cannot be animated", *reason);
+  }
+  std::vector<std::string> paths;
+  for (const AnimatableNumber& each : animatable_numbers()) {
+    // All shells have the same numbers.
+    if (!each.path.starts_with("shells[") || each.path.starts_with("shells[0]")) {
+      paths.emplace_back(each.path);
+    }
+  }
+  const std::string nearest = nearest_word(path, paths);
+  throw table.error_at("number", problem + ", no number that can be animated",
+                       nearest.empty() ? fmt::format("there are {}", fmt::join(paths, ", "))
+                                       : fmt::format("did you mean \"{}\"?", nearest));
+}
+
+//! The picture's height would follow, or nothing at all.
+void check_field_of_view(const TomlTable& table, const ViewSettings& view) {
+  const bool follows =
+      view.projection == ViewProjection::dome || (view.projection == ViewProjection::pinhole && !view.frustum);
+  if (!follows) {
+    throw table.error_at("number", "is \"view.fov_deg\", which this view does not go by, or which sets its height",
+                         "animate it on domes, and with pinholes that have no frustum");
+  }
+}
+
+std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, const NumberLimits& limits) {
+  std::vector<NumberKey> keys;
+  for (const toml::table* each : table.tables("key", most_number_keys)) {
+    TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), keys.size()));
+    for (const char* const needed : {"t_s", "value"}) {
+      if (!reader.has(needed)) {
+        throw reader.error_at(needed, "is missing", "write { t_s = 0, value = 1 }");
+      }
+    }
+    NumberKey key;
+    key.time_s = reader.number("t_s", 0.0, -longest_animation_s, longest_animation_s);
+    key.value = reader.number("value", 0.0, limits.least, limits.greatest);
+    key.ease = static_cast<Ease>(reader.choice("ease", 0, {"smooth", "linear", "in", "out", "in_out", "hold"}));
+    if (!keys.empty() && !(key.time_s - keys.back().time_s >= least_key_gap_s)) {
+      throw reader.error_at("t_s", "does not come after the key before", "put the keys in order of time");
+    }
+    reader.refuse_unknown_keys();
+    keys.push_back(key);
+  }
+  if (keys.empty()) {
+    table.refuse_unknown_keys();  // one of them may have been meant
+    throw table.error_at("key", "is missing", "write key = [{ t_s = 0, value = 0 }, { t_s = 10, value = 1 }]");
+  }
+  return keys;
+}
+
+Animation read_animation(TomlTable& table, const std::string& file, const Show& show) {
+  const AnimatableNumber& number = number_of(table);
+  if (find_animation(show, number.path) != nullptr) {
+    throw table.error_at("number", fmt::format("is \"{}\" once more", number.path), "put all its keys into one place");
+  }
+  if (!number.get(show)) {
+    const std::string_view part = number.path.substr(0, number.path.rfind('.'));
+    throw table.error_at("number", fmt::format("is \"{}\", but the show has no {}", number.path, part),
+                         part.find('[') == std::string_view::npos
+                             ? fmt::format("write [{}] into it", part)
+                             : fmt::format("write [[{}]] once more", part.substr(0, part.find('['))));
+  }
+  if (number.path == "view.fov_deg") {
+    check_field_of_view(table, show.view);
+  }
+  return {std::string(number.path), read_keys(table, file, limits_in(show, number))};
+}
+
+//! What a number of the show may be in the course of time.
+NumberLimits values_of(const Show& show, std::string_view path) {
+  if (const Animation* animation = find_animation(show, path)) {
+    return range_of(*animation);
+  }
+  const double fixed = find_animatable(path)->get(show).value_or(0.0);
+  return {fixed, fixed};
+}
+
+//! Throws Error unless one number stays below another at all times; they may not move through each other.
+void check_order(const TomlTable& root, const Show& show, std::string_view lower, std::string_view upper, double gap) {
+  const double highest = values_of(show, lower).greatest;
+  const double lowest = values_of(show, upper).least;
+  if (lowest - highest < gap && (find_animation(show, lower) != nullptr || find_animation(show, upper) != nullptr)) {
+    throw root.error_at("animate", fmt::format("takes {} to {} while {} is down to {}", lower, highest, upper, lowest),
+                        fmt::format("keep {} or more between them", gap));
+  }
+}
+
+}  // namespace
+
+void read_animations(TomlTable& root, const std::string& file, Show& show) {
+  for (const toml::table* each : root.tables("animate", most_animations)) {
+    TomlTable table(*each, file, fmt::format("animate[{}]", show.timeline.animations.size()));
+    Animation animation = read_animation(table, file, show);
+    table.refuse_unknown_keys();
+    show.lines["animate." + animation.path] =
+        is_from(each->source(), file) ? static_cast<int>(each->source().begin.line) : key_set_outside;
+    show.timeline.animations.push_back(std::move(animation));
+  }
+  check_order(root, show, "stereo.fade.from_deg", "stereo.fade.to_deg", least_fade_deg);
+  check_order(root, show, "tone.auto.least_stops", "tone.auto.most_stops", 0.0);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,162 @@
+#include "content/show/idle_lines.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "content/fall/free_fall.h"
+#include "content/show/animated_show.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr std::string_view animated = "animate.";
+
+class Idle {
+ public:
+  explicit Idle(const Show& show) : show_(show) {}
+
+  //! These keys, what is in their tables and what animates them change nothing.
+  void add(std::initializer_list<std::string> keys, const std::string& why) {
+    for (const auto& [path, line] : show_.lines) {
+      std::string_view of = path;
+      if (of.starts_with(animated)) {
+        of.remove_prefix(animated.size());
+      }
+      const bool animation = of.size() < path.size();
+      if (std::ranges::any_of(keys, [&](std::string_view key) { return is_of(key, of, animation); })) {
+        lines_.push_back({path, line, why});
+      }
+    }
+  }
+
+  std::vector<IdleLine> in_order() {
+    std::ranges::stable_sort(lines_, {}, &IdleLine::line);
+    return lines_;
+  }
+
+ private:
+  //! Whether a path is the key's, or that of a number in its table, which is told by the table's own line where the file has one.
+  [[nodiscard]] bool is_of(std::string_view key, std::string_view path, bool animation) const {
+    const bool below = path.starts_with(key) && path.substr(key.size()).starts_with('.');
+    return path == key || (below && (animation || !show_.lines.contains(std::string(key))));
+  }
+
+  const Show& show_;
+  std::vector<IdleLine> lines_;
+};
+
+void add_sky(const Show& show, Idle& idle) {
+  if (show.sky.map == "black") {
+    idle.add({"sky.filter", "sky.shift", "sky.brightening"}, "is for a map, and this one is black");
+    if (show.sky.stars.empty()) {
+      idle.add({"sky.exposure", "sky.spin_axis"}, "is for a map and stars, and there are none");
+    }
+  } else if (!show.effects.redshift) {
+    idle.add({"sky.shift"}, "is for effects.redshift = true");
+  }
+  if (show.sky.map == "grid") {
+    idle.add({"sky.spin_axis"}, "is for another map: the grid is drawn in the hole's own axes");
+  }
+  if (show.sky.stars.empty()) {
+    idle.add({"stars.method", "sky.faintest_mag", "effects.magnification", "effects.psf", "effects.trails",
+              "effects.diffraction"},
+             "is for stars, and sky.stars names none");
+  } else if (show.effects.diffraction && !show.effects.diffraction->pattern.empty()) {
+    idle.add({"effects.diffraction.blades", "effects.diffraction.vanes", "effects.diffraction.obstruction",
+              "effects.diffraction.size_px", "effects.diffraction.scale"},
+             "is for an aperture, and effects.diffraction.pattern stands in its place");
+  }
+}
+
+void add_light(const Show& show, Idle& idle) {
+  if (!show.light) {
+    return;
+  }
+  if (std::ranges::none_of(show.objects, &ObjectSettings::lit)) {
+    idle.add({"light"}, "is for objects with light = \"lambert\"");
+  } else if (show.light->falloff == LampFalloff::lens && show.objects.front().method == ObjectMethod::polygon) {
+    idle.add({"light.falloff"}, "is for method = \"trace\": light on polygons fades as published");
+  }
+}
+
+void add_objects(const Show& show, Idle& idle) {
+  for (std::size_t i = 0; i < show.objects.size(); ++i) {
+    if (!show.objects[i].orbit) {
+      idle.add({"objects[" + std::to_string(i) + "].retarded"}, "is for objects on an orbit");
+    }
+  }
+}
+
+void add_shells(const Show& show, Idle& idle) {
+  for (std::size_t i = 0; i < show.shells.size(); ++i) {
+    const ShellSettings& shell = show.shells[i];
+    const std::string of = "shells[" + std::to_string(i) + "].";
+    const auto never = [&](const char* key, double value) {
+      return value <= 0.0 && find_animation(show, of + key) == nullptr;
+    };
+    if (never("line_width_deg", shell.line_width_deg)) {
+      idle.add({of + "line_color", of + "line_opacity", of + "spacing_deg"}, "is for lines, and they have no width");
+    } else if (never("line_opacity", shell.line_opacity)) {
+      idle.add({of + "line_color", of + "line_width_deg", of + "spacing_deg"},
+               "is for lines, and they have no opacity");
+    }
+    if (never("fill_opacity", shell.fill_opacity)) {
+      idle.add({of + "fill_color", of + "texture"}, "is for fill_opacity above 0");
+    }
+  }
+}
+
+void add_view(const Show& show, Idle& idle) {
+  const ViewProjection projection = show.view.projection;
+  if (projection != ViewProjection::dome) {
+    idle.add({"view.tilt_deg"}, "is for projection = \"dome\"");
+  }
+  if (show.view.frustum) {
+    idle.add({"view.aspect", "view.fov_deg"}, "is for a pinhole without frustum");
+  } else if (projection != ViewProjection::pinhole) {
+    idle.add({"view.aspect"}, "is for projection = \"pinhole\"");
+  }
+  if (projection == ViewProjection::equirect || projection == ViewProjection::cube) {
+    idle.add({"view.fov_deg"}, "is for a view that shows a part of the sphere");
+  }
+}
+
+void add_stereo(const Show& show, Idle& idle) {
+  if (eye_count(show.stereo) == 1) {
+    idle.add({"stereo.model", "stereo.baseline", "stereo.convergence", "stereo.fade", "stereo.comfort_deg",
+              "stereo.swap_eyes", "stereo.tint_eyes"},
+             "is for two eyes, and layout = \"mono\" has one until --stereo or a key gives another");
+  } else if (show.stereo.model != StereoModel::omni) {
+    idle.add({"stereo.fade"}, "is for model = \"omni\"");
+  }
+}
+
+}  // namespace
+
+std::vector<IdleLine> idle_lines(const Show& show) {
+  Idle idle(show);
+  if (show.tone.curve != ToneCurve::reinhard) {
+    idle.add({"tone.white"}, "is for curve = \"reinhard\"");
+  }
+  if (show.tone.curve != ToneCurve::gamma) {
+    idle.add({"tone.gamma"}, "is for curve = \"gamma\"");
+  }
+  if (show.disk && show.disk->pattern == DiskPattern::none) {
+    idle.add({"disk.contrast", "disk.speed"}, "is for pattern = \"procedural\"");
+  }
+  add_stereo(show, idle);
+  if (show.camera.orbit && show.camera.orbit->least_r() > (1.0 + 1e-9) * show.camera.fall->least_r) {
+    idle.add({"camera.fall.least_r"}, "is for a fall that comes so near to the hole");
+  }
+  add_sky(show, idle);
+  add_light(show, idle);
+  add_objects(show, idle);
+  add_shells(show, idle);
+  add_view(show, idle);
+  return idle.in_order();
+}
+
+}  // namespace ergodome

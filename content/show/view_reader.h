@@ -1,0 +1,14 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+
+#include "content/show/show.h"
+
+namespace ergodome {
+
+//! Reads [view]: how the sky is put on a picture.
+void read_view(const toml::table& table, const std::string& file, ViewSettings& view);
+
+}  // namespace ergodome

@@ -1,0 +1,34 @@
+#include "content/sky/repaired_texels.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "content/files/counted.h"
+#include "content/show/show_files.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+std::string repair_text(const RepairedTexels& texels) {
+  std::string text;
+  const auto add = [&](long count, const std::string& what) {
+    if (count > 0) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counted(count, "texel"), what);
+    }
+  };
+  add(texels.too_bright, fmt::format("infinite or brighter than {:g}, now bounded", brightest_texel));
+  add(texels.below_zero, "with a colour below 0, now 0");
+  add(texels.not_numbers, "with a colour that is no number, now black");
+  return text;
+}
+
+std::string note_of_repair(const Show& show, const std::string& key, const std::string& name,
+                           const RepairedTexels& texels) {
+  return named_by(show, key,
+                  Error((std::filesystem::path(show.folder) / name).string(), "has " + repair_text(texels),
+                        "save it again without infinity and what is no number"))
+      .what();
+}
+
+}  // namespace ergodome

@@ -1,0 +1,196 @@
+#include "content/tables/ray_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "content/tables/number_table.h"
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A number that may stand in one of two columns.
+struct EitherColumn {
+  std::size_t column;
+  std::string_view name;
+  bool second;  //!< it is the second of the two names
+};
+
+struct Columns {
+  std::optional<std::size_t> id;
+  EitherColumn spin;
+  std::size_t r;
+  EitherColumn theta;
+  std::size_t observer;
+  std::optional<std::size_t> beta[3];
+  std::optional<std::size_t> direction[3];
+};
+
+//! Finds the column that has one of two names. Throws Error where the table has neither, or both.
+EitherColumn either(const NumberTable& table, const std::string& file, std::string_view first,
+                    std::string_view second) {
+  const auto one = table.find(first);
+  const auto other = table.find(second);
+  if (one && other) {
+    throw Error(file + ":1", fmt::format("has both columns {} and {}", first, second), "leave one of them");
+  }
+  if (!one && !other) {
+    throw Error(file + ":1", fmt::format("has no column {} (nor {})", first, second),
+                "name the columns in the first line");
+  }
+  return one ? EitherColumn{*one, first, false} : EitherColumn{*other, second, true};
+}
+
+//! Reads the polar angle, from 0 to pi [rad].
+double theta_of(const TableLine& line, const EitherColumn& theta) {
+  const double angle = line.number(theta.column, theta.name);
+  const double most = theta.second ? 180.0 : 3.1415926535897936;
+  if (!(angle >= 0.0 && angle <= most)) {
+    throw Error(
+        line.place, fmt::format("{} is {}", theta.name, angle),
+        theta.second ? "choose an angle from 0 to 180" : "choose an angle from 0 to pi, or name the column theta_deg");
+  }
+  return theta.second ? angle * one_degree : angle;
+}
+
+ObserverMotion motion_of(const TableLine& line, std::string_view word) {
+  constexpr std::pair<std::string_view, ObserverMotion> motions[] = {{"zamo", ObserverMotion::zamo},
+                                                                     {"static", ObserverMotion::fixed},
+                                                                     {"geodesic", ObserverMotion::geodesic},
+                                                                     {"retrograde", ObserverMotion::retrograde},
+                                                                     {"rain", ObserverMotion::rain},
+                                                                     {"boost", ObserverMotion::velocity},
+                                                                     {"rain_boost", ObserverMotion::rain_boost}};
+  for (const auto& [name, motion] : motions) {
+    if (name == word) {
+      return motion;
+    }
+  }
+  throw Error(line.place, fmt::format("observer is \"{}\"", word.substr(0, 40)),
+              "choose one of zamo, static, geodesic, retrograde, rain, boost, rain_boost");
+}
+
+Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t> (&columns)[3],
+                          const std::string& name) {
+  constexpr const char* axes[3] = {"_r", "_theta", "_phi"};
+  Vector3<double> v{0.0, 0.0, 0.0};
+  double* const parts[3] = {&v.x, &v.y, &v.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (columns[i]) {
+      *parts[i] = line.number(*columns[i], name + axes[i]);
+    }
+  }
+  return v;
+}
+
+void check(const RayRow& row, const TableLine& line, std::string_view spin_name) {
+  if (!(std::abs(row.spin) <= 1.0)) {
+    throw Error(line.place, fmt::format("{} is {}", spin_name, row.spin), "choose a spin from -1 to 1");
+  }
+  const double horizon = horizon_radius(row.spin);
+  const bool falls = row.motion == ObserverMotion::rain || row.motion == ObserverMotion::rain_boost;
+  const double least = falls ? std::min(least_interior_radius(row.spin), horizon) : horizon;
+  if (!(row.r > least && row.r <= 1e12)) {
+    throw Error(
+        line.place, fmt::format("r is {}", row.r),
+        falls || !(row.r > least_interior_radius(row.spin))
+            ? fmt::format("choose a radius above {:.6g}, up to 1e12", least)
+            : fmt::format("choose a radius above the horizon at {:.6g}, up to 1e12, or the observer rain or rain_boost",
+                          horizon));
+  }
+  const Vector3<double> v = row.motion == ObserverMotion::rain_boost
+                                ? row.velocity
+                                : observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
+  if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
+    throw Error(line.place, "its observer would outrun light there", "choose another observer or a larger radius");
+  }
+}
+
+//! Throws Error unless a table has the three columns of a velocity: a part under a name that is misspelt would be 0.
+void need_velocity(const TableLine& line, const Columns& columns) {
+  constexpr std::string_view names[3] = {"beta_r", "beta_theta", "beta_phi"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!columns.beta[i]) {
+      throw Error(line.place,
+                  fmt::format("observer is {}, and there is no column {}", line.cell(columns.observer), names[i]),
+                  "name beta_r, beta_theta and beta_phi in the first line");
+    }
+  }
+}
+
+//! A velocity beside an observer who has his own must be that one; cells that are empty, and zeros, say nothing.
+void check_velocity(const RayRow& row, const TableLine& line, const Columns& columns) {
+  constexpr double same = 1e-6;
+  if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
+    return;
+  }
+  const Vector3<double> v = observer_velocity(row.motion, row.spin, row.r, row.theta, row.velocity);
+  const double own[3] = {v.x, v.y, v.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool given = columns.beta[i] && !line.cell(*columns.beta[i]).empty();
+    const double beta = given ? line.number(*columns.beta[i], "beta") : 0.0;
+    if (beta != 0.0 && !(std::abs(beta - own[i]) < same)) {
+      throw Error(line.place,
+                  fmt::format("gives another velocity than {} has there ({:.6g}, {:.6g}, {:.6g})",
+                              line.cell(columns.observer), own[0], own[1], own[2]),
+                  "write the observer boost, or leave the cells beta_* empty");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions) {
+  NumberTable table(stream, file);
+  Columns columns{table.find("id"),
+                  either(table, file, "a", "spin"),
+                  table.need("r"),
+                  either(table, file, "theta", "theta_deg"),
+                  table.need("observer"),
+                  {table.find("beta_r"), table.find("beta_theta"), table.find("beta_phi")},
+                  {table.find("n_r"), table.find("n_theta"), table.find("n_phi")}};
+  if (need_directions) {
+    for (const std::string_view name : {"n_r", "n_theta", "n_phi"}) {
+      static_cast<void>(table.need(name));
+    }
+  }
+  std::vector<RayRow> rows;
+  for (TableLine line; table.next(line);) {
+    RayRow row;
+    row.id = columns.id ? std::string(line.cell(*columns.id)) : std::to_string(rows.size());
+    row.spin = line.number(columns.spin.column, columns.spin.name);
+    row.r = line.number(columns.r, "r");
+    row.theta = theta_of(line, columns.theta);
+    row.motion = motion_of(line, line.cell(columns.observer));
+    if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
+      need_velocity(line, columns);
+      row.velocity = vector_of(line, columns.beta, "beta");
+    }
+    check(row, line, columns.spin.name);
+    check_velocity(row, line, columns);
+    if (columns.direction[0] && columns.direction[1] && columns.direction[2]) {
+      const Vector3<double> n = vector_of(line, columns.direction, "n");
+      const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+      if (!(largest > 0.0)) {
+        throw Error(line.place, "n_r, n_theta, n_phi are all 0, which is no direction",
+                    "write a vector that points to where the light seems to come from; its length does not matter");
+      }
+      const Vector3<double> scaled = (1.0 / largest) * n;
+      row.direction = (1.0 / std::sqrt(dot(scaled, scaled))) * scaled;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<RayRow> read_ray_table(const std::filesystem::path& path) {
+  std::ifstream stream = open_table(path, "a table of rays");
+  return read_ray_table(stream, path.string());
+}
+
+}  // namespace ergodome

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/spacetime/shadow/edge_curve.h"
+
+namespace ergodome {
+
+//! What an eye of the stereo model `flat` sees of the horizon: its nearness along the eye's lines of sight, by position angles about the shadow's chart,
+//! and by depths from the edge that the eye sees inwards, ln(α_edge / (α_edge - α)) at equal steps.
+struct FlatHorizon {
+  EdgeCurve edge;         //!< of the eye's shadow, in the observer's frame
+  float cosine_largest;   //!< of its greatest polar angle
+  const float* nearness;  //!< [1/M]; spokes rows of `depths`
+  int spokes;
+  int depths;
+  float depth_step;
+};
+
+inline namespace ERGO_TARGET {
+
+//! Whether an eye that looks in direction `m` sees the horizon before what is at the nearness w on its line of sight (kernels/flat_eyes/eye_line.h).
+ERGO_HD bool is_behind_horizon(const FlatHorizon& horizon, const Vector3<float>& m, float w) {
+  const EdgeCurve& edge = horizon.edge;
+  const float ahead = dot(m, edge.centre);
+  // Most directions are beside the shadow, and need no angles to know it.
+  if (ahead < horizon.cosine_largest) {
+    return false;
+  }
+  const float p = dot(m, edge.first);
+  const float q = dot(m, edge.second);
+  const float gamma = ::atan2f(q, p);
+  const float alpha = ::atan2f(::sqrtf(p * p + q * q), ahead);
+  float edge_alpha = 0.0F;
+  float slope = 0.0F;
+  edge_at(edge, gamma, edge_alpha, slope);
+  if (!(alpha < edge_alpha)) {
+    return false;
+  }
+  const float turns = gamma * 0.159154943F;
+  const float across = (turns < 0.0F ? turns + 1.0F : turns) * static_cast<float>(horizon.spokes);
+  const float down = -::logf(maximum(1.0F - alpha / edge_alpha, 1e-7F)) / horizon.depth_step;
+  const int spoke = static_cast<int>(across);
+  const int depth = static_cast<int>(minimum(down, static_cast<float>(horizon.depths) - 1.5F));
+  const float s = across - static_cast<float>(spoke);
+  const float t = minimum(down - static_cast<float>(depth), 1.0F);
+  const auto read = [&](int row) {
+    const float* const at = horizon.nearness + (row % horizon.spokes) * horizon.depths + depth;
+    return at[0] + t * (at[1] - at[0]);
+  };
+  return w < read(spoke) + s * (read(spoke + 1) - read(spoke));
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

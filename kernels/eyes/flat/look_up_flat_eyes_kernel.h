@@ -1,0 +1,151 @@
+#pragma once
+
+#include "kernels/eyes/flat/flat_disk.h"
+#include "kernels/eyes/flat/flat_eye_pixels.h"
+#include "kernels/eyes/flat/grid_sheets.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Samples of a register's pixels that a grid leaves to rays: they are put off until there are as many as a register has lanes.
+template <class T>
+struct LeftSamples {
+  static constexpr int most = RealTraits<T>::lane_count * near_samples * near_samples;
+
+  struct Sample {
+    float x_px;
+    float y_px;
+    float guess[crossing_orders];  //!< of the sheets' nearness
+    int lane;
+  };
+
+  Sample samples[most];
+  int count = 0;
+};
+
+//! Draws a disk that is read from a grid as one eye of the stereo model `flat` sees it; what the grid leaves to rays has them.
+template <class T, bool WithPattern>
+struct LookUpFlatEyes {
+  using Mask = MaskOf<T>;
+  using Grid = FlatDisk<T, GridSheets<T, WithPattern>>;
+  using Traced = FlatDisk<T, RaySheets<T>>;
+
+  FlatEyeLookUpBatch batch;
+
+  using Pixels = FlatEyePixels<T, LookUpFlatEyes>;
+  using Objects = typename Pixels::Objects;
+  static constexpr bool leaves_objects = true;
+
+  ERGO_HD void operator()(int index) const { Pixels{batch.eye, *this}.draw(index); }
+
+  //! Few lanes at a time are left to rays, but many of all samples.
+  ERGO_HD void average(const Pixels& pixels, const typename Pixels::Place& place, const Mask& lanes,
+                       SeenLanes<T>& sum) const {
+    LeftSamples<T> left;
+    for (int i = 0; i < near_samples * near_samples; ++i) {
+      const NearSample<float> at = near_sample<float>(i);
+      const T x = place.x_px + at.along;
+      const T y = place.y_px + at.down;
+      Mask wanted = lanes;
+      Waiting waiting = {left, x, y};
+      sum = sum + pixels.look(x, y, at.width, place.objects, wanted, waiting);
+    }
+    for (int first = 0; first < left.count; first += RealTraits<T>::lane_count) {
+      trace(pixels, left, first, sum);
+    }
+  }
+
+  ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
+                         const Objects&, SeenLanes<T>& seen) const {
+    GridSheets<T, WithPattern> sheets(batch);
+    Grid disk(batch.eye, sheets, line, search, pixel);
+    const Mask left = disk.meet(wanted);
+    T fine(0.0F);
+    compose(disk, wanted & !left, seen, fine);
+    if (any(left)) {
+      RaySheets<T> rays(batch.eye);
+      Traced traced(batch.eye, rays, line, search, pixel);
+      traced.meet_near(disk, left);
+      compose(traced, left, seen, fine);
+    }
+    return fine > T(0.0F);
+  }
+
+  //! Where samples wait, and where in the image they are.
+  struct Waiting {
+    LeftSamples<T>& left;
+    const T& x_px;
+    const T& y_px;
+  };
+
+  //! The same, but that what the grid leaves to rays waits, as if nothing were seen there: not even through.
+  ERGO_HD Mask look_near(const EyeLine<T>& line, const SheetSearch<float>& search, float pixel, const Mask& wanted,
+                         const Objects&, SeenLanes<T>& seen, Waiting& waiting) const {
+    GridSheets<T, WithPattern> sheets(batch);
+    Grid disk(batch.eye, sheets, line, search, pixel);
+    const Mask left = disk.meet(wanted);
+    T fine(0.0F);
+    compose(disk, wanted & !left, seen, fine);
+    for (int i = 0; any(left) && i < RealTraits<T>::lane_count; ++i) {
+      if (mask_lane(left, i)) {
+        auto& sample = waiting.left.samples[waiting.left.count++];
+        sample.x_px = lane(waiting.x_px, i);
+        sample.y_px = lane(waiting.y_px, i);
+        sample.lane = i;
+        for (int order = 0; order < crossing_orders; ++order) {
+          sample.guess[order] = lane(disk.guess(order), i);
+        }
+        set_lane(seen.clear, i, 0.0F);
+      }
+    }
+    return fine > T(0.0F);
+  }
+
+ private:
+  //! Traces samples that have waited, a register of them, and adds what they see to their lanes.
+  ERGO_HD void trace(const Pixels& pixels, const LeftSamples<T>& left, int first, SeenLanes<T>& sum) const {
+    constexpr int lanes = RealTraits<T>::lane_count;
+    const auto sample = [&](int i) -> const auto& {
+      return left.samples[first + i < left.count ? first + i : left.count - 1];
+    };
+    T x(0.0F);
+    T y(0.0F);
+    T wanted(0.0F);
+    T guesses[crossing_orders] = {x, x, x};
+    for (int i = 0; i < lanes; ++i) {
+      set_lane(x, i, sample(i).x_px);
+      set_lane(y, i, sample(i).y_px);
+      set_lane(wanted, i, first + i < left.count ? 1.0F : 0.0F);
+      for (int order = 0; order < crossing_orders; ++order) {
+        set_lane(guesses[order], i, sample(i).guess[order]);
+      }
+    }
+    const EyeLine<T> line = pixels.line_at(x, y);
+    RaySheets<T> rays(batch.eye);
+    Traced traced(batch.eye, rays, line, pixels.search_for(line), 1.0F / near_samples);
+    traced.meet_near(guesses, wanted > T(0.0F));
+    SeenLanes<T> seen = nothing_seen<T>();
+    T fine(0.0F);
+    compose(traced, wanted > T(0.0F), seen, fine);
+    for (int i = 0; i < lanes && first + i < left.count; ++i) {
+      const int to = sample(i).lane;
+      const auto add = [i, to](T& total, const T& part) { set_lane(total, to, lane(total, to) + lane(part, i)); };
+      add(sum.red, seen.red);
+      add(sum.green, seen.green);
+      add(sum.blue, seen.blue);
+      add(sum.clear, seen.clear);
+    }
+  }
+
+  template <class Disk>
+  ERGO_HD static void compose(const Disk& disk, const Mask& lanes, SeenLanes<T>& seen, T& fine) {
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      if (mask_lane(lanes, i)) {
+        int next = 0;
+        disk.compose_before(0.0F, i, next, seen);
+        set_lane(fine, i, disk.is_fine(i) ? 1.0F : 0.0F);
+      }
+    }
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "kernels/eyes/omni/omni_camera.h"
+#include "kernels/lens/grid_build.h"
+#include "kernels/lens/look_up.h"
+#include "kernels/stars/star_images.h"
+
+namespace ergodome {
+
+//! Batches of eyes that turn with the direction one looks at: the kernels are those of a single camera, directions are in the view's axes.
+using OmniNodeBatch = NodeBatch<float, OmniCameraOf<float>>;
+using OmniCheckBatch = CheckBatch<float, OmniCameraOf<float>>;
+template <class S>
+using OmniStarBatch = StarImageBatch<S, OmniCameraOf<S>>;
+
+}  // namespace ergodome

@@ -1,0 +1,187 @@
+#pragma once
+
+#include "kernels/near_field/horizon_winding.h"
+#include "kernels/spacetime/trace/trace_pixels.h"
+#include "kernels/spacetime/trace/trace_rays.h"
+
+namespace ergodome {
+
+//! Numbers that set up the rays of a camera, all smooth where it moves, across the spin axis too: u, m, and six forms of the view's
+//! direction - energy, axial momentum, outward rate, dm/dλ along x, y, z - each a constant and three weights. They are those of CameraStation,
+//! in the view's axes, and with m in axes that turn with the head's azimuth alone.
+inline constexpr int omni_numbers = 28;
+//! Where among them the form of the energy begins.
+inline constexpr int omni_energy = 4;
+
+//! Highest degree of the polynomials.
+inline constexpr int omni_most_degree = 10;
+
+constexpr int omni_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
+
+//! An eye that turns with the azimuth one looks at: for each direction of the view it sits to the right of where that direction goes, in the
+//! view's horizontal plane, and every direction has a camera of its own.
+//!
+//! What a camera's rays need are polynomials of its place in that plane, fitted to exact cameras (render/lens/omni_camera.h).
+template <class S>
+struct OmniCameraOf {
+  S spin;
+  S horizon_r;
+  S offset;  //!< of the eye, to the right [M]
+  S inverse_convergence;
+  S fade_begin;           //!< cosine of the elevation at which the offset is gone
+  S fade_scale;           //!< one over the way from there to where it is whole
+  S inverse_reach;        //!< one over the radius within which the polynomials hold [1/M]
+  int degree;             //!< of the polynomials
+  const S* coefficients;  //!< omni_numbers polynomials of omni_terms(degree) coefficients: 1, p, q, p², p q, q², ...
+  //! The head falls through the horizon and is near to it: m has azimuths of ingoing Kerr coordinates, in which eyes on both sides are side by side.
+  bool ingoing = false;
+  S turn = S(0);  //!< the head's, as CameraStation's
+  S lag = S(0);
+};
+
+//! A block of rows of one image through such an eye. The edge of `pixels` is that of the whole image, in the view's axes; `camera` there is the
+//! head's, for its spin and azimuth.
+struct OmniBatch {
+  PixelBatch pixels;
+  OmniCameraOf<float> camera;
+};
+
+//! Many rays through such an eye, followed by Taylor series whatever `rays.method` says. Directions are in the view's axes; `camera` of `rays`
+//! is the head's, for its azimuth.
+struct OmniRayBatch {
+  RayBatch<double> rays;
+  OmniCameraOf<double> camera;
+};
+
+inline namespace ERGO_TARGET {
+
+//! Where an eye is when it looks in a direction of the view (unit vector: x right, y up, z back): to the right and to the back [M].
+template <class T>
+ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view, T& right, T& back) {
+  using S = ScalarOf<T>;
+  using Real = RealOf<T>;
+  const T zero(S(0));
+  const T one(S(1));
+  const T across = sqrt(view.x * view.x + view.z * view.z + S(1e-20));
+  const T ramp = (across - camera.fade_begin) * camera.fade_scale;
+  const Real height = value_of(ramp);
+  const T part = select(height > Real(S(0)), select(height < Real(S(1)), ramp, one), zero);
+  const T share = (part * part * (S(3) - S(2) * part)) * camera.offset / across;
+  right = -(view.z * share);
+  back = view.x * share;
+}
+
+//! What an eye has for a direction of the view: its camera there, and the six forms in that direction (see omni_numbers).
+template <class T>
+struct OmniSight {
+  T u;
+  Vector3<T> m;
+  T energy;
+  T axial_momentum;
+  T outward_rate;
+  Vector3<T> m_rate;
+};
+
+//! How far m and what moves it are to be turned about the spin axis, to have the head's own azimuth: all of light that only comes in (and is counted on in
+//! ingoing Kerr coordinates), the rest from the eye's usual azimuth.
+template <class T>
+ERGO_HD T omni_turn(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>& sight) {
+  const RealOf<T> zero(ScalarOf<T>(0));
+  const T head(RealOf<T>(camera.turn));
+  const auto horizon = horizon_winding(camera.spin);
+  const auto comes_in = value_of(sight.outward_rate) > zero;
+  return select(comes_in, head, head - winding_turn(horizon) * winding(horizon, sight.u));
+}
+
+//! What an eye of a head that is `ingoing` has, with m in axes that are turned to the head's own azimuth.
+template <class T>
+ERGO_HD OmniSight<T> in_heads_azimuth(const OmniCameraOf<ScalarOf<T>>& camera, const OmniSight<T>& sight) {
+  T sine;
+  T cosine;
+  sine_cosine(omni_turn(camera, sight), sine, cosine);
+  const auto turned = [&](const Vector3<T>& v) {
+    return Vector3<T>{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+  };
+  OmniSight<T> other = sight;
+  other.m = turned(sight.m);
+  other.m_rate = turned(sight.m_rate);
+  return other;
+}
+
+template <class T>
+ERGO_HD OmniSight<T> omni_sight(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  using S = ScalarOf<T>;
+  T right;
+  T back;
+  omni_offset(camera, view, right, back);
+  // Onto a sphere about the head, where both eyes look at one place.
+  Vector3<T> n = {view.x - camera.inverse_convergence * right, view.y, view.z - camera.inverse_convergence * back};
+  const T inverse_length = S(1) / sqrt(dot(n, n));
+  n = {n.x * inverse_length, n.y * inverse_length, n.z * inverse_length};
+
+  T term[omni_terms(omni_most_degree)];
+  const T p = camera.inverse_reach * right;
+  const T q = camera.inverse_reach * back;
+  term[0] = T(S(1));
+  int count = 1;
+  for (int degree = 1; degree <= camera.degree; ++degree) {
+    // p times all terms of one degree less, and q times the last.
+    const int before = count - degree;
+    for (int i = 0; i < degree; ++i) {
+      term[count + i] = p * term[before + i];
+    }
+    term[count + degree] = q * term[before + degree - 1];
+    count += degree + 1;
+  }
+  const auto number = [&](int i) {
+    const S* c = camera.coefficients + i * count;
+    T sum = T(c[0]);
+    for (int k = 1; k < count; ++k) {
+      sum = sum + c[k] * term[k];
+    }
+    return sum;
+  };
+  const auto form = [&](int i) {
+    return number(omni_energy + 4 * i) +
+           (number(omni_energy + 4 * i + 1) * n.x + number(omni_energy + 4 * i + 2) * n.y +
+            number(omni_energy + 4 * i + 3) * n.z);
+  };
+  const OmniSight<T> sight = {number(0), {number(1), number(2), number(3)}, form(0), form(1),
+                              form(2),   {form(3), form(4), form(5)}};
+  return camera.ingoing ? in_heads_azimuth(camera, sight) : sight;
+}
+
+//! The ray that an eye sees in a direction of the view; in axes that are turned to the head's azimuth, for turned_to_camera.
+template <class T>
+ERGO_HD RayStart<T> start_omni_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  using S = ScalarOf<T>;
+  const OmniSight<T> sight = omni_sight(camera, view);
+  RayStart<T> ray;
+  ray.energy = sight.energy;
+  const T inverse_energy = S(1) / ray.energy;
+  ray.axial_angular_momentum = sight.axial_momentum * inverse_energy;
+  ray.u = sight.u;
+  ray.u_rate = -(sight.outward_rate * inverse_energy);
+  ray.m = sight.m;
+  ray.m_rate = {sight.m_rate.x * inverse_energy, sight.m_rate.y * inverse_energy, sight.m_rate.z * inverse_energy};
+  const S a = camera.spin;
+  ray.polar_constant = dot(ray.m_rate, ray.m_rate) - (a * a) * (ray.m.z * ray.m.z);
+  ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
+  ray.ingoing = camera.ingoing;
+  return ray;
+}
+
+//! The same by the name that it has for a single camera: kernels are written for both.
+template <class T>
+ERGO_HD RayStart<T> start_ray(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  return start_omni_ray(camera, view);
+}
+
+//! The energy at infinity of light that an eye sees in a direction, for an observed energy of 1.
+template <class T>
+ERGO_HD T energy_of(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<T>& view) {
+  return start_omni_ray(camera, view).energy;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

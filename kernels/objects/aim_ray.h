@@ -1,0 +1,64 @@
+#pragma once
+
+#include "kernels/objects/lamp_place.h"
+#include "kernels/objects/local_frame.h"
+#include "kernels/objects/ray_arrival.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
+
+// The direct ray from a place to one that is no nearer to the hole.
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+
+//! Where a ray starts, what it is to come to, and how near [rad about the hole] before the last step.
+struct RayEnds {
+  Vector3<double> from;   //!< pseudo-Cartesian [M]
+  Vector3<double> place;  //!< no nearer to the hole
+  double near_enough;
+};
+
+//! Turns a direction at `camera` until its ray comes to a place: Newton. False where it does not get there, or by another way.
+ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector3<double>& direction, Miss& miss) {
+  constexpr double longest_step = 0.3;
+  for (int round = 0; round < most_aim_rounds; ++round) {
+    Vector3<double> axes[2];
+    const Vector3<double>& d = direction;
+    axes_across(d, axes[0], axes[1]);
+    const Vector3<Dual<double>> n = {
+        {d.x, axes[0].x, axes[1].x}, {d.y, axes[0].y, axes[1].y}, {d.z, axes[0].z, axes[1].z}};
+    if (!miss_of(camera, target, n, miss)) {
+      return false;
+    }
+    const double size = ::sqrt(miss.step[0] * miss.step[0] + miss.step[1] * miss.step[1]);
+    const double share = size > longest_step ? longest_step / size : 1.0;
+    direction = normalized(d + share * (miss.step[0] * axes[0] + miss.step[1] * axes[1]));
+    if (miss.same_side && miss.size < target.near_enough) {
+      return !miss.mirrored;
+    }
+  }
+  return false;
+}
+
+//! The same from the direction without spin: as it was near by, else with the spin raised to the frame's in steps. `correction`: what spin has added to the
+//! direction there, and then here.
+ERGO_HD bool aim_with_spin(const LocalFrame& frame, const RayEnds& ends, Vector3<double>& direction,
+                           RayCorrection& correction, Miss& miss) {
+  constexpr int raises = 6;
+  const RayTarget target = ray_target(ends.from, ends.place, ends.near_enough);
+  const Vector3<double> start = direction;
+  direction = normalized(start + correction.direction);
+  bool found = aim_at(frame.camera, target, direction, miss);
+  if (!found) {
+    direction = start;
+    found = true;
+    for (int i = 1; i <= raises && found; ++i) {
+      found = aim_at(local_frame(frame.camera.spin * i / raises, ends.from).camera, target, direction, miss);
+    }
+  }
+  correction.direction = found ? direction - start : Vector3<double>{0.0, 0.0, 0.0};
+  return found;
+}
+
+}  // namespace detail
+
+}  // namespace ergodome::inline ERGO_TARGET

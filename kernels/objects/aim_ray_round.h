@@ -1,0 +1,163 @@
+#pragma once
+
+#include "kernels/objects/aim_ray.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+
+// The ray that goes round the hole the other way, or passes next to it the first way, from a place to one that is no nearer to the hole.
+//
+// Next to the shadow's edge a ray's end changes some hundred times as fast as its direction, and the edge moves with the spin. By its position angle
+// γ and the logarithm x of its distance from the edge, direction and end change alike, and about holes of any spin they are nearly the same: Newton's
+// method gets there in few steps from the ray without spin.
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+
+//! A direction of a camera by its place about the shadow: α = α_e + (π - α_e) / (1 + e^-x), where α_e(γ) is the edge [rad].
+struct EdgePlace {
+  double gamma;
+  double x;
+};
+
+//! The place of a direction about a hole without spin, in closed form: its chart is about the middle of the hole, and the edge has
+//! sinα = √27 u √(1 - 2u), cosα = (1 - 3u) √(1 + 6u), u = 1/r.
+ERGO_HD EdgePlace place_without_spin(double u, const Vector3<double>& direction) {
+  constexpr double least = 1e-15;  // of rounding: a ray that seems to be in the shadow
+  const double aside = ::sqrt(direction.y * direction.y + direction.z * direction.z);
+  const double alpha = ::atan2(aside, -direction.x);
+  const double edge = ::atan2(::sqrt(27.0 * (1.0 - 2.0 * u)) * u, (1.0 - 3.0 * u) * ::sqrt(1.0 + 6.0 * u));
+  return {::atan2(direction.y, direction.z), ::log(::fmax(alpha - edge, least) / ::fmax(pi - alpha, least))};
+}
+
+//! A direction of a chart, for duals of both angles.
+ERGO_HD Vector3<Dual<double>> dual_direction(const ShadowChart& chart, const Dual<double>& alpha,
+                                             const Dual<double>& gamma) {
+  Dual<double> sine;
+  Dual<double> cosine;
+  Dual<double> along;
+  Dual<double> aside;
+  sine_cosine(alpha, sine, cosine);
+  sine_cosine(gamma, aside, along);
+  along = sine * along;
+  aside = sine * aside;
+  const auto part_of = [&](double centre, double first, double second) {
+    return centre * cosine + first * along + second * aside;
+  };
+  return {part_of(chart.centre.x, chart.first.x, chart.second.x),
+          part_of(chart.centre.y, chart.first.y, chart.second.y),
+          part_of(chart.centre.z, chart.first.z, chart.second.z)};
+}
+
+//! The direction of a place, with its derivatives by γ and x.
+ERGO_HD Vector3<Dual<double>> direction_at(const CameraStation& camera, const ShadowChart& chart, const EdgePlace& at) {
+  const double edge = edge_along_circle(camera, chart, at.gamma, pi);
+  // Along the edge the darkness stays 0.
+  const RayStart<Dual<double>> on_edge =
+      start_ray(camera, dual_direction(chart, Dual<double>(edge, 1.0, 0.0), Dual<double>(at.gamma, 0.0, 1.0)));
+  const Dual<double> dark = darkness(camera.spin, camera.horizon_r, on_edge);
+  const double slope = -dark.along_y / dark.along_x;
+  const double part = 1.0 / (1.0 + ::exp(-at.x));
+  const double rest = 1.0 / (1.0 + ::exp(at.x));
+  const Dual<double> alpha(edge + part * (pi - edge), rest * slope, part * rest * (pi - edge));
+  return dual_direction(chart, alpha, Dual<double>(at.gamma, 1.0, 0.0));
+}
+
+//! Moves a direction about the shadow until its ray comes to a place: Newton. False where it does not get there, or by another way than that of its order:
+//! images of the first way are upright, those of the second are mirrored.
+ERGO_HD bool aim_round(const CameraStation& camera, const RayTarget& target, int order, EdgePlace& at,
+                       Vector3<double>& direction, Miss& miss) {
+  constexpr double longest_turn = 0.5;
+  constexpr double longest_step = 1.0;
+  const ShadowChart chart = make_shadow_chart(camera);
+  for (int round = 0; round < most_aim_rounds; ++round) {
+    const Vector3<Dual<double>> n = direction_at(camera, chart, at);
+    if (!miss_of(camera, target, n, miss)) {
+      return false;
+    }
+    const double part = ::fmin(1.0, ::fmin(longest_turn / ::fabs(miss.step[0]), longest_step / ::fabs(miss.step[1])));
+    at.gamma += part * miss.step[0];
+    at.x += part * miss.step[1];
+    if (miss.same_side && miss.size < target.near_enough) {
+      const Vector3<Dual<double>> last = {n.x + part * (miss.step[0] * n.x.along_x + miss.step[1] * n.x.along_y),
+                                          n.y + part * (miss.step[0] * n.y.along_x + miss.step[1] * n.y.along_y),
+                                          n.z + part * (miss.step[0] * n.z.along_x + miss.step[1] * n.z.along_y)};
+      direction = normalized(plain_vector(last));
+      return miss.mirrored == (order == 2);
+    }
+  }
+  return false;
+}
+
+ERGO_HD Vector3<double> turned_about_axis(const Vector3<double>& v, double angle) {
+  const double cosine = ::cos(angle);
+  const double sine = ::sin(angle);
+  return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+}
+
+//! By how much a hole of spin 1 carries light round on its way, and so the places where it comes together again [rad]: at first straight behind the
+//! hole, where both ways meet, then where the second way has gone all round. As of most rays that get there in fewest steps.
+ERGO_HD double carried_round(const RayEnds& ends) {
+  constexpr double behind = 0.2;
+  constexpr double all_round = 1.3;
+  const double cosine = dot(ends.from, ends.place) / ::sqrt(dot(ends.from, ends.from) * dot(ends.place, ends.place));
+  const double from_behind = pi - ::acos(::fmax(-1.0, ::fmin(1.0, cosine)));
+  return behind + (all_round - behind) * from_behind / pi;
+}
+
+//! The same with the spin raised to the frame's in steps, the first of which tries all of it. The place is turned back, against the spin, by as much
+//! as light is carried round, which keeps it on its side of where light comes together.
+ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePlace& at,
+                        Vector3<double>& direction, Miss& miss) {
+  constexpr double smallest_part = 1.0 / 16.0;
+  const double spin = frame.camera.spin;
+  const double carried = spin * carried_round(ends);
+  const ApparentPlace still = apparent_place(ends.from, turned_about_axis(ends.place, carried), order);
+  at = place_without_spin(frame.camera.u, in_axes(frame, still.direction));
+  EdgePlace rate = {0.0, 0.0};
+  double raised = 0.0;
+  double part = 1.0;
+  while (raised < 1.0) {
+    const double next = ::fmin(raised + part, 1.0);
+    EdgePlace aimed = {at.gamma + (next - raised) * rate.gamma, at.x + (next - raised) * rate.x};
+    const EdgePlace expected = aimed;
+    const CameraStation camera = next < 1.0 ? local_frame(next * spin, ends.from).camera : frame.camera;
+    const RayTarget target =
+        ray_target(ends.from, turned_about_axis(ends.place, (1.0 - next) * carried), ends.near_enough);
+    // Farther from where it should be is another image.
+    if (aim_round(camera, target, order, aimed, direction, miss) && ::fabs(aimed.gamma - expected.gamma) < 1.0 &&
+        ::fabs(aimed.x - expected.x) < 2.0) {
+      const double by = 1.0 / (next - raised);
+      rate = {by * (aimed.gamma - at.gamma), by * (aimed.x - at.x)};
+      at = aimed;
+      raised = next;
+      part *= 2.0;
+      continue;
+    }
+    part *= 0.5;
+    if (part < smallest_part) {
+      return false;
+    }
+  }
+  return true;
+}
+
+//! Turns the direction without spin until its ray comes to the place, starting from what spin has added to γ and x near by, or from nothing where
+//! that is 0; then `correction` is what it has added here. False where no ray is found: next to caustics, where it may have merged with another.
+ERGO_HD bool aim_round_with_spin(const LocalFrame& frame, const RayEnds& ends, int order, Vector3<double>& direction,
+                                 RayCorrection& correction, Miss& miss) {
+  const EdgePlace start = place_without_spin(frame.camera.u, direction);
+  EdgePlace at = {start.gamma + correction.gamma, start.x + correction.x};
+  const bool known = frame.camera.spin == 0.0 || correction.gamma != 0.0 || correction.x != 0.0;
+  const RayTarget target = ray_target(ends.from, ends.place, ends.near_enough);
+  bool found = known && aim_round(frame.camera, target, order, at, direction, miss);
+  if (!found && frame.camera.spin != 0.0) {
+    found = raise_spin(frame, ends, order, at, direction, miss);
+  }
+  correction.gamma = found ? at.gamma - start.gamma : 0.0;
+  correction.x = found ? at.x - start.x : 0.0;
+  return found;
+}
+
+}  // namespace detail
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,328 @@
+#pragma once
+
+#include "kernels/core/find_root.h"
+#include "kernels/objects/mesh_search.h"
+#include "kernels/objects/object_sight.h"
+
+// The way in space that an eye of the stereo model `flat` looks along.
+//
+// What the head sees in direction n at the affine distance d stands at d n in its flat space (kernels/flat_eyes/eye_line.h). A line of sight of an eye
+// at e, e + s m, is therefore a curve in space: at the nearness w = 1/s the head's ray in the direction of m + w e, followed to the distance |m + w e| / w.
+// The curve meets objects as a ray does, whatever their surface, and whichever way round the hole they are seen.
+//
+// While the directions change little, one ray with its derivatives tells where its neighbours are. Where light has gone round the hole so often that its
+// neighbours are somewhere else altogether, images are far thinner than a pixel, and the ray itself stands for all that is near to it.
+namespace ergodome::inline ERGO_TARGET {
+
+//! One of the head's rays, for the part of an eye's line that is near to it.
+struct EyeReference {
+  Vector3<double> m;       //!< the eye's direction
+  Vector3<double> eye;     //!< e [M]
+  Vector3<double> n;       //!< the ray's direction
+  Vector3<double> across;  //!< unit vectors across it: the ray's derivatives are along these
+  Vector3<double> down;
+
+  //! The direction of the head's that belongs to a nearness, and its length before it is a unit vector.
+  ERGO_HD Vector3<double> toward(double w, double& length) const {
+    const Vector3<double> v = m + w * eye;
+    length = ::sqrt(dot(v, v));
+    return (1.0 / length) * v;
+  }
+
+  //! The head's distance of the place at a nearness; infinite where that is 0.
+  ERGO_HD double distance(double w) const {
+    double length = 0.0;
+    toward(w, length);
+    return w > 0.0 ? length / w : std::numeric_limits<double>::infinity();
+  }
+
+  //! The nearness of the place at a distance from the head: (d² - e²) w² - 2 w m·e = 1. A line that passes the head has two such places within |e|: the
+  //! farther one is told. Beyond all where there is none.
+  ERGO_HD double nearness(double distance) const {
+    const double ahead = dot(m, eye);
+    const double rest = distance * distance - dot(eye, eye);
+    const double root = ::sqrt(::fmax(ahead * ahead + rest, 0.0));
+    constexpr double beyond_all = 1e9;
+    if (ahead < 0.0) {
+      return 1.0 / (root - ahead);
+    }
+    return rest > 0.0 ? ::fmin((ahead + root) / rest, beyond_all) : beyond_all;
+  }
+};
+
+//! A part of a line, as distances from the head [M].
+struct DistanceSpan {
+  double nearest, farthest;
+};
+
+//! The ray's direction with derivatives across it, for the middle of a part of an eye's line.
+ERGO_HD EyeReference eye_reference(const Vector3<double>& m, const Vector3<double>& eye, double w) {
+  EyeReference reference = {m, eye, {}, {}, {}};
+  double length = 0.0;
+  reference.n = reference.toward(w, length);
+  const Vector3<double>& n = reference.n;
+  const Vector3<double> helper = ::fabs(n.x) < 0.6 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
+  const Vector3<double> across = cross(n, helper);
+  reference.across = (1.0 / ::sqrt(dot(across, across))) * across;
+  reference.down = cross(n, reference.across);
+  return reference;
+}
+
+//! An eye's way, and its neighbours', beside a step of their reference ray.
+template <int Order, NearParts Parts>
+class EyeStep {
+ public:
+  using D = Dual<double>;
+
+  //! `reach`: how far from the ray the directions go [rad].
+  ERGO_HD EyeStep(const PathStep<Order, Parts, D>& step, const EyeReference& reference, double reach)
+      : step_(step), reference_(reference), reach_(reach) {
+    first_ = step.series.distance[0];
+    last_ = with_neighbours(step.series.distance, step.length);
+    beside_ = reach * ::fmax(change_of(first_), change_of(last_));
+    // Where it would be a large part, the ray stands for its neighbours.
+    parts_ = !(beside_ < 0.1 * last_.value);
+    beside_ = parts_ ? 0.0 : beside_;
+  }
+
+  //! Whether all of it is farther from the head than that [M].
+  [[nodiscard]] ERGO_HD bool begins_beyond(double farthest) const { return !(first_.value - beside_ < farthest); }
+
+  //! Keeps what may be within a span of distances from the head. False where nothing is.
+  ERGO_HD bool keep(const DistanceSpan& span) {
+    if (length_ > 0.0 && span.nearest == kept_.nearest && span.farthest == kept_.farthest) {
+      return true;
+    }
+    kept_ = span;
+    length_ = 0.0;
+    const double from = span.nearest - beside_;
+    const double to = span.farthest + beside_;
+    if (!(first_.value < to) || !(last_.value > from)) {
+      return false;
+    }
+    const double end = step_.length;
+    const auto come_to = [&](double distance) {
+      return find_root(0.0, end, [&](double h) { return distance_of_ray(h) - distance; });
+    };
+    begin_ = first_.value < from ? come_to(from) : 0.0;
+    length_ = (last_.value > to ? come_to(to) : end) - begin_;
+    moved_ = false;
+    return length_ > 0.0;
+  }
+
+  //! Whether what is kept may come near any of the meshes. What else is to be known of a step is found out here, once.
+  [[nodiscard]] ERGO_HD bool may_meet(const MeshScene& scene) {
+    const Vector3<D> first_point = point_with_neighbours(0.0);
+    const Vector3<D> last_point = point_with_neighbours(step_.length);
+    width_ = ::fmax(width_of(first_point), width_of(last_point));
+    bends_ = parts_ || bends(first_point, first_) || bends(last_point, last_);
+    const double end = begin_ + length_;
+    const auto point = [&](double h) { return point_of_ray(h); };
+    // Most steps are kept as a whole, and their ends are known.
+    const PathPiece piece = {0.0, length_, begin_ == 0.0 ? plain_vector(first_point) : point(begin_),
+                             point(begin_ + 0.5 * length_),
+                             end == step_.length ? plain_vector(last_point) : point(end)};
+    // Steps are long beside the parabolas that pieces are close to.
+    // Where the ray stands for its neighbours, these are where it is.
+    const double beside = bends_ ? 0.0 : width_ * reach_;
+    const double reach = 2.0 * piece.stray() + ::fabs(piece.unevenness()) * piece.chord() + beside;
+    for (int i = 0; i < scene.count; ++i) {
+      const PlacedMesh& mesh = scene.meshes[i];
+      const double radius = mesh.size * mesh.tree.radius;
+      if (mesh.retarded ||
+          !(distance_from_segment(ball_middle(mesh, mesh.position), piece.from, piece.to) > radius + reach)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  //! Turns to a neighbour's direction: what follows is about that.
+  ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
+
+  //! What is kept as a path of its own: how far the eye goes from the ray is a parabola in its time.
+  [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() {
+    if (!moved_) {
+      move_to_begin();
+    }
+    PathStep<Order, Parts, double> path;
+    const Place at[3] = {place(begin_), place(begin_ + 0.5 * length_), place(begin_ + length_)};
+    const Parabola across = {at[0].across, at[1].across, at[2].across, length_};
+    const Parabola down = {at[0].down, at[1].down, at[2].down, length_};
+    const auto fold = [&](const auto& from, auto& to) { fold_series(from, across, down, to); };
+    fold(series_.u, path.series.u);
+    fold(series_.x, path.series.x);
+    fold(series_.y, path.series.y);
+    fold(series_.z, path.series.z);
+    fold(series_.drag, path.series.drag);
+    fold(series_.distance, path.series.distance);
+    if constexpr (has_delay(Parts)) {
+      fold(series_.delay, path.series.delay);
+    }
+    path.axes[0] = step_.axes[0];
+    path.axes[1] = step_.axes[1];
+    path.least_u = step_.least_u;
+    path.length = length_;
+    path.scale = step_.scale;
+    path.start = step_.start + begin_ / step_.scale;
+    path.delay_at_camera = step_.delay_at_camera;
+    return path;
+  }
+
+  //! Gives a hit the light of the head's own ray there, and minus its nearness for a time: what is nearer comes first. `h`: on along().
+  ERGO_HD void see(double h, MeshHit& hit) const {
+    const Place at = place(begin_ + h);
+    const D time(begin_ + h);
+    const Vector3<D> momentum = step_.polar_momentum(time);
+    hit.u_rate = beside(step_.scale * series_rate(step_.series.u, time), at);
+    hit.polar_momentum = {beside(momentum.x, at), beside(momentum.y, at), beside(momentum.z, at)};
+    hit.time = -reference_.nearness(at.distance);
+  }
+
+ private:
+  //! Where on its way the eye's line is at a time of the ray.
+  struct Place {
+    double across, down;  //!< of the ray [rad]
+    double distance;      //!< from the head [M]
+  };
+
+  //! c[0] + c[1] t + c[2] t², through three values at equal steps.
+  struct Parabola {
+    double c[3];
+
+    ERGO_HD Parabola(double first, double middle, double last, double length)
+        : c{first, (4.0 * middle - 3.0 * first - last) / length,
+            2.0 * (first - 2.0 * middle + last) / (length * length)} {}
+  };
+
+  ERGO_HD Place place(double h) const {
+    // How far the directions go on while the distance is made theirs is a small part of how far they are from the ray's.
+    constexpr int rounds = 4;
+    const D ray = with_neighbours(step_.series.distance, h);
+    Place at = {0.0, 0.0, ray.value};
+    for (int round = 0; round < rounds && !bends_; ++round) {
+      double stretch = 0.0;
+      const Vector3<double> aside = reference_.toward(reference_.nearness(at.distance), stretch) - reference_.n;
+      at.across = dot(aside, reference_.across);
+      at.down = dot(aside, reference_.down);
+      at.distance = ray.value + ray.along_x * at.across + ray.along_y * at.down;
+    }
+    return at;
+  }
+
+  //! A series at a time that is the same for the ray and its neighbours: with derivatives, and for the ray alone. Most steps are looked at just so, and no
+  //! more, and times with derivatives would take three times as long.
+  template <int Count>
+  [[nodiscard]] ERGO_HD static D with_neighbours(const D (&c)[Count], double h) {
+    D sum = c[Count - 1];
+    for (int k = Count - 2; k >= 0; --k) {
+      sum = {sum.value * h + c[k].value, sum.along_x * h + c[k].along_x, sum.along_y * h + c[k].along_y};
+    }
+    return sum;
+  }
+  template <int Count>
+  [[nodiscard]] ERGO_HD static double of_ray(const D (&c)[Count], double h) {
+    double sum = c[Count - 1].value;
+    for (int k = Count - 2; k >= 0; --k) {
+      sum = sum * h + c[k].value;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] ERGO_HD double distance_of_ray(double h) const { return of_ray(step_.series.distance, h); }
+
+  //! PathStep::point() at such a time.
+  [[nodiscard]] ERGO_HD Vector3<D> point_with_neighbours(double h) const {
+    const auto& s = step_.series;
+    const D u = with_neighbours(s.u, h);
+    const D r = 1.0 / (u.value > step_.least_u ? u : D(step_.least_u));
+    return r * step_.turned(with_neighbours(s.drag, h), with_neighbours(s.x, h), with_neighbours(s.y, h),
+                            with_neighbours(s.z, h));
+  }
+  [[nodiscard]] ERGO_HD Vector3<double> point_of_ray(double h) const {
+    const auto& s = step_.series;
+    double sine = 0.0;
+    double cosine = 1.0;
+    sine_cosine(of_ray(s.drag, h), sine, cosine);
+    const double x = of_ray(s.x, h);
+    const double y = of_ray(s.y, h);
+    const double r = 1.0 / ::fmax(of_ray(s.u, h), step_.least_u);
+    return r * ((cosine * x - sine * y) * step_.axes[0] + (sine * x + cosine * y) * step_.axes[1] +
+                Vector3<double>{0.0, 0.0, of_ray(s.z, h)});
+  }
+
+  ERGO_HD static double change_of(const D& distance) { return ::fabs(distance.along_x) + ::fabs(distance.along_y); }
+
+  //! How far neighbours of a place are away, for each radian [M].
+  ERGO_HD static double width_of(const Vector3<D>& p) {
+    return length_of({p.x.along_x, p.y.along_x, p.z.along_x}) + length_of({p.x.along_y, p.y.along_y, p.z.along_y});
+  }
+
+  //! Whether they are so far away, or so much nearer or farther, that derivatives say little.
+  [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
+    constexpr double widest = 0.5;
+    constexpr double most_uneven = 0.3;
+    // What is not a number bends.
+    return !(width_of(p) * reach_ <= widest * length_of(plain_vector(p))) ||
+           !(change_of(distance) * length_of(reference_.eye) <= most_uneven * distance.value * distance.value);
+  }
+
+  ERGO_HD static double beside(const D& value, const Place& at) {
+    return value.value + value.along_x * at.across + value.along_y * at.down;
+  }
+
+  //! The step's series about where what is kept begins.
+  ERGO_HD void move_to_begin() {
+    series_ = step_.series;
+    moved_ = true;
+    if (begin_ == 0.0) {
+      return;
+    }
+    move_series(series_.u);
+    move_series(series_.x);
+    move_series(series_.y);
+    move_series(series_.z);
+    move_series(series_.drag);
+    move_series(series_.distance);
+    if constexpr (has_delay(Parts)) {
+      move_series(series_.delay);
+    }
+  }
+  template <int Count>
+  ERGO_HD void move_series(D (&c)[Count]) const {
+    for (int i = 0; i + 1 < Count; ++i) {
+      for (int k = Count - 2; k >= i; --k) {
+        c[k] = c[k] + c[k + 1] * begin_;
+      }
+    }
+  }
+
+  //! The series of a number along the eye's way, about where that begins.
+  template <int Count>
+  ERGO_HD static void fold_series(const D (&from)[Count], const Parabola& across, const Parabola& down,
+                                  double (&to)[Count]) {
+    for (int k = 0; k < Count; ++k) {
+      to[k] = from[k].value;
+      for (int i = 0; i < 3 && i <= k; ++i) {
+        to[k] += from[k - i].along_x * across.c[i] + from[k - i].along_y * down.c[i];
+      }
+    }
+  }
+
+  const PathStep<Order, Parts, D>& step_;
+  EyeReference reference_;
+  double reach_;
+  D first_;  //!< distance from the head at both ends of the step
+  D last_;
+  double beside_;       //!< the eye's may be so much greater or less [M]
+  bool parts_ = false;  //!< that would be a large part of it
+  DistanceSpan kept_ = {0.0, 0.0};
+  double begin_ = 0.0;  //!< of what is kept, in the step's time
+  double length_ = 0.0;
+  bool moved_ = false;  //!< the series are about its begin
+  detail::NearSeries<Order, D, Parts> series_;
+  double width_ = 0.0;
+  bool bends_ = false;
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "kernels/objects/aim_ray_round.h"
+#include "kernels/spacetime/schwarzschild/apparent_place.h"
+
+// Light from a point to a place, about a hole of any spin.
+namespace ergodome {
+
+//! How light comes to a place.
+struct LightRay {
+  Vector3<double>
+      direction;  //!< towards where it comes from, in the frame of an observer without angular momentum: e_r, e_θ, e_φ
+  double travel_time;  //!< [M]
+  //! Cross-section at one end of a narrow bundle that comes together at the other, over its solid angle there and the square of the energy that the
+  //! observer there measures of a photon of energy 1 at infinity. It is the same both ways (Etherington's reciprocity), whoever the observers are [M²].
+  double spread;
+};
+
+//! What is to be known of a ray between a lamp and a place.
+enum class LightRayParts {
+  way,    //!< direction and time
+  spread  //!< and how its bundle spreads
+};
+
+inline namespace ERGO_TARGET {
+
+namespace detail {
+
+//! Where light that arrives seems to come from, for the observer without angular momentum there.
+ERGO_HD Vector3<double> seen_from(const LocalFrame& frame, double r, const Arrival& arrival) {
+  const Vector3<double> turn = in_axes(frame, arrival.polar_momentum);
+  const Vector3<double>& by = frame.normal_by;
+  // Momenta of an orthonormal frame: dr/dλ / √(ΣΔ), dθ/dλ / √Σ, L / (sinθ √(A/Σ)); normal_by has √(Δ/Σ), r/√Σ, r √(Σ/A).
+  const Vector3<double> n = {arrival.u_rate * by.y * by.y / by.x, -turn.y * by.y / r, -turn.z * by.z / r};
+  return (1.0 / ::sqrt(dot(n, n))) * n;
+}
+
+//! Whether two places are so near to each other that space between them is flat, and their radii too much the same for a ray to be told by where it
+//! comes to the larger one.
+ERGO_HD bool is_next_to(const Vector3<double>& a, const Vector3<double>& b) {
+  constexpr double near = 3e-3;
+  const Vector3<double> way = b - a;
+  return dot(way, way) < near * near * dot(a, a);
+}
+
+//! The spread there: the square of the distance, over that of the energy, as the observer measures both.
+ERGO_HD double spread_nearby(const LocalFrame& frame, const LightRay& ray) {
+  const double lapse = frame.normal_by.x * frame.normal_by.z / frame.normal_by.y;
+  const double distance = lapse * ray.travel_time * evaluate(frame.camera.energy, ray.direction);
+  return distance * distance;
+}
+
+//! Aims from the frame's place at another on the first or the second way round. `direction`: without spin; then that of the ray. `phi`: between both
+//! places [rad].
+ERGO_HD bool aim(const LocalFrame& frame, const RayEnds& ends, int order, double phi, Vector3<double>& direction,
+                 RayCorrection& correction, Miss& miss) {
+  // From here on the first way passes so close to the hole that its rays change as those of the second do.
+  constexpr double next_to_axis = 2.5;
+  return order == 1 && phi < next_to_axis ? aim_with_spin(frame, ends, direction, correction, miss)
+                                          : aim_round_with_spin(frame, ends, order, direction, correction, miss);
+}
+
+}  // namespace detail
+
+//! Light from a lamp to a point, on the first or the second way round the hole: without spin in closed form (kernels/schwarzschild), else, and for its
+//! spread, by Newton's method on exact rays, which start at the end that is nearer to the hole. False where no ray is found. `correction`: what spin has
+//! added to that way's ray at a place near by, and then here.
+ERGO_HD_CALLED bool light_ray(double spin, const LocalFrame& frame, const Vector3<double>& point,
+                              const Vector3<double>& lamp, int order, LightRayParts parts, RayCorrection& correction,
+                              LightRay& ray) {
+  const ConnectionPlane plane = connection_plane(lamp, point);
+  if (!(plane.r > 2.0)) {
+    return false;
+  }
+  const ConnectingRay flat = connecting_ray(plane.r_observer, plane.r, image_angle(plane.phi, order));
+  const ApparentPlace place = apparent_place(plane, order, flat.xi, flat.travel_time, flat.emission_angle);
+  ray = {in_axes(frame, place.emission_direction), place.travel_time, 0.0};
+  if (spin == 0.0 && parts == LightRayParts::way) {
+    return true;
+  }
+  detail::Miss miss{};
+  bool found = false;
+  if (plane.r <= plane.r_observer) {
+    constexpr double near_enough = 2e-4;
+    found = detail::aim(frame, {point, lamp, near_enough}, order, plane.phi, ray.direction, correction, miss);
+    ray = {ray.direction, miss.arrival.delay, miss.spread};
+  } else {
+    // The other way round time runs backwards, and the hole turns backwards. What arrives is that of the step before the last.
+    constexpr double near_enough = 1e-5;
+    const LocalFrame at_lamp = local_frame(-spin, lamp);
+    Vector3<double> direction = in_axes(at_lamp, place.direction);
+    found = detail::aim(at_lamp, {lamp, point, near_enough}, order, plane.phi, direction, correction, miss);
+    ray = {detail::seen_from(frame, plane.r, miss.arrival), miss.arrival.delay, miss.spread};
+  }
+  if (order == 1 && detail::is_next_to(point, lamp)) {
+    ray = found ? ray : LightRay{in_axes(frame, place.emission_direction), place.travel_time, 0.0};
+    ray.spread = detail::spread_nearby(frame, ray);
+    return true;
+  }
+  return found;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

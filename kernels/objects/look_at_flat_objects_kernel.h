@@ -1,0 +1,182 @@
+#pragma once
+
+#include "kernels/eyes/flat/eye_line.h"
+#include "kernels/objects/look_at_objects_kernel.h"
+#include "kernels/objects/pixel_lines.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Objects as an eye of the stereo model `flat` meets them along its lines of sight: part by part from the nearest on, beside rays of the head's, which all
+//! samples of a pixel share.
+template <class T, NearParts Parts>
+struct ObjectRaysOfHead {
+  using D = Dual<T>;
+  static constexpr int most_quads = PixelLines::most / quad_size;
+
+  const FlatObjectPixelBatch& batch;
+
+  //! Where the farthest part of the pixel's line has its ray: light that has gone round the hole comes from there.
+  [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
+    const FlatReach& reach = batch.reach[at];
+    const double part_w = static_cast<double>(reach.most_w - reach.least_w) / parts_of(reach);
+    const EyeLine<double> line = {middle_of_pixel(batch.pixels, at), batch.sight.eye};
+    const CameraStation& camera = batch.pixels.objects.camera;
+    return slice_pixel(camera, start_near_ray(camera, line.at(static_cast<double>(reach.least_w) + 0.5 * part_w).n));
+  }
+
+  ERGO_HD void find(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
+    // Rays that lines share are too far from one another for images that are thinner than a pixel.
+    const int together = batch.pixels.pattern == PixelPattern::slices ? 1 : count;
+    for (int k = 0; k < count; k += together) {
+      look_along_lines(first, m + k, together, met + k);
+    }
+  }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+
+  //! Looks along lines that share the head's rays.
+  ERGO_HD void look_along_lines(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
+    PixelLines lines[lanes];
+    for (int i = 0; i < lanes; ++i) {
+      Vector3<double> own[PixelLines::most];
+      for (int k = 0; k < count; ++k) {
+        own[k] = {lane(m[k].x, i), lane(m[k].y, i), lane(m[k].z, i)};
+      }
+      const FlatReach& reach = batch.reach[first + i < batch.pixels.count ? first + i : batch.pixels.count - 1];
+      const double part = part_of(reach);
+      lines[i].begin(batch.sight, reach, part, own, count);
+    }
+    for (int k = 0; k < count; ++k) {
+      for (int i = 0; i < lanes; ++i) {
+        met[k].hits[i] = MeshHit{};
+      }
+      met[k].energy = T(1.0);
+      met[k].momentum = T(0.0);
+    }
+    Vector3<D> n;
+    while (true) {
+      const MaskOf<T> wanted = next(lines, n);
+      if (!any(wanted)) {
+        break;
+      }
+      look_beside(n, wanted, lines, count, met);
+    }
+    for (int k = 0; k < count; ++k) {
+      for (int i = 0; i < lanes; ++i) {
+        if (met[k].hits[i].mesh >= 0) {
+          end(lines[i].direction(k), i, met[k]);
+        }
+      }
+    }
+  }
+
+  //! How far the eye's way brings a pixel's lines [rad].
+  [[nodiscard]] ERGO_HD double way_of(const FlatReach& reach) const {
+    return static_cast<double>(reach.most_w - reach.least_w) * length_of(batch.sight.eye);
+  }
+
+  //! What a ray stands for along them [rad]. Lines of slices have no more than parts_of_slices.
+  [[nodiscard]] ERGO_HD double part_of(const FlatReach& reach) const {
+    const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
+    return batch.pixels.pattern == PixelPattern::slices ? ::fmax(part, way_of(reach) / (parts_of_slices - 0.5)) : part;
+  }
+  [[nodiscard]] ERGO_HD int parts_of(const FlatReach& reach) const {
+    return 1 + static_cast<int>(way_of(reach) / part_of(reach));
+  }
+
+  //! What one of the head's rays may stand for along a line of sight, as the head sees it. A neighbour at δ px is off by some ½ δ² of how fast the width of
+  //! a pixel grows, for which its square over r is taken [px]: towards a critical curve both grow alike.
+  [[nodiscard]] ERGO_HD double part_px(double width) const {
+    constexpr double longest_px = 4.0;
+    constexpr double shortest_px = 0.25;
+    const double part = 2.0 / PixelLines::corner_reach * ::sqrt(2.0 * batch.sight.tolerance_px / ::fmax(width, 1e-9));
+    return ::fmax(shortest_px, ::fmin(longest_px, part));
+  }
+
+  //! Goes to each pixel's next ray; tells which have one, and gives them with their derivatives.
+  ERGO_HD static MaskOf<T> next(PixelLines (&lines)[lanes], Vector3<D>& n) {
+    T wanted(0.0);
+    for (int i = 0; i < lanes; ++i) {
+      set_lane(wanted, i, lines[i].next() ? 1.0 : 0.0);
+      const EyeReference& own = lines[i].reference();
+      const auto set = [i](D& to, double value, double across, double down) {
+        set_lane(to.value, i, value);
+        set_lane(to.along_x, i, across);
+        set_lane(to.along_y, i, down);
+      };
+      set(n.x, own.n.x, own.across.x, own.down.x);
+      set(n.y, own.n.y, own.across.y, own.down.y);
+      set(n.z, own.n.z, own.across.z, own.down.z);
+    }
+    return wanted > T(0.0);
+  }
+
+  ERGO_HD void look_beside(const Vector3<D>& n, const MaskOf<T>& wanted, PixelLines (&lines)[lanes], int count,
+                           SampleHits<T>* met) const {
+    const ObjectScene& objects = batch.pixels.objects;
+    const CameraStation& camera = objects.camera;
+    follow_path<object_order, Parts>(camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, n),
+                                     {objects.scene.least_r, objects.scene.greatest_r}, objects.limits, wanted,
+                                     [&](int i, const PathStep<object_order, Parts, Dual<double>>& step) {
+                                       PixelLines& own = lines[i];
+                                       EyeStep<object_order, Parts> eye(step, own.reference(), own.reach());
+                                       if (eye.begins_beyond(own.span().farthest)) {
+                                         return true;
+                                       }
+                                       if (!eye.keep(own.span()) || !eye.may_meet(objects.scene)) {
+                                         return false;
+                                       }
+                                       for (int k = 0; k < count; ++k) {
+                                         if (own.is_wanted(k) && eye.keep(own.span(k))) {
+                                           look_along(eye, k, own, met[k].hits[i]);
+                                         }
+                                       }
+                                       return !own.any_wanted();
+                                     });
+  }
+
+  //! Looks for what a line meets in what is kept of a step.
+  ERGO_HD void look_along(EyeStep<object_order, Parts>& eye, int line, PixelLines& lines, MeshHit& hit) const {
+    eye.turn_to(lines.direction(line));
+    const PathStep<object_order, Parts, double> path = eye.along();
+    detail::StepSearch<object_order, Parts> search = {path, batch.pixels.objects.scene, 0.0, {}};
+    if (!search.run()) {
+      return;
+    }
+    eye.see(search.found_h, search.hit);
+    if (hit.mesh < 0 || search.hit.time < hit.time) {
+      hit = search.hit;
+    }
+    lines.meet(line);
+  }
+
+  //! What the head's ray to a hit is like; nothing is met behind what the eye sees of the horizon.
+  ERGO_HD void end(const Vector3<double>& direction, int i, SampleHits<T>& met) const {
+    MeshHit& hit = met.hits[i];
+    const double w = -hit.time;
+    const Vector3<float> m = {static_cast<float>(direction.x), static_cast<float>(direction.y),
+                              static_cast<float>(direction.z)};
+    if (is_behind_horizon(batch.sight.horizon, m, static_cast<float>(w))) {
+      hit.mesh = -1;
+      return;
+    }
+    const Vector3<double> toward = direction + w * batch.sight.eye;
+    const NearRay<double> ray = start_near_ray(batch.pixels.objects.camera, (1.0 / length_of(toward)) * toward);
+    set_lane(met.energy, i, ray.energy);
+    set_lane(met.momentum, i, ray.axial_angular_momentum);
+  }
+};
+
+//! Light of pixels in which such an eye may see objects. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+template <class T, NearParts Parts>
+struct LookAtFlatObjects {
+  FlatObjectPixelBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const ObjectRaysOfHead<T, Parts> rays = {batch};
+    ObjectQuads<T, ObjectRaysOfHead<T, Parts>>{batch.pixels, rays}.draw(index);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

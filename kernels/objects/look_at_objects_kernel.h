@@ -1,0 +1,47 @@
+#pragma once
+
+#include "kernels/objects/object_quads.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Order of the series by which objects are looked for.
+inline constexpr int object_order = 10;
+
+//! Objects as a camera's rays meet them, or those of an eye that turns.
+template <class T, NearParts Parts>
+struct ObjectRaysOfEye {
+  static constexpr int most_quads = 1;
+
+  const ObjectPixelBatch& batch;
+
+  [[nodiscard]] ERGO_HD PixelSlices slice(int at) const {
+    const ObjectScene& objects = batch.objects;
+    return slice_pixel(objects.camera, start_near_ray(objects.camera, objects.turning, middle_of_pixel(batch, at)));
+  }
+
+  ERGO_HD void find(int, const Vector3<T>* n, int count, SampleHits<T>* met) const {
+    const ObjectScene& objects = batch.objects;
+    const CameraStation& camera = objects.camera;
+    for (int k = 0; k < count; ++k) {
+      const NearRay<T> ray = start_near_ray(camera, objects.turning, n[k]);
+      met[k].energy = ray.energy;
+      met[k].momentum = ray.axial_angular_momentum;
+      const T square = dot(n[k], n[k]);
+      trace_meshes<object_order, Parts, T>(camera.spin, camera.cosine_phi, camera.sine_phi, ray, objects.scene,
+                                           objects.limits, (square > T(0.5)) & (square < T(2.0)), met[k].hits);
+    }
+  }
+};
+
+//! Light of pixels in which objects may be seen, from four or sixteen rays each. Index i stands for the pixels i * lanes, i * lanes + 1, ...
+template <class T, NearParts Parts>
+struct LookAtObjects {
+  ObjectPixelBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const ObjectRaysOfEye<T, Parts> rays = {batch};
+    ObjectQuads<T, ObjectRaysOfEye<T, Parts>>{batch, rays}.draw(index);
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

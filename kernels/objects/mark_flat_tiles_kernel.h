@@ -1,0 +1,169 @@
+#pragma once
+
+#include "kernels/eyes/flat/eye_line.h"
+#include "kernels/objects/eye_path.h"
+#include "kernels/objects/tile_pieces.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Marks the tiles in which an eye of the stereo model `flat` may see objects, and tells how near these may be: the line of sight through a tile's middle is
+//! cut into parts, each with a ray of the head's, as in MarkTiles. Index i stands for the tiles i * lanes, i * lanes + 1, ...
+template <class T, NearParts Parts>
+struct MarkFlatTiles {
+  using D = Dual<T>;
+
+  FlatObjectTileBatch batch;
+
+  ERGO_HD void operator()(int index) const {
+    const ObjectTileBatch& tiles = batch.tiles;
+    const int first = index * lanes;
+    Seen seen[lanes];
+    EyeLine<T> line;
+    line.eye = batch.sight.eye;
+    T inside(0.0);
+    int most_parts = 0;
+    for (int i = 0; i < lanes; ++i) {
+      const std::int32_t* const at = tiles.tiles + 2 * (first + i < tiles.count ? first + i : tiles.count - 1);
+      const double half = 0.5 * tiles.side_px;
+      const Vector3<Dual<double>> one = observed_footprint(tiles.objects, at[0] + half, at[1] + half);
+      const double square = dot(plain_vector(one), plain_vector(one));
+      const bool looks = square > 0.5 && square < 2.0;
+      set_lane(inside, i, looks ? 1.0 : 0.0);
+      set_vector_lane(line.m, i, looks ? one : Vector3<Dual<double>>{1.0, 0.0, 0.0});
+      seen[i].reference = eye_reference(line.direction(i), batch.sight.eye, 0.0);
+      seen[i].from_w = static_cast<double>(along(first + i).least_w);
+      const double way = ::fmax(static_cast<double>(along(first + i).most_w) - seen[i].from_w, 0.0);
+      seen[i].parts = 1 + static_cast<int>(way * length_of(batch.sight.eye) / batch.part);
+      seen[i].step_w = way / seen[i].parts;
+      most_parts = most_parts < seen[i].parts ? seen[i].parts : most_parts;
+      if (!looks) {
+        // Where the tile's middle looks nowhere, its pixels are all looked at.
+        see_all(seen[i]);
+      }
+    }
+    for (int part = 0; part < most_parts; ++part) {
+      look(line, part, inside > T(0.0), seen);
+    }
+    for (int i = 0; i < lanes && first + i < tiles.count; ++i) {
+      store(first + i, seen[i]);
+    }
+  }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+
+  //! What a tile has seen so far.
+  struct Seen {
+    EyeReference reference;
+    double from_w = 0.0;
+    double step_w = 0.0;  //!< of a part
+    int parts = 1;
+    TileMark mark = TileMark::nothing;
+    double least_w = 1e30;
+    double most_w = 0.0;
+    double width = 0.0;  //!< of a pixel, over r
+  };
+
+  ERGO_HD const FlatReach& along(int at) const {
+    return batch.along[at < batch.tiles.count ? at : batch.tiles.count - 1];
+  }
+
+  //! Of images that nobody knows, near a critical curve, a pixel is as wide as can be.
+  static constexpr double widest = 1e30;
+  //! Beside the shadow's edge pixels may be as wide as that, too; rays for this width are two or three across a pixel. For the widest, pictures of objects took 1.4
+  //! to 1.7 times as long. What is thinner than a pixel is noisy here.
+  static constexpr double width_by_edge = 1.6;
+
+  ERGO_HD static void see_all(Seen& seen) {
+    see(seen, TileMark::fine, seen.from_w, seen.from_w + seen.parts * seen.step_w);
+    seen.width = widest;
+  }
+  ERGO_HD static void see(Seen& seen, TileMark mark, double least_w, double most_w) {
+    seen.mark = mark > seen.mark ? mark : seen.mark;
+    seen.least_w = ::fmin(seen.least_w, least_w);
+    seen.most_w = ::fmax(seen.most_w, most_w);
+  }
+
+  //! A part whose rays go different ways where they come to the hole.
+  ERGO_HD void see_by_edge(Seen& seen, double middle_w) const {
+    const double least_w = middle_w - 0.5 * seen.step_w;
+    if (least_w < batch.sight.most_hole_w) {
+      see(seen, TileMark::edge, least_w, ::fmin(middle_w + 0.5 * seen.step_w, batch.sight.most_hole_w));
+      seen.width = ::fmax(seen.width, width_by_edge);
+    }
+  }
+
+  //! Looks along a part of the lines of sight.
+  ERGO_HD void look(const EyeLine<T>& line, int part, const MaskOf<T>& inside, Seen (&seen)[lanes]) const {
+    const ObjectScene& objects = batch.tiles.objects;
+    const CameraStation& camera = objects.camera;
+    T w(0.0);
+    T step_w(0.0);
+    T wanted(0.0);
+    for (int i = 0; i < lanes; ++i) {
+      set_lane(w, i, seen[i].from_w + (part + 0.5) * seen[i].step_w);
+      set_lane(step_w, i, seen[i].step_w);
+      set_lane(wanted, i, part < seen[i].parts ? 1.0 : 0.0);
+    }
+    const MaskOf<T> active = inside & (wanted > T(0.0));
+    const EyePoint<T> point = line.at(w);
+    const T sweep = 0.5 * step_w * (absolute(point.along_x) + absolute(point.along_y));
+    const T half_px = 0.5 * batch.tiles.side_px + sweep;
+    const auto start = [&camera](const Vector3<T>& at) { return start_near_ray(camera, at); };
+    // Beside the tile itself the line sweeps along the eye's way alone.
+    const auto half_along = [&](const T& along) {
+      return maximum(0.5 * batch.tiles.side_px + 0.5 * step_w * absolute(along), T(least_edge_px));
+    };
+    const MaskOf<T> by_edge =
+        active & is_by_edge(camera.spin, start, point.n, half_along(point.along_x), half_along(point.along_y));
+    const double greatest_r = greatest_r_of_tiles(objects, point.n, half_px);
+    const auto decided = follow_path<mark_order, Parts>(
+        camera.spin, camera.cosine_phi, camera.sine_phi, start_near_ray(camera, point.n),
+        {objects.scene.least_r, greatest_r}, {mark_tolerance, objects.limits.step_limit, objects.limits.delay}, active,
+        [&](int i, const PathStep<mark_order, Parts, Dual<double>>& step) {
+          look_through(step, lane(half_px, i), lane(w, i), 0.75 * seen[i].step_w, seen[i]);
+          return false;
+        });
+    for (int i = 0; i < lanes; ++i) {
+      if (mask_lane(active, i) && !mask_lane(decided, i)) {
+        see_all(seen[i]);
+      } else if (mask_lane(by_edge, i)) {
+        see_by_edge(seen[i], lane(w, i));
+      }
+    }
+  }
+
+  //! Keeps what is seen no farther than `reach_w` from the nearness of the part's middle.
+  ERGO_HD void look_through(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
+                            double reach_w, Seen& seen) const {
+    visit_tile_pieces(batch.tiles.objects.scene, step, {half_px, batch.tiles.turn_per_px, NeighbourTimes::same},
+                      [&](const PathPiece& p, double radius, const PixelOnPath& pixel) {
+                        const Dual<double> from = step.distance(Dual<double>(p.from_h));
+                        const Dual<double> to = step.distance(Dual<double>(p.to_h));
+                        const double beside = footprint_slack * half_px * (::fabs(to.along_x) + ::fabs(to.along_y));
+                        const double nearest = seen.reference.nearness(from.value - beside);
+                        const double farthest = seen.reference.nearness(to.value + beside);
+                        // What is not a number is near, too.
+                        if (!(nearest < w - reach_w) && !(farthest > w + reach_w)) {
+                          see(seen, mark_of(radius, pixel), ::fmax(farthest, w - reach_w),
+                              ::fmin(nearest, w + reach_w));
+                          seen.width = ::fmax(seen.width, pixel.width / length_of(p.middle));
+                        }
+                        return false;
+                      });
+  }
+
+  ERGO_HD void store(int at, const Seen& seen) const {
+    const double most_w = ::fmin(seen.most_w, batch.sight.most_w);
+    const double least_w = ::fmin(::fmax(seen.least_w, 0.0), most_w);
+    batch.tiles.marks[at] = mark_of_line(seen.mark, (most_w - least_w) * length_of(batch.sight.eye));
+    batch.reach[at] = {static_cast<float>(least_w), static_cast<float>(most_w), static_cast<float>(seen.width)};
+  }
+
+  //! Slices are not worth it where the eye's way brings their lines past many of the head's pixels.
+  ERGO_HD TileMark mark_of_line(TileMark mark, double way) const {
+    return mark > TileMark::fine && way > most_way_of_slices * batch.sight.pixel ? TileMark::fine : mark;
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

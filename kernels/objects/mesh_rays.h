@@ -1,0 +1,38 @@
+#pragma once
+
+#include "kernels/objects/mesh_search.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! The first mesh on each of the rays that are followed backwards from a camera at azimuth φ, with all the ways round the hole: `hits`, one a lane.
+//! `active_at_start`: lanes to follow; the others' hits stay none. False where a ray met the step limit before it was decided.
+//!
+//! Paths are Taylor series; pieces of them that come near a mesh are searched for triangles as parabolas would be, and a crossing is a zero of
+//! the series itself: outlines are as exact as the path. A path that grazes a plane twice within a fiftieth of its mesh is seen by the
+//! parabola through the piece. Meshes move on while light passes by, where they are retarded and delay is carried.
+template <int Order, NearParts Parts, class T>
+ERGO_HD MaskOf<T> trace_meshes(double spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
+                               const MeshScene& scene, const MeshLimits& limits, const MaskOf<T>& active_at_start,
+                               MeshHit* hits) {
+  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+    hits[i] = MeshHit{};
+  }
+  return follow_path<Order, Parts>(spin, cosine_phi, sine_phi, ray, {scene.least_r, scene.greatest_r}, limits,
+                                   active_at_start, [&](int i, const PathStep<Order, Parts, double>& step) {
+                                     detail::StepSearch<Order, Parts> search = {step, scene, 0.0, {}};
+                                     const bool found = search.run();
+                                     if (found) {
+                                       hits[i] = search.hit;
+                                     }
+                                     return found;
+                                   });
+}
+
+//! The same for one ray.
+template <int Order, NearParts Parts>
+ERGO_HD bool trace_meshes(double spin, double cosine_phi, double sine_phi, const NearRay<double>& ray,
+                          const MeshScene& scene, const MeshLimits& limits, MeshHit& hit) {
+  return trace_meshes<Order, Parts, double>(spin, cosine_phi, sine_phi, ray, scene, limits, true, &hit);
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,216 @@
+#pragma once
+
+#include "kernels/core/find_root.h"
+#include "kernels/objects/path_parabola.h"
+
+// Which triangle a ray's path meets first.
+namespace ergodome {
+
+//! Where light leaves a mesh.
+struct MeshHit {
+  int mesh = -1;            //!< none
+  std::uint32_t place = 0;  //!< of the triangle in the tree
+  double weight_1 = 0.0;    //!< of the second and the third corner; the first has the rest
+  double weight_2 = 0.0;
+  Vector3<double> point;  //!< pseudo-Cartesian [M]
+  double delay = 0.0;     //!< coordinate time from there to the camera [M]; with azimuth_and_delay alone
+  double time = 0.0;      //!< Mino time from there to the camera, for a photon that is seen with energy 1 [1/M]
+  double u_rate = 0.0;    //!< du/dλ there, backwards
+  Vector3<double> polar_momentum;  //!< dm/dλ there, backwards, pseudo-Cartesian [M]
+};
+
+inline namespace ERGO_TARGET {
+
+namespace detail {
+
+//! A path in the unit of a mesh, which may move on while light passes by.
+template <int Order, NearParts Parts>
+struct PathInMesh {
+  const PathStep<Order, Parts, double>& step;
+  const PlacedMesh& mesh;
+
+  ERGO_HD Vector3<double> at(double h, const Vector3<double>& point) const {
+    return in_mesh(mesh, has_delay(Parts) ? mesh_position(mesh, step.delay(h)) : mesh.position, point);
+  }
+  ERGO_HD Vector3<double> operator()(double h) const { return at(h, step.point(h)); }
+
+  ERGO_HD PathPiece piece(const PathPiece& p) const {
+    return {p.from_h, p.to_h, at(p.from_h, p.from), at(p.middle_h(), p.middle), at(p.to_h, p.to)};
+  }
+};
+
+//! The path's distance from a triangle's plane, in units of twice the triangle's area.
+template <class Path>
+struct PlaneDistance {
+  const Path& path;
+  Vector3<double> corner;
+  Vector3<double> normal;
+
+  ERGO_HD double of(const Vector3<double>& point) const { return dot(normal, point - corner); }
+  ERGO_HD double operator()(double h) const { return of(path(h)); }
+};
+
+//! Looks at triangles that a piece may cross, and keeps the first.
+template <class Path>
+struct PieceCrossings {
+  const Path& path;
+  const PathPiece& piece;  //!< in the mesh's unit
+  PathParabola parabola;
+  int index;
+  double first_h;
+  MeshHit hit;
+
+  //! Where the first crossing is, as a part of the piece; beyond 1: there is none yet.
+  ERGO_HD double first_s() const { return (first_h - piece.from_h) / (piece.to_h - piece.from_h); }
+
+  ERGO_HD void operator()(std::uint32_t place) {
+    const TriangleSides sides = triangle_sides(path.mesh.tree, place);
+    const PlaneDistance<Path> f = {path, sides.corner, cross(sides.side_1, sides.side_2)};
+    const double at_from = f.of(piece.from);
+    const double at_middle = f.of(piece.middle);
+    const double at_to = f.of(piece.to);
+    if (!may_cross(parabola, {sides, f.normal, at_from, at_middle, at_to}, first_s())) {
+      return;
+    }
+    if ((at_from < 0.0) != (at_to < 0.0)) {
+      keep(f, sides, place, piece.from_h, piece.to_h, at_from);
+      return;
+    }
+    // A path that bends may pass the plane and come back: the parabola through three points says where it would turn.
+    const double bow = 2.0 * (at_from + at_to) - 4.0 * at_middle;
+    const double share = bow != 0.0 ? 0.5 - 0.5 * (at_to - at_from) / bow : -1.0;
+    if (!(share > 0.0 && share < 1.0)) {
+      return;
+    }
+    const double turn = piece.from_h + share * (piece.to_h - piece.from_h);
+    const double at_turn = f(turn);
+    if ((at_turn < 0.0) != (at_from < 0.0)) {
+      keep(f, sides, place, piece.from_h, turn, at_from);
+      keep(f, sides, place, turn, piece.to_h, at_turn);
+    }
+  }
+
+  //! Keeps the crossing of a triangle's plane between two times, if it lies within the triangle and is the first so far.
+  ERGO_HD void keep(const PlaneDistance<Path>& f, const TriangleSides& sides, std::uint32_t place, double from_h,
+                    double to_h, double at_from) {
+    if (!(from_h < first_h)) {
+      return;
+    }
+    const double side = at_from < 0.0 ? 1.0 : -1.0;
+    const double h = find_root(from_h, to_h, [&](double at) { return side * f(at); });
+    if (!(h < first_h)) {
+      return;
+    }
+    const Vector3<double> from_corner = path(h) - sides.corner;
+    const double area = dot(f.normal, f.normal);
+    const double weight_1 = dot(cross(from_corner, sides.side_2), f.normal) / area;
+    const double weight_2 = dot(cross(sides.side_1, from_corner), f.normal) / area;
+    // Triangles that share a side leave no gap.
+    constexpr double seam = 1e-9;
+    if (weight_1 >= -seam && weight_2 >= -seam && weight_1 + weight_2 <= 1.0 + seam) {
+      first_h = h;
+      hit.mesh = index;
+      hit.place = place;
+      hit.weight_1 = weight_1;
+      hit.weight_2 = weight_2;
+    }
+  }
+};
+
+//! Looks through a step, piece by piece.
+template <int Order, NearParts Parts>
+struct StepSearch {
+  const PathStep<Order, Parts, double>& step;
+  const MeshScene& scene;
+  double found_h = 0.0;
+  MeshHit hit;
+
+  ERGO_HD PathInMesh<Order, Parts> in(int mesh) const { return {step, scene.meshes[mesh]}; }
+
+  //! Whether a piece may meet a mesh that rests.
+  ERGO_HD static bool passes(const PlacedMesh& mesh, const PathPiece& p, double stray) {
+    return distance_from_segment(ball_middle(mesh, mesh.position), p.from, p.to) <=
+           mesh.size * mesh.tree.radius + stray;
+  }
+
+  //! What of a piece to do: meshes that it may meet want it short.
+  ERGO_HD PieceAnswer operator()(const PathPiece& p) {
+    // A piece may stray by so much of a mesh that it comes near.
+    constexpr double fine = 0.02;
+    // And its parabola by so much: with less there are more pieces, with more there are more triangles that only the path itself tells from met ones.
+    constexpr double finest = 3e-4;
+    const double stray = p.stray();
+    bool near = false;
+    for (int i = 0; i < scene.count; ++i) {
+      const PlacedMesh& mesh = scene.meshes[i];
+      if (!mesh.retarded && !passes(mesh, p, stray)) {
+        continue;
+      }
+      const PathPiece own = in(i).piece(p);
+      const double own_stray = own.stray();
+      const double reach = mesh.tree.radius + own_stray;
+      if (distance_from_segment(mesh.tree.middle, own.from, own.to) <= reach) {
+        near = true;
+        if (own_stray > fine * mesh.tree.radius ||
+            parabola_of(own, in(i), mesh.tree.radius).off > finest * mesh.tree.radius) {
+          return PieceAnswer::cut;
+        }
+      }
+    }
+    return near && find(p, stray) ? PieceAnswer::stop : PieceAnswer::finish;
+  }
+
+  //! Finds the first triangle of a piece that strays little.
+  ERGO_HD bool find(const PathPiece& p, double stray) {
+    double first_h = p.to_h + (p.to_h - p.from_h);
+    for (int i = 0; i < scene.count; ++i) {
+      const PlacedMesh& mesh = scene.meshes[i];
+      if (!mesh.retarded && !passes(mesh, p, stray)) {
+        continue;
+      }
+      const PathInMesh<Order, Parts> path = in(i);
+      const PathPiece own = path.piece(p);
+      PieceCrossings<PathInMesh<Order, Parts>> crossings = {path, own,     parabola_of(own, path, mesh.tree.radius),
+                                                            i,    first_h, hit};
+      search_in_parts(mesh.tree, own.stray(), crossings);
+      first_h = crossings.first_h;
+      hit = crossings.hit;
+    }
+    found_h = first_h;
+    return hit.mesh >= 0;
+  }
+
+  //! Looks at a piece's triangles part by part, from its beginning: the parts bend less than the piece, and there is nothing to find in those after the
+  //! first crossing.
+  template <class Crossings>
+  ERGO_HD static void search_in_parts(const TriangleTree& tree, double stray, Crossings& crossings) {
+    constexpr int parts = 4;
+    const double margin = stray / (parts * parts) + crossings.parabola.off + 1e-6 * tree.radius;
+    Vector3<double> from = crossings.parabola.from;
+    for (int part = 1; part <= parts && (part == 1 || crossings.first_s() * parts > part - 1); ++part) {
+      const Vector3<double> to = crossings.parabola.at(static_cast<double>(part) / parts);
+      visit_triangles(tree, from, to, margin, crossings);
+      from = to;
+    }
+  }
+
+  //! Finds the first triangle on the step's path.
+  ERGO_HD bool run() {
+    visit_pieces(
+        step.length, 1e-9 * scene.greatest_r, even_enough, [this](double h) { return step.point(h); }, *this);
+    if (hit.mesh < 0) {
+      return false;
+    }
+    hit.point = step.point(found_h);
+    hit.delay = step.delay(found_h);
+    hit.time = step.start + found_h / step.scale;
+    hit.u_rate = step.scale * series_rate(step.series.u, found_h);
+    hit.polar_momentum = step.polar_momentum(found_h);
+    return true;
+  }
+};
+
+}  // namespace detail
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "kernels/objects/path_piece.h"
+#include "kernels/objects/triangle_tree.h"
+
+// Pieces of paths as parabolas: which triangles a piece cannot meet is told by them, without another look at its series.
+namespace ergodome::inline ERGO_TARGET {
+
+//! The parabola through a piece's ends and its middle, P(s) for s from 0 to 1.
+struct PathParabola {
+  Vector3<double> from, middle, to;
+  double off;      //!< how far the path is from it at the same s, at the most: an estimate
+  double fastest;  //!< |dP/ds| is nowhere greater
+
+  ERGO_HD Vector3<double> at(double s) const {
+    return ((1.0 - s) * (1.0 - 2.0 * s)) * from + (4.0 * s * (1.0 - s)) * middle + (s * (2.0 * s - 1.0)) * to;
+  }
+};
+
+//! That of a piece; path(h) is its place. What the cubic and the next terms add is greatest near its quarters, where it is looked at: twice that is
+//! taken, and what rounding may add to a path of `radius`.
+template <class Path>
+ERGO_HD PathParabola parabola_of(const PathPiece& p, const Path& path, double radius) {
+  PathParabola parabola = {p.from, p.middle, p.to, 0.0, 0.0};
+  double square = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    const double s = i == 0 ? 0.25 : 0.75;
+    const Vector3<double> rest = path(p.from_h + s * (p.to_h - p.from_h)) - parabola.at(s);
+    square = ::fmax(square, dot(rest, rest));
+  }
+  parabola.off = 2.0 * ::sqrt(square) + 1e-9 * radius;
+  const Vector3<double> first = 4.0 * p.middle - 3.0 * p.from - p.to;
+  const Vector3<double> last = 3.0 * p.to - 4.0 * p.middle + p.from;
+  parabola.fastest = ::sqrt(::fmax(dot(first, first), dot(last, last)));
+  return parabola;
+}
+
+//! A triangle's plane as a piece meets it: f = normal · (P(s) - corner) at s = 0, 1/2 and 1.
+struct PlaneOnPiece {
+  const TriangleSides& sides;
+  Vector3<double> normal;  //!< of twice the triangle's area
+  double at_from, at_middle, at_to;
+};
+
+namespace detail {
+
+//! Whether a place near the plane is within a triangle, or no farther beside it than `slack` [the mesh's unit].
+ERGO_HD bool is_within(const PlaneOnPiece& plane, const Vector3<double>& point, double slack) {
+  const TriangleSides& sides = plane.sides;
+  const Vector3<double> from_corner = point - sides.corner;
+  const double area = dot(plane.normal, plane.normal);
+  const double weight_1 = dot(cross(from_corner, sides.side_2), plane.normal);
+  const double weight_2 = dot(cross(sides.side_1, from_corner), plane.normal);
+  const double longest = ::fmax(dot(sides.side_1, sides.side_1), dot(sides.side_2, sides.side_2));
+  // A weight changes by no more than a displacement times the opposite side over the normal; no side is longer than twice this.
+  const double allowed = 1e-8 * area + 2.0 * slack * ::sqrt(longest * area);
+  return weight_1 >= -allowed && weight_2 >= -allowed && weight_1 + weight_2 <= area + allowed;
+}
+
+}  // namespace detail
+
+//! Whether a path may cross a triangle before `first_s`, by its parabola: false only where it does not, as far as `off` holds. What grazes the plane, may.
+ERGO_HD bool may_cross(const PathParabola& path, const PlaneOnPiece& plane, double first_s) {
+  const double reach = path.off * ::sqrt(dot(plane.normal, plane.normal));
+  const double bow = 2.0 * (plane.at_from + plane.at_to) - 4.0 * plane.at_middle;
+  const double least = ::fmin(::fabs(plane.at_from), ::fmin(::fabs(plane.at_middle), ::fabs(plane.at_to)));
+  const bool below = plane.at_from < 0.0 && plane.at_middle < 0.0 && plane.at_to < 0.0;
+  const bool above = plane.at_from > 0.0 && plane.at_middle > 0.0 && plane.at_to > 0.0;
+  // Between its three points a parabola is no farther from their lines than a sixteenth of its bow.
+  if ((below || above) && least > reach + 0.0625 * ::fabs(bow)) {
+    return false;
+  }
+  const double slope = plane.at_to - plane.at_from - bow;
+  const double square = slope * slope - 4.0 * bow * plane.at_from;
+  if (!(square > 0.0)) {
+    return !(::fabs(square) > 8.0 * reach * ::fabs(bow));
+  }
+  const double root = ::sqrt(square);
+  // So far along the path the plane may be from where the parabola meets it.
+  const double slip = 2.0 * reach / root;
+  if (!(slip < 0.25) || square < 4.0 * reach * ::fabs(bow)) {
+    return true;
+  }
+  const double half = -0.5 * (slope + ::copysign(root, slope));
+  const double slack = path.off + slip * path.fastest;
+  const auto crosses_at = [&](double s) {
+    return s >= -slip && s <= 1.0 + slip && s <= first_s + slip && detail::is_within(plane, path.at(s), slack);
+  };
+  return (bow != 0.0 && crosses_at(half / bow)) || (half != 0.0 && crosses_at(plane.at_from / half));
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "kernels/objects/object_sight.h"
+#include "kernels/spacetime/geodesic/radial_potential.h"
+
+// Where a pixel beside the shadow's edge is looked at.
+//
+// Towards the edge images follow each other by powers: each lies nearer to it than the one before, and is as much thinner, some 23 times without spin. Along it they
+// change slowly. So the pixel is cut into slices along the edge, with one ray each, and the slices are the thinner the nearer they are to the edge.
+namespace ergodome::inline ERGO_TARGET {
+
+//! A place in a pixel, from its corner, and the part of the pixel that it stands for, times the number of places.
+struct PixelPlace {
+  double along_px, down_px;
+  float weight;
+};
+
+//! A pixel that is cut across the shadow's edge.
+class PixelSlices {
+ public:
+  PixelSlices() = default;
+
+  //! `x`, `y`: from the edge outwards, of unit length. `edge_px`: how far in that direction the edge is from the pixel's middle.
+  ERGO_HD PixelSlices(double x, double y, double edge_px)
+      : x_(x), y_(y), edge_px_(edge_px), first_(root(-reach() - edge_px)), last_(root(reach() - edge_px)) {}
+
+  //! The place of one of `count` slices, the darkest first.
+  ERGO_HD PixelPlace place(int slice, int count) const {
+    // Parts of the golden ratio lie evenly along the edge, however many there are.
+    constexpr double golden = 0.61803398874989485;
+    const double from = at(slice, count);
+    const double to = at(slice + 1, count);
+    const double across = at(slice + 0.5, count);
+    double least = -1.0;
+    double most = 1.0;
+    keep_within(-y_, x_ * across, least, most);
+    keep_within(x_, y_ * across, least, most);
+    const double turns = (slice + 0.5) * golden;
+    const double beside = least + (turns - ::floor(turns)) * (most - least);
+    return {0.5 + x_ * across - y_ * beside, 0.5 + y_ * across + x_ * beside,
+            static_cast<float>(count * (area_before(to) - area_before(from)))};
+  }
+
+ private:
+  //! How far the corners are from the middle, across the edge [px].
+  ERGO_HD double reach() const { return 0.5 * (::fabs(x_) + ::fabs(y_)); }
+
+  //! Slices are even in the root of the distance from the edge. On the dark side light goes round the hole no further for what is outside the photon sphere:
+  //! slices are wider there.
+  static constexpr double dark_part = 0.5;
+  ERGO_HD static double root(double outside_px) {
+    return outside_px > 0.0 ? ::sqrt(outside_px) : -dark_part * ::sqrt(-outside_px);
+  }
+  //! Where a slice begins, across the edge from the middle [px].
+  ERGO_HD double at(double slice, int count) const {
+    const double r = first_ + (last_ - first_) * (slice / count);
+    const double square = r * r;
+    const double outside_px = r > 0.0 ? square : -square / (dark_part * dark_part);
+    return ::fmax(-reach(), ::fmin(reach(), edge_px_ + outside_px));
+  }
+
+  //! The part of the pixel on this side of a line along the edge.
+  ERGO_HD double area_before(double across) const {
+    const double longer = ::fmax(::fabs(x_), ::fabs(y_));
+    const double shorter = ::fmin(::fabs(x_), ::fabs(y_));
+    const double off = ::fabs(across);
+    const double rest = ::fmax(reach() - off, 0.0);
+    double beyond = 0.0;
+    if (off < 0.5 * (longer - shorter)) {
+      beyond = 0.5 - off / longer;
+    } else if (rest > 0.0) {
+      beyond = rest * rest / (2.0 * longer * shorter);
+    }
+    return across < 0.0 ? beyond : 1.0 - beyond;
+  }
+
+  //! Where a line stays in the pixel: |rate t + start| <= 1/2.
+  ERGO_HD static void keep_within(double rate, double start, double& least, double& most) {
+    if (::fabs(rate) < 1e-9) {
+      return;
+    }
+    const double one = (-0.5 - start) / rate;
+    const double other = (0.5 - start) / rate;
+    least = ::fmax(least, ::fmin(one, other));
+    most = ::fmin(most, ::fmax(one, other));
+  }
+
+  double x_ = 1.0;
+  double y_ = 0.0;
+  double edge_px_ = 0.0;
+  double first_ = 0.0;  //!< of the pixel, in roots of the distance
+  double last_ = 0.0;
+};
+
+//! A ray in the unit of its energy at infinity, which is above 0.
+template <class T>
+ERGO_HD RayStart<T> in_unit_of_energy(const NearRay<T>& ray) {
+  const T unit = 1.0 / ray.energy;
+  return {unit * ray.axial_angular_momentum,
+          unit * unit * ray.polar_constant,
+          unit * unit * ray.shear_constant,
+          ray.u,
+          unit * ray.u_rate,
+          ray.m,
+          unit * ray.m_rate,
+          ray.energy};
+}
+
+//! A pixel cut along the shadow's edge, as the darkness of the ray in its middle and how that changes tell of it (kernels/geodesic/radial_potential.h).
+//! Where they tell nothing, evenly, from left to right.
+ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<double>>& ray) {
+  constexpr double far_away_px = 1e3;
+  const PixelSlices even(1.0, 0.0, -far_away_px);
+  if (!(ray.energy.value > 0.0)) {
+    return even;
+  }
+  const Dual<double> dark = darkness(camera.spin, camera.horizon_r, in_unit_of_energy(ray));
+  const double slope = ::sqrt(dark.along_x * dark.along_x + dark.along_y * dark.along_y);
+  const double edge_px = dark.value / slope;
+  // What is not a number tells nothing.
+  return slope > 0.0 && ::fabs(edge_px) < far_away_px
+             ? PixelSlices(-dark.along_x / slope, -dark.along_y / slope, edge_px)
+             : even;
+}
+
+//! Through the middle of a pixel of a batch, the observer's direction with its derivatives.
+ERGO_HD Vector3<Dual<double>> middle_of_pixel(const ObjectPixelBatch& batch, int at) {
+  const std::int32_t* const pixel = batch.pixels + 2 * static_cast<long>(at);
+  return observed_footprint(batch.objects, pixel[0] + 0.5, pixel[1] + 0.5);
+}
+
+//! A pixel of a batch: x and y. Beyond the last one that again.
+ERGO_HD const std::int32_t* pixel_of_batch(const ObjectPixelBatch& batch, int at) {
+  return batch.pixels + 2 * static_cast<long>(at < batch.count ? at : batch.count - 1);
+}
+
+//! Where some pixels of a batch are looked at, in quads of neighbouring places.
+template <int Pixels>
+class PixelPlaces {
+ public:
+  //! Of the pixels from `first` on; slice(number) cuts one.
+  template <class Slice>
+  ERGO_HD PixelPlaces(const ObjectPixelBatch& batch, int first, const Slice& slice)
+      : pattern_(batch.pattern), samples_(batch.samples) {
+    for (int i = 0; i < Pixels && pattern_ == PixelPattern::slices; ++i) {
+      slices_[i] = slice(first + i < batch.count ? first + i : batch.count - 1);
+    }
+  }
+
+  //! Place k of a quad.
+  ERGO_HD PixelPlace at(int pixel, int quad, int k) const {
+    if (pattern_ == PixelPattern::slices) {
+      return slices_[pixel].place(4 * quad + k, samples_ * samples_);
+    }
+    const int across = samples_ / 2;
+    const int row = quad / across;
+    const int column = quad - row * across;
+    const int below = k / 2;
+    return {(2 * column + k % 2 + 0.5) / samples_, (2 * row + below + 0.5) / samples_, 1.0F};
+  }
+
+ private:
+  PixelPattern pattern_;
+  int samples_;
+  PixelSlices slices_[Pixels];
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

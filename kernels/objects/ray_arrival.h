@@ -1,0 +1,125 @@
+#pragma once
+
+#include "kernels/objects/mesh_rays.h"
+#include "kernels/shells/shell_crossings.h"
+#include "kernels/spacetime/kerr/camera_station.h"
+
+// Rays that are to come to a place: how far they miss it, and what would mend that.
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+
+//! Series of rays between a lamp and a place, and how exactly they go.
+inline constexpr int lamp_order = 10;
+inline constexpr double lamp_tolerance = 1e-6;
+inline constexpr int lamp_steps = 2000;
+
+//! Where a ray comes to a radius on its way out.
+struct Arrival {
+  Vector3<Dual<double>> outward;   //!< the place over its radius, pseudo-Cartesian
+  double u_rate;                   //!< du/dλ along the way
+  Vector3<double> polar_momentum;  //!< dm/dλ [M]
+  double delay;                    //!< coordinate time from the start [M]
+};
+
+//! Follows a ray until it goes out past a radius that is not inside its start's. False where it does not.
+ERGO_HD bool follow_to_radius(const CameraStation& camera, const Vector3<Dual<double>>& n, double r, Arrival& arrival) {
+  const double u = 1.0 / r;
+  bool arrived = false;
+  const auto visit = [&](int, const PathStep<lamp_order, NearParts::azimuth_and_delay, Dual<double>>& step) {
+    Dual<double> from_radius[lamp_order + 1];
+    double plain[lamp_order + 1];
+    for (int k = 0; k <= lamp_order; ++k) {
+      from_radius[k] = step.series.u[k];
+      plain[k] = value_of(step.series.u[k]);
+    }
+    if (!(plain[0] >= u) || !(series_value(plain, step.length) < u)) {
+      return false;
+    }
+    from_radius[0] = from_radius[0] - u;
+    // From the farthest in on, where it goes in first.
+    const double from = plain[1] > 0.0 ? value_of(time_to_turn(step.series.u, plain[1], step.length)) : 0.0;
+    const Dual<double> h = time_to_zero(from_radius, 1.0, from, step.length);
+    const Vector3<Dual<double>> place = step.point(h);
+    const Vector3<Dual<double>> momentum = step.polar_momentum(h);
+    arrival = {u * place,
+               step.scale * value_of(series_rate(step.series.u, h)),
+               {momentum.x.value, momentum.y.value, momentum.z.value},
+               step.delay(value_of(h))};
+    arrived = true;
+    return true;
+  };
+  follow_path<lamp_order, NearParts::azimuth_and_delay>(camera.spin, camera.cosine_phi, camera.sine_phi,
+                                                        start_near_ray(camera, n), {1.001 * camera.horizon_r, 2.0 * r},
+                                                        MeshLimits{lamp_tolerance, lamp_steps}, true, visit);
+  return arrived;
+}
+
+//! Two unit vectors across n.
+ERGO_HD void axes_across(const Vector3<double>& n, Vector3<double>& first, Vector3<double>& second) {
+  const Vector3<double> axis = ::fabs(n.x) < 0.7 ? Vector3<double>{1.0, 0.0, 0.0} : Vector3<double>{0.0, 1.0, 0.0};
+  first = cross(n, axis);
+  first = (1.0 / ::sqrt(dot(first, first))) * first;
+  second = cross(n, first);
+}
+
+//! A place that rays are to come to.
+struct RayTarget {
+  double r;                 //!< [M]
+  Vector3<double> outward;  //!< the place over r
+  Vector3<double> axes[2];  //!< across that
+  double near_enough;       //!< miss [rad about the hole] whose step is the last one: it leaves next to nothing
+};
+
+//! The target of rays from a place. `near_enough`: across ways that are no shorter than its radius.
+ERGO_HD RayTarget ray_target(const Vector3<double>& from, const Vector3<double>& place, double near_enough) {
+  RayTarget target{};
+  target.r = ::sqrt(dot(place, place));
+  target.outward = (1.0 / target.r) * place;
+  axes_across(target.outward, target.axes[0], target.axes[1]);
+  const Vector3<double> way = place - from;
+  target.near_enough = near_enough * ::fmin(1.0, ::sqrt(dot(way, way)) / target.r);
+  return target;
+}
+
+//! By how much a ray misses a place.
+struct Miss {
+  Arrival arrival;
+  double size;     //!< [rad about the hole]
+  bool same_side;  //!< of the hole
+  double step[2];  //!< of both numbers that the direction depends on: Newton's
+  double spread;   //!< see LightRay
+  bool mirrored;  //!< the bundle comes to the place as its mirror image: the parity of images that the second way gives
+};
+
+//! A ray to the radius of a place that is no nearer to the hole. `n`: its direction at `camera`, with its derivatives by two numbers. False where it
+//! does not get there, or nothing mends it.
+//!
+//! The bundle's cross-section at the place, on a screen across the ray for an observer without angular momentum, is √A |n_r| (1 - ω L) times that in θ and
+//! φ sinθ at constant r; there ξ·k = 0 gives the parts of its rays' different times; and n_r √A (1 - ω L) is dr/dλ: all for energy 1 at infinity.
+ERGO_HD bool miss_of(const CameraStation& camera, const RayTarget& target, const Vector3<Dual<double>>& n, Miss& miss) {
+  if (!follow_to_radius(camera, n, target.r, miss.arrival)) {
+    return false;
+  }
+  const Vector3<Dual<double>>& at = miss.arrival.outward;
+  const auto along = [&at](const Vector3<double>& e) { return e.x * at.x + e.y * at.y + e.z * at.z; };
+  const Dual<double> off[2] = {along(target.axes[0]), along(target.axes[1])};
+  const double determinant = off[0].along_x * off[1].along_y - off[0].along_y * off[1].along_x;
+  miss.step[0] = (off[0].along_y * off[1].value - off[1].along_y * off[0].value) / determinant;
+  miss.step[1] = (off[1].along_x * off[0].value - off[0].along_x * off[1].value) / determinant;
+  miss.size = ::fabs(off[0].value) + ::fabs(off[1].value);
+  miss.same_side = along(target.outward).value > 0.0;
+  const Vector3<double> area = cross(Vector3<double>{n.x.along_x, n.y.along_x, n.z.along_x},
+                                     Vector3<double>{n.x.along_y, n.y.along_y, n.z.along_y});
+  miss.mirrored = determinant * dot(plain_vector(n), area) < 0.0;
+  miss.spread = ::fabs(determinant * miss.arrival.u_rate) * (target.r * target.r) *
+                evaluate(camera.energy, plain_vector(n)) / ::sqrt(dot(area, area));
+  return ::fabs(miss.step[0]) + ::fabs(miss.step[1]) < 1e3;
+}
+
+//! Rounds of Newton's method.
+inline constexpr int most_aim_rounds = 16;
+
+}  // namespace detail
+
+}  // namespace ergodome::inline ERGO_TARGET

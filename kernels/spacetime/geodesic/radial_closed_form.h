@@ -1,0 +1,235 @@
+#pragma once
+
+#include "kernels/spacetime/elliptic/carlson.h"
+#include "kernels/spacetime/geodesic/radial_potential.h"
+#include "kernels/spacetime/kerr/kerr.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! The four roots r_i of R(r) = r⁴ + (a² - C) r² + 2 K r - a² Q: U(u) = Π (1 - r_i u).
+//!
+//! R = (r² + 2 z r + A1)(r² - 2 z r + A2), where y = z² is the largest root of Ferrari's resolvent
+//! 16 y³ + 8 (a² - C) y² + ((a² - C)² + 4 a² Q) y - K² = 0. It stays simple when two roots of R meet (the critical curve). The last two
+//! roots are those of the second factor: the turning point 1 / r_4 and its companion. (Gralla & Lupsasca 2020, appendix B.)
+struct RadialRoots {
+  Complex r[4];
+};
+
+ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
+  const double a2 = spin * spin;
+  const double alpha = a2 - ray.polar_constant;
+  const double carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
+  const double k = ray.shear_constant;
+  const double linear = alpha * alpha + 4.0 * a2 * carter;
+  const auto resolvent = [&](double y) { return ((16.0 * y + 8.0 * alpha) * y + linear) * y - k * k; };
+  // From above all roots (Lagrange's bound) Newton's method falls monotonically onto the largest, and from 0 it rises monotonically onto
+  // the only one where that lies to the left of both extrema, or of the inflection: from above it would leap about there.
+  const double lowest = (safe_sqrt(alpha * alpha - 0.75 * linear) - alpha) / 6.0;
+  const double rounding = 1e-12 * (k * k + ::fabs(linear) * lowest);
+  const bool from_below = lowest > 0.0 && linear > 0.0 && resolvent(lowest) > rounding;
+  double y = from_below ? 0.0 : ::fmax(::fabs(alpha), ::fmax(::sqrt(::fabs(linear)), ::cbrt(k * k)));
+  for (int round = 0; round < 100; ++round) {
+    const double next = y - resolvent(y) / ((48.0 * y + 16.0 * alpha) * y + linear);
+    if (!(next > 0.0) || ::fabs(next - y) <= 1e-16 * y) {
+      break;
+    }
+    y = next;
+  }
+  const double z = ::sqrt(y);
+  const double half_sum = 0.5 * alpha + y;
+  const double ratio = z > 0.0 ? 0.5 * k / z : 0.0;
+  const Complex first = sqrt(Complex(ratio - half_sum));
+  double discriminant = -ratio - half_sum;
+  // For a camera near the photon orbits this is the square of a small number, lost in rounding; the ray's own u'² = U, which is
+  // known well, tells the second factor at the camera, and through it the discriminant.
+  const double r = 1.0 / ray.u;
+  if (::fabs(r - z) < 0.5 * z) {
+    const double rate = r * r * ray.u_rate;
+    discriminant = (r - z) * (r - z) - rate * rate / ((r + 2.0 * z) * r + half_sum - ratio + y);
+  }
+  const Complex second = sqrt(Complex(discriminant));
+  return {{Complex(-z) - first, Complex(-z) + first, Complex(z) - second, Complex(z) + second}};
+}
+
+//! ∫_0^x du / √U and ∫_0^x du / ((1 - ρ u) √U) for two poles ρ, x not beyond the first root; where x is beyond a pole, Cauchy's principal
+//! value: the real part of what Carlson's forms are above their cut, where R_C(s², q²) is odd in s.
+struct RadialIntegrals {
+  double time;
+  double pole[2];
+};
+
+//! Carlson's forms for a quartic that is a product of linear factors, DLMF 19.29.4 and 19.29.8 with y = 0.
+//!
+//! `rate` is √U at x, known better than the roots tell it: next to a turning point 1 / r_4, and at it (0), 1 - r_4 x follows from it and
+//! is not the rounding of a difference.
+ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, double rate, const double (&rho)[2]) {
+  if (!(x > 0.0)) {
+    return {0.0, {0.0, 0.0}};
+  }
+  const Complex one(1.0);
+  Complex square[4];
+  for (int i = 0; i < 4; ++i) {
+    square[i] = one - roots.r[i] * Complex(x);
+    // Next to a turning point rounding may leave a small negative number.
+    if (square[i].im == 0.0 && square[i].re < 0.0) {
+      square[i].re = 0.0;
+    }
+  }
+  const double others = (square[0] * square[1]).re * square[2].re;
+  if (square[3].im == 0.0 && square[3].re < 1e-3 && others > 0.0) {
+    square[3].re = rate * rate / others;
+  }
+  const Complex f[4] = {sqrt(square[0]), sqrt(square[1]), sqrt(square[2]), sqrt(square[3])};
+  const Complex per_x(1.0 / x);
+  const Complex u12 = (f[0] * f[1] + f[2] * f[3]) * per_x;
+  const Complex u13 = (f[0] * f[2] + f[1] * f[3]) * per_x;
+  const Complex u14 = (f[0] * f[3] + f[1] * f[2]) * per_x;
+  RadialIntegrals result{};
+  const Complex time = Complex(2.0) * carlson_rf(u12 * u12, u13 * u13, u14 * u14);
+  result.time = time.re;
+  const Complex d12 = roots.r[0] - roots.r[1];
+  const Complex d13 = roots.r[0] - roots.r[2];
+  const Complex d14 = roots.r[0] - roots.r[3];
+  for (int i = 0; i < 2; ++i) {
+    const Complex pole(rho[i]);
+    const Complex d15 = roots.r[0] - pole;
+    const Complex d25 = roots.r[1] - pole;
+    const Complex u15_squared = u12 * u12 - d13 * d14 * d25 / d15;
+    const Complex f5_squared = one - pole * Complex(x);
+    const Complex s = (f[1] * f[2] * f[3] / f[0] + f5_squared) * per_x;
+    const Complex q_squared = f5_squared * u15_squared / (f[0] * f[0]);
+    const Complex with_factor =
+        Complex(2.0 / 3.0) * d12 * d13 * d14 / d15 * carlson_rj(u12 * u12, u13 * u13, u14 * u14, u15_squared) +
+        Complex(s.re < 0.0 ? -2.0 : 2.0) * carlson_rc(s * s, q_squared);
+    // (1 - r_1 u) / (1 - ρ u) = r_1 / ρ + (1 - r_1 / ρ) / (1 - ρ u)
+    const Complex integral = (pole * with_factor - roots.r[0] * time) / (pole - roots.r[0]);
+    result.pole[i] = integral.re;
+  }
+  return result;
+}
+
+//! Mino time and frame dragging of a whole ray.
+struct RadialMotion {
+  double time;
+  double drag;        //!< ψ, backwards [rad]
+  double drag_error;  //!< what ψ may be off by: its two parts nearly cancel where the horizons are close [rad]
+};
+
+namespace detail {
+
+//! Horizons for the partial fractions of the frame dragging, and the weight of what they give.
+struct HorizonPair {
+  double outer;
+  double inner;
+  double spin2;  //!< their product [M²]
+  double weight;
+};
+
+//! Pairs of horizons whose weighted drags are the hole's.
+struct HorizonPairs {
+  HorizonPair pair[4];
+  int count;
+};
+
+//! Returns the hole's own horizons, or four pairs that stand for them. Partial fractions over the own horizons lose as many
+//! digits as the gap between these is smaller than the ray's distance from them. Where the gap is too small, the drag is
+//! extrapolated: a (2u - a L u²) / ((1 - u)² - x u²) is an analytic function of x, the square of half the gap, and Lagrange's
+//! polynomial through four larger x gives its value at the hole's own x to 1e-14.
+ERGO_HD HorizonPairs horizon_pairs(double spin, double largest_u) {
+  const double a2 = spin * spin;
+  const double half_gap = ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
+  const double h = ::fmin(8e-3 * (1.0 - largest_u) / largest_u, 3e-3);
+  if (h > 0.0 && half_gap < 4.0 * h) {
+    HorizonPairs pairs{{}, 4};
+    const double target = half_gap / h;
+    for (int i = 0; i < 4; ++i) {
+      const double own = i + 1.0;
+      double weight = 1.0;
+      for (int j = 0; j < 4; ++j) {
+        const double other = j + 1.0;
+        weight *= i == j ? 1.0 : (target * target - other * other) / (own * own - other * other);
+      }
+      pairs.pair[i] = {1.0 + own * h, 1.0 - own * h, (1.0 - own * h) * (1.0 + own * h), weight};
+    }
+    return pairs;
+  }
+  // At the horizon and within it those of an extremal hole are held apart.
+  const double held = ::fmax(half_gap, 3e-6);
+  const bool apart = held > half_gap;
+  const double outer = 1.0 + held;
+  const double inner = apart ? 1.0 - held : a2 / outer;
+  return {{{outer, inner, apart ? outer * inner : a2, 1.0}}, 1};
+}
+
+//! A drag, and what rounding of its parts may have done to it [rad].
+struct Drag {
+  double angle;
+  double error;
+};
+
+//! ∫_0^x a (2u - a L u²) / Δu² du / √U in partial fractions over the horizons, and the Mino time on the way.
+ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const RadialRoots& roots, double x, double rate,
+                     double& time) {
+  Drag drag{0.0, 0.0};
+  for (int i = 0; i < pairs.count; ++i) {
+    const HorizonPair& p = pairs.pair[i];
+    const double rho[2] = {p.outer, p.inner};
+    const RadialIntegrals integrals = radial_integrals(roots, x, rate, rho);
+    time = integrals.time;
+    if (spin == 0.0) {
+      break;  // none, and the inner pole of a ray straight out is where its roots are
+    }
+    // With inner = a²/outer: a (2 inner - a L) / (inner (inner - outer)) = (2 a - L outer) / (inner - outer), good at a = 0.
+    const double share = pairs.count > 1 || p.spin2 != spin * spin ? spin * spin / p.spin2 : 1.0;
+    const double gap = p.outer - p.inner;
+    const double at_outer = spin * (2.0 * p.outer - spin * l) / (p.outer * gap) * integrals.pole[0];
+    const double at_inner = -(2.0 * spin - share * l * p.outer) / gap * integrals.pole[1];
+    drag.angle += p.weight * (at_outer + at_inner - l * share * integrals.time);
+    // Some ten operations each.
+    drag.error += 2e-15 * ::fabs(p.weight) * (::fabs(at_outer) + ::fabs(at_inner));
+  }
+  return drag;
+}
+
+//! Estimates the error of a drag up to u that is not the rounding of its parts [rad]: the camera's position is rounded, which
+//! matters beside a horizon; so are the ray's constants, and where the horizons are close the drag amplifies that by the third
+//! power of 1 / (1 - u); and horizons may be held apart.
+ERGO_HD double drag_error_at(double spin, const HorizonPairs& pairs, double u) {
+  if (spin == 0.0) {
+    return 0.0;
+  }
+  const double half_gap = ::sqrt(::fmax(0.0, (1.0 - spin) * (1.0 + spin)));
+  const double beside = ::fabs(1.0 - (1.0 + half_gap) * u);
+  const double placed = beside < 0.01 ? 2e-16 / (beside * ::fmax(beside, 2.0 * half_gap) + 1e-300) : 0.0;
+  const double to_horizon = ::fmax(::fmax(::fabs(1.0 - u), half_gap), 1e-4);
+  const bool held = pairs.count == 1 && half_gap < 3e-6;
+  return placed + (held ? 1e-11 : 4e-15) / (to_horizon * to_horizon * to_horizon);
+}
+
+}  // namespace detail
+
+ERGO_HD RadialMotion radial_motion(double spin, const RayStart<double>& ray) {
+  const RadialRoots roots = radial_roots(spin, ray);
+  const double l = ray.axial_angular_momentum;
+  const double r = 1.0 / ray.u;
+  const bool within = !(r > horizon_radius(spin));
+  const bool turns = !within && ray.u_rate > 0.0;
+  const double turn_u = 1.0 / roots.r[3].re;
+  const detail::HorizonPairs pairs = detail::horizon_pairs(spin, within ? 1.0 : turns ? ::fmax(turn_u, ray.u) : ray.u);
+  RadialMotion motion{};
+  const detail::Drag to_camera = detail::drag_to(spin, l, pairs, roots, ray.u, ray.u_rate, motion.time);
+  motion.drag_error = to_camera.error + detail::drag_error_at(spin, pairs, ray.u);
+  if (!turns) {
+    // Within, principal values of both: what diverges at the horizon on the way is the same in the azimuth of ingoing Kerr coordinates.
+    motion.drag = -(to_camera.angle + (within ? ingoing_turn(spin, r) : 0.0));
+    return motion;
+  }
+  double turn_time = 0.0;
+  const detail::Drag to_turn = detail::drag_to(spin, l, pairs, roots, turn_u, 0.0, turn_time);
+  motion.time = 2.0 * turn_time - motion.time;
+  motion.drag = -(2.0 * to_turn.angle - to_camera.angle);
+  motion.drag_error += 2.0 * (to_turn.error + detail::drag_error_at(spin, pairs, turn_u));
+  return motion;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

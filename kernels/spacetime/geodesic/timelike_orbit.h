@@ -1,0 +1,243 @@
+#pragma once
+
+#include "kernels/core/arithmetic.h"
+#include "kernels/core/vector3.h"
+#include "kernels/spacetime/geodesic/tableau.h"
+#include "kernels/spacetime/kerr/kerr.h"
+
+namespace ergodome {
+
+//! What stays the same on the way of a body of mass 1 that falls freely.
+struct OrbitConstants {
+  double energy;                  //!< E, at infinity; 1 at rest there
+  double axial_angular_momentum;  //!< L_z [M]
+  double polar_constant;          //!< Q + L_z² [M²], with Carter's Q
+  //! Azimuth and time are those of ingoing Kerr coordinates, in which bodies go in through the horizon: dφ + (a/Δ) dr, dt + ((r² + a²)/Δ) dr.
+  bool ingoing = false;
+};
+
+//! A freely falling body at one instant, without a pole or a turning point that were singular: u = 1 / r, and the polar angle as a point
+//! on the unit sphere whose azimuth knows nothing of frame dragging. Rates are in Mino time λ, dτ = Σ dλ.
+struct OrbitState {
+  double u;                //!< 1 / r [1/M]
+  double u_rate;           //!< du/dλ
+  Vector3<double> m;       //!< (sinθ cosψ, sinθ sinψ, cosθ)
+  Vector3<double> m_rate;  //!< dm/dλ [M]
+  double drag;             //!< φ - ψ [rad]
+  double time;             //!< t since the start [M]; as φ Boyer-Lindquist's, but where OrbitConstants says otherwise
+};
+
+inline namespace ERGO_TARGET {
+
+//! The body that passes (r, θ, φ) at a velocity (|v| < 1) in the ZAMO frame; r outside the horizon, the axis too.
+ERGO_HD OrbitState make_orbit(double spin, double r, double theta, double phi, const Vector3<double>& velocity) {
+  const KerrFunctions f = kerr_functions(spin, r, theta);
+  const double gamma = 1.0 / ::sqrt(1.0 - dot(velocity, velocity));
+  const double u = 1.0 / r;
+  const Vector3<double> south = {::cos(theta) * ::cos(phi), ::cos(theta) * ::sin(phi), -::sin(theta)};
+  const Vector3<double> east = {-::sin(phi), ::cos(phi), 0.0};
+  OrbitState s{};
+  s.u = u;
+  s.u_rate = -u * u * gamma * velocity.x * ::sqrt(f.sigma * f.delta);
+  s.m = {::sin(theta) * ::cos(phi), ::sin(theta) * ::sin(phi), ::cos(theta)};
+  s.m_rate = (gamma * velocity.y * ::sqrt(f.sigma)) * south + (gamma * velocity.z * f.circumference_factor) * east;
+  return s;
+}
+
+namespace detail {
+
+//! p_θ̂ and p_φ̂ in the ZAMO frame, and what they were made of.
+struct OrbitMomentum {
+  KerrFunctions f;
+  double radial;     //!< γ v_r
+  double polar;      //!< γ v_θ
+  double azimuthal;  //!< γ v_φ
+  double axial;      //!< L_z
+};
+
+ERGO_HD OrbitMomentum momentum_of(double spin, const OrbitState& s) {
+  OrbitMomentum p{};
+  p.f = kerr_functions(spin, 1.0 / s.u, ::acos(::fmin(::fmax(s.m.z, -1.0), 1.0)));
+  p.radial = -s.u_rate / (s.u * s.u * ::sqrt(p.f.sigma * p.f.delta));
+  const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
+  p.axial = s.m.x * s.m_rate.y - s.m.y * s.m_rate.x;
+  // On the axis every direction is as good as another, and both lengths are the same.
+  const double around = sine > 1e-150 ? p.axial / sine : ::sqrt(dot(s.m_rate, s.m_rate));
+  const double south =
+      sine > 1e-150 ? (s.m.z * (s.m.x * s.m_rate.x + s.m.y * s.m_rate.y) - sine * sine * s.m_rate.z) / sine : 0.0;
+  p.polar = south / ::sqrt(p.f.sigma);
+  p.azimuthal = around / p.f.circumference_factor;
+  return p;
+}
+
+}  // namespace detail
+
+//! Velocity in the ZAMO frame (e_r, e_θ, e_φ).
+ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s) {
+  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+  const double gamma = ::sqrt(1.0 + p.radial * p.radial + p.polar * p.polar + p.azimuthal * p.azimuthal);
+  return {p.radial / gamma, p.polar / gamma, p.azimuthal / gamma};
+}
+
+//! The same in the frame whose e_θ and e_φ are those at the azimuth ψ, which is the body's own, but any on the axis: there directions
+//! are as good as each other, and the caller says by which one he goes.
+ERGO_HD Vector3<double> orbit_velocity(double spin, const OrbitState& s, double psi) {
+  const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
+  const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
+  const Vector3<double> east = {-::sin(psi), ::cos(psi), 0.0};
+  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+  const double polar = dot(s.m_rate, south) / ::sqrt(p.f.sigma);
+  const double azimuthal = dot(s.m_rate, east) / p.f.circumference_factor;
+  const double gamma = ::sqrt(1.0 + p.radial * p.radial + polar * polar + azimuthal * azimuthal);
+  return {p.radial / gamma, polar / gamma, azimuthal / gamma};
+}
+
+//! The constants of motion, from nothing but the place and the motion there.
+ERGO_HD OrbitConstants orbit_constants(double spin, const OrbitState& s) {
+  const detail::OrbitMomentum p = detail::momentum_of(spin, s);
+  const double gamma = ::sqrt(1.0 + p.radial * p.radial + p.polar * p.polar + p.azimuthal * p.azimuthal);
+  const double lapse = ::sqrt(p.f.sigma * p.f.delta / p.f.area);
+  const double energy = lapse * gamma + p.f.frame_dragging * p.axial;
+  const double a_cosine = spin * s.m.z;
+  return {energy, p.axial, dot(s.m_rate, s.m_rate) + a_cosine * a_cosine * (1.0 - energy * energy)};
+}
+
+//! The velocity in the rain's frame (e_r, e_θ, e_φ), at the horizon and within it, too; `psi` as in orbit_velocity.
+//!
+//! With the body's momentum (ε, p) there, v the rain's speed and ω the dragging (see make_camera_station),
+//!   E - ω L = ε - v p_r,   (dr/dλ) / √A = p_r - v ε,   (ε - p_r)(ε + p_r) = 1 + p_θ² + p_φ²:
+//! both first sums give ε - p_r over 1 + v, and for what goes in they do not cancel.
+ERGO_HD Vector3<double> orbit_rain_velocity(double spin, const OrbitConstants& c, const OrbitState& s, double psi) {
+  const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
+  const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};
+  const Vector3<double> east = {-::sin(psi), ::cos(psi), 0.0};
+  const KerrFunctions f = kerr_functions(spin, 1.0 / s.u, ::atan2(sine, s.m.z));
+  const double polar = dot(s.m_rate, south) / ::sqrt(f.sigma);
+  const double azimuthal = dot(s.m_rate, east) / f.circumference_factor;
+  const double inwards = s.u_rate / (s.u * s.u * ::sqrt(f.area));
+  const double less = (c.energy - f.frame_dragging * c.axial_angular_momentum + inwards) / (1.0 + f.rain_speed);
+  const double more = (1.0 + polar * polar + azimuthal * azimuthal) / less;
+  const double energy = 0.5 * (more + less);
+  return {0.5 * (more - less) / energy, polar / energy, azimuthal / energy};
+}
+
+namespace detail {
+
+//! Rates of frame dragging and of time with λ.
+struct OrbitDrag {
+  double drag;
+  double time;
+};
+
+//! With P = E (r² + a²) - a L and R = (dr/dλ)² = P² - Δ (r² + K): what P and dr/dλ have over Δ together, for bodies that go in, is
+//! (r² + K) / (P + √R). `moment` is P u², `mass` 1 + K u².
+ERGO_HD OrbitDrag orbit_drag(double spin, const OrbitConstants& c, const OrbitState& s, double moment, double mass,
+                             double lapse) {
+  const double a2 = spin * spin;
+  const double u2 = s.u * s.u;
+  const double sine_square = s.m.x * s.m.x + s.m.y * s.m.y;
+  const double beside = spin * (c.axial_angular_momentum - spin * c.energy * sine_square);
+  if (c.ingoing) {
+    const double together = s.u_rate > 0.0 ? mass / (moment + s.u_rate) : (moment - s.u_rate) / lapse;
+    return {spin * (together - c.energy), (1.0 + a2 * u2) * together / u2 + beside};
+  }
+  return {spin * s.u * (2.0 * c.energy - spin * c.axial_angular_momentum * s.u) / lapse,
+          (1.0 + a2 * u2) * moment / lapse / u2 + beside};
+}
+
+}  // namespace detail
+
+//! Rate of every component of the state with the body's own time τ.
+//!
+//! Carter's potentials for mass 1 (Bardeen, Press & Teukolsky 1972, eq. 2.9), differentiated once: with K = Q + (L - aE)²,
+//!   (du/dλ)² = U(u) = [E + a (aE - L) u²]² - (1 - 2u + a² u²)(1 + K u²),      u'' = U'(u) / 2,
+//!   |m'|² + a² (1 - E²) m_z² = Q + L²,                  m'' = -|m'|² m - a² (1 - E²) m_z (e_z - m_z m).
+ERGO_HD OrbitState orbit_rate(double spin, const OrbitConstants& c, const OrbitState& s) {
+  const double a2 = spin * spin;
+  const double u2 = s.u * s.u;
+  const double skew = spin * (spin * c.energy - c.axial_angular_momentum);
+  const double shear = c.polar_constant + spin * c.energy * (spin * c.energy - 2.0 * c.axial_angular_momentum);
+  const double lapse = 1.0 - 2.0 * s.u + a2 * u2;
+  const double moment = c.energy + skew * u2;
+  const double force = 2.0 * skew * s.u * moment + (1.0 - a2 * s.u) * (1.0 + shear * u2) - lapse * shear * s.u;
+  const double spring = a2 * (1.0 - c.energy * c.energy) * s.m.z;
+  const double bend = spring * s.m.z - dot(s.m_rate, s.m_rate);
+  const double mino = u2 / (1.0 + a2 * u2 * s.m.z * s.m.z);  // dλ/dτ = 1/Σ
+  const detail::OrbitDrag dragged = detail::orbit_drag(spin, c, s, moment, 1.0 + shear * u2, lapse);
+  OrbitState rate{};
+  rate.u = mino * s.u_rate;
+  rate.u_rate = mino * force;
+  rate.m = mino * s.m_rate;
+  rate.m_rate = mino * Vector3<double>{bend * s.m.x, bend * s.m.y, bend * s.m.z - spring};
+  rate.drag = mino * dragged.drag;
+  rate.time = mino * dragged.time;
+  return rate;
+}
+
+namespace detail {
+
+ERGO_HD OrbitState moved(const OrbitState& s, double factor, const OrbitState& d) {
+  return {s.u + factor * d.u,           s.u_rate + factor * d.u_rate, s.m + factor * d.m,
+          s.m_rate + factor * d.m_rate, s.drag + factor * d.drag,     s.time + factor * d.time};
+}
+
+//! Error of a state as an angle, beside its size.
+ERGO_HD double orbit_error(const OrbitConstants& c, const OrbitState& s, const OrbitState& e) {
+  const auto sum = [](const Vector3<double>& v) { return ::fabs(v.x) + ::fabs(v.y) + ::fabs(v.z); };
+  const double pace = ::sqrt(::fabs(c.polar_constant)) + 1.0;
+  return ::fabs(e.u) / s.u + ::fabs(e.u_rate) / (pace * s.u) + sum(e.m) + sum(e.m_rate) / pace + ::fabs(e.drag);
+}
+
+}  // namespace detail
+
+//! A step along an orbit, and the error that its two orders tell [rad].
+struct OrbitStep {
+  OrbitState end;
+  double error;
+};
+
+//! One step of Cash & Karp's pair over `h` of the body's own time [M]. The error is not a number too near to the horizon.
+ERGO_HD OrbitStep orbit_step(double spin, const OrbitConstants& constants, double h, const OrbitState& state) {
+  OrbitState stage[CashKarp::stages];
+  OrbitState end = state;
+  OrbitState difference{};
+  for (int i = 0; i < CashKarp::stages; ++i) {
+    OrbitState at = state;
+    for (int j = 0; j < i; ++j) {
+      at = detail::moved(at, CashKarp::a(i, j) * h, stage[j]);
+    }
+    stage[i] = orbit_rate(spin, constants, at);
+    end = detail::moved(end, CashKarp::b(i) * h, stage[i]);
+    difference = detail::moved(difference, (CashKarp::b(i) - CashKarp::b_embedded(i)) * h, stage[i]);
+  }
+  return {end, detail::orbit_error(constants, state, difference)};
+}
+
+//! How much longer the next step may be than one with this error, which is refused where it is above the tolerance.
+ERGO_HD double orbit_step_growth(double error, double tolerance) {
+  constexpr double exponent = 1.0 / (CashKarp::error_order + 1);
+  const double growth = 0.85 * ::pow(tolerance / (error + 1e-300), exponent);
+  return growth > 0.2 ? ::fmin(growth, 4.0) : 0.2;
+}
+
+//! Follows a body for `duration` of its own time [M], backwards where negative, in steps of Cash & Karp's pair whose errors stay below
+//! `tolerance` [rad]. False, with the body where it came to, when it gets too near to the horizon (but OrbitConstants::ingoing) or `step_limit`
+//! is reached.
+ERGO_HD bool advance_orbit(double spin, const OrbitConstants& constants, double duration, double tolerance,
+                           int step_limit, OrbitState& state) {
+  double done = 0.0;
+  double h = duration;
+  for (int step = 0; step < step_limit && done != duration; ++step) {
+    const OrbitStep next = orbit_step(spin, constants, h, state);
+    if (next.error <= tolerance) {  // not so where it is not a number
+      state = next.end;
+      done = h == duration - done ? duration : done + h;
+    }
+    h *= orbit_step_growth(next.error, tolerance);
+    h = ::fabs(h) < ::fabs(duration - done) ? h : duration - done;
+  }
+  return done == duration;
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,172 @@
+#pragma once
+
+#include "kernels/core/angles.h"
+#include "kernels/core/arithmetic.h"
+#include "kernels/spacetime/geodesic/ray.h"
+#include "kernels/spacetime/kerr/observer.h"
+
+namespace ergodome {
+
+//! An affine function of the camera direction: value = constant + along · n.
+template <class S>
+struct DirectionForm {
+  S constant;
+  Vector3<S> along;
+};
+
+//! Everything about a camera's place and motion that its rays need: made once, in double, and used by every ray.
+//!
+//! The conserved quantities of a light ray, and its first derivatives, are affine in the direction in which the observer sees
+//! it. Their coefficients hold the observer's velocity (aberration, one Lorentz transform) and all that is large or cancels
+//! near the horizon, so that a ray can be set up in float.
+template <class S>
+struct CameraStationOf {
+  S spin;       //!< a [M]
+  S horizon_r;  //!< radius of the outer horizon [M]
+  S u;          //!< 1 / r [1/M]
+  S sine_phi;   //!< azimuth of the camera: a plain rotation of the sky
+  S cosine_phi;
+  S sine_theta;  //!< polar angle of the camera
+  S cosine_theta;
+  DirectionForm<S> energy;          //!< energy at infinity, for an observed energy of 1
+  DirectionForm<S> axial_momentum;  //!< L_z of the photon [M]
+  DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
+  DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
+  DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
+  bool ingoing = false;             //!< as RayStart's
+  S turn = S(0);  //!< as RayStart's; within the horizon φ itself is the azimuth of ingoing Kerr coordinates
+  S lag = S(0);   //!< where it is `ingoing`: outer_lag() [M]
+};
+
+using CameraStation = CameraStationOf<double>;
+
+inline namespace ERGO_TARGET {
+
+namespace detail {
+//! Sum of 4-momentum components with the given weights, as a form of the observer's direction n.
+//!
+//! The photon's momentum is (1, -n) in the observer's frame. `weight` acts on (ε, q_r, q_θ, q_φ): its energy and its
+//! *reversed* momentum in the frame that `boost` leads to.
+ERGO_HD DirectionForm<double> direction_form(const LorentzTransform& boost, const double (&weight)[4]) {
+  double form[4] = {0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < 4; ++i) {
+    const double sign = i == 0 ? 1.0 : -1.0;
+    for (int j = 0; j < 4; ++j) {
+      form[j] += weight[i] * sign * (j == 0 ? 1.0 : -1.0) * boost.row[i][j];
+    }
+  }
+  return {form[0], {form[1], form[2], form[3]}};
+}
+
+template <class T>
+ERGO_HD T evaluate(const DirectionForm<ScalarOf<T>>& form, const Vector3<T>& n) {
+  return form.constant + (form.along.x * n.x + form.along.y * n.y + form.along.z * n.z);
+}
+
+template <class S>
+ERGO_HD DirectionForm<S> converted(const DirectionForm<double>& f) {
+  return {static_cast<S>(f.constant),
+          {static_cast<S>(f.along.x), static_cast<S>(f.along.y), static_cast<S>(f.along.z)}};
+}
+}  // namespace detail
+
+//! Prepares a camera at Boyer-Lindquist (r, θ, φ) [M, rad] whose observer moves as told.
+//!
+//! `given` is the velocity in the ZAMO frame for ObserverMotion::velocity, and in the rain's for rain_boost. Outside the horizon every
+//! observer works; the rain (Doran's free fall from rest at infinity), and what is boosted from it, work at the horizon and within it down
+//! to the inner one as well, because they never pass through the ZAMO frame: with the rain's speed v and the ZAMO's lapse α = √(1 - v²),
+//!   E = ε + v q_r + ω L,      dr/dλ = √A (q_r + v ε)       in the rain frame,
+//!   E = α ε + ω L,            dr/dλ = √A α q_r             in the ZAMO frame (the same, without the cancellation).
+ERGO_HD CameraStation make_camera_station(double spin, double r, double theta, double phi, ObserverMotion motion,
+                                          const Vector3<double>& given = {0.0, 0.0, 0.0}) {
+  const KerrFunctions f = kerr_functions(spin, r, theta);
+  CameraStation station{};
+  station.spin = spin;
+  station.horizon_r = horizon_radius(spin);
+  station.u = 1.0 / r;
+  station.sine_phi = ::sin(phi);
+  station.cosine_phi = ::cos(phi);
+  station.sine_theta = ::sin(theta);
+  station.cosine_theta = ::cos(theta);
+  station.ingoing = is_near_horizon(spin, r);
+  station.turn = station.ingoing && r > station.horizon_r ? ::remainder(ingoing_turn(spin, r), 2.0 * pi) : 0.0;
+  station.lag = station.ingoing ? outer_lag(spin, r) : 0.0;
+  const bool in_rain_frame = motion == ObserverMotion::rain || motion == ObserverMotion::rain_boost;
+  const double lapse = ::sqrt(f.sigma * f.delta / f.area);
+  const double own = in_rain_frame ? 1.0 : lapse;
+  const double mixed = in_rain_frame ? f.rain_speed : 0.0;
+  const Vector3<double> rest = {0.0, 0.0, 0.0};
+  const LorentzTransform boost =
+      boost_from_moving_frame(motion == ObserverMotion::rain ? rest
+                              : in_rain_frame                ? given
+                                                             : observer_velocity(motion, spin, r, theta, given));
+  const double axial = -f.circumference_factor * station.sine_theta;
+  const double radial = ::sqrt(f.area) / (r * r);
+  station.energy = detail::direction_form(boost, {own, mixed, 0.0, f.frame_dragging * axial});
+  station.axial_momentum = detail::direction_form(boost, {0.0, 0.0, 0.0, axial});
+  station.outward_rate = detail::direction_form(boost, {radial * mixed, radial * own, 0.0, 0.0});
+  station.polar_rate = detail::direction_form(boost, {0.0, 0.0, ::sqrt(f.sigma), 0.0});
+  station.azimuthal_rate = detail::direction_form(boost, {0.0, 0.0, 0.0, f.circumference_factor});
+  return station;
+}
+
+//! The same camera for kernels that work in another precision.
+template <class S>
+ERGO_HD CameraStationOf<S> converted_station(const CameraStation& c) {
+  return {static_cast<S>(c.spin),
+          static_cast<S>(c.horizon_r),
+          static_cast<S>(c.u),
+          static_cast<S>(c.sine_phi),
+          static_cast<S>(c.cosine_phi),
+          static_cast<S>(c.sine_theta),
+          static_cast<S>(c.cosine_theta),
+          detail::converted<S>(c.energy),
+          detail::converted<S>(c.axial_momentum),
+          detail::converted<S>(c.outward_rate),
+          detail::converted<S>(c.polar_rate),
+          detail::converted<S>(c.azimuthal_rate),
+          c.ingoing,
+          static_cast<S>(c.turn),
+          static_cast<S>(c.lag)};
+}
+
+//! The light ray that the observer sees in direction `n` (unit vector in the observer's frame: e_r, e_θ, e_φ).
+//!
+//! T is any real type (a dual number gives the exact derivatives of the whole ray). `energy` <= 0 means that such light cannot
+//! come from infinity (inside the ergosphere); the other members are then meaningless.
+template <class T>
+ERGO_HD RayStart<T> start_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
+  using S = ScalarOf<T>;
+  RayStart<T> ray;
+  ray.energy = detail::evaluate(camera.energy, n);
+  const T inverse_energy = S(1) / ray.energy;
+  ray.axial_angular_momentum = detail::evaluate(camera.axial_momentum, n) * inverse_energy;
+  ray.u = T(camera.u);
+  ray.u_rate = -(detail::evaluate(camera.outward_rate, n) * inverse_energy);
+  const T polar = detail::evaluate(camera.polar_rate, n) * inverse_energy;
+  const T azimuthal = detail::evaluate(camera.azimuthal_rate, n) * inverse_energy;
+  ray.m = {T(camera.sine_theta), T(S(0)), T(camera.cosine_theta)};
+  ray.m_rate = {camera.cosine_theta * polar, azimuthal, -(camera.sine_theta * polar)};
+  const S a = camera.spin;
+  const S a_cosine = a * camera.cosine_theta;
+  ray.polar_constant = polar * polar + azimuthal * azimuthal - a_cosine * a_cosine;
+  ray.shear_constant = ray.polar_constant - S(2) * a * ray.axial_angular_momentum + a * a;
+  ray.ingoing = camera.ingoing;
+  ray.turn = camera.turn;
+  return ray;
+}
+
+//! Whether a camera is within the horizon.
+template <class S>
+ERGO_HD bool is_within_horizon(const CameraStationOf<S>& camera) {
+  return camera.u * camera.horizon_r > S(1);
+}
+
+//! A direction on the sky of a camera at φ = 0, turned to the camera's true azimuth.
+template <class T>
+ERGO_HD Vector3<T> turned_to_camera(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& v) {
+  return {camera.cosine_phi * v.x - camera.sine_phi * v.y, camera.sine_phi * v.x + camera.cosine_phi * v.y, v.z};
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

@@ -1,0 +1,163 @@
+#pragma once
+
+#include "kernels/core/angles.h"
+#include "kernels/core/host_device.h"
+#include "kernels/spacetime/schwarzschild/connecting_ray.h"
+
+// A table of connecting rays, after Müller, Schulz & Weiskopf (2021), section 3.1: over u = 1/r and the azimuth φ that the ray sweeps, for
+// one observer or for several radii. Orders are one axis, two of them or more: nothing happens to the rays at φ = π.
+//
+// It holds where a point seems to be: x = t cos ξ, y = t sin ξ, and z = t cos ζ with the emission angle ζ, all divided by r and the
+// observer's radius. These are normal coordinates of light's geometry, smooth wherever there is light, the observer's own place included,
+// where ξ itself takes every value; and in flat space x = u_obs cos φ - u, y = u_obs sin φ, z = u cos φ - u_obs, which interpolation
+// reproduces. x and z are even in φ, y is odd. Beside them is the affine distance over t: smooth and even, too, and 1 - 2u at the observer's own place.
+//
+// The rays of a fan are solved at few u (Chebyshev's points) and few φ, evenly spaced; high-order interpolation carries them to the nodes.
+// A node is a float: its rounding moves ξ by some 1e-7 rad.
+namespace ergodome {
+
+//! Where the nodes of a table are. Ends of the axes are nodes.
+struct ConnectionGrid {
+  double u_low, u_high;                    //!< [1/M]
+  double u_observer_low, u_observer_high;  //!< [1/M]; equal for one observer
+  int rows;                                //!< nodes in u, 4 or more
+  int columns;                             //!< steps in φ from 0 to its end, 4 or more
+  int layers;                              //!< observers: 1, or 4 or more
+  int fan_rows;                            //!< places in u where rays are solved
+  int orders;                              //!< half turns that φ goes through
+};
+
+struct ConnectionNode {
+  float x, y, z;
+  float distance;
+};
+
+//! The same before it is rounded.
+struct ConnectionPlace {
+  double x, y, z;
+  double distance;
+
+  ERGO_HD void add(double weight, const ConnectionPlace& other) {
+    x += weight * other.x;
+    y += weight * other.y;
+    z += weight * other.z;
+    distance += weight * other.distance;
+  }
+};
+
+//! A table that is being made.
+struct ConnectionBatch {
+  ConnectionGrid grid;
+  ConnectionPlace* fan;     //!< [layer][fan row][fan column]
+  ConnectionPlace* spread;  //!< [layer][row][fan column]
+  ConnectionNode* nodes;    //!< [layer][row][column], columns + 1 of them
+};
+
+//! A table that is read.
+struct ConnectionView {
+  ConnectionGrid grid;
+  const ConnectionNode* nodes;
+};
+
+//! Spacing of a fan's rays in φ: an interpolation of ten points errs by less than a float's rounding.
+inline constexpr int fan_steps_to_pi = 20;
+inline constexpr int fan_stencil = 10;
+
+//! What a table says of a point.
+struct SeenPoint {
+  double xi;               //!< as ConnectingRay has it [rad]
+  double travel_time;      //!< [M]
+  double emission_angle;   //!< as ConnectingRay has it [rad]
+  double affine_distance;  //!< as ConnectingRay has it [M]
+};
+
+inline namespace ERGO_TARGET {
+
+//! Rays of a row of the fan: from φ = 0 to its end, and what the stencil needs beyond.
+ERGO_HD int fan_columns(const ConnectionGrid& grid) { return grid.orders * fan_steps_to_pi + fan_stencil / 2 + 1; }
+
+ERGO_HD double observer_u(const ConnectionGrid& grid, int layer) {
+  const double share = grid.layers > 1 ? static_cast<double>(layer) / (grid.layers - 1) : 0.0;
+  return grid.u_observer_low + share * (grid.u_observer_high - grid.u_observer_low);
+}
+
+//! Chebyshev's points of the second kind: the ends are among them.
+ERGO_HD double fan_u(const ConnectionGrid& grid, int fan_row) {
+  const double sine = ::sin(0.5 * pi * fan_row / (grid.fan_rows - 1));
+  return grid.u_low + (grid.u_high - grid.u_low) * sine * sine;
+}
+
+//! Whether a table knows a point; a table for one observer knows that one alone.
+ERGO_HD bool covers(const ConnectionGrid& grid, double r_observer, double r, double angle) {
+  constexpr double slack = 1.0 + 1e-12;
+  const double u = 1.0 / r;
+  const double u_observer = 1.0 / r_observer;
+  return u * slack >= grid.u_low && u <= grid.u_high * slack && angle >= 0.0 && angle <= pi * grid.orders * slack &&
+         u_observer * slack >= grid.u_observer_low && u_observer <= grid.u_observer_high * slack;
+}
+
+namespace detail {
+
+//! Four neighbours on an axis and Lagrange's cubic weights.
+struct CubicStencil {
+  int first;
+  double weight[4];
+};
+
+ERGO_HD CubicStencil cubic_stencil(double at, int least, int last) {
+  CubicStencil stencil{};
+  stencil.first = static_cast<int>(::fmax(least, ::fmin(last - 3, ::floor(at) - 1.0)));
+  const double t = at - stencil.first;
+  stencil.weight[0] = -(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0;
+  stencil.weight[1] = 0.5 * t * (t - 2.0) * (t - 3.0);
+  stencil.weight[2] = -0.5 * t * (t - 1.0) * (t - 3.0);
+  stencil.weight[3] = t * (t - 1.0) * (t - 2.0) / 6.0;
+  return stencil;
+}
+
+//! Interpolates one layer in u and φ.
+ERGO_HD ConnectionPlace read_layer(const ConnectionView& view, int layer, const CubicStencil& row,
+                                   const CubicStencil& column) {
+  ConnectionPlace sum{0.0, 0.0, 0.0, 0.0};
+  const long width = view.grid.columns + 1;
+  for (int i = 0; i < 4; ++i) {
+    const ConnectionNode* const line = view.nodes + (static_cast<long>(layer) * view.grid.rows + row.first + i) * width;
+    for (int j = 0; j < 4; ++j) {
+      const int at = column.first + j;
+      const ConnectionNode& node = line[at < 0 ? -at : at];
+      const double weight = row.weight[i] * column.weight[j];
+      const double side = at < 0 ? -1.0 : 1.0;
+      sum.add(weight, {static_cast<double>(node.x), side * static_cast<double>(node.y), static_cast<double>(node.z),
+                       static_cast<double>(node.distance)});
+    }
+  }
+  return sum;
+}
+
+}  // namespace detail
+
+//! Reads a point that the table `covers` by cubic interpolation in u, φ and, between observers, their u.
+ERGO_HD SeenPoint look_up_connection(const ConnectionView& view, double r_observer, double r, double angle) {
+  const ConnectionGrid& grid = view.grid;
+  const double u = 1.0 / r;
+  const detail::CubicStencil row =
+      detail::cubic_stencil((u - grid.u_low) / (grid.u_high - grid.u_low) * (grid.rows - 1), 0, grid.rows - 1);
+  const detail::CubicStencil column =
+      detail::cubic_stencil(angle / (pi * grid.orders) * grid.columns, -1, grid.columns);
+  ConnectionPlace place = detail::read_layer(view, 0, row, column);
+  if (grid.layers > 1) {
+    const double share = (1.0 / r_observer - grid.u_observer_low) / (grid.u_observer_high - grid.u_observer_low);
+    const detail::CubicStencil layer = detail::cubic_stencil(share * (grid.layers - 1), 0, grid.layers - 1);
+    place = {0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < 4; ++i) {
+      place.add(layer.weight[i], detail::read_layer(view, layer.first + i, row, column));
+    }
+  }
+  // b is one: sin ζ √(1 - 2/r)^-1 r = sin ξ √(1 - 2/r_obs)^-1 r_obs.
+  const double emitted_y = place.y * detail::lapse(r) * r_observer / (detail::lapse(r_observer) * r);
+  const double time = r * r_observer * ::hypot(place.x, place.y);
+  return {::atan2(place.y, place.x), time, ::atan2(emitted_y, place.z), place.distance * time};
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

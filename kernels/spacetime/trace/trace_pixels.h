@@ -1,0 +1,27 @@
+#pragma once
+
+#include "kernels/image/lens_pixels.h"
+#include "kernels/projection/projection.h"
+#include "kernels/spacetime/geodesic/integration_settings.h"
+#include "kernels/spacetime/kerr/camera_station.h"
+#include "kernels/spacetime/shadow/edge_curve.h"
+
+namespace ergodome {
+
+//! A block of rows of one image, a light ray a pixel.
+struct PixelBatch {
+  CameraStationOf<float> camera;
+  ProjectionOf<float> projection;
+  float
+      frame_from_view[3]
+                     [3];  //!< columns: the view's x (right), y (up), z (back) in the observer's frame (e_r, e_θ, e_φ)
+  EdgeCurve edge;
+  float edge_cosine_lowest;  //!< pixels whose cosine to the chart's centre lies between these may touch the edge
+  float edge_cosine_highest;
+  IntegrationSettings settings;
+  int first_row;  //!< first row of the image in this block
+  int row_count;
+  LensPixels out;  //!< row_count * width elements a channel
+};
+
+}  // namespace ergodome

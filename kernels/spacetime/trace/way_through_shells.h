@@ -1,0 +1,70 @@
+#pragma once
+
+#include <initializer_list>
+
+#include "kernels/near_field/radial_fate.h"
+#include "kernels/spacetime/trace/follow_rays.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Where a ray has seen the last of the shells.
+template <class T>
+struct WayEnd {
+  T u;              //!< 1 / r of the shell [1/M]
+  T side;           //!< 1 where the ray crosses it inwards, -1 outwards
+  T first_side;     //!< the same of the ray's beginning
+  MaskOf<T> meets;  //!< whether there is such a shell
+};
+
+//! Whether a ray has come to the end of its way. Where it should end before it turns, it has ended if it has turned.
+template <class T>
+ERGO_HD MaskOf<T> has_passed(const WayEnd<T>& end, const T& u, const T& u_rate) {
+  const T zero(ScalarOf<T>(0));
+  const auto beyond = ((u - end.u) * end.side >= zero) & (u_rate * end.side > zero);
+  return beyond | ((end.side * end.first_side > zero) & (u_rate * end.first_side < zero));
+}
+
+//! Finds it from the radial potential, before anything is traced: outside the horizon light turns at most once, and it comes to a radius before
+//! or behind its barrier where the potential is positive there.
+template <class T>
+ERGO_HD WayEnd<T> way_through_shells(ScalarOf<T> spin, const RayStart<T>& ray, const WatchedShell* shells, int count) {
+  using S = ScalarOf<T>;
+  const T zero(S(0));
+  const T one(S(1));
+  const T carter = ray.polar_constant - ray.axial_angular_momentum * ray.axial_angular_momentum;
+  const NearRay<T> near = {
+      one,       ray.axial_angular_momentum, ray.polar_constant, carter, ray.shear_constant, ray.u, ray.u_rate, ray.m,
+      ray.m_rate};
+  const RadialFate<T> fate = radial_fate(spin, near);
+  const auto inwards = ray.u_rate > zero;
+  const auto before_barrier = ray.u < fate.barrier_u;
+  const auto turns = fate.turns & ((inwards & before_barrier) | ((!inwards) & (!before_barrier)));
+  const MaskOf<T> none = inwards & (!inwards);
+  WayEnd<T> end = {zero, one, select(inwards, one, -one), none};
+  MaskOf<T> sees = (ray.energy > zero) & has_been_outside(spin, near);
+  const auto visit = [&](int k, bool leg_inwards, bool after_turn) {
+    const T u(static_cast<S>(shells[k].u));
+    const auto reached = ((u < fate.barrier_u) & before_barrier) | ((u >= fate.barrier_u) & (!before_barrier));
+    const auto allowed = (!turns) | (reached & (radial_potential(spin, ray, u) > zero));
+    const auto own_leg = (leg_inwards != after_turn) ? inwards : !inwards;
+    const auto ahead = leg_inwards ? u > ray.u : u < ray.u;
+    const auto crossed = sees & own_leg & allowed & (after_turn ? turns : ahead);
+    end.u = select(crossed, u, end.u);
+    end.side = select(crossed, T(S(leg_inwards ? 1 : -1)), end.side);
+    end.meets = end.meets | crossed;
+    if (shells[k].opaque) {
+      sees = sees & (!crossed);
+    }
+  };
+  for (const bool after_turn : {false, true}) {
+    for (int k = 0; k < count; ++k) {
+      visit(k, true, after_turn);
+    }
+    for (int k = count - 1; k >= 0; --k) {
+      visit(k, false, after_turn);
+    }
+  }
+  return end;
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

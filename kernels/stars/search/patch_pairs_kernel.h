@@ -1,0 +1,168 @@
+#pragma once
+
+#include "kernels/core/lanes.h"
+#include "kernels/stars/search/patch_newton.h"
+#include "kernels/stars/search/patch_pairs.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+namespace detail {
+//! One coordinate of the control points of the patches first, first + 1, ... of pairs, a patch in each lane.
+template <class T, int Count>
+ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (BezierPatch::*points)[16],
+                           const int (&which)[Count], T (&to)[Count]) {
+  for (int lane = 0; lane < RealTraits<T>::lane_count; ++lane) {
+    const int pair = first + lane < pairs.count ? first + lane : pairs.count - 1;
+    const float(&from)[16] = pairs.patch[pair]->*points;
+    ERGO_UNROLL
+    for (int i = 0; i < Count; ++i) {
+      set_lane(to[i], lane, from[which[i]]);
+    }
+  }
+}
+
+//! The patches of the pairs first, first + 1, ... as their stars see them.
+template <class T>
+ERGO_HD SeenPatch<T> see_patches(const PatchPairBatch& pairs, int first) {
+  constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  T z[16];
+  SeenPatch<T> patch;
+  gather_points(pairs, first, &BezierPatch::x, all, patch.p);
+  gather_points(pairs, first, &BezierPatch::y, all, patch.q);
+  gather_points(pairs, first, &BezierPatch::z, all, z);
+  const T a = load_lanes<T>(pairs.a, first, pairs.count);
+  const T b = load_lanes<T>(pairs.b, first, pairs.count);
+  ERGO_UNROLL
+  for (int i = 0; i < 16; ++i) {
+    patch.p[i] = patch.p[i] - a * z[i];
+    patch.q[i] = patch.q[i] - b * z[i];
+  }
+  return patch;
+}
+}  // namespace detail
+
+//! Seeks stars in patches by Newton's method; index i stands for the pairs i * lanes, i * lanes + 1, ...
+template <class T>
+struct InvertPatches {
+  const PatchNewtonBatch& batch;
+
+  ERGO_HD void operator()(int index) const {
+    const PatchPairBatch& pairs = batch.pairs;
+    const int first = index * RealTraits<T>::lane_count;
+    const PatchRoot<T> root = newton_on_patch(detail::see_patches<T>(pairs, first), T(0.0F) < T(1.0F),
+                                              {T(0.5F), T(0.5F)}, batch.farthest, batch.rounds);
+    store_lanes(batch.found, first, pairs.count, select(root.found, T(1.0F), T(0.0F)));
+    store_lanes(batch.u, first, pairs.count, root.at.u);
+    store_lanes(batch.v, first, pairs.count, root.at.v);
+    store_lanes(batch.area, first, pairs.count, root.area);
+  }
+};
+
+//! Tells on which side of patches' borders stars are, by how often the border goes round the star; index i stands for the pairs
+//! i * lanes, i * lanes + 1, ...
+//!
+//! Each side is a cubic curve, taken for a chain of chords. What is nearer to a chord than the curve may be is beside the border.
+template <class T>
+struct FindPatchSides {
+  using Mask = MaskOf<T>;
+
+  const PatchSideBatch& batch;
+
+  ERGO_HD void operator()(int index) const {
+    // Round the patch: along its first row, up the last column, back along the last row, down the first column.
+    constexpr int border[12] = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4};
+    const PatchPairBatch& pairs = batch.pairs;
+    const int first = index * RealTraits<T>::lane_count;
+    T p[13];
+    T q[13];
+    load_border(pairs, first, border, p, q);
+    Round round{T(0.0F), T(1.0F) < T(0.0F)};
+    T length[4];
+    for (int side = 0; side < 4; ++side) {
+      length[side] = absolute(p[3 * side + 3] - p[3 * side]) + absolute(q[3 * side + 3] - q[3 * side]);
+    }
+    for (int side = 0; side < 4; ++side) {
+      // Images are sought beyond a side by parts of the patch across it.
+      const T across = maximum(length[(side + 1) % 4], length[(side + 3) % 4]);
+      go_along(p + 3 * side, q + 3 * side, across * (2.0F * beyond_patch) + T(rounding), round);
+    }
+    const T inside = select(absolute(round.turns) > T(0.5F), T(1.0F), T(0.0F));
+    store_lanes(batch.side, first, pairs.count, select(round.beside, T(2.0F), inside));
+  }
+
+ private:
+  static constexpr int chords = 8;
+  //! Of places on the sky, in float.
+  static constexpr float rounding = 2e-7F;
+
+  //! What has been seen of a border on the way round it.
+  struct Round {
+    T turns;  //!< about the star
+    Mask beside;
+  };
+
+  //! Control points of a border as seen from the stars, the first once more at the end.
+  ERGO_HD static void load_border(const PatchPairBatch& pairs, int first, const int (&border)[12], T (&p)[13],
+                                  T (&q)[13]) {
+    T x[12];
+    T y[12];
+    T z[12];
+    detail::gather_points(pairs, first, &BezierPatch::x, border, x);
+    detail::gather_points(pairs, first, &BezierPatch::y, border, y);
+    detail::gather_points(pairs, first, &BezierPatch::z, border, z);
+    const T a = load_lanes<T>(pairs.a, first, pairs.count);
+    const T b = load_lanes<T>(pairs.b, first, pairs.count);
+    for (int i = 0; i < 12; ++i) {
+      p[i] = x[i] - a * z[i];
+      q[i] = y[i] - b * z[i];
+    }
+    p[12] = p[0];
+    q[12] = q[0];
+  }
+
+  ERGO_HD static void go_along(const T* p, const T* q, const T& margin, Round& round) {
+    const T slack = chord_error(p, q) + margin;
+    T from_p = p[0];
+    T from_q = q[0];
+    for (int chord = 1; chord <= chords; ++chord) {
+      float along[4];
+      float slope[4];
+      detail::bernstein(static_cast<float>(chord) / chords, along, slope);
+      const T to_p = along[0] * p[0] + along[1] * p[1] + along[2] * p[2] + along[3] * p[3];
+      const T to_q = along[0] * q[0] + along[1] * q[1] + along[2] * q[2] + along[3] * q[3];
+      pass(from_p, from_q, to_p, to_q, slack, round);
+      from_p = to_p;
+      from_q = to_q;
+    }
+  }
+
+  //! How far a side may be from its chords at the most.
+  ERGO_HD static T chord_error(const T* p, const T* q) {
+    const auto bend = [](const T* at) {
+      return maximum(absolute(at[0] - T(2.0F) * at[1] + at[2]), absolute(at[1] - T(2.0F) * at[2] + at[3]));
+    };
+    // A cubic's second derivative is at most 6 times these differences; a chord is off by an eighth of it times its square.
+    constexpr float chord_part = 6.0F / (8.0F * chords * chords);
+    return (bend(p) + bend(q)) * chord_part;
+  }
+
+  //! Goes along a chord.
+  ERGO_HD static void pass(const T& from_p, const T& from_q, const T& to_p, const T& to_q, const T& slack,
+                           Round& round) {
+    const T zero(0.0F);
+    const T way_p = to_p - from_p;
+    const T way_q = to_q - from_q;
+    // Positive where the star is to the left.
+    const T left = from_p * to_q - from_q * to_p;
+    const Mask up = (from_q <= zero) & (to_q > zero) & (left > zero);
+    const Mask down = (from_q > zero) & (to_q <= zero) & (left < zero);
+    round.turns = round.turns + select(up, T(1.0F), zero) - select(down, T(1.0F), zero);
+    const T length = sqrt(way_p * way_p + way_q * way_q);
+    const T reach = slack * length;
+    const T before = -(from_p * way_p + from_q * way_q);
+    const T after = to_p * way_p + to_q * way_q;
+    round.beside = round.beside | ((absolute(left) <= reach) & (before >= -reach) & (after >= -reach));
+  }
+};
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "kernels/core/lanes.h"
+#include "kernels/stars/search/bezier_patch.h"
+#include "kernels/stars/search/seen_parts.h"
+
+namespace ergodome::inline ERGO_TARGET {
+
+//! Patches as stars see them, one in each lane: p = q = 0 where the star is.
+template <class T>
+struct SeenPatch {
+  T p[16];
+  T q[16];
+};
+
+//! Control points of the parts first, first + 1, ...
+template <class T>
+ERGO_HD SeenPatch<T> load_patch(const SeenParts& parts, int first) {
+  SeenPatch<T> patch;
+  ERGO_UNROLL
+  for (int i = 0; i < 16; ++i) {
+    patch.p[i] = load_lanes<T>(parts.at + (part_p + i) * parts.room, first, parts.count);
+    patch.q[i] = load_lanes<T>(parts.at + (part_q + i) * parts.room, first, parts.count);
+  }
+  return patch;
+}
+
+//! A patch at (u, v), which may lie outside [0, 1]². The star is where it is seen from already.
+template <class T>
+ERGO_HD PlaneValue<T> seen_at(const SeenPatch<T>& patch, const T& u, const T& v) {
+  T along_u[4];
+  T slope_u[4];
+  T along_v[4];
+  T slope_v[4];
+  detail::bernstein(u, along_u, slope_u);
+  detail::bernstein(v, along_v, slope_v);
+  const detail::FormValue<T> p = detail::form_at(patch.p, along_u, slope_u, along_v, slope_v);
+  const detail::FormValue<T> q = detail::form_at(patch.q, along_u, slope_u, along_v, slope_v);
+  return {p.value, q.value, p.by_u, q.by_u, p.by_v, q.by_v};
+}
+
+//! Lanes in whose patch the Jacobian is nearly the same all over: then it is one to one, and Newton's method from the middle ends at the
+//! star's place.
+template <class T>
+ERGO_HD MaskOf<T> is_regular(const SeenPatch<T>& patch) {
+  const T half(0.5F);
+  const PlaneValue<T> middle = seen_at(patch, half, half);
+  const T scale = T(3.0F) / determinant(middle);
+  // J⁻¹ times the control points of a derivative, less the unit vector that it should be.
+  const auto change = [&](int from, int to, float unit_u, float unit_v) {
+    const T dp = patch.p[to] - patch.p[from];
+    const T dq = patch.q[to] - patch.q[from];
+    return maximum(absolute((middle.q_v * dp - middle.p_v * dq) * scale - T(unit_u)),
+                   absolute((middle.p_u * dq - middle.q_u * dp) * scale - T(unit_v)));
+  };
+  T along_u(0.0F);
+  T along_v(0.0F);
+  ERGO_UNROLL
+  for (int i = 0; i < 12; ++i) {
+    const int in_row = i / 3 * 4 + i % 3;
+    along_u = maximum(along_u, change(in_row, in_row + 1, 1.0F, 0.0F));
+    along_v = maximum(along_v, change(i, i + 4, 0.0F, 1.0F));
+  }
+  return along_u + along_v < T(most_regular_change);
+}
+
+}  // namespace ergodome::inline ERGO_TARGET

@@ -1,0 +1,130 @@
+#include "render/eyes/disparity_meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "kernels/core/angles.h"
+#include "kernels/core/vector3.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
+
+namespace ergodome {
+
+namespace {
+
+bool is_shown(const Projection& image, double x, double y) {
+  return x >= 0.0 && x <= image.width_px && y >= 0.0 && y <= image.height_px && image_coverage(image, x, y) > 0.0;
+}
+
+//! Whether a viewer's left and right go another way in each part of the image.
+bool turns_its_rows(const Projection& image) {
+  return image.kind == ProjectionKind::dome_fisheye || image.kind == ProjectionKind::cube;
+}
+
+//! How far apart an image has what is apart level, across a direction [px/rad].
+double pixels_per_turn(const Projection& image, const Vector3<double>& view) {
+  constexpr double small = 1e-4;
+  const double level = std::hypot(view.x, view.z);
+  const Vector3<double> across =
+      level > 0.0 ? (1.0 / level) * Vector3<double>{-view.z, 0.0, view.x} : Vector3<double>{1.0, 0.0, 0.0};
+  double x = 0.0;
+  double y = 0.0;
+  if (!pixel_from_direction(image, view, x, y)) {
+    return 0.0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const double side : {-small, small}) {
+    double beside_x = 0.0;
+    double beside_y = 0.0;
+    if (pixel_from_direction(image, normalized(view + side * across), beside_x, beside_y)) {
+      // The shorter way is the one that crosses no seam.
+      least = std::min(least, std::hypot(beside_x - x, beside_y - y) / small);
+    }
+  }
+  return std::isfinite(least) ? least : 0.0;
+}
+
+//! The least and the greatest of a number of things, and of a sheet's but for the outermost.
+template <class Shift>
+std::pair<double, double> bounds_of(const std::vector<Shift>& things, const std::vector<Shift>& sheet,
+                                    double Shift::*number) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  const auto take = [&](double value) {
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+  };
+  for (const Shift& thing : things) {
+    take(thing.*number);
+  }
+  if (!sheet.empty()) {
+    std::vector<double> values;
+    values.reserve(sheet.size());
+    for (const Shift& direction : sheet) {
+      values.push_back(direction.*number);
+    }
+    std::ranges::sort(values);
+    const auto left_out = static_cast<std::size_t>(DisparityMeter::outlying_share * static_cast<double>(values.size()));
+    take(values[left_out]);
+    take(values[values.size() - 1 - left_out]);
+  }
+  return {least, greatest};
+}
+
+}  // namespace
+
+bool DisparityMeter::shows(const Vector3<double>& view) const {
+  double x = 0.0;
+  double y = 0.0;
+  return pixel_from_direction(screen_, view, x, y) && is_shown(screen_, x, y);
+}
+
+std::optional<DisparityMeter::Shift> DisparityMeter::shift_of(const Vector3<double>& left,
+                                                              const Vector3<double>& right) const {
+  double x[2];
+  double y[2];
+  if (!pixel_from_direction(images_[0], left, x[0], y[0]) || !pixel_from_direction(images_[1], right, x[1], y[1]) ||
+      !(is_shown(images_[0], x[0], y[0]) || is_shown(images_[1], x[1], y[1]))) {
+    return std::nullopt;
+  }
+  // Where a viewer sees them: through an image that does not converge.
+  const Vector3<double> from = direction_from_pixel(screen_, x[0], y[0]);
+  const Vector3<double> to = direction_from_pixel(screen_, x[1], y[1]);
+  const double turn = std::atan2(to.x, -to.z) - std::atan2(from.x, -from.z);
+  // Azimuths lie closer towards the zenith.
+  const double level = 0.5 * (std::hypot(from.x, from.z) + std::hypot(to.x, to.z));
+  const double turned = level * std::remainder(turn, 360.0 * one_degree);
+  double pixels = screen_.left < 0.0 ? x[1] - x[0] : x[0] - x[1];
+  if (turns_its_rows(screen_)) {
+    pixels = turned * pixels_per_turn(screen_, normalized(from + to));
+  } else if (wraps_around(screen_)) {
+    pixels = std::remainder(pixels, screen_.width_px);
+  }
+  // What is no number cannot be put in order.
+  return std::isfinite(pixels) && std::isfinite(turned) ? std::optional(Shift{pixels, 60.0 / one_degree * turned})
+                                                        : std::nullopt;
+}
+
+void DisparityMeter::add(const Vector3<double>& left, const Vector3<double>& right) {
+  if (const auto shift = shift_of(left, right)) {
+    things_.push_back(*shift);
+  }
+}
+
+void DisparityMeter::add_of_sheet(const Vector3<double>& left, const Vector3<double>& right) {
+  if (const auto shift = shift_of(left, right)) {
+    sheet_.push_back(*shift);
+  }
+}
+
+std::optional<Disparity> DisparityMeter::result() const {
+  const auto [least_px, greatest_px] = bounds_of(things_, sheet_, &Shift::pixels);
+  const auto [least_arcmin, greatest_arcmin] = bounds_of(things_, sheet_, &Shift::arcmin);
+  return things_.empty() && sheet_.empty()
+             ? std::nullopt
+             : std::optional(Disparity{least_px, greatest_px, least_arcmin, greatest_arcmin});
+}
+
+}  // namespace ergodome

@@ -1,0 +1,89 @@
+#include "render/eyes/eye_camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "calibration/dome/stereo_rig.h"
+#include "kernels/core/error.h"
+
+namespace ergodome {
+
+namespace {
+
+//! All eyes of one head move together: at the velocity that the head's observer has at the head's place.
+void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
+  if (pose.velocity && pose.velocity_in_rain) {
+    eye.motion = ObserverMotion::rain_boost;
+    eye.velocity = *pose.velocity;
+    return;
+  }
+  eye.motion = pose.velocity ? ObserverMotion::velocity : show.camera.motion;
+  eye.velocity = pose.velocity.value_or(show.camera.velocity);
+  if (eye.motion == ObserverMotion::rain || eye.motion == ObserverMotion::zamo) {
+    return;
+  }
+  eye.velocity = observer_velocity(eye.motion, show.spin, pose.r, pose.theta, eye.velocity);
+  eye.motion = ObserverMotion::velocity;
+  if (!(dot(eye.velocity, eye.velocity) < 1.0)) {
+    throw Error(show.name, fmt::format("no such observer exists at r = {:.6g} M", pose.r),
+                "choose observer = \"zamo\" or a camera path further out");
+  }
+}
+
+}  // namespace
+
+EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset) {
+  const double horizon = horizon_radius(show.spin);
+  const bool in_rain = pose.velocity && pose.velocity_in_rain;
+  const double deepest = in_rain ? std::min(least_interior_radius(show.spin), horizon) : horizon;
+  if (!(pose.r > deepest)) {
+    throw Error(show.name, fmt::format("the camera is inside the horizon (r = {:.6g} M)", pose.r), "keep it outside");
+  }
+  if (!std::isfinite(pose.r + pose.theta + pose.phi + offset.x + offset.y + offset.z)) {
+    throw Error(show.name, "the camera's place or an eye's offset is no finite number",
+                "give the camera another place");
+  }
+  const glm::dmat3 turn = glm::mat3_cast(pose.orientation);
+  double head[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      head[i][j] = turn[j][i];
+    }
+  }
+  // An eye that the baseline would put into the hole waits just outside; those of a head that falls, above where nobody goes.
+  const EyeEvent event =
+      eye_event(show.spin, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
+  EyeCamera eye{};
+  eye.spin = show.spin;
+  // An eye in the head's own place has its very numbers, as a single camera has.
+  constexpr double rounding = 1e-12;
+  const auto unless_rounding = [](double of_eye, double of_head) {
+    return std::abs(of_eye - of_head) <= rounding * of_head ? of_head : of_eye;
+  };
+  eye.r = unless_rounding(event.r, pose.r);
+  eye.theta = unless_rounding(event.theta, pose.theta);
+  eye.phi = event.phi;
+  eye.head_r = pose.r;
+  eye.head_theta = pose.theta;
+  eye.clock_lead = pose.clock_lead;
+  if (in_rain) {
+    eye.clock_lead += outer_lag(show.spin, eye.r) - outer_lag(show.spin, pose.r);
+  }
+  set_motion(eye, show, pose);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      eye.frame_from_view[i][j] = event.frame_from_view[i][j];
+    }
+  }
+  return eye;
+}
+
+Vector3<double> place_of(const EyeCamera& eye) {
+  return {eye.r * std::sin(eye.theta) * std::cos(eye.phi), eye.r * std::sin(eye.theta) * std::sin(eye.phi),
+          eye.r * std::cos(eye.theta)};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,86 @@
+#include "render/eyes/eye_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/lens/flat/flat_shadow.h"
+#include "render/lens/omni_lens.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Of r. Far from the hole, polynomials of degree 10 serve eyes that are twice 0.39 r apart.
+constexpr double share_of_r = 0.72;
+
+//! omni_room(), were the head and its eyes outside of where light is counted in the azimuth of who falls in.
+double room_outside(double spin, double r, double outwards) {
+  return std::min((r - horizon_radius(spin)) / outwards, share_of_r * r / std::max(outwards, 1.0));
+}
+
+//! How far r goes for a length of 1 M outwards, see eye_event().
+double outwards_scale(double spin, double r, double theta, bool in_rain) {
+  const KerrFunctions f = kerr_functions(spin, r, theta);
+  return in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
+}
+
+//! Whether both eyes can be drawn so far apart.
+bool omni_eyes_fit(const Show& show, const CameraPose& pose, double baseline) {
+  const EyePlace eye_at = [&](const Vector3<double>& offset) { return eye_camera(show, pose, offset); };
+  return make_omni_pair(Backend::cpu, eye_at, omni_settings(show.stereo, baseline, omni_least_exact)).has_value();
+}
+
+//! The greatest distance up to `most` that can be drawn, to a thousandth of it.
+double greatest_omni_baseline(const Show& show, const CameraPose& pose, double most) {
+  if (omni_eyes_fit(show, pose, most)) {
+    return most;
+  }
+  double fits = 0.0;
+  double too_far = most;
+  for (int round = 0; round < 10; ++round) {
+    const double middle = 0.5 * (fits + too_far);
+    (omni_eyes_fit(show, pose, middle) ? fits : too_far) = middle;
+  }
+  return fits;
+}
+
+//! Greatest distance up to `most`, by the show's model.
+double greatest_up_to(const Show& show, const CameraPose& pose, double most) {
+  switch (show.stereo.model) {
+    case StereoModel::flat:
+      return std::min(most, FlatShadow(eye_camera(show, pose, 0.0)).greatest_baseline());
+    case StereoModel::omni:
+      static_cast<void>(eye_camera(show, pose, 0.0));  // its errors are not those of eyes
+      return greatest_omni_baseline(show, pose, std::min(most, omni_room(show.spin, pose)));
+    case StereoModel::physical:
+      break;
+  }
+  return most;
+}
+
+}  // namespace
+
+double omni_room(double spin, const CameraPose& pose) {
+  const bool in_rain = pose.velocity && pose.velocity_in_rain;
+  const double outwards = outwards_scale(spin, pose.r, pose.theta, in_rain);
+  if (!in_rain || !is_near_horizon(spin, pose.r)) {
+    return room_outside(spin, pose.r, outwards);
+  }
+  // The limit of is_near_horizon().
+  const double above = 1.2 * horizon_radius(spin);
+  const double room_above = room_outside(spin, above, outwards_scale(spin, above, pose.theta, true));
+  const double depth = pose.r - std::min(least_interior_radius(spin), horizon_radius(spin));
+  return std::min({room_above, depth / outwards, share_of_r * pose.r / std::max(outwards, 1.0)});
+}
+
+double greatest_baseline(const Show& show, const CameraPose& pose) {
+  return greatest_up_to(show, pose, std::numeric_limits<double>::infinity());
+}
+
+double fitting_baseline(const Show& show, const CameraPose& pose) {
+  const double asked = show.stereo.baseline;
+  return asked > 0.0 ? greatest_up_to(show, pose, asked) : asked;
+}
+
+}  // namespace ergodome

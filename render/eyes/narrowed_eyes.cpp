@@ -1,0 +1,108 @@
+#include "render/eyes/narrowed_eyes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "content/show/animated_show.h"
+#include "content/show/show_files.h"
+#include "kernels/core/error.h"
+#include "render/eyes/eye_distance.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Eyes at a show time; nothing where they stand as the show asks, or where the camera itself cannot be, which is told elsewhere.
+std::optional<NarrowedEyes> narrowed_at(const Show& show, double time_s) {
+  const Show now = show_at(show, time_s);
+  const CameraPose pose = camera_pose(now, time_s);
+  NarrowedEyes eyes = {now.stereo.model, pose.r, now.stereo.baseline, now.stereo.baseline};
+  try {
+    eyes.baseline = fitting_baseline(now, pose);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return eyes.baseline < eyes.asked ? std::optional(eyes) : std::nullopt;
+}
+
+//! Times of a show at which eyes are looked at, in order [s].
+std::vector<double> times_of_eyes(const Show& show) {
+  constexpr int most_times = 32;
+  if (!camera_moves(show) && show.timeline.animations.empty()) {
+    return {0.0};
+  }
+  std::vector<double> times = path_ends_s(show);
+  if (times.size() > most_times / 2) {
+    times.clear();
+  }
+  for (int i = 0; i <= most_times; ++i) {
+    times.push_back(show.duration_s * i / most_times);
+  }
+  std::ranges::sort(times);
+  return times;
+}
+
+//! When between two times eyes begin to stand closer [s].
+double beginning_s(const Show& show, double before_s, double after_s) {
+  constexpr double exact_s = 0.01;
+  while (after_s - before_s > exact_s) {
+    const double middle_s = 0.5 * (before_s + after_s);
+    (narrowed_at(show, middle_s) ? after_s : before_s) = middle_s;
+  }
+  return after_s;
+}
+
+std::string sentence(const Show& show, const std::string& problem) {
+  const Error error("stereo.baseline", problem,
+                    "where they are to stand alike all through, choose a smaller one, or model = \"physical\"");
+  for (const char* const key : {"stereo.baseline", "animate.stereo.baseline"}) {
+    if (show.lines.contains(key)) {
+      return named_by(show, key, error).what();
+    }
+  }
+  return error.what();
+}
+
+std::string closer(double time_s, const NarrowedEyes& eyes) {
+  return fmt::format(
+      "eyes {:.4g} M apart do not fit for the model {} at {:.6g} s, r = {:.4g} M: they stand {:.4g} M apart",
+      eyes.asked, stereo_model_names[static_cast<std::size_t>(eyes.model)], time_s, eyes.r, eyes.baseline);
+}
+
+}  // namespace
+
+std::optional<NarrowedPath> narrowed_path(const Show& show) {
+  if (eye_count(show.stereo) < 2 || show.stereo.model == StereoModel::physical) {
+    return std::nullopt;
+  }
+  std::optional<NarrowedPath> path;
+  double before_s = 0.0;
+  for (const double time_s : times_of_eyes(show)) {
+    const std::optional<NarrowedEyes> eyes = narrowed_at(show, time_s);
+    if (eyes && !path) {
+      const double first_s = beginning_s(show, before_s, time_s);
+      path = {first_s, narrowed_at(show, first_s).value_or(*eyes), time_s, *eyes};
+    } else if (eyes && eyes->baseline < path->least.baseline) {
+      path->least_s = time_s;
+      path->least = *eyes;
+    }
+    before_s = time_s;
+  }
+  return path;
+}
+
+std::string note_of(const Show& show, double time_s, const NarrowedEyes& eyes) {
+  return sentence(show, closer(time_s, eyes));
+}
+
+std::string note_of(const Show& show, const NarrowedPath& path) {
+  std::string text = closer(path.first_s, path.first);
+  if (path.least.baseline < path.first.baseline) {
+    text += fmt::format(", and {:.4g} M at {:.6g} s, r = {:.4g} M", path.least.baseline, path.least_s, path.least.r);
+  }
+  return sentence(show, text);
+}
+
+}  // namespace ergodome

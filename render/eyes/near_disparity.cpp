@@ -1,0 +1,185 @@
+#include "render/eyes/near_disparity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "kernels/launch/parallel_for.h"
+#include "kernels/projection/flat_parallax.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Puts things into the meter as both eyes see them: eyes at places of their own, or beside a head whose lens they share.
+class NearThings {
+ public:
+  NearThings(const Show& show, const CameraPose& pose, DisparityMeter& meter)
+      : flat_(show.stereo.model == StereoModel::flat),
+        right_offset_{0.5 * show.stereo.baseline, 0.0, 0.0},
+        head_(eye_camera(show, pose, 0.0)),
+        left_(show, pose, -1.0),
+        right_(show, pose, 1.0),
+        meter_(meter) {}
+
+  [[nodiscard]] const EyeCamera& head() const { return head_; }
+
+  void add(const NearSight& sight, const Vector3<double>& view) {
+    if (flat_) {
+      add_flat(view, sight.distance);
+    } else if (sight.first) {
+      add_thing({sight.place});
+    }
+  }
+
+  //! `by_distance`: places of it, in the order of their distance from the head; at least one.
+  void add(const PlacedOutline& object, const std::vector<Vector3<double>>& by_distance) {
+    for (const Vector3<double>& place : ends_shown(by_distance)) {
+      const SeenThing thing = {place, &object};
+      if (!flat_) {
+        add_thing(thing);
+      } else if (const auto seen = seen_by_camera(head_, thing)) {
+        if (const auto distance = distance_of_place(head_, seen->view, seen->place)) {
+          add_flat(seen->view, *distance);
+        }
+      }
+    }
+  }
+
+ private:
+  void add_flat(const Vector3<double>& view, double distance) {
+    meter_.add(seen_by_eye(view, distance, -1.0 * right_offset_), seen_by_eye(view, distance, right_offset_));
+  }
+
+  void add_thing(const SeenThing& thing) {
+    const auto left = left_.sees(thing);
+    const auto right = right_.sees(thing);
+    if (left && right) {
+      meter_.add(*left, *right);
+    }
+  }
+
+  //! Of places in the order of their distance the first and the last that the picture shows, if light came straight, and those farthest to all sides: images
+  //! stretch things towards their rims. Of none that it shows, the first and the last.
+  [[nodiscard]] std::vector<Vector3<double>> ends_shown(const std::vector<Vector3<double>>& places) const {
+    struct Shown {
+      Vector3<double> place;
+      Vector3<double> view;
+    };
+    std::vector<Shown> shown;
+    for (const Vector3<double>& place : places) {
+      const Vector3<double> view = straight_view(head_, place);
+      if (meter_.shows(view)) {
+        shown.push_back({place, view});
+      }
+    }
+    if (shown.empty()) {
+      return {places.front(), places.back()};
+    }
+    const auto [left, right] = std::ranges::minmax_element(shown, {}, [](const Shown& at) { return at.view.x; });
+    const auto [low, high] = std::ranges::minmax_element(shown, {}, [](const Shown& at) { return at.view.y; });
+    return {shown.front().place, shown.back().place, left->place, right->place, low->place, high->place};
+  }
+
+  bool flat_;
+  Vector3<double> right_offset_;
+  EyeCamera head_;
+  StereoEye left_;
+  StereoEye right_;
+  DisparityMeter& meter_;
+};
+
+//! An object and places of it.
+struct RankedObject {
+  const PlacedOutline* object;
+  std::vector<Vector3<double>> places;  //!< the nearest one of each of its triangles, the nearest of all first
+  double square;                        //!< of the distance of that one
+};
+
+//! How far an object's places are, about where they are seen: it may move while its light is on the way.
+RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
+  const auto square = [](const Vector3<double>& v) { return dot(v, v); };
+  const Vector3<double>& middle = object.placement.position;
+  const Vector3<double> moved = object.seen(middle, std::sqrt(square(middle - from))) - middle;
+  RankedObject it{&object, {}, std::numeric_limits<double>::infinity()};
+  const std::span<const Vector3<double>> corners = object.corners;
+  for (std::size_t i = 0; i + 3 <= corners.size(); i += 3) {
+    it.places.push_back(nearest_of_triangle(from - moved, std::span<const Vector3<double>, 3>(corners.subspan(i, 3))));
+  }
+  std::ranges::sort(it.places, {}, [&](const Vector3<double>& place) { return square(place + moved - from); });
+  if (!it.places.empty()) {
+    it.square = square(it.places.front() + moved - from);
+  }
+  return it;
+}
+
+//! The nearest of the objects that have any places: of many the others stand behind these.
+std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects, const Vector3<double>& from) {
+  constexpr std::size_t most = 16;
+  std::vector<RankedObject> nearest;
+  for (const PlacedOutline& object : objects) {
+    RankedObject it = ranked(object, from);
+    if (!it.places.empty()) {
+      nearest.push_back(std::move(it));
+    }
+  }
+  std::ranges::sort(nearest, {}, &RankedObject::square);
+  nearest.resize(std::min(nearest.size(), most));
+  return nearest;
+}
+
+//! Finds what a head sees in a direction.
+void look(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, SeenDirection& direction) {
+  direction.sights = near_sights(show, head, direction.view);
+  if (hiding.meshes.empty()) {
+    return;
+  }
+  const double distance = distance_of_objects(hiding, head, direction.view);
+  const auto behind = std::ranges::upper_bound(direction.sights, distance, {}, &NearSight::distance);
+  direction.ends_at_object = std::isfinite(distance);
+  direction.sights.erase(behind, direction.sights.end());
+}
+
+}  // namespace
+
+bool is_black(const SkySettings& sky) { return sky.stars.empty() && (sky.map == "black" || sky.exposure == 0.0); }
+
+std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& pose, const Projection& projection,
+                                           const PlacedMeshes& hiding) {
+  std::vector<SeenDirection> directions;
+  if (!is_black(show.sky)) {
+    visit_many(projection, [&](const Vector3<double>& view) { directions.push_back({view, LookedFor::sky, {}}); });
+  }
+  visit_lattice(projection, [&](const Vector3<double>& view) {
+    directions.push_back({view, LookedFor::disk_and_shells, {}});
+  });
+  if (show.disk || !show.shells.empty() || !hiding.meshes.empty()) {
+    const EyeCamera head = eye_camera(show, pose, 0.0);
+    parallel_for(static_cast<int>(directions.size()), 4, [&](int begin, int end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        look(show, head, hiding, directions[i]);
+      }
+    });
+  }
+  return directions;
+}
+
+void add_near_things(const Show& show, const CameraPose& pose, std::span<const SeenDirection> directions,
+                     std::span<const PlacedOutline> objects, DisparityMeter& meter) {
+  NearThings things(show, pose, meter);
+  for (const SeenDirection& direction : directions) {
+    if (direction.looked_for != LookedFor::disk_and_shells) {
+      continue;
+    }
+    for (const NearSight& sight : direction.sights) {
+      things.add(sight, direction.view);
+    }
+  }
+  for (const RankedObject& near : nearest_objects(objects, place_of(things.head()))) {
+    things.add(*near.object, near.places);
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,106 @@
+#include "render/eyes/stereo_eye.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/angles.h"
+#include "kernels/objects/light_ray.h"
+#include "kernels/spacetime/kerr/frame_boost.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
+#include "render/frame/view_projection.h"
+
+namespace ergodome {
+
+Vector3<double> StereoEye::place(const Vector3<double>& view) const {
+  const StereoSettings& stereo = show_.stereo;
+  if (stereo.model != StereoModel::omni) {
+    return {stereo.model == StereoModel::flat ? 0.0 : offset_, 0.0, 0.0};
+  }
+  const double across = std::hypot(view.x, view.z);
+  const double gone = std::cos(one_degree * stereo.fade_to_deg);
+  const double ramp = std::clamp((across - gone) / (std::cos(one_degree * stereo.fade_from_deg) - gone), 0.0, 1.0);
+  const double share = across > 0.0 ? offset_ * ramp * ramp * (3.0 - 2.0 * ramp) / across : 0.0;
+  return {-view.z * share, 0.0, view.x * share};
+}
+
+Vector3<double> StereoEye::convergence_turn(const Vector3<double>& view) const {
+  const StereoSettings& stereo = show_.stereo;
+  const bool turns = stereo.model == StereoModel::omni && stereo.convergence > 0.0;
+  return turns ? (1.0 / stereo.convergence) * place(view) : Vector3<double>{0.0, 0.0, 0.0};
+}
+
+Projection StereoEye::image(const Projection& projection) const {
+  return show_.stereo.model == StereoModel::omni ? projection
+                                                 : converged_projection(projection, offset_, show_.stereo.convergence);
+}
+
+std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
+  // An eye that turns sits where the direction says, which hangs on where it sits by little.
+  const int rounds = show_.stereo.model == StereoModel::omni ? 6 : 1;
+  constexpr double near_enough = 1e-5;
+  Vector3<double> view = {0.0, 0.0, -1.0};
+  double off = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    const auto seen = seen_by_camera(camera(view), thing);
+    if (!seen) {
+      return std::nullopt;
+    }
+    // The picture shows at v what comes from v - turn, which is across v.
+    const Vector3<double> turn = convergence_turn(view);
+    const Vector3<double> next = normalized(std::sqrt(1.0 + dot(turn, turn)) * seen->view + turn);
+    off = rounds > 1 ? std::sqrt(dot(next - view, next - view)) : 0.0;
+    view = next;
+    if (off < near_enough) {
+      break;
+    }
+  }
+  // Eyes farther apart than a thing is away need not come to rest.
+  constexpr double settled = 1e-3;
+  return off < settled ? std::optional(view) : std::nullopt;
+}
+
+namespace {
+
+//! Nearer to the hole than this there is no closed form to start from, at either end of the light's way [M].
+constexpr double least_r = 2.0;
+
+//! Where a camera is; on the axis its azimuth is kept.
+Vector3<double> place_beside_axis(EyeCamera eye) {
+  constexpr double least_angle = 1e-12;
+  eye.theta = std::max(eye.theta, least_angle);
+  return place_of(eye);
+}
+
+//! A direction of the observer without angular momentum in the view's axes of one that moves.
+Vector3<double> seen_in_view(const EyeCamera& eye, const Vector3<double>& direction) {
+  const FrameBoost boost = frame_boost(observer_velocity(eye.motion, eye.spin, eye.r, eye.theta, eye.velocity));
+  double energy = 1.0;
+  return in_view(eye, aberrated(FrameBoost{boost.axis, 1.0 / boost.stretch}, direction, energy));
+}
+
+}  // namespace
+
+std::optional<SeenPlace> seen_by_camera(const EyeCamera& eye, const SeenThing& thing) {
+  const Vector3<double> at = place_beside_axis(eye);
+  const LocalFrame frame = local_frame(eye.spin, at);
+  // What moves is slower than light: each round leaves a part of how far off the last one was.
+  const int rounds = thing.moves() ? 8 : 1;
+  Vector3<double> place = thing.place;
+  RayCorrection correction = {};
+  LightRay ray{};
+  for (int round = 0; round < rounds; ++round) {
+    place = round > 0 ? thing.at(ray.travel_time) : place;
+    if (!(dot(place, place) > least_r * least_r) ||
+        !light_ray(eye.spin, frame, at, place, 1, LightRayParts::way, correction, ray)) {
+      return std::nullopt;
+    }
+  }
+  return SeenPlace{seen_in_view(eye, ray.direction), place};
+}
+
+Vector3<double> straight_view(const EyeCamera& eye, const Vector3<double>& place) {
+  const Vector3<double> at = place_beside_axis(eye);
+  return seen_in_view(eye, normalized(in_axes(local_frame(eye.spin, at), place - at)));
+}
+
+}  // namespace ergodome

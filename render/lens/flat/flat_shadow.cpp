@@ -1,0 +1,220 @@
+#include "render/lens/flat/flat_shadow.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
+#include "kernels/projection/flat_parallax.h"
+#include "kernels/spacetime/geodesic/affine_distance.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+#include "render/lens/grid/edge_table.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Of the way to the horizon: an eye farther off has it beside itself.
+constexpr double farthest_eye = 0.5;
+
+//! Of the edge's points every fourth is solved: how far the crescent comes out changes slower than the edge itself.
+constexpr int solved_step = 4;
+
+//! Catmull and Rom's cubic through four neighbours.
+double cubic(double p0, double p1, double p2, double p3, double t) {
+  const double b = 0.5 * (p2 - p0);
+  const double c = p0 - 2.5 * p1 + 2.0 * p2 - 0.5 * p3;
+  const double d = 0.5 * (p3 - p0) + 1.5 * (p1 - p2);
+  return p1 + t * (b + t * (c + t * d));
+}
+
+//! A direction by its polar coordinates about the chart's middle, in the chart's axes.
+Vector3<double> chart_point(double alpha, double gamma) {
+  return {std::cos(alpha), std::sin(alpha) * std::cos(gamma), std::sin(alpha) * std::sin(gamma)};
+}
+
+}  // namespace
+
+FlatShadow::FlatShadow(const EyeCamera& head) {
+  static WorkCounter counter("trace_affine_distances");
+  const WorkScope work(counter, static_cast<long>(spokes) * depths);
+  const CameraStation camera = make_camera_station(head.spin, head.r, head.theta, 0.0, head.motion, head.velocity);
+  frame_chart_ = make_shadow_chart(camera);
+  const ShadowChart& chart = frame_chart_;
+  view_chart_ = {in_view(head, chart.centre), in_view(head, chart.first), in_view(head, chart.second)};
+  right_ = {view_chart_.centre.x, view_chart_.first.x, view_chart_.second.x};
+  edge_ = solve_edge(camera, chart, edge_points);
+  curve_ = edge_view(view_chart_, edge_);
+  distances_.resize(static_cast<std::size_t>(spokes) * depths);
+  parallel_for(spokes, 1, [&](int begin, int end) {
+    for (int spoke = begin; spoke < end; ++spoke) {
+      const double gamma = full_turn * spoke / spokes;
+      const double edge = edge_polar_angle(camera, chart, gamma);
+      double* const row = distances_.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
+      for (int i = 0; i < depths; ++i) {
+        const double alpha = -edge * std::expm1(-depth_step * i);
+        const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
+        const double distance = affine_distance(camera, n, camera.horizon_r);
+        // The edge is where it is to rounding: what passes it grows on.
+        row[i] = std::isfinite(distance) || i < 2 ? distance : 2.0 * row[i - 1] - row[i - 2];
+      }
+    }
+  });
+  nearest_ = *std::ranges::min_element(distances_);
+}
+
+double FlatShadow::distance(double gamma, double depth) const {
+  const double across = gamma / full_turn * spokes;
+  const double whole = std::floor(across);
+  const double down = std::clamp(depth / depth_step, 0.0, depths - 1.0);
+  const int i = std::min(static_cast<int>(down), depths - 2);
+  double at[4];
+  for (int k = 0; k < 4; ++k) {
+    const int spoke = ((static_cast<int>(whole) + k - 1) % spokes + spokes) % spokes;
+    const double* row = distances_.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
+    // Straight on beyond both ends.
+    const double before = i > 0 ? row[i - 1] : 3.0 * row[0] - 3.0 * row[1] + row[2];
+    const double after = i + 2 < depths ? row[i + 2] : 2.0 * row[i + 1] - row[i];
+    at[k] = cubic(before, row[i], row[i + 1], after, down - i);
+  }
+  return cubic(at[0], at[1], at[2], at[3], across - whole);
+}
+
+double FlatShadow::edge_at(double gamma) const {
+  float alpha = 0.0F;
+  float slope = 0.0F;
+  ergodome::edge_at(head_curve(), static_cast<float>(gamma), alpha, slope);
+  return static_cast<double>(alpha);
+}
+
+double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const {
+  // Where an eye sees the horizon that the head sees at a depth, at the position angle `gamma` of the eye: the head's own follows by rounds
+  // that converge as fast as the eye is near.
+  const auto seen_at = [&](double depth) {
+    double own = gamma;
+    double alpha = 0.0;
+    for (int round = 0; round < 4; ++round) {
+      const Vector3<double> n = chart_point(-edge_at(own) * std::expm1(-depth), own);
+      const Vector3<double> seen = seen_by_eye(n, distance(own, depth), eye);
+      alpha = std::atan2(std::hypot(seen.y, seen.z), seen.x);
+      own -= std::remainder(std::atan2(seen.z, seen.y) - gamma, full_turn);
+    }
+    return alpha;
+  };
+  constexpr int samples = 16;
+  int best = 1;
+  double most = 0.0;
+  for (int i = 1; i <= samples; ++i) {
+    const double alpha = seen_at(deepest * i / samples);
+    if (alpha > most) {
+      most = alpha;
+      best = i;
+    }
+  }
+  // Golden section about the best of them.
+  constexpr double golden = 0.61803398874989484820;
+  double low = deepest * (best - 1) / samples;
+  double high = deepest * std::min(best + 1, samples) / samples;
+  for (int round = 0; round < 14; ++round) {
+    const double first = high - golden * (high - low);
+    const double second = low + golden * (high - low);
+    const double at_first = seen_at(first);
+    const double at_second = seen_at(second);
+    most = std::max(most, std::max(at_first, at_second));
+    (at_first > at_second ? high : low) = at_first > at_second ? second : first;
+  }
+  return most;
+}
+
+double FlatShadow::head_nearness(const Vector3<double>& n) const {
+  const double alpha = std::atan2(std::hypot(n.y, n.z), n.x);
+  const double gamma = std::atan2(n.z, n.y);
+  const double edge = edge_at(gamma);
+  return alpha < edge ? 1.0 / distance(gamma, -std::log1p(-alpha / edge)) : 0.0;
+}
+
+double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const {
+  const double most_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
+  // How far beyond the horizon the line is at a nearness; the first such place that an eye meets is the one that is nearest to it.
+  const auto beyond = [&](double w) {
+    const Vector3<double> v = m + w * eye;
+    const double length = std::sqrt(dot(v, v));
+    return length * head_nearness((1.0 / length) * v) - w;
+  };
+  constexpr int samples = 24;
+  double low = most_w;
+  for (int i = samples - 1; i > 0 && beyond(low) < 0.0; --i) {
+    low = most_w * i / samples;
+  }
+  if (beyond(low) < 0.0) {
+    return 0.0;
+  }
+  double high = std::min(low + most_w / samples, most_w);
+  for (int round = 0; round < 16; ++round) {
+    const double middle = 0.5 * (low + high);
+    (beyond(middle) < 0.0 ? high : low) = middle;
+  }
+  return low;
+}
+
+std::vector<float> FlatShadow::eye_nearness(double offset, const std::vector<float>& edge) const {
+  static WorkCounter counter("see_horizon");
+  const WorkScope work(counter, static_cast<long>(spokes) * depths);
+  const Vector3<double> eye = offset * right_;
+  const EdgeCurve curve = edge_view(view_chart_, edge);
+  std::vector<float> nearness(static_cast<std::size_t>(spokes) * depths);
+  parallel_for(spokes, 1, [&](int begin, int end) {
+    for (int spoke = begin; spoke < end; ++spoke) {
+      const double gamma = full_turn * spoke / spokes;
+      float alpha = 0.0F;
+      float slope = 0.0F;
+      ergodome::edge_at(curve, static_cast<float>(gamma), alpha, slope);
+      float* const row = nearness.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
+      for (int i = 0; i < depths; ++i) {
+        row[i] = static_cast<float>(
+            nearness_along(chart_point(-static_cast<double>(alpha) * std::expm1(-depth_step * i), gamma), eye));
+      }
+    }
+  });
+  return nearness;
+}
+
+double FlatShadow::greatest_baseline() const { return 2.0 * farthest_eye * nearest_; }
+
+std::vector<float> FlatShadow::eye_edge(double offset) const {
+  if (!(2.0 * std::abs(offset) <= greatest_baseline())) {
+    throw Error("stereo.baseline",
+                fmt::format("{:.6g} M is too large for the model flat: the horizon is {:.6g} M away",
+                            2.0 * std::abs(offset), nearest_),
+                "choose a smaller one, or model = \"physical\"");
+  }
+  std::vector<float> edge = edge_;
+  if (offset == 0.0) {
+    return edge;
+  }
+  const Vector3<double> eye = offset * right_;
+  const int count = static_cast<int>(edge.size());
+  const int solved = count / solved_step;
+  std::vector<double> farther(static_cast<std::size_t>(solved), 0.0);
+  parallel_for(solved, 4, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const double gamma = full_turn * i / solved;
+      // The horizon comes out opposite to where the eye goes.
+      if (eye.y * std::cos(gamma) + eye.z * std::sin(gamma) < 0.2 * std::abs(offset)) {
+        farther[static_cast<std::size_t>(i)] = std::max(farthest_out(eye, gamma) - edge_at(gamma), 0.0);
+      }
+    }
+  });
+  for (int i = 0; i < count; ++i) {
+    const auto at = [&](int k) { return farther[static_cast<std::size_t>((i / solved_step + k + solved) % solved)]; };
+    const double t = static_cast<double>(i % solved_step) / solved_step;
+    edge[static_cast<std::size_t>(i)] += static_cast<float>(std::max(cubic(at(-1), at(0), at(1), at(2), t), 0.0));
+  }
+  return edge;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,127 @@
+#include "render/lens/grid/hanging_nodes.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace ergodome {
+
+namespace {
+
+//! A node inside a leaf's side: the side's ends, how far along it lies, and the side's axis (0: γ, 1: s).
+struct HangingNode {
+  int node;
+  int ends[2];
+  float t;
+  float length;
+  int axis;
+  int refinement;  //!< finer than the ends: they are mended first
+};
+
+//! How many halvings of a root cell a coordinate needs.
+int level(int place) {
+  const auto bits = static_cast<std::uint32_t>(place % finest_a_root);
+  return bits == 0 ? 0 : std::countr_zero(static_cast<std::uint32_t>(finest_a_root)) - std::countr_zero(bits);
+}
+
+//! Collects the nodes inside the sides of leaves.
+class Finder {
+ public:
+  Finder(const LensStation& station, const NodeByPlace& nodes) : station_(station), nodes_(nodes) {}
+
+  void look_along(const NodePlace& from, int axis, int extent) {
+    const int last = axis == 0 ? from.gamma + extent : from.s + extent;
+    const NodePlace to = axis == 0 ? node_place(station_, last, from.s) : node_place(station_, from.gamma, last);
+    side_[0] = nodes_.at(from.key());
+    side_[1] = nodes_.at(to.key());
+    extent_ = extent;
+    axis_ = axis;
+    halve(from, 0, extent);
+  }
+
+  std::vector<HangingNode> found;
+
+ private:
+  void halve(const NodePlace& from, int begin, int end) {
+    const int middle = (begin + end) / 2;
+    if (middle == begin) {
+      return;
+    }
+    const NodePlace place = axis_ == 0 ? node_place(station_, from.gamma + middle, from.s)
+                                       : node_place(station_, from.gamma, from.s + middle);
+    const auto at = nodes_.find(place.key());
+    if (at == nodes_.end()) {
+      return;
+    }
+    const int columns = station_.mirrored ? 2 * station_.columns : station_.columns;
+    const float unit = 1.0F / static_cast<float>((axis_ == 0 ? columns : station_.rows) * finest_a_root);
+    found.push_back({at->second,
+                     {side_[0], side_[1]},
+                     static_cast<float>(middle) / static_cast<float>(extent_),
+                     static_cast<float>(extent_) * unit,
+                     axis_,
+                     level(place.gamma) + level(place.s)});
+    halve(from, begin, middle);
+    halve(from, middle, end);
+  }
+
+  const LensStation& station_;
+  const NodeByPlace& nodes_;
+  int side_[2] = {0, 0};
+  int extent_ = 0;
+  int axis_ = 0;
+};
+
+void mend(std::vector<float>& nodes, const HangingNode& hanging) {
+  float* node = nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.node);
+  const float* begin = nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.ends[0]);
+  const float* end = nodes.data() + floats_a_node * static_cast<std::size_t>(hanging.ends[1]);
+  float basis[4];
+  float slope[4];
+  hermite_basis(hanging.t, basis, slope);
+  // Along γ the pairs (value, along γ) and (along s, mixed) belong together; along s the pairs (value, along s) and (along γ, mixed).
+  const int rate = hanging.axis == 0 ? 4 : 8;
+  const int other = hanging.axis == 0 ? 8 : 4;
+  for (const int from : {0, other}) {
+    for (int c = 0; c < 3; ++c) {
+      const int value = from + c;
+      const float sum = basis[0] * begin[value] + basis[2] * end[value] +
+                        hanging.length * (basis[1] * begin[value + rate] + basis[3] * end[value + rate]);
+      const float rise = (slope[0] * begin[value] + slope[2] * end[value]) / hanging.length +
+                         slope[1] * begin[value + rate] + slope[3] * end[value + rate];
+      node[value] = sum;
+      node[value + rate] = rise;
+    }
+  }
+}
+
+}  // namespace
+
+NodePlace node_place(const LensStation& station, int gamma, int s) {
+  const int round = station.columns * finest_a_root;
+  return {station.mirrored || gamma < round ? gamma : gamma - round, s};
+}
+
+NodePlace corner_place(const LensStation& station, const CellBox& box, int corner) {
+  return node_place(station, box.gamma + (corner & 1) * box.width, box.s + (corner >> 1) * box.height);
+}
+
+void mend_hanging_nodes(LensStation& station, const NodeByPlace& nodes, const std::vector<CellBox>& boxes) {
+  Finder finder(station, nodes);
+  for (const CellBox& box : boxes) {
+    finder.look_along(corner_place(station, box, 0), 0, box.width);
+    finder.look_along(corner_place(station, box, 2), 0, box.width);
+    finder.look_along(corner_place(station, box, 0), 1, box.height);
+    finder.look_along(corner_place(station, box, 1), 1, box.height);
+  }
+  std::stable_sort(finder.found.begin(), finder.found.end(),
+                   [](const HangingNode& a, const HangingNode& b) { return a.refinement < b.refinement; });
+  for (std::vector<float>* values : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {
+    for (const HangingNode& hanging : finder.found) {
+      if (!values->empty()) {
+        mend(*values, hanging);
+      }
+    }
+  }
+}
+
+}  // namespace ergodome

@@ -1,0 +1,61 @@
+#include "render/lens/stations/place_turn.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/spacetime/kerr/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Below this the distance to r = 1 is no measure of what a step in r changes: near an extremal hole's horizon, and within [M].
+constexpr double least_measure = 0.1;
+
+//! From the azimuth in which a camera has its sky to that of ingoing Kerr coordinates: within the horizon cameras have that one already [rad].
+double outer_turn(double spin, double r) { return r > horizon_radius(spin) ? ingoing_turn(spin, r) : 0.0; }
+
+glm::dmat3 about_axis(double angle) {
+  return {std::cos(angle), std::sin(angle), 0.0, -std::sin(angle), std::cos(angle), 0.0, 0.0, 0.0, 1.0};
+}
+
+}  // namespace
+
+bool same_place(const LensPlace& a, const LensPlace& b) {
+  constexpr double rounding = 4e-15;
+  return std::abs(a.r - b.r) <= rounding * a.r && std::abs(a.theta - b.theta) <= rounding;
+}
+
+glm::dmat3 place_turn(double spin, const LensPlace& from, const LensPlace& to) {
+  const double tilt = to.theta - from.theta;
+  const glm::dmat3 tilted(std::cos(tilt), 0.0, -std::sin(tilt), 0.0, 1.0, 0.0, std::sin(tilt), 0.0, std::cos(tilt));
+  return about_axis(outer_turn(spin, to.r)) * tilted * about_axis(-outer_turn(spin, from.r));
+}
+
+double radial_measure(double spin, double r) {
+  constexpr double part = 0.25;
+  return std::max(r - horizon_radius(spin), part * (r - inner_horizon_radius(spin)));
+}
+
+double place_weight(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
+  // A radian counts as much as the distance to r = 1.
+  const double scale = 1.0 / std::max(0.5 * (first.r + second.r) - 1.0, least_measure);
+  const LensPlace whole = {scale * (second.r - first.r), second.theta - first.theta};
+  const double square = whole.r * whole.r + whole.theta * whole.theta;
+  const double done = whole.r * scale * (place.r - first.r) + whole.theta * (place.theta - first.theta);
+  // A camera that stands still does so within rounding.
+  constexpr double rounding = 1e-12;
+  return square > rounding * rounding ? std::clamp(done / square, 0.0, 1.0) : 0.0;
+}
+
+CubicMix cubic_mix(const LensPlace& first, const LensPlace& second, const LensPlace& place) {
+  const double w = place_weight(first, second, place);
+  const LensPlace whole = {second.r - first.r, second.theta - first.theta};
+  const LensPlace beside = {place.r - first.r - w * whole.r, place.theta - first.theta - w * whole.theta};
+  const auto moved = [&](double along) {
+    return LensPlace{beside.r + along * whole.r, beside.theta + along * whole.theta};
+  };
+  return {{moved(w / (1.0 + 2.0 * w)), moved((w - 1.0) / (3.0 - 2.0 * w))}, w * w * (3.0 - 2.0 * w)};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,114 @@
+#include "render/passes/disk/disk_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernels/core/angles.h"
+#include "kernels/disk/page_thorne.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Where Page and Thorne's flux is greatest, in units of the innermost stable orbit's radius, it is below this.
+constexpr double farthest_peak = 4.0;
+
+//! The greatest flux of a disk about a hole of this spin, by golden sections: it has one peak.
+double greatest_flux(double spin) {
+  constexpr double golden = 0.61803398874989484820;
+  double low = innermost_stable_radius(spin, 1.0);
+  double high = farthest_peak * low;
+  for (int round = 0; round < 80; ++round) {
+    const double left = high - golden * (high - low);
+    const double right = low + golden * (high - low);
+    (page_thorne_flux(spin, left) < page_thorne_flux(spin, right) ? low : high) =
+        page_thorne_flux(spin, left) < page_thorne_flux(spin, right) ? left : right;
+  }
+  return page_thorne_flux(spin, 0.5 * (low + high));
+}
+
+double temperature(const DiskSettings& disk, double spin, double r, double greatest) {
+  if (disk.profile == DiskProfile::uniform) {
+    return disk.temperature_k;
+  }
+  return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spin, r) / greatest));
+}
+
+//! A cloud lives for so many turns of the matter at twice the inner edge's radius.
+constexpr double life_in_turns = 2.0;
+
+}  // namespace
+
+double inner_edge(const DiskSettings& disk, double spin) {
+  const double first = disk.plunging ? horizon_radius(spin) : innermost_stable_radius(spin, 1.0);
+  return std::max(disk.inner.value_or(first), first);
+}
+
+double disk_temperature(const DiskSettings& disk, double spin, double r) {
+  return temperature(disk, spin, r, greatest_flux(spin));
+}
+
+PatternTime pattern_time(const DiskSettings& disk, double spin, double hole_time) {
+  const double r = 2.0 * inner_edge(disk, spin);
+  const double period = life_in_turns * 2.0 * pi * (r * std::sqrt(r) + spin);
+  const double cycles = hole_time / period;
+  const double whole = std::floor(cycles);
+  // Whole periods modulo 2^32: a show may run for years.
+  const auto cycle = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(whole, 4294967296.0)));
+  return {static_cast<float>(period), static_cast<float>((cycles - whole) * period), cycle};
+}
+
+DiskPass::DiskPass(const Show& show, Backend backend)
+    : colours_(backend), profile_(backend, profile_count, "disk profile") {
+  set_numbers(show);
+}
+
+void DiskPass::set_numbers(const Show& show) {
+  look_.shifted = show.effects.redshift;
+  const std::shared_ptr<const FreeFall> orbit = show.disk->pattern == DiskPattern::none ? nullptr : show.camera.orbit;
+  if (!disk_ || disk_->speed != show.disk->speed || spin_ != show.spin || orbit_ != orbit) {
+    orbit_ = orbit;
+    clock_ = HoleClock(show.spin, orbit, show.disk->speed);
+  }
+  if (disk_ == show.disk && spin_ == show.spin) {
+    return;
+  }
+  disk_ = show.disk;
+  spin_ = show.spin;
+  look_.flow = converted_flow<float>(make_disk_flow(spin_));
+  look_.inner_r = static_cast<float>(inner_edge(*disk_, spin_));
+  look_.outer_r = static_cast<float>(disk_->outer);
+  look_.colours = colours_.view();
+  look_.log_unit = static_cast<float>(std::log(blackbody_tristimulus(disk_->temperature_k).y));
+  look_.exposure = static_cast<float>(disk_->exposure);
+  look_.opacity = static_cast<float>(disk_->opacity);
+  look_.limb_darkened = disk_->limb_darkening;
+  look_.contrast = disk_->pattern == DiskPattern::none ? 0.0F : static_cast<float>(disk_->contrast);
+  make_profile();
+}
+
+void DiskPass::make_profile() {
+  const double first_r = innermost_stable_radius(spin_, 1.0);
+  const double last = std::sqrt(std::max(1.0 - first_r / disk_->outer, 1e-6));
+  const double step = last / (profile_count - 1);
+  const double greatest = greatest_flux(spin_);
+  std::vector<float> entries(profile_count);
+  for (int i = 0; i < profile_count; ++i) {
+    const double way = step * i;
+    entries[static_cast<std::size_t>(i)] =
+        static_cast<float>(temperature(*disk_, spin_, first_r / (1.0 - way * way), greatest));
+  }
+  profile_.write(entries.data(), entries.size());
+  look_.profile = {profile_.data(), profile_count, static_cast<float>(first_r), static_cast<float>(step)};
+}
+
+bool DiskPass::is_visible() const { return look_.outer_r > look_.inner_r && look_.opacity > 0.0F; }
+
+DiskLook DiskPass::look_at(double time_s, double clock_lead) const {
+  DiskLook look = look_;
+  look.pattern = pattern_time(*disk_, spin_, clock_.time(time_s) + clock_lead);
+  return look;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,48 @@
+#include "render/passes/objects/placed_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/spacetime/kerr/kerr.h"
+
+namespace ergodome {
+
+namespace {
+
+//! What is nearer to the horizon than this share of its radius is not looked for.
+constexpr double beside_horizon = 1e-6;
+
+}  // namespace
+
+MeshScene PlacedMeshes::around(double spin, const PlacedMesh* at) const {
+  const double horizon = horizon_radius(spin) * (1.0 + beside_horizon);
+  return {at, static_cast<int>(meshes.size()), std::max(least_r, horizon), std::max(greatest_r, 1.01 * horizon)};
+}
+
+PlacedMeshes place_meshes(const std::vector<ObjectSettings>& objects, std::span<const TriangleTree> trees,
+                          double time_s) {
+  PlacedMeshes placed = {{}, std::numeric_limits<double>::max(), 0.0};
+  placed.meshes.reserve(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const ObjectPlacement at = placement_at(objects[i], time_s);
+    PlacedMesh mesh = {trees[i],
+                       at.position,
+                       {},
+                       objects[i].size,
+                       {at.position, at.ahead, at.rate},
+                       objects[i].retarded && at.rate != 0.0};
+    std::copy(&at.rows[0][0], &at.rows[0][0] + 9, &mesh.rows[0][0]);
+    placed.meshes.push_back(mesh);
+    // What moves on keeps its distance from the hole, but the middle of its ball need not.
+    const Vector3<double> middle = mesh.retarded ? at.position : ball_middle(mesh, at.position);
+    const double beside = mesh.retarded ? std::sqrt(dot(mesh.tree.middle, mesh.tree.middle)) : 0.0;
+    const double distance = std::sqrt(dot(middle, middle));
+    const double radius = mesh.size * (mesh.tree.radius + beside);
+    placed.least_r = std::min(placed.least_r, std::max(0.0, distance - radius));
+    placed.greatest_r = std::max(placed.greatest_r, distance + radius);
+  }
+  return placed;
+}
+
+}  // namespace ergodome

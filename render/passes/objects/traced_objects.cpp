@@ -1,0 +1,134 @@
+#include "render/passes/objects/traced_objects.h"
+
+#include <algorithm>
+
+#include "kernels/projection/pixel_measure.h"
+#include "render/lens/direct_lens.h"
+#include "render/passes/objects/object_pixels.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int picture_step_limit = 4000;
+//! A path's local error is this part of what a pixel may be off by.
+constexpr double part_of_tolerance = 0.01;
+
+SurfaceLook look_of(const ObjectSettings& object, const Surface& surface) {
+  const auto factor = [&](double part) { return static_cast<float>(object.exposure * part); };
+  SurfaceLook look{
+      surface, {factor(object.color.x), factor(object.color.y), factor(object.color.z)}, 0.0F, 0.0F, 1.0F, object.lit};
+  if (object.checker) {
+    look.columns = static_cast<float>(object.checker->columns);
+    look.rows = static_cast<float>(object.checker->rows);
+    look.dark = static_cast<float>(object.checker->dark);
+  }
+  return look;
+}
+
+std::vector<SurfaceLook> looks_of(const Show& show, const std::vector<Surface>& surfaces) {
+  std::vector<SurfaceLook> looks;
+  looks.reserve(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    looks.push_back(look_of(show.objects[i], surfaces[i]));
+  }
+  return looks;
+}
+
+LampPlace lamp_of(const Show& show) {
+  return show.light ? LampPlace{show.light->position, show.light->strength, show.light->falloff, show.effects.redshift}
+                    : LampPlace{};
+}
+
+}  // namespace
+
+TracedObjects::TracedObjects(const Show& show, Backend backend)
+    : backend_(backend),
+      objects_(show.objects),
+      lamp_(lamp_of(show)),
+      shifted_(show.effects.redshift),
+      surfaces_(show, backend),
+      looks_(backend, looks_of(show, surfaces_.surfaces()), "meshes"),
+      placed_(backend, show.objects.size(), "meshes"),
+      guesses_(backend, show.objects.size(), "meshes") {}
+
+std::unique_ptr<TracedObjects> traced_objects_of(const Show& show, Backend backend) {
+  return has_objects(show, ObjectMethod::trace) ? std::make_unique<TracedObjects>(show, backend) : nullptr;
+}
+
+double TracedObjects::farthest_r(double time_s) const {
+  return place_meshes(objects_, surfaces_.trees(), time_s).greatest_r;
+}
+
+PlacedMeshes TracedObjects::hiding(double time_s) const {
+  std::vector<ObjectSettings> objects;
+  std::vector<TriangleTree> trees;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const TriangleTree& tree = surfaces_.host_trees()[i];
+    if (tree.nodes != nullptr) {
+      objects.push_back(objects_[i]);
+      trees.push_back(tree);
+    }
+  }
+  return objects.empty() ? PlacedMeshes{} : place_meshes(objects, trees, time_s);
+}
+
+long TracedObjects::triangle_count() const { return surfaces_.triangle_count(); }
+
+ObjectScene TracedObjects::scene_for(const PictureView& view) {
+  const EyeCamera& eye = view.camera();
+  const PlacedMeshes placed = place_meshes(objects_, surfaces_.trees(), view.time_s);
+  placed_.write(placed.meshes.data(), placed.meshes.size());
+  guess_lamp_rays(eye.spin, view.time_s);
+  const double tolerance =
+      std::clamp(part_of_tolerance * view.tolerance_px * pixel_angle(view.projection), 1e-10, 1e-6);
+  ObjectScene scene{station_of(eye),
+                    view.projection,
+                    {},
+                    placed.around(eye.spin, placed_.data()),
+                    looks_.data(),
+                    lamp_,
+                    guesses_.data(),
+                    {tolerance, picture_step_limit, -eye.clock_lead},
+                    shifted_,
+                    std::ranges::any_of(placed.meshes, &PlacedMesh::retarded),
+                    {}};
+  if (view.turning != nullptr) {
+    scene.turning = view.turning->cameras->exact(view.turning->side);
+    const std::vector<double>& coefficients = view.turning->cameras->coefficients();
+    if (cameras_.size() < coefficients.size()) {
+      cameras_ = Buffer<double>(backend_, coefficients.size(), "objects' cameras");
+    }
+    cameras_.write(coefficients.data(), coefficients.size());
+    scene.turning.coefficients = cameras_.data();
+  }
+  std::copy(&eye.frame_from_view[0][0], &eye.frame_from_view[0][0] + 9, &scene.frame_from_view[0][0]);
+  return scene;
+}
+
+void TracedObjects::guess_lamp_rays(double spin, double time_s) {
+  // A picture is drawn in blocks of rows, and eyes share its moment.
+  // Without spin there is nothing to guess, at no time.
+  const std::pair now(spin, spin != 0.0 ? time_s : 0.0);
+  if (!(lamp_.strength > 0.0) || guessed_for_ == now) {
+    return;
+  }
+  guessed_for_ = now;
+  guesses_.write(lamp_guesses(spin, lamp_, objects_, outlines(time_s)).data(), objects_.size());
+}
+
+ObjectLayer TracedObjects::look_at_rows(const PictureView& view, const RowBlock& rows,
+                                        const std::optional<FlatEyeSight>& sight) {
+  ObjectPixels pixels(backend_, scene_for(view), rows.first, rows.count, sight);
+  pixels.look();
+  const std::size_t count = pixels.time().size();
+  if (time_.size() < count) {
+    rgba_ = Buffer<float>(backend_, 4 * count, "objects' picture");
+    time_ = Buffer<float>(backend_, count, "objects' picture");
+  }
+  rgba_.write(pixels.rgba().data(), 4 * count);
+  time_.write(pixels.time().data(), count);
+  return {rgba_.data(), time_.data()};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "content/show/show.h"
+
+namespace ergodome {
+
+//! Returns the words of a readout in English ("en") and German ("de"): spin, distance and latitude of a camera at r [M] and
+//! polar angle theta [rad].
+LocalText readout_text(double spin, double r, double theta);
+
+//! Returns a readout as a caption, whose presence does not count.
+Caption readout_caption(const ReadoutSettings& readout, double spin, double r, double theta);
+
+}  // namespace ergodome

@@ -1,0 +1,48 @@
+#include "render/passes/overlay/caption_notes.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "render/passes/overlay/caption_image.h"
+
+namespace ergodome {
+
+namespace {
+
+//! The first letters of a text, and dots where there are more. They are UTF-8: a letter's later bytes are 10xxxxxx.
+std::string first_letters(const std::string& text) {
+  constexpr int most_letters = 12;
+  int letters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    letters += begins ? 1 : 0;
+    if (letters > most_letters) {
+      return text.substr(0, i) + "...";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> notes_of_captions(const Show& show) {
+  std::map<std::string, std::string> missing;
+  for (const Caption& caption : show.timeline.captions) {
+    for (const auto& [language, text] : caption.text) {
+      missing[language] += letters_without_font(text);
+    }
+  }
+  std::vector<std::string> notes;
+  for (const auto& [language, letters] : missing) {
+    if (!letters.empty()) {
+      notes.push_back(fmt::format(
+          "{}: no font of this machine has the letters {} of captions{}; they are drawn as boxes: install "
+          "one that has (fonts-noto-cjk for Chinese, Japanese and Korean)",
+          show.name, first_letters(letters_without_font(letters)), language.empty() ? "" : " in " + language));
+    }
+  }
+  return notes;
+}
+
+}  // namespace ergodome

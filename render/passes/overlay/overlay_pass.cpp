@@ -1,0 +1,260 @@
+#include "render/passes/overlay/overlay_pass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "content/show/show_files.h"
+#include "kernels/core/angles.h"
+#include "kernels/core/error.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/passes/overlay/overlay_place.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Height that lines are set with, in powers of two between these [px].
+constexpr int smallest_line_px = 16;
+constexpr int largest_line_px = 256;
+//! All images of a show, and all texts that are kept.
+constexpr long most_image_bytes = 4L << 30;
+constexpr std::size_t most_caption_texels = 32UL << 20;
+//! A flat image as wide as this looks stretched already; it has no end at 180.
+constexpr double widest_image_deg = 150.0;
+
+//! Where a show names the image of its i-th overlay.
+std::string image_key(std::size_t i) { return fmt::format("overlay[{}].image", i); }
+
+void check_overlay(const Overlay& overlay, const std::filesystem::path& path, int width, int height) {
+  if (overlay.fisheye && width != height) {
+    throw Error(path.string(), fmt::format("has {} x {} pixels: a fisheye image is square", width, height),
+                "cut it, or place it as a flat image");
+  }
+  if (!overlay.fisheye && !(overlay.width_deg > 0.0 && overlay.width_deg <= widest_image_deg)) {
+    throw Error(path.string(), fmt::format("is to be {:.6g} degrees wide", overlay.width_deg),
+                fmt::format("make it {:.6g} or less, or a fisheye image", widest_image_deg));
+  }
+  if (overlay.fisheye && !(overlay.fov_deg > 0.0 && overlay.fov_deg <= 360.0)) {
+    throw Error(path.string(), fmt::format("is to span {:.6g} degrees", overlay.fov_deg), "choose 360 or less");
+  }
+}
+
+//! Lines bend on domes and spheres; on a flat screen they are straight.
+OverlaySheet caption_sheet(const Projection& projection, const DomePlace& place, double across, double upright) {
+  return projection.kind == ProjectionKind::pinhole ? flat_sheet(place, 2.0 * std::atan(0.5 * across), across / upright)
+                                                    : bent_sheet(place, across, upright);
+}
+
+Error too_much(const std::string& folder) {
+  return {folder, fmt::format("its images take more than {} GiB", most_image_bytes >> 30),
+          "make them smaller, or use fewer"};
+}
+
+}  // namespace
+
+OverlayPass::OverlayPass(const Show& show) : captions_(show.timeline.captions), overlays_(show.timeline.overlays) {
+  long bytes = 0;
+  for (std::size_t i = 0; i < overlays_.size(); ++i) {
+    const Overlay& overlay = overlays_[i];
+    read_named(show, image_key(i), overlay.image, [&](const std::filesystem::path& path) {
+      auto found = images_.find(overlay.image);
+      if (found == images_.end()) {
+        found = images_.emplace(overlay.image, texture_of(read_overlay_image(path), "overlay images")).first;
+        bytes += static_cast<long>(found->second.host.size() * sizeof(std::uint16_t));
+      }
+      check_overlay(overlay, path, found->second.layout.width, found->second.layout.height);
+    });
+    if (bytes > most_image_bytes) {
+      throw too_much(show.folder);
+    }
+  }
+}
+
+long OverlayPass::image_bytes(const Show& show) {
+  std::set<std::string> seen;
+  long bytes = 0;
+  const std::vector<Overlay>& overlays = show.timeline.overlays;
+  for (std::size_t i = 0; i < overlays.size(); ++i) {
+    if (seen.insert(overlays[i].image).second) {
+      const OverlaySize size = read_named(show, image_key(i), overlays[i].image, overlay_image_size);
+      bytes += overlay_image_bytes(size.width, size.height);
+    }
+  }
+  return bytes;
+}
+
+OverlayPass::Texture OverlayPass::texture_of(OverlayImage image, const char* name) {
+  Texture texture;
+  if (image.width > 0) {
+    texture.host = Buffer<std::uint16_t>(Backend::cpu, image.texels, name);
+  }
+  image.texels = {};
+  texture.layout = std::move(image);
+  return texture;
+}
+
+void OverlayPass::set_show(const Show& show) {
+  OverlayPass next(show);
+  captions_ = std::move(next.captions_);
+  overlays_ = std::move(next.overlays_);
+  images_ = std::move(next.images_);
+}
+
+void OverlayPass::set_extra(std::vector<Caption> captions, double opacity) {
+  extra_ = std::move(captions);
+  extra_opacity_ = opacity;
+}
+
+bool OverlayPass::draws_at(std::optional<double> time_s) const {
+  const auto seen = [&](const Overlay& overlay) { return presence_at(overlay.presence, *time_s) > 0.0; };
+  return (time_s && std::ranges::any_of(overlays_, seen)) || (!captions_apart_ && !seen_captions(time_s).empty());
+}
+
+void OverlayPass::draw(const OverlayTarget& target, const Projection& projection, std::optional<double> time_s) {
+  if (!draws_at(time_s)) {
+    return;
+  }
+  ++drawn_;
+  if (time_s) {
+    for (const Overlay& overlay : overlays_) {
+      draw_image(target, projection, overlay, overlay.opacity * presence_at(overlay.presence, *time_s));
+    }
+  }
+  if (!captions_apart_) {
+    for (const auto& [caption, opacity] : seen_captions(time_s)) {
+      draw_caption(target, projection, *caption, opacity);
+    }
+  }
+}
+
+void OverlayPass::draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay,
+                             double opacity) {
+  if (!(opacity > 0.0)) {
+    return;
+  }
+  Texture& texture = images_.at(overlay.image);
+  if (overlay.fisheye) {
+    draw_sheet(target, projection, texture, fisheye_sheet(one_degree * overlay.fov_deg), opacity);
+    return;
+  }
+  const double aspect = static_cast<double>(texture.layout.width) / texture.layout.height;
+  const double width = one_degree * overlay.width_deg;
+  const double height = 2.0 * std::atan(std::tan(0.5 * width) / aspect);
+  const PlacedOverlay placed = placed_overlay(projection, overlay.place, width, height);
+  if (placed.shown) {
+    draw_sheet(target, projection, texture, flat_sheet(placed.place, placed.scale * width, aspect), opacity);
+  }
+}
+
+OverlayPass::TileRows OverlayPass::draw_caption(const OverlayTarget& target, const Projection& projection,
+                                                const Caption& caption, double opacity) {
+  const std::string& text = text_in(caption.text, language_);
+  if (!(opacity > 0.0) || !(caption.letter_deg > 0.0) || text.empty()) {
+    return {};
+  }
+  const double width = std::min(one_degree * caption.width_deg, widest_bent_sheet(caption.place));
+  SetCaption& set = set_for(caption, text, width, pixel_angle(projection));
+  if (set.texture.layout.width == 0) {
+    return {};
+  }
+  const double angle = one_degree * caption.letter_deg / set.line_px;
+  const double across = angle * set.texture.layout.width;
+  const double upright = angle * set.texture.layout.height;
+  const PlacedOverlay placed = placed_overlay(projection, caption.place, across, upright);
+  if (!placed.shown) {
+    return {};
+  }
+  return draw_sheet(target, projection, set.texture,
+                    caption_sheet(projection, placed.place, placed.scale * across, placed.scale * upright), opacity);
+}
+
+OverlayPass::SetCaption& OverlayPass::set_for(const Caption& caption, const std::string& text, double width,
+                                              double angle_of_px) {
+  const double letter = one_degree * caption.letter_deg;
+  const double wished =
+      std::clamp(letter / angle_of_px, static_cast<double>(smallest_line_px), static_cast<double>(largest_line_px));
+  int line_px = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(wished))));
+  const auto same = [&](const SetCaption& set) {
+    return set.text == text && set.letter_deg == caption.letter_deg && set.width == width && set.color == caption.color;
+  };
+  if (const auto found = std::ranges::find_if(set_, same); found != set_.end()) {
+    if (found->wished_px >= line_px) {
+      found->last_drawn = drawn_;
+      return *found;
+    }
+    set_.erase(found);
+  }
+  static WorkCounter counter("set_captions");
+  const WorkScope work(counter, static_cast<long>(text.size()));
+  const int wished_px = line_px;
+  CaptionImage image;
+  // What is too large for an image has smaller letters.
+  do {
+    image = set_caption(text, {line_px, width / letter * line_px, caption.color});
+    line_px /= 2;
+  } while (image.too_large && line_px >= 2);
+  set_.push_back({text, caption.letter_deg, width, caption.color, 2 * line_px, wished_px,
+                  texture_of(std::move(image.image), "captions"), drawn_});
+  forget_old_captions();
+  return set_.back();
+}
+
+void OverlayPass::forget_old_captions() {
+  const auto texels = [&] {
+    std::size_t sum = 0;
+    for (const SetCaption& set : set_) {
+      sum += set.texture.host.size() / 4;
+    }
+    return sum;
+  };
+  while (set_.size() > 1 && texels() > most_caption_texels) {
+    const auto oldest = std::ranges::min_element(set_.begin(), set_.end() - 1, {}, &SetCaption::last_drawn);
+    set_.erase(oldest);
+  }
+}
+
+const PictureTiles& OverlayPass::tiles_of(const Projection& projection) {
+  constexpr std::size_t most_kept = 2;
+  const auto found = std::ranges::find_if(tiles_, [&](const PictureTiles& tiles) { return tiles.are_of(projection); });
+  if (found != tiles_.end()) {
+    return *found;
+  }
+  if (tiles_.size() == most_kept) {
+    tiles_.erase(tiles_.begin());
+  }
+  return tiles_.emplace_back(projection);
+}
+
+OverlayPass::TileRows OverlayPass::draw_sheet(const OverlayTarget& target, const Projection& projection,
+                                              Texture& texture, OverlaySheet sheet, double opacity) {
+  bound_sheet(sheet, 2.0 * largest_pixel_angle(projection));
+  const PictureTiles& tiles = tiles_of(projection);
+  const std::vector<std::int32_t> numbers = tiles.within(sheet);
+  if (numbers.empty()) {
+    return {};
+  }
+  const bool on_device = target.backend == Backend::cuda;
+  if (on_device && texture.device.size() == 0) {
+    texture.device = Buffer<std::uint16_t>(target.backend, texture.host.size(), "overlays on the device");
+    texture.device.write(texture.host.data(), texture.host.size());
+  }
+  if (on_device && tile_numbers_.size() < numbers.size()) {
+    tile_numbers_ = Buffer<std::int32_t>(target.backend, numbers.size(), "overlay tiles");
+  }
+  if (on_device) {
+    tile_numbers_.write(numbers.data(), numbers.size());
+  }
+  draw_overlay(target.backend, {target.rgba, converted_projection<float>(projection),
+                                texture.layout.view(on_device ? texture.device.data() : texture.host.data()), sheet,
+                                static_cast<float>(std::clamp(opacity, 0.0, 1.0)), target.tone, target.display_colours,
+                                on_device ? tile_numbers_.data() : numbers.data(), tiles.columns(),
+                                static_cast<int>(numbers.size()) * overlay_tile_px * overlay_tile_px});
+  return {numbers.front() / tiles.columns(), numbers.back() / tiles.columns() + 1};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,184 @@
+#include "render/passes/overlay/overlay_place.h"
+
+#include <cmath>
+#include <limits>
+
+#include "kernels/core/angles.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Captions follow the circles of elevations up to this.
+constexpr double steepest_bend = 60.0 * one_degree;
+//! On a flat screen, what is further from the front than this belongs to those who look elsewhere.
+constexpr double widest_azimuth_deg = 60.0;
+//! Part of a screen's angle that overlays leave free on each side.
+constexpr double screen_margin = 0.03;
+//! An eye stays within a dome.
+constexpr double farthest_viewer = 0.95;
+
+struct PlaceAxes {
+  Vector3<double> middle;
+  Vector3<double> right;
+  Vector3<double> up;
+};
+
+PlaceAxes axes_of(const DomePlace& place) {
+  const double a = one_degree * place.azimuth_deg;
+  const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
+  const double roll = one_degree * place.roll_deg;
+  const Vector3<double> middle = {std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a)};
+  const Vector3<double> right = {std::cos(a), 0.0, std::sin(a)};
+  const Vector3<double> up = {-std::sin(e) * std::sin(a), std::cos(e), std::sin(e) * std::cos(a)};
+  return {middle, std::cos(roll) * right - std::sin(roll) * up, std::sin(roll) * right + std::cos(roll) * up};
+}
+
+//! Latitude of a sheet's middle in its own system of latitudes.
+double bend_of(const DomePlace& place) {
+  const double e = one_degree * std::clamp(place.elevation_deg, -90.0, 90.0);
+  const double size = std::abs(e);
+  const double bend = size <= steepest_bend ? size : steepest_bend * (0.5 * pi - size) / (0.5 * pi - steepest_bend);
+  return std::copysign(bend, e) * std::cos(one_degree * place.roll_deg);
+}
+
+Vector3<float> in_float(const Vector3<double>& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+Vector3<double> in_double(const Vector3<float>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+}  // namespace
+
+Projection overlay_projection(const Projection& projection, double offset, double convergence, double distance) {
+  const double screen = convergence > 0.0 ? 1.0 / convergence : 0.0;
+  const double slope = distance > 0.0 ? offset * (screen - 1.0 / distance) : 0.0;
+  Projection own = projection;
+  if (projection.kind == ProjectionKind::pinhole) {
+    own.pinhole.middle_x -= slope;
+  } else if (projection.kind == ProjectionKind::dome_fisheye) {
+    own.dome.tilt_sine = 0.0;
+    own.dome.tilt_cosine = 1.0;
+    own.dome.viewer = {std::clamp(slope, -farthest_viewer, farthest_viewer), 0.0, 0.0};
+    own.dome.off_centre = slope != 0.0 ? 1 : 0;
+  }
+  return own;
+}
+
+PlacedOverlay placed_overlay(const Projection& projection, const DomePlace& place, double width, double height) {
+  PlacedOverlay placed{place};
+  if (projection.kind != ProjectionKind::pinhole) {
+    return placed;
+  }
+  const double azimuth_deg = std::remainder(place.azimuth_deg, 360.0);
+  if (std::abs(azimuth_deg) > widest_azimuth_deg) {
+    placed.shown = false;
+    return placed;
+  }
+  const Pinhole<double>& screen = projection.pinhole;
+  const double roll = one_degree * place.roll_deg;
+  const double across = std::abs(std::cos(roll)) * width + std::abs(std::sin(roll)) * height;
+  const double upright = std::abs(std::sin(roll)) * width + std::abs(std::cos(roll)) * height;
+  // A side of the screen at a time: its two ends as angles, the overlay's middle between them.
+  const auto moved_in = [&](double low, double high, double size, double at_deg) {
+    const double from = std::atan(low) + 0.5 * size;
+    const double to = std::atan(high) - 0.5 * size;
+    return (from < to ? std::clamp(one_degree * at_deg, from, to) : 0.5 * (from + to)) / one_degree;
+  };
+  const double left = screen.middle_x - screen.half_width;
+  const double right = screen.middle_x + screen.half_width;
+  const double low = screen.middle_y - screen.half_height;
+  const double high = screen.middle_y + screen.half_height;
+  constexpr double kept = 1.0 - 2.0 * screen_margin;
+  const double room_across = std::atan(right) - std::atan(left);
+  const double room_upright = std::atan(high) - std::atan(low);
+  placed.scale = std::min({1.0, kept * room_across / across, kept * room_upright / upright});
+  const double margin = 2.0 * screen_margin * room_upright;
+  placed.place.azimuth_deg = moved_in(left, right, placed.scale * across, azimuth_deg);
+  placed.place.elevation_deg = moved_in(low, high, placed.scale * upright + margin, place.elevation_deg);
+  return placed;
+}
+
+OverlaySheet bent_sheet(const DomePlace& place, double width, double height) {
+  const PlaceAxes axes = axes_of(place);
+  const double bend = bend_of(place);
+  OverlaySheet sheet{};
+  sheet.shape = OverlayShape::bent;
+  sheet.across = in_float(axes.right);
+  sheet.up = in_float(std::sin(bend) * axes.middle + std::cos(bend) * axes.up);
+  sheet.ahead = in_float(std::cos(bend) * axes.middle - std::sin(bend) * axes.up);
+  sheet.scale = static_cast<float>(std::cos(bend));
+  sheet.middle = static_cast<float>(std::atanh(std::sin(bend)));
+  sheet.width = static_cast<float>(width);
+  sheet.height = static_cast<float>(height);
+  sheet.bound_axis = in_float(axes.middle);
+  return sheet;
+}
+
+double widest_bent_sheet(const DomePlace& place) { return 1.9 * pi * std::cos(bend_of(place)); }
+
+OverlaySheet flat_sheet(const DomePlace& place, double width, double aspect) {
+  const PlaceAxes axes = axes_of(place);
+  OverlaySheet sheet{};
+  sheet.shape = OverlayShape::flat;
+  sheet.across = in_float(axes.right);
+  sheet.up = in_float(axes.up);
+  sheet.ahead = in_float(axes.middle);
+  sheet.scale = 1.0F;
+  sheet.width = static_cast<float>(2.0 * std::tan(0.5 * width));
+  sheet.height = static_cast<float>(2.0 * std::tan(0.5 * width) / aspect);
+  sheet.bound_axis = sheet.ahead;
+  return sheet;
+}
+
+OverlaySheet fisheye_sheet(double field_of_view) {
+  OverlaySheet sheet{};
+  sheet.shape = OverlayShape::fisheye;
+  sheet.across = {1.0F, 0.0F, 0.0F};
+  sheet.up = {0.0F, 1.0F, 0.0F};
+  sheet.ahead = {0.0F, 0.0F, -1.0F};
+  sheet.scale = static_cast<float>(0.5 * field_of_view);
+  sheet.width = sheet.height = 1.0F;
+  sheet.bound_axis = sheet.up;
+  return sheet;
+}
+
+Vector3<double> direction_on_sheet(const OverlaySheet& sheet, double s, double t) {
+  const double x = (s - 0.5) * static_cast<double>(sheet.width);
+  const double y = (0.5 - t) * static_cast<double>(sheet.height);
+  const Vector3<double> across = in_double(sheet.across);
+  const Vector3<double> up = in_double(sheet.up);
+  const Vector3<double> ahead = in_double(sheet.ahead);
+  if (sheet.shape == OverlayShape::flat) {
+    const double inverse = 1.0 / std::sqrt(1.0 + x * x + y * y);
+    return inverse * (ahead + x * across + y * up);
+  }
+  const double scale = static_cast<double>(sheet.scale);
+  const double azimuth = x / scale;
+  const double sine = std::tanh(static_cast<double>(sheet.middle) + y / scale);
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  return cosine * std::sin(azimuth) * across + sine * up + cosine * std::cos(azimuth) * ahead;
+}
+
+void bound_sheet(OverlaySheet& sheet, double margin) {
+  double half_angle = static_cast<double>(sheet.scale);
+  if (sheet.shape != OverlayShape::fisheye) {
+    constexpr int places = 32;
+    double least_cosine = 1.0;
+    for (int i = 0; i <= places; ++i) {
+      const double part = static_cast<double>(i) / places;
+      for (const auto& [s, t] :
+           {std::pair(part, 0.0), std::pair(part, 1.0), std::pair(0.0, part), std::pair(1.0, part)}) {
+        least_cosine = std::min(least_cosine, dot(direction_on_sheet(sheet, s, t), in_double(sheet.bound_axis)));
+      }
+    }
+    // Between the places that were looked at the side may lie a little further out.
+    half_angle = 1.01 * std::acos(std::clamp(least_cosine, -1.0, 1.0));
+  }
+  const double bound = half_angle + margin;
+  sheet.bound_cosine = bound < pi ? static_cast<float>(std::cos(bound)) : -2.0F;
+}
+
+}  // namespace ergodome

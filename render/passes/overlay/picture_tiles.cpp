@@ -1,0 +1,86 @@
+#include "render/passes/overlay/picture_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/launch/parallel_for.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A tile that looks about further than this is taken to look everywhere: it lies across a seam, or on a coarse picture.
+constexpr double widest_cone = 1.0;
+//! Directions between those that were looked at.
+constexpr double cone_slack = 1.2;
+constexpr float everywhere = 4.0F;
+
+bool same_direction(const Vector3<double>& a, const Vector3<double>& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+}  // namespace
+
+PictureTiles::PictureTiles(const Projection& projection)
+    : projection_(projection),
+      columns_((projection.width_px + overlay_tile_px - 1) / overlay_tile_px),
+      rows_((projection.height_px + overlay_tile_px - 1) / overlay_tile_px),
+      cones_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+  parallel_for(rows_, 2, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        cones_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)] =
+            cone_of(column, row);
+      }
+    }
+  });
+}
+
+PictureTiles::Cone PictureTiles::cone_of(int column, int row) const {
+  // From the middles of its first pixels to those of its last: whatever face of a cube, larger than a tile, it has a part of, a corner lies on that.
+  const double left = column * overlay_tile_px + 0.5;
+  const double top = row * overlay_tile_px + 0.5;
+  const double right = std::min(left + overlay_tile_px, static_cast<double>(projection_.width_px)) - 0.5;
+  const double bottom = std::min(top + overlay_tile_px, static_cast<double>(projection_.height_px)) - 0.5;
+  const Vector3<double> axis = direction_from_pixel(projection_, 0.5 * (left + right), 0.5 * (top + bottom));
+  double least_cosine = 1.0;
+  for (const double x : {left, 0.5 * (left + right), right}) {
+    for (const double y : {top, 0.5 * (top + bottom), bottom}) {
+      least_cosine = std::min(least_cosine, dot(axis, direction_from_pixel(projection_, x, y)));
+    }
+  }
+  const double angle = std::acos(std::clamp(least_cosine, -1.0, 1.0));
+  return {{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
+          angle < widest_cone ? static_cast<float>(cone_slack * angle) : everywhere};
+}
+
+bool PictureTiles::are_of(const Projection& projection) const {
+  if (projection.kind != projection_.kind || projection.width_px != projection_.width_px ||
+      projection.height_px != projection_.height_px) {
+    return false;
+  }
+  // Projections that agree at these places to the last bit are one.
+  for (const double part : {0.03, 0.31, 0.5, 0.77}) {
+    const double x = part * projection.width_px;
+    const double y = (part + 0.05) * projection.height_px;
+    if (!same_direction(direction_from_pixel(projection, x, y), direction_from_pixel(projection_, x, y))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<std::int32_t> PictureTiles::within(const OverlaySheet& sheet) const {
+  const float bound = std::acos(std::clamp(sheet.bound_cosine, -1.0F, 1.0F));
+  std::vector<std::int32_t> tiles;
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    const Cone& cone = cones_[i];
+    const float apart = std::acos(std::clamp(dot(cone.axis, sheet.bound_axis), -1.0F, 1.0F));
+    if (apart <= bound + cone.half_angle + 1e-3F) {
+      tiles.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  return tiles;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,114 @@
+#include "render/passes/sky/image_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+
+namespace ergodome {
+
+namespace {
+
+//! Factors of u, u^3, u^5, ... of the arc tangent in [-1, 1], of its series in Chebyshev polynomials,
+//! arctan u = 2 Σ (-1)^k q^(2k+1) / (2k+1) T_(2k+1)(u), q = √2 - 1, up to T_17: what is left out is below 7e-9.
+constexpr std::array<float, 9> arc_tangent_factors() {
+  constexpr std::size_t terms = 9;
+  constexpr double q = std::numbers::sqrt2 - 1.0;
+  // T_n by T_(n+1) = 2 u T_n - T_(n-1), as factors of the powers of u.
+  std::array<double, 2 * terms> before{1.0};
+  std::array<double, 2 * terms> now{0.0, 1.0};
+  std::array<double, 2 * terms> sum{};
+  double weight = 2.0 * q;
+  for (std::size_t n = 1; n < 2 * terms; ++n) {
+    for (std::size_t power = 0; n % 2 == 1 && power < sum.size(); ++power) {
+      sum[power] += weight / static_cast<double>(n) * now[power];
+    }
+    weight *= n % 2 == 1 ? -q * q : 1.0;
+    std::array<double, 2 * terms> next{};
+    for (std::size_t power = 0; power < next.size(); ++power) {
+      next[power] = (power > 0 ? 2.0 * now[power - 1] : 0.0) - before[power];
+    }
+    before = now;
+    now = next;
+  }
+  std::array<float, terms> factors{};
+  for (std::size_t k = 0; k < terms; ++k) {
+    factors[k] = static_cast<float>(sum[2 * k + 1]);
+  }
+  return factors;
+}
+
+//! As `std::atan2`, without its branches and signed zeros; 0 for two zeros. Within 3e-7.
+inline float angle_of(float y, float x) {
+  constexpr auto factors = arc_tangent_factors();
+  const float across = std::abs(x);
+  const float up = std::abs(y);
+  const float greater = across > up ? across : up;
+  const float less = across > up ? up : across;
+  const float u = less / (greater > 1e-30F ? greater : 1e-30F);
+  const float square = u * u;
+  float sum = factors.back();
+  for (std::size_t k = factors.size() - 1; k-- > 0;) {
+    sum = sum * square + factors[k];
+  }
+  sum *= u;
+  // Choices between numbers, not between sums, which a compiler would keep as branches.
+  constexpr auto pi = std::numbers::pi_v<float>;
+  sum = (across > up ? 0.0F : 0.5F * pi) + (across > up ? sum : -sum);
+  sum = (x < 0.0F ? pi : 0.0F) + (x < 0.0F ? -sum : sum);
+  return std::copysign(sum, y);
+}
+
+}  // namespace
+
+void places_in_map(const DirectionRow& row, std::span<float> x, std::span<float> y) {
+  const glm::vec3 base(row.base);
+  const glm::vec3 along(row.along);
+  constexpr float per_radian = 0.5F * std::numbers::inv_pi_v<float>;
+  for (std::size_t i = 0; i < row.s.size(); ++i) {
+    const float s = row.s[i];
+    const float ahead = base.x + s * along.x;
+    const float aside = base.y + s * along.y;
+    const float above = base.z + s * along.z;
+    x[i] = 0.25F - per_radian * angle_of(aside, ahead);
+    y[i] = 0.5F - 2.0F * per_radian * angle_of(above, std::sqrt(ahead * ahead + aside * aside));
+  }
+}
+
+glm::vec3 ImageRows::between_texels(float x, float y) const {
+  // `std::floor` is a call where a processor's instructions may be old.
+  const auto below = [](float value) { return static_cast<int>(value) - (value < 0.0F ? 1 : 0); };
+  const int left = below(x);
+  const int upper = below(y);
+  const float right = x - static_cast<float>(left);
+  const float lower = y - static_cast<float>(upper);
+  const auto column = [&](int i) { return 3 * static_cast<std::size_t>(i < 0 ? i + image_.width : i); };
+  const auto line = [&](int j) {
+    return image_.rgb.data() +
+           3 * static_cast<std::size_t>(std::clamp(j, 0, image_.height - 1)) * static_cast<std::size_t>(image_.width);
+  };
+  const auto across = [&](const float* texels) {
+    const float* const a = texels + column(left);
+    const float* const b = texels + column(left + 1);
+    return glm::mix(glm::vec3(a[0], a[1], a[2]), glm::vec3(b[0], b[1], b[2]), right);
+  };
+  return glm::mix(across(line(upper)), across(line(upper + 1)), lower);
+}
+
+void ImageRows::read(const DirectionRow& row, std::span<glm::vec3> light) const {
+  constexpr std::size_t at_once = 256;
+  std::array<float, at_once> x;
+  std::array<float, at_once> y;
+  for (std::size_t begin = 0; begin < row.s.size(); begin += at_once) {
+    const std::size_t count = std::min(at_once, row.s.size() - begin);
+    places_in_map({map_from_sky_ * row.base, map_from_sky_ * row.along, row.s.subspan(begin, count)},
+                  std::span(x).first(count), std::span(y).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      light[begin + i] = between_texels(x[i] * static_cast<float>(image_.width) - 0.5F,
+                                        y[i] * static_cast<float>(image_.height) - 0.5F);
+    }
+  }
+}
+
+}  // namespace ergodome

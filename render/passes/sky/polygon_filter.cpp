@@ -1,0 +1,154 @@
+#include "render/passes/sky/polygon_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+
+#include "content/sky/sky_map.h"
+#include "kernels/core/angles.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Angle from a pixel's middle to its furthest corner, beyond which it sees the whole sky [rad].
+constexpr double widest_corner = 1.25;
+//! Outlines are at least so wide [texels]: narrower ones, at caustics, are lost in rounding.
+constexpr double least_width = 0.01;
+//! A side may be off by this part of an outline's width.
+constexpr double part_off = 0.01;
+constexpr int most_splits = 12;
+
+//! The place an angle away on the sphere, along a tangent of that length.
+glm::dvec3 moved(const glm::dvec3& direction, const glm::dvec3& tangent) {
+  const double angle = glm::length(tangent);
+  return angle > 0.0 ? std::cos(angle) * direction + (std::sin(angle) / angle) * tangent : direction;
+}
+
+//! Makes two sides of a parallelogram on the sphere long enough, and apart enough, to have an area.
+void widen(const glm::dvec3& direction, double least, glm::dvec3& first, glm::dvec3& second) {
+  glm::dvec3& longer = glm::dot(first, first) >= glm::dot(second, second) ? first : second;
+  glm::dvec3& shorter = &longer == &first ? second : first;
+  if (!(glm::length(longer) >= least)) {
+    const glm::dvec3 axis = std::abs(direction.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    longer = least * glm::normalize(glm::cross(axis, direction));
+  }
+  const glm::dvec3 across = glm::normalize(glm::cross(direction, longer));
+  const double apart = glm::dot(shorter, across);
+  if (!(std::abs(apart) >= least)) {
+    shorter += (std::copysign(least, apart) - apart) * across;
+  }
+}
+
+std::size_t wrapped(int column, int width) { return static_cast<std::size_t>(((column % width) + width) % width); }
+
+glm::dvec3 vector_at(const float* const (&from)[3], int index) {
+  return {from[0][index], from[1][index], from[2][index]};
+}
+
+}  // namespace
+
+PolygonFilter::PolygonFilter(const EnvironmentImage& image, const glm::dmat3& sky_from_map, const TemperatureFit* fit)
+    : sums_(image, fit), map_from_sky_(glm::transpose(sky_from_map)) {
+  for (int column = 0; column < image.width; ++column) {
+    const glm::dvec3 on_it = direction_from_map(static_cast<double>(column) / image.width, 0.5);
+    normals_.emplace_back(-on_it.y, on_it.x);
+  }
+}
+
+double PolygonFilter::column_of(const glm::dvec3& direction) const {
+  return map_from_direction(direction).x * sums_.width();
+}
+
+void PolygonFilter::add_piece(int column, const Place& from, const Place& to, int depth, Sum& sum) const {
+  // A great circle bends by an eighth of its length squared, over the distance from the pole: longitude goes with one over that.
+  const glm::dvec3 chord = to.direction - from.direction;
+  const double highest = std::max(std::abs(from.in_column.sine), std::abs(to.in_column.sine));
+  const double from_pole = std::sqrt(std::max(1.0 - highest * highest, 0.0));
+  if (depth > 0 && from.in_column.row != to.in_column.row && glm::dot(chord, chord) > sum.tolerance * from_pole) {
+    const glm::dvec3 middle = glm::normalize(from.direction + to.direction);
+    const double turn = std::remainder(column_of(middle) - from.column, static_cast<double>(sums_.width()));
+    const double low = std::min(from.column, to.column);
+    const double high = std::max(from.column, to.column);
+    const Place half = {middle, std::clamp(from.column + turn, low, high), sums_.place_of(middle.z)};
+    add_piece(column, from, half, depth - 1, sum);
+    return add_piece(column, half, to, depth - 1, sum);
+  }
+  const double part = to.column - from.column;
+  sums_.add_above(column, from.in_column, to.in_column, part, sum.light);
+  sum.area += part * (1.0 - 0.5 * (from.in_column.sine + to.in_column.sine));
+}
+
+void PolygonFilter::add_side(const glm::dvec3& from, const glm::dvec3& to, Sum& sum) const {
+  const int width = sums_.width();
+  Place at = {from, column_of(from), sums_.place_of(from.z)};
+  const double turn = std::remainder(column_of(to) - at.column, static_cast<double>(width));
+  const Place end = {to, at.column + turn, sums_.place_of(to.z)};
+  const glm::dvec3 way = to - from;
+  // Where the side, whose chord is straight, crosses the meridians between columns.
+  const int step = turn >= 0.0 ? 1 : -1;
+  int meridian = static_cast<int>(step > 0 ? std::floor(at.column) + 1.0 : std::ceil(at.column) - 1.0);
+  const auto column = [&] { return static_cast<int>(wrapped(step > 0 ? meridian - 1 : meridian, width)); };
+  for (; step > 0 ? meridian < end.column : meridian > end.column; meridian += step) {
+    const glm::dvec2& normal = normals_[wrapped(meridian, width)];
+    const double along = -glm::dot(normal, glm::dvec2(from)) / glm::dot(normal, glm::dvec2(way));
+    const glm::dvec3 crossing = glm::normalize(from + std::clamp(std::isfinite(along) ? along : 0.5, 0.0, 1.0) * way);
+    const Place next = {crossing, static_cast<double>(meridian), sums_.place_of(crossing.z)};
+    add_piece(column(), at, next, most_splits, sum);
+    at = next;
+  }
+  add_piece(column(), at, end, most_splits, sum);
+  sum.turn += turn;
+}
+
+glm::dvec4 PolygonFilter::light(const glm::dvec3& direction, const glm::dvec3& along_x,
+                                const glm::dvec3& along_y) const {
+  const double reach = 0.5 * std::max(glm::length(along_x + along_y), glm::length(along_x - along_y));
+  if (!(reach < widest_corner)) {
+    return mean();
+  }
+  const glm::dvec3 middle = map_from_sky_ * glm::normalize(direction);
+  glm::dvec3 right = map_from_sky_ * along_x;
+  glm::dvec3 down = map_from_sky_ * along_y;
+  widen(middle, least_width * pi / sums_.height(), right, down);
+  const std::array<glm::dvec3, 4> corners = {moved(middle, -0.5 * (right + down)), moved(middle, 0.5 * (right - down)),
+                                             moved(middle, 0.5 * (right + down)), moved(middle, 0.5 * (down - right))};
+  const double longer = std::max(glm::length(right), glm::length(down));
+  Sum sum;
+  sum.tolerance = 8.0 * part_off * glm::length(glm::cross(right, down)) / longer;
+  for (std::size_t i = 0; i < 4; ++i) {
+    add_side(corners[i], corners[(i + 1) % 4], sum);
+  }
+  // What lies above the outline of the lower pole is all but its inside.
+  if (std::abs(sum.turn) > 0.5 * sums_.width() && middle.z < 0.0) {
+    const double sign = sum.turn > 0.0 ? 1.0 : -1.0;
+    sum.light = sums_.whole() - sign * sum.light;
+    sum.area = 2.0 * sums_.width() - sign * sum.area;
+  }
+  return sum.light / sum.area;
+}
+
+glm::dvec4 PolygonFilter::mean() const { return sums_.whole() / (2.0 * sums_.width()); }
+
+void PolygonFilter::filter(const LensPixels& lens, int count, float* rgba) const {
+  static WorkCounter counter("filter_polygons");
+  const WorkScope work(counter, count);
+  parallel_for(count, 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      glm::dvec4 seen(0.0);
+      if (lens.coverage[i] > 0.0F) {
+        seen = light(vector_at(lens.sky, i), vector_at(lens.sky_along_x, i), vector_at(lens.sky_along_y, i));
+      }
+      for (int part = 0; part < 4; ++part) {
+        // Rounding must not make light less than none.
+        rgba[4 * static_cast<long>(i) + part] = static_cast<float>(std::max(seen[part], 0.0));
+      }
+    }
+  });
+}
+
+}  // namespace ergodome

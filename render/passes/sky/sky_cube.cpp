@@ -1,0 +1,233 @@
+#include "render/passes/sky/sky_cube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "kernels/launch/parallel_for.h"
+#include "render/passes/sky/image_rows.h"
+
+namespace ergodome {
+
+namespace {
+
+constexpr int largest_face = 2048;
+
+int face_size_for(int map_width) {
+  int size = 1;
+  while (size < map_width / 4 && size < largest_face) {
+    size *= 2;
+  }
+  return size;
+}
+
+glm::dvec3 texel_direction(int face, int size, double x, double y) {
+  const Vector3<double> d = cube_direction(face, 2.0 * x / size - 1.0, 2.0 * y / size - 1.0);
+  return glm::normalize(glm::dvec3(d.x, d.y, d.z));
+}
+
+//! The points of a face's side at `per_texel` places a texel, evenly from rim to rim: the warp is turned round by iteration, once for all.
+std::vector<double> side_points(int size, int per_texel) {
+  std::vector<double> points(static_cast<std::size_t>(size) * static_cast<std::size_t>(per_texel));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = unwarped(2.0 * ((static_cast<double>(i) + 0.5) / per_texel) / size - 1.0);
+  }
+  return points;
+}
+
+//! Solid angles of a face's texels, up to a factor: the area element of the cube's surface times the warp's slopes.
+class TexelWeights {
+ public:
+  explicit TexelWeights(int size) : middle_(side_points(size, 1)), width_(middle_.size()) {
+    const double h = 1.0 / size;
+    for (std::size_t i = 0; i < width_.size(); ++i) {
+      const double u = 2.0 * (static_cast<double>(i) + 0.5) * h - 1.0;
+      width_[i] = unwarped(u + h) - unwarped(u - h);
+    }
+  }
+
+  [[nodiscard]] double at(int x, int y) const {
+    const auto i = static_cast<std::size_t>(x);
+    const auto j = static_cast<std::size_t>(y);
+    const double square = 1.0 + middle_[i] * middle_[i] + middle_[j] * middle_[j];
+    return width_[i] * width_[j] / (square * std::sqrt(square));
+  }
+
+ private:
+  std::vector<double> middle_;
+  std::vector<double> width_;
+};
+
+//! Four samples a texel, so that a source of the same resolution does not alias: the two rows of them that are a row of texels.
+class SampleRows {
+ public:
+  explicit SampleRows(int face_size) : places_(side_points(face_size, 2)), s_(places_.begin(), places_.end()) {}
+
+  [[nodiscard]] DirectionRow row(int face, int y) const {
+    const double t = places_[static_cast<std::size_t>(y)];
+    const auto [x0, y0, z0] = cube_point(face, 0.0, t);
+    const auto [x1, y1, z1] = cube_point(face, 1.0, t);
+    return {{x0, y0, z0}, {x1 - x0, y1 - y0, z1 - z0}, s_};
+  }
+
+ private:
+  std::vector<double> places_;
+  std::vector<float> s_;
+};
+
+//! The faces while they are built, on the host.
+class Pyramid {
+ public:
+  explicit Pyramid(int face_size) {
+    map_.face_size = face_size;
+    long offset = 0;
+    for (int size = face_size; size >= 1; size /= 2) {
+      map_.level_offset[map_.level_count++] = offset;
+      offset += 6L * (size + 2) * (size + 2);
+    }
+    texels_.assign(4 * static_cast<std::size_t>(offset), 0.0F);
+    map_.texels = texels_.data();
+  }
+
+  [[nodiscard]] int size(int level) const { return map_.face_size >> level; }
+  [[nodiscard]] const CubeMap& map() const { return map_; }
+  [[nodiscard]] std::vector<float>& texels() { return texels_; }
+
+  float* texel(int level, int face, int x, int y) { return texels_.data() + 4 * texel_index(map_, level, face, x, y); }
+
+  void set(int level, int face, int x, int y, const glm::vec4& light) {
+    float* to = texel(level, face, x, y);
+    to[0] = light.x;
+    to[1] = light.y;
+    to[2] = light.z;
+    to[3] = light.w;
+  }
+
+  //! A texel is the mean of the four below it, weighted with their solid angles.
+  void reduce(int level) {
+    const TexelWeights weights(size(level - 1));
+    parallel_for(6 * size(level), 8, [&](int begin, int end) {
+      for (int row = begin; row < end; ++row) {
+        for (int x = 0; x < size(level); ++x) {
+          reduce_texel(level, row / size(level), x, row % size(level), weights);
+        }
+      }
+    });
+  }
+
+  //! Fills the border of a level with what the neighbouring faces show there.
+  void fill_border(int level) {
+    const int n = size(level);
+    for (int face = 0; face < 6; ++face) {
+      for (int i = -1; i <= n; ++i) {
+        for (const auto& [x, y] : {std::pair{i, -1}, {i, n}, {-1, i}, {n, i}}) {
+          set(level, face, x, y, seen_from(level, texel_direction(face, n, x + 0.5, y + 0.5)));
+        }
+      }
+    }
+  }
+
+ private:
+  void reduce_texel(int level, int face, int x, int y, const TexelWeights& weights) {
+    glm::dvec4 sum(0.0);
+    double all = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      const int fine_x = 2 * x + i % 2;
+      const int fine_y = 2 * y + i / 2;
+      const double weight = weights.at(fine_x, fine_y);
+      const float* from = texel(level - 1, face, fine_x, fine_y);
+      sum += weight * glm::dvec4(from[0], from[1], from[2], from[3]);
+      all += weight;
+    }
+    set(level, face, x, y, glm::vec4(sum / all));
+  }
+
+  //! Bilinear, inside one face only: usable before the borders are there.
+  glm::vec4 seen_from(int level, const glm::dvec3& d) {
+    const int n = size(level);
+    const CubePlace<float> place =
+        cube_place<float>({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    const int its_face = static_cast<int>(place.face);
+    const float last = static_cast<float>(n - 1);
+    const float x = std::clamp((place.x + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
+    const float y = std::clamp((place.y + 1.0F) * 0.5F * static_cast<float>(n) - 0.5F, 0.0F, last);
+    const int x0 = static_cast<int>(x);
+    const int y0 = static_cast<int>(y);
+    const auto at = [&](int dx, int dy) {
+      const float* from = texel(level, its_face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
+      return glm::vec4(from[0], from[1], from[2], from[3]);
+    };
+    const float fx = x - static_cast<float>(x0);
+    const float fy = y - static_cast<float>(y0);
+    return glm::mix(glm::mix(at(0, 0), at(1, 0), fx), glm::mix(at(0, 1), at(1, 1), fx), fy);
+  }
+
+  CubeMap map_{};
+  std::vector<float> texels_;
+};
+
+}  // namespace
+
+SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
+                 const TemperatureFit* fit, const char* name) {
+  const ImageRows rows(image, glm::transpose(sky_from_map));
+  build(
+      backend, face_size_for(image.width),
+      [&](const DirectionRow& row, std::span<glm::vec3> light) { rows.read(row, light); }, fit, name);
+}
+
+SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
+                 const TemperatureFit* fit) {
+  const auto light_of_row = [&](const DirectionRow& row, std::span<glm::vec3> lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      lights[i] = light(glm::normalize(row.base + static_cast<double>(row.s[i]) * row.along));
+    }
+  };
+  build(backend, face_size, light_of_row, fit, "sky map");
+}
+
+void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, const TemperatureFit* fit,
+                    const char* name) {
+  Pyramid pyramid(face_size);
+  const SampleRows samples(face_size);
+  parallel_for(6 * face_size, 8, [&](int begin, int end) {
+    std::vector<glm::vec3> upper(2 * static_cast<std::size_t>(face_size));
+    std::vector<glm::vec3> lower(upper.size());
+    for (int row = begin; row < end; ++row) {
+      const int face = row / face_size;
+      const int y = row % face_size;
+      light(samples.row(face, 2 * y), upper);
+      light(samples.row(face, 2 * y + 1), lower);
+      for (int x = 0; x < face_size; ++x) {
+        const std::size_t i = 2 * static_cast<std::size_t>(x);
+        const glm::vec3 mean = 0.25F * (upper[i] + upper[i + 1] + lower[i] + lower[i + 1]);
+        pyramid.set(0, face, x, y, glm::vec4(mean, fit != nullptr ? fit->weighted_log_temperature(mean) : 0.0F));
+      }
+    }
+  });
+  for (int level = 1; level < pyramid.map().level_count; ++level) {
+    pyramid.reduce(level);
+  }
+  for (int level = 0; level < pyramid.map().level_count; ++level) {
+    pyramid.fill_border(level);
+  }
+  map_ = pyramid.map();
+  texels_ = Buffer<float>(backend, pyramid.texels(), name);
+}
+
+std::size_t SkyCube::bytes_for(int map_width) {
+  std::size_t texels = 0;
+  for (auto size = static_cast<std::size_t>(face_size_for(map_width)); size >= 1; size /= 2) {
+    texels += 6 * (size + 2) * (size + 2);
+  }
+  return 4 * sizeof(float) * texels;
+}
+
+CubeMap SkyCube::view() const {
+  CubeMap map = map_;
+  map.texels = texels_.data();
+  return map;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "kernels/launch/parallel_for.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/passes/stars/drawing/star_splat.h"
+
+// Where on the screen images of stars are, and how bright.
+namespace ergodome {
+
+namespace {
+
+//! A line across a whole dome of 4k.
+constexpr int most_line_points = 8192;
+
+double row_of_point(const StarPoint& point) { return std::floor(point.y_px); }
+
+//! Adds points on a sheet of the screen; places are the sheet's own.
+class PointList {
+ public:
+  PointList(const StarSheet& sheet, std::vector<StarPoint>& points) : sheet_(sheet), points_(points) {}
+
+  [[nodiscard]] const StarSheet& sheet() const { return sheet_; }
+
+  void add(double x, double y, const Vector3<float>& illuminance, bool has_spikes) {
+    StarPoint point;
+    if (point_on_sheet(sheet_, x, y, illuminance, has_spikes, point)) {
+      points_.push_back(point);
+    }
+  }
+
+  //! Light spread evenly along a line, at points that are half a pixel apart at the most.
+  void add_line(const double (&from)[2], const double (&to)[2], const Vector3<float>& illuminance, bool has_spikes) {
+    if (passes_by(from, to, has_spikes ? sheet_.spiked_reach_px : sheet_.reach_px)) {
+      return;
+    }
+    const Projection& projection = sheet_.projection;
+    double way[2] = {to[0] - from[0], to[1] - from[1]};
+    if (wraps_around(projection)) {
+      way[0] -= projection.width_px * std::round(way[0] / projection.width_px);
+    }
+    const int count = std::clamp(static_cast<int>(std::ceil(2.0 * std::hypot(way[0], way[1]))), 1, most_line_points);
+    for (int i = 0; i < count; ++i) {
+      const double t = (i + 0.5) / count;
+      add(from[0] + t * way[0], from[1] + t * way[1], (1.0F / static_cast<float>(count)) * illuminance, has_spikes);
+    }
+  }
+
+ private:
+  //! Whether a line lies beside the sheet, all of it on one side: on a plane far from its middle lines get as long as one likes.
+  [[nodiscard]] bool passes_by(const double (&from)[2], const double (&to)[2], double reach) const {
+    const Projection& projection = sheet_.projection;
+    const auto beside = [&](int axis, double size) {
+      return std::max(from[axis], to[axis]) < -reach || std::min(from[axis], to[axis]) > size + reach;
+    };
+    return !wraps_around(projection) && (beside(0, projection.width_px) || beside(1, projection.height_px));
+  }
+
+  const StarSheet& sheet_;
+  std::vector<StarPoint>& points_;
+};
+
+//! All points, row by row from the top; in a row in their order.
+std::vector<StarPoint> by_row(const std::vector<std::vector<StarPoint>>& parts) {
+  double top = std::numeric_limits<double>::infinity();
+  double bottom = -top;
+  for (const std::vector<StarPoint>& part : parts) {
+    for (const StarPoint& point : part) {
+      top = std::min(top, row_of_point(point));
+      bottom = std::max(bottom, row_of_point(point));
+    }
+  }
+  if (!(top <= bottom)) {
+    return {};
+  }
+  // Sorting by counting: where each row begins.
+  std::vector<std::size_t> place(static_cast<std::size_t>(bottom - top) + 2U, 0);
+  const auto row = [&](const StarPoint& point) { return static_cast<std::size_t>(row_of_point(point) - top); };
+  for (const std::vector<StarPoint>& part : parts) {
+    for (const StarPoint& point : part) {
+      place[row(point) + 1] += 1;
+    }
+  }
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<StarPoint> points(place.back());
+  for (const std::vector<StarPoint>& part : parts) {
+    for (const StarPoint& point : part) {
+      points[place[row(point)]++] = point;
+    }
+  }
+  return points;
+}
+
+std::vector<StarPoint> as_they_are(const std::vector<std::vector<StarPoint>>& parts) {
+  std::size_t count = 0;
+  for (const std::vector<StarPoint>& part : parts) {
+    count += part.size();
+  }
+  std::vector<StarPoint> points;
+  points.reserve(count);
+  for (const std::vector<StarPoint>& part : parts) {
+    points.insert(points.end(), part.begin(), part.end());
+  }
+  return points;
+}
+
+//! Calls body(begin, end, list) for each sheet of a picture and each part of `count` things; returns the points.
+template <class Body>
+std::vector<StarPoint> points_on_sheets(const Projection& projection, const SplatSettings& settings, std::size_t count,
+                                        PointOrder order, const Body& body) {
+  constexpr std::size_t chunk = 1024;
+  const std::vector<StarSheet> sheets = star_sheets(projection, settings);
+  std::vector<std::vector<StarPoint>> parts((count + chunk - 1) / chunk);
+  parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
+      for (const StarSheet& sheet : sheets) {
+        PointList list(sheet, parts[part]);
+        body(part * chunk, std::min((part + 1) * chunk, count), list);
+      }
+    }
+  });
+  return order == PointOrder::by_row ? by_row(parts) : as_they_are(parts);
+}
+
+void add_trails(const StarTrails& trails, std::size_t begin, std::size_t end, const Shutter& shutter, PointList& list) {
+  const float part = 1.0F / static_cast<float>(std::max(trails.places - 1, 1));
+  for (std::size_t i = begin; i < end; ++i) {
+    const StarTrails::Way& way = trails.ways[i];
+    double before[2] = {};
+    bool was_seen = false;
+    for (int at = way.first; at <= way.last; ++at) {
+      const Vector3<float>& direction =
+          trails.directions[i * static_cast<std::size_t>(trails.places) + static_cast<std::size_t>(at)];
+      const EyeCamera& camera = shutter.eyes[static_cast<std::size_t>(at)].camera;
+      double here[2] = {};
+      const bool seen = place_on_screen(direction, camera.frame_from_view, list.sheet().projection, here[0], here[1]);
+      if (seen && was_seen) {
+        list.add_line(before, here, part * way.illuminance, has_spikes(list.sheet(), way.illuminance));
+      }
+      was_seen = seen;
+      std::copy_n(here, 2, before);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<StarSheet> star_sheets(const Projection& projection, const SplatSettings& settings) {
+  std::vector<StarSheet> sheets;
+  const double reach_px = settings.reach_px();
+  for (const PictureSheet& sheet : picture_sheets(projection)) {
+    sheets.push_back({sheet.projection, sheet.cell, static_cast<int>(sheets.size()), settings.scale,
+                      settings.spikes_from, settings.spike_strength, reach_px,
+                      std::max(reach_px, settings.spike_reach_px)});
+  }
+  return sheets;
+}
+
+std::vector<StarPoint> star_points(const std::vector<StarImage>& images, const EyeCamera& eye,
+                                   const Projection& projection, const SplatSettings& settings, PointOrder order) {
+  const auto add_images = [&](std::size_t begin, std::size_t end, PointList& list) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const StarImage& image = images[i];
+      double x = 0.0;
+      double y = 0.0;
+      if (place_on_screen(image.direction, eye.frame_from_view, list.sheet().projection, x, y)) {
+        list.add(x, y, image.illuminance, has_spikes(list.sheet(), image.illuminance));
+      }
+    }
+  };
+  return points_on_sheets(projection, settings, images.size(), order, add_images);
+}
+
+std::vector<StarPoint> trail_points(const StarTrails& trails, const Shutter& shutter, const Projection& projection,
+                                    const SplatSettings& settings, PointOrder order) {
+  const auto add_ways = [&](std::size_t begin, std::size_t end, PointList& list) {
+    add_trails(trails, begin, end, shutter, list);
+  };
+  return points_on_sheets(projection, settings, trails.ways.size(), order, add_ways);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,159 @@
+#include "render/passes/stars/drawing/tiled_stars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kernels/core/error.h"
+#include "kernels/launch/launch.h"
+#include "render/passes/stars/drawing/picture_sheets.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Threads that share the tiles of a point with spikes, row by row.
+constexpr int threads_of_spikes = 16;
+
+//! Throws for what a device should not list, with what may help.
+void require_listable(double members, double most, const char* remedy) {
+  if (members > most) {
+    throw Error("stars", "shine on more pixels than can be listed on a GPU",
+                std::string(remedy) + ", or run with --backend cpu");
+  }
+}
+
+//! How many there may be at the most of `points`, each on so many tiles. They are counted by 32 bits.
+double most_members(int points, double reach_px) {
+  const double across = 2.0 * reach_px / star_tile_px + 2.0;
+  return points * across * across;
+}
+
+//! Members that are counted, and that are listed, at the most: 1 GB.
+constexpr double most_counted = 2e9;
+constexpr double most_listed = 2.5e8;
+
+constexpr const char* fewer_spots =
+    "choose a smaller effects.psf.sigma_px or cutoff_px, or leave out faint stars (sky.faintest_mag)";
+constexpr const char* fewer_spikes = "let fewer have spikes (effects.diffraction.brighter_than_mag)";
+
+}  // namespace
+
+void TiledStars::place(double reach_px, bool spikes_alone, Placed& placed) const {
+  const int rows = (projection_.height_px + star_tile_px - 1) / star_tile_px;
+  const int tiles = columns() * rows;
+  const auto count = static_cast<std::size_t>(tiles);
+  reserve(backend_, count, "star tiles", placed.counts);
+  reserve(backend_, count + 1, "star tiles", placed.first);
+  const StarTileBatch batch{points_.points,
+                            points_.count,
+                            spikes_alone ? threads_of_spikes : 1,
+                            spikes_alone,
+                            reach_px,
+                            projection_.width_px,
+                            projection_.height_px,
+                            wraps_around(projection_),
+                            columns(),
+                            tiles,
+                            placed.counts.data(),
+                            placed.first.data(),
+                            nullptr};
+  clear(backend_, placed.counts, count);
+  place_stars(backend_, batch, StarTileStep::count);
+  sum_counts(backend_, placed.counts.data(), tiles, placed.first.data());
+  std::int32_t members = 0;
+  copy_to_host(backend_, &members, placed.first.data() + tiles, 1);
+  require_listable(members, most_listed, spikes_alone ? fewer_spikes : fewer_spots);
+  placed.members = members;
+  if (members == 0) {
+    return;
+  }
+  reserve(backend_, static_cast<std::size_t>(members), "star tiles", placed.numbers);
+  StarTileBatch listed = batch;
+  listed.members = placed.numbers.data();
+  clear(backend_, placed.counts, count);
+  place_stars(backend_, listed, StarTileStep::list);
+  place_stars(backend_, listed, StarTileStep::sort);
+}
+
+void TiledStars::set_pattern(const DiffractionPattern& pattern) {
+  if (pattern_there_ == pattern.rgb) {
+    return;
+  }
+  reserve(backend_, pattern.rgb.size(), "diffraction pattern, placed", pattern_);
+  pattern_.write(pattern.rgb.data(), pattern.rgb.size());
+  pattern_there_ = pattern.rgb;
+  pattern_px_ = pattern.size_px;
+}
+
+void TiledStars::set(const std::vector<StarPoint>& points, const Projection& projection, const SplatSettings& splat,
+                     const DiffractionPattern* pattern) {
+  const auto has_spikes = [](const StarPoint& p) { return p.spikes.x + p.spikes.y + p.spikes.z > 0.0F; };
+  const auto spiked = pattern != nullptr ? std::ranges::count_if(points, has_spikes) : 0;
+  reserve(backend_, points.size(), "star points", own_points_);
+  own_points_.write(points.data(), points.size());
+  set(PlacedPoints{own_points_.data(), static_cast<int>(points.size()), static_cast<int>(spiked)}, projection, splat,
+      pattern);
+}
+
+void TiledStars::set(const PlacedPoints& points, const Projection& projection, const SplatSettings& splat,
+                     const DiffractionPattern* pattern) {
+  const DeviceWorkInOrder in_order(backend_);
+  projection_ = projection;
+  splat_ = splat;
+  points_ = points;
+  spots_.members = 0;
+  spikes_.members = 0;
+  if (points.count == 0) {
+    return;
+  }
+  require_listable(most_members(points.count, splat.reach_px()), most_counted, fewer_spots);
+  place(splat.reach_px(), false, spots_);
+  if (pattern != nullptr && points.spiked > 0) {
+    set_pattern(*pattern);
+    const double reach_px = 0.5 * pattern_px_ + 1.0;
+    require_listable(most_members(points.spiked, reach_px), most_counted, fewer_spikes);
+    place(reach_px, true, spikes_);
+  }
+}
+
+StarLightBatch TiledStars::batch_of(const Placed& placed) const {
+  StarLightBatch batch{};
+  batch.projection = converted_projection<float>(projection_);
+  const std::vector<PictureSheet> sheets = picture_sheets(projection_);
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    batch.cells[i] = sheets[i].cell;
+  }
+  batch.points = points_.points;
+  batch.first = placed.first.data();
+  batch.members = placed.numbers.data();
+  batch.tile_columns = columns();
+  if (splat_.sigma_px > 0.0) {
+    // A pixel less than what they may reach: the rest is the pixel that holds the end.
+    const double reach = splat_.reach_px() - 1.0;
+    const double narrower = 1.0 / (splat_.sigma_px * std::numbers::sqrt2);
+    batch.narrower = static_cast<float>(narrower);
+    batch.reach_px = static_cast<float>(reach);
+    batch.share = static_cast<float>(0.5 / std::erf(reach * narrower));
+  }
+  return batch;
+}
+
+void TiledStars::draw(int first_row, int row_count, float* rgba) const {
+  for (const Placed* const placed : {&spots_, &spikes_}) {
+    if (placed->members == 0) {
+      continue;
+    }
+    StarLightBatch batch = batch_of(*placed);
+    batch.rgba = rgba;
+    batch.first_row = first_row;
+    batch.row_count = row_count;
+    if (placed == &spikes_) {
+      batch.pattern = pattern_.data();
+      batch.pattern_px = pattern_px_;
+    }
+    draw_stars(backend_, batch, points_.count);
+  }
+}
+
+}  // namespace ergodome

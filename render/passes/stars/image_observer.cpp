@@ -1,0 +1,111 @@
+#include "render/passes/stars/image_observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/launch/launch.h"
+#include "kernels/spacetime/shadow/shadow_chart.h"
+#include "render/passes/stars/drawing/edge_rounding.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Luminance of a blackbody seen with a frequency ratio, over its own.
+float gain_of_shift(const BlackbodyTable& colours, float log_temperature, float frequency_ratio) {
+  return std::exp(read_blackbody(colours, log_temperature + std::log(frequency_ratio)).x -
+                  read_blackbody(colours, log_temperature).x);
+}
+
+//! The energy that the camera in the middle of an eye's sees.
+DirectionForm<double> middle_energy(const OmniEye& eye) {
+  const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
+  const double* c = cameras.coefficients + omni_energy * omni_terms(cameras.degree);
+  const int next = omni_terms(cameras.degree);
+  return {c[0], {c[next], c[2 * next], c[3 * next]}};
+}
+
+//! The most that the energies which an eye's other cameras see may differ from that: the powers of their places are 1 at the most.
+float energy_spread(const OmniEye& eye) {
+  const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
+  const int terms = omni_terms(cameras.degree);
+  const double* c = cameras.coefficients + omni_energy * terms;
+  double spread = 0.0;
+  for (int i = 0; i < 4 * terms; ++i) {
+    spread += i % terms > 0 ? std::abs(c[i]) : 0.0;
+  }
+  // And what converging turns directions by.
+  const Vector3<double> along = middle_energy(eye).along;
+  return static_cast<float>(spread +
+                            std::abs(cameras.offset) * cameras.inverse_convergence * std::sqrt(dot(along, along)));
+}
+
+}  // namespace
+
+Aberration aberration_of(const StarEye& eye) {
+  const EyeCamera& c = eye.camera;
+  return eye.omni ? no_aberration() : aberration_to_rain(c.spin, c.r, c.theta, c.motion, c.velocity);
+}
+
+ImageObserver::ImageObserver(const StarEye& eye, const LensStation& station, const BlackbodyTable& colours,
+                             bool redshift)
+    : colours_(colours),
+      redshift_(redshift),
+      chart_(grid_view(station).chart),
+      cameras_(eye.omni),
+      energy_(
+          eye.omni
+              ? middle_energy(*eye.omni)
+              : make_camera_station(eye.camera.spin, eye.camera.r, eye.camera.theta, 0.0, ObserverMotion::rain).energy),
+      energy_spread_(eye.omni ? energy_spread(*eye.omni) : 0.0F),
+      aberration_(aberration_of(eye)) {}
+
+double ImageObserver::edge_distance(float s) const { return ergodome::edge_distance(chart_, static_cast<double>(s)); }
+
+ObservedPlaces ImageObserver::observe(std::span<const RoughImage> images) const {
+  std::vector<float> gamma_turns(images.size());
+  std::vector<float> s(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    gamma_turns[i] = images[i].gamma_turns;
+    s[i] = images[i].s;
+  }
+  ObservedPlaces places;
+  for (std::vector<float>* part :
+       {&places.direction[0], &places.direction[1], &places.direction[2], &places.area, &places.frequency_ratio}) {
+    part->resize(images.size());
+  }
+  observe_places({chart_,
+                  energy(),
+                  observer(),
+                  static_cast<int>(images.size()),
+                  gamma_turns.data(),
+                  s.data(),
+                  {places.direction[0].data(), places.direction[1].data(), places.direction[2].data()},
+                  places.area.data(),
+                  places.frequency_ratio.data()});
+  if (cameras_) {
+    // Each camera of an eye that turns has its own energies, in the chart's frame.
+    const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const Vector3<double> direction = {static_cast<double>(places.direction[0][i]),
+                                         static_cast<double>(places.direction[1][i]),
+                                         static_cast<double>(places.direction[2][i])};
+      places.frequency_ratio[i] = static_cast<float>(1.0 / std::max(energy_of(cameras, direction), 1e-6));
+    }
+  }
+  return places;
+}
+
+float ImageObserver::shift_gain(const FieldStar& star, float frequency_ratio) const {
+  return redshift_ ? gain_of_shift(colours_, star.log_temperature, frequency_ratio) : 1.0F;
+}
+
+//! With a margin for what lies between the places that were asked.
+PatchLight ImageObserver::light_in(float brightening, float frequency_ratio) const {
+  // Cameras beside the middle one may see less energy by so much.
+  const float least = std::max(1.0F - energy_spread_ * frequency_ratio, 0.1F);
+  return {1.05F * brightening,
+          redshift_ ? ShiftGains::row_of(1.01F * frequency_ratio / least) : ShiftGains::unshifted_row()};
+}
+
+}  // namespace ergodome

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "kernels/projection/projection.h"
+#include "render/passes/stars/star_eye.h"
+
+namespace ergodome {
+
+//! The ray of a corner between pixels.
+struct CornerRay {
+  Vector3<double> sky;
+  double frequency_ratio;
+  bool seen;  //!< it comes from the sky, and was asked for
+};
+
+//! Corners of some rows of pixels. Each is traced once, so that neighbours agree about their common edge to the last bit.
+class CornerRows {
+ public:
+  CornerRows(const StarEye& eye, const Projection& projection)
+      : eye_(eye), projection_(projection), width_(static_cast<std::size_t>(projection.width_px) + 1) {}
+
+  //! Goes on to the next rows of pixels.
+  void trace(int first_row, int row_count);
+
+  //! Number of the corner at the top left of a pixel: the right rim of a full turn is its left one.
+  [[nodiscard]] int number(int row, int column) const {
+    const bool turned = wraps_around(projection_) && column == projection_.width_px;
+    return (row - first_row_) * (projection_.width_px + 1) + (turned ? 0 : column);
+  }
+
+  [[nodiscard]] const CornerRay& operator[](int number) const { return corners_[static_cast<std::size_t>(number)]; }
+
+ private:
+  [[nodiscard]] double column_of(std::size_t i) const { return static_cast<double>(i % width_); }
+  [[nodiscard]] double row_of(std::size_t i) const {
+    const std::size_t row = i / width_;
+    return first_row_ + static_cast<double>(row);
+  }
+
+  //! Whether a pixel about the corner has a part in the image.
+  [[nodiscard]] bool is_needed(std::size_t i) const;
+  void trace(const std::vector<std::size_t>& asked);
+
+  const StarEye& eye_;
+  const Projection& projection_;
+  std::size_t width_;  //!< corners of a row
+  int first_row_ = 0;
+  std::vector<CornerRay> corners_;
+};
+
+}  // namespace ergodome

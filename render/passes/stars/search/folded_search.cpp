@@ -1,0 +1,107 @@
+#include "render/passes/stars/search/folded_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/launch/launch.h"
+#include "kernels/stars/search/search_rules.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Parts halved at once, before their halves are: as many as fit into the processor's nearer memory.
+constexpr int block = 512;
+//! Pairs searched together: so many that lanes are full, so few that a float counts them.
+constexpr std::size_t most_pairs = 1 << 16;
+}  // namespace
+
+void FoldedSearch::PartList::reserve(int more) {
+  const int needed = parts.count + more + part_padding;
+  if (needed <= parts.room) {
+    return;
+  }
+  const int room = std::max(needed, 2 * parts.room);
+  std::vector<float> larger(static_cast<std::size_t>(part_channels) * static_cast<std::size_t>(room));
+  for (std::ptrdiff_t channel = 0; channel < part_channels; ++channel) {
+    std::copy_n(memory.begin() + channel * parts.room, parts.count, larger.begin() + channel * room);
+  }
+  memory = std::move(larger);
+  parts.at = memory.data();
+  parts.room = room;
+}
+
+void FoldedSearch::search(const PatchPairBatch& pairs, std::span<const FoldedPair> asked) {
+  counts_.assign(asked.size(), 0);
+  roots_.resize(asked.size() * most_roots);
+  for (std::size_t first = 0; first < asked.size(); first += most_pairs) {
+    const std::size_t count = std::min(most_pairs, asked.size() - first);
+    search_some({static_cast<int>(count), pairs.patch + first, pairs.a + first, pairs.b + first},
+                asked.subspan(first, count), first);
+  }
+}
+
+void FoldedSearch::search_some(const PatchPairBatch& pairs, std::span<const FoldedPair> asked, std::size_t first) {
+  const std::size_t count = asked.size();
+  int deepest = 0;
+  asked_.resize(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    asked_[i] = asked[i].error;
+    asked_[count + i] = static_cast<float>(asked[i].halvings);
+    deepest = std::max(deepest, asked[i].halvings);
+  }
+  level_.resize(std::max(level_.size(), static_cast<std::size_t>(deepest) + 2));
+  PartList& whole = level_[0];
+  whole.parts.count = 0;
+  whole.reserve(pairs.count);
+  see_patches({pairs, asked_.data(), asked_.data() + count, whole.parts});
+  whole.parts.count = pairs.count;
+  regular_.parts.count = 0;
+  folded_.parts.count = 0;
+  halve(0);
+  solve(regular_, false, asked, first);
+  solve(folded_, true, asked, first);
+}
+
+void FoldedSearch::halve(int depth) {
+  PartList& from = level_[static_cast<std::size_t>(depth)];
+  PartList& to = level_[static_cast<std::size_t>(depth) + 1];
+  for (int first = 0; first < from.parts.count; first += block) {
+    const int last = std::min(first + block, from.parts.count);
+    to.parts.count = 0;
+    for (PartList* list : {&to, &regular_, &folded_}) {
+      list->reserve(2 * (last - first));
+    }
+    halve_parts({from.parts, first, last, depth, &to.parts, &regular_.parts, &folded_.parts});
+    if (to.parts.count > 0) {
+      halve(depth + 1);
+    }
+  }
+}
+
+void FoldedSearch::solve(PartList& leaves, bool folded, std::span<const FoldedPair> asked, std::size_t first) {
+  const auto count = static_cast<std::size_t>(leaves.parts.count);
+  if (count == 0) {
+    return;
+  }
+  const std::size_t each = count * (folded ? most_part_roots : 1);
+  solved_.resize(4 * each);
+  float* const solved = solved_.data();
+  solve_parts({leaves.parts, folded, solved, solved + each, solved + 2 * each, solved + 3 * each});
+  for (std::size_t i = 0; i < each; ++i) {
+    if (solved[i] != 0.0F) {
+      const auto pair =
+          static_cast<std::size_t>(leaves.parts.at[part_pair * leaves.parts.room + static_cast<int>(i % count)]);
+      add(first + pair, asked[pair], {solved[each + i], solved[2 * each + i], solved[3 * each + i]});
+    }
+  }
+}
+
+void FoldedSearch::add(std::size_t pair, const FoldedPair& asked, const FoldedRoot& root) {
+  FoldedRoot* const roots = roots_.data() + pair * most_roots;
+  if (may_add_root(roots, counts_[pair], asked.roots_wanted, root)) {
+    roots[counts_[pair]++] = root;
+  }
+}
+
+}  // namespace ergodome

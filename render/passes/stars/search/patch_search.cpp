@@ -1,0 +1,194 @@
+#include "render/passes/stars/search/patch_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "kernels/launch/launch.h"
+#include "kernels/launch/work_counter.h"
+#include "render/passes/stars/search/sky_frustum.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Threads that look for a patch's stars: they go together, and read stars that lie together.
+constexpr int threads_of_a_patch = 32;
+//! Room for parts: without any none is lost, and nobody would know that there are too few.
+constexpr std::size_t least_parts = 1024;
+
+}  // namespace
+
+void PlacedPatches::set(const StarPatches& patches, const LensStation& station) {
+  arrays_.begin();
+  const auto put = [this](const auto& values) { return arrays_.put(values); };
+  batch_ = {};
+  batch_.patches = put(patches.patches());
+  batch_.patch_count = static_cast<int>(patches.patches().size());
+  batch_.sides = patches.mirrored() ? 2 : 1;
+  batch_.faintest = patches.faintest();
+  batch_.mended = patches.mended().view(put);
+  batch_.chart = grid_view(station).chart;
+  batch_.chart.edge.polar_angle = put(station.edge);
+  batch_.deepest = 0;
+  for (const StarPatch& patch : patches.patches()) {
+    batch_.deepest = std::max(batch_.deepest, patch.halvings);
+  }
+}
+
+PatchSearch::PatchSearch(Backend backend, const StarField& field, const BlackbodyTable& colours, int room)
+    : backend_(backend),
+      arrays_(backend),
+      field_(field.view([this](const auto& values) { return arrays_.put(values); })),
+      colours_(colours),
+      counts_(backend, list_count, "star search") {
+  colours_.entries = arrays_.put(std::vector<float>(colours.entries, colours.entries + 4L * colours.count));
+  Counts wanted;
+  wanted.fill(room);
+  make_room(wanted);
+}
+
+//! Makes lists as long as that, or longer; where there is no memory for all of them, none has room.
+void PatchSearch::make_room(const Counts& wanted) {
+  const auto count_of = [&](int list) { return static_cast<std::size_t>(wanted[static_cast<std::size_t>(list)]); };
+  const auto room_of = [](std::size_t size) { return static_cast<std::int32_t>(size); };
+  constexpr const char* name = "star search";
+  rooms_ = {};
+  for (int i = 0; i < 3; ++i) {
+    reserve(backend_, count_of(i), name, pairs_[i]);
+  }
+  reserve(backend_, count_of(images), name, images_);
+  reserve(backend_, count_of(exact), name, exact_);
+  for (Buffer<float>& list : parts_) {
+    reserve(backend_, part_channels * std::max(count_of(halved), least_parts), name, list);
+  }
+  const std::size_t room = std::ranges::min_element(parts_, {}, &Buffer<float>::size)->size() / part_channels;
+  reserve(backend_, room, name, plain_roots_);
+  reserve(backend_, most_part_roots * room, name, folded_roots_);
+  reserve(backend_, (1 + most_part_roots) * room, name, told_);
+  reserve(backend_, 2 * most_searched_together, name, told_counts_);
+  reserve(backend_, 2 * most_searched_together + 1, name, told_first_);
+  rooms_.fill(room_of(room));
+  for (std::size_t i = 0; i < 3; ++i) {
+    rooms_[i] = room_of(pairs_[i].size());
+  }
+  rooms_[images] = room_of(images_.size());
+  rooms_[exact] = room_of(exact_.size());
+  rooms_[lost_parts] = 0;
+}
+
+void PatchSearch::share(PatchSearchBatch& batch) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    batch.pairs[i] = {pairs_[i].data(), rooms_[i], counts_.data() + i};
+  }
+  batch.images = {images_.data(), rooms_[images], counts_.data() + images};
+  batch.exact = {exact_.data(), rooms_[exact], counts_.data() + exact};
+  const auto parts = [&](std::size_t i) {
+    return SharedParts{parts_[i].data(), rooms_[halved + i], counts_.data() + halved + i, counts_.data() + lost_parts};
+  };
+  batch.halved[0] = parts(0);
+  batch.halved[1] = parts(1);
+  batch.plain_parts = parts(2);
+  batch.folded_parts = parts(3);
+  batch.plain_roots = plain_roots_.data();
+  batch.folded_roots = folded_roots_.data();
+  batch.told_counts = told_counts_.data();
+  batch.told_first = told_first_.data();
+  batch.told = told_.data();
+}
+
+PatchSearch::Counts PatchSearch::counts() const {
+  Counts counts;
+  counts_.read(counts.data(), counts.size());
+  return counts;
+}
+
+bool PatchSearch::have_room(const Counts& counts) const {
+  return std::equal(counts.begin(), counts.end(), rooms_.begin(), std::less_equal<>());
+}
+
+//! The device alone knows how many parts there are: to ask it each time takes longer than threads that find none.
+void PatchSearch::search_slice(const PatchSearchBatch& batch, int pairs) {
+  clear(backend_, counts_, 4, halved);
+  search_patches(backend_, batch, PatchSearchStep::see_folded, pairs);
+  for (int depth = 0; depth < batch.deepest; ++depth) {
+    const SharedParts& to = batch.halved[1 - depth % 2];
+    clear(backend_, counts_, 1, static_cast<std::size_t>(halves - depth % 2));
+    search_patches(backend_, batch, PatchSearchStep::halve, to.room, depth);
+  }
+  const auto lists = 2 * static_cast<std::size_t>(pairs);
+  clear(backend_, told_counts_, lists);
+  search_patches(backend_, batch, PatchSearchStep::solve_plain, batch.plain_parts.room);
+  search_patches(backend_, batch, PatchSearchStep::solve_folded, batch.folded_parts.room);
+  sum_counts(backend_, told_counts_.data(), 2 * pairs, told_first_.data());
+  clear(backend_, told_counts_, lists);
+  search_patches(backend_, batch, PatchSearchStep::tell_plain, batch.plain_parts.room);
+  search_patches(backend_, batch, PatchSearchStep::tell_folded, batch.folded_parts.room);
+  search_patches(backend_, batch, PatchSearchStep::take_roots, pairs);
+}
+
+//! How long lists were: longer than their room where they have to be made longer, and what is found is not all.
+PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
+  clear(backend_, counts_, list_count);
+  search_patches(backend_, batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.sides * batch.patch_count);
+  search_patches(backend_, batch, PatchSearchStep::regular, rooms_[regular]);
+  search_patches(backend_, batch, PatchSearchStep::bent, rooms_[bent]);
+  // Each pair of a folded patch is a part at first. There are few mostly: the first slice is searched before it is known whether there are more.
+  const int slice = std::min({most_searched_together, rooms_[halved], rooms_[folded]});
+  if (slice == 0) {
+    return counts();
+  }
+  Counts found{};
+  for (batch.first_folded = 0; batch.first_folded == 0 || (have_room(found) && batch.first_folded < found[folded]);
+       batch.first_folded += slice) {
+    search_slice(batch, slice);
+    found = counts();
+  }
+  return found;
+}
+
+PatchSearch::Answer PatchSearch::find(const PlacedPatches& patches, const Question& question) {
+  static WorkCounter counter("search_patches");
+  const DeviceWorkInOrder in_order(backend_);
+  PatchSearchBatch batch = patches.batch();
+  batch.patch_threads = threads_of_a_patch;
+  const WorkScope work(counter, batch.patch_count);
+  batch.view_axis = question.view.axis;
+  batch.view_half_angle = question.view.half_angle;
+  batch.view_cosine = question.view.cosine;
+  batch.turn = sky_turn(question.phi);
+  batch.sine_phi = std::sin(question.phi);
+  batch.cosine_phi = std::cos(question.phi);
+  batch.field = field_;
+  batch.judges = question.observer.is_one_camera();
+  batch.energy = question.observer.energy();
+  batch.observer = question.observer.observer();
+  batch.colours = colours_;
+  batch.look = question.look;
+  share(batch);
+  Counts found = search(batch);
+  while (!have_room(found)) {
+    // How much the lost ones would have become is not known.
+    for (const int list : {halved, halves, plain_parts, folded_parts}) {
+      found[static_cast<std::size_t>(list)] = rooms_[halved] + found[lost_parts];
+    }
+    make_room(found);
+    share(batch);
+    found = search(batch);
+  }
+  Answer answer;
+  answer.rough.resize(static_cast<std::size_t>(found[images]));
+  images_.read(answer.rough.data(), answer.rough.size());
+  answer.exact = {exact_.data(), found[exact]};
+  return answer;
+}
+
+std::vector<SeenImage> PatchSearch::fetched(const FoundInPlace& found) const {
+  std::vector<SeenImage> seen(static_cast<std::size_t>(found.count));
+  if (found.count > 0) {
+    copy_to_host(backend_, seen.data(), found.images, seen.size());
+  }
+  return seen;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,271 @@
+#include "render/passes/stars/search/star_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "kernels/launch/parallel_for.h"
+#include "render/lens/grid/grid_builder.h"
+#include "render/passes/stars/image_observer.h"
+#include "render/passes/stars/search/rough_images.h"
+#include "render/passes/stars/search/star_refinement.h"
+#include "render/passes/stars/search/star_twins.h"
+
+namespace ergodome {
+
+namespace {
+
+//! A grid so fine has, mended, most images where they are, and costs less than their rays. Rays find the others.
+constexpr double grid_budget_px = 0.01;
+//! What rays in float leave of a finer one is their rounding [rad].
+constexpr double float_budget = 1.2e-5;
+//! Cells smaller than a size in this range are not refined: rays start from what they have [px²]. Five M from a hole of spin 0.999
+//! finer ones found no image more, nearer to one a few, and coarser ones cost more rays than they saved.
+constexpr double finest_cell_px = 0.5;
+constexpr double coarsest_cell_px = 2.0;
+//! The size over a show's lens budget [px].
+constexpr double cell_of_budget = 8.0;
+
+}  // namespace
+
+double least_star_cell_px(double budget_px) {
+  return std::clamp(cell_of_budget * budget_px, finest_cell_px, coarsest_cell_px);
+}
+
+bool serves_pixel(double found_for, double pixel, bool about) {
+  return about ? found_for <= 1.01 * pixel && found_for >= 0.5 * pixel : found_for == pixel;
+}
+
+LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer) {
+  GridSettings grid;
+  grid.pixel = settings.pixel;
+  grid.budget_px = std::max(grid_budget_px, float_budget / settings.pixel);
+  grid.observer = aberration_of(eye);
+  grid.fine = false;
+  grid.least_area_px = settings.least_cell_px;
+  grid.inverted = true;
+  return eye.omni ? build_omni_station(*eye.omni, grid)
+                  : build_lens_station(eye.camera.spin, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
+}
+
+StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                         const LensStation& station, const StarSettings& settings, PatchRoom& room) {
+  return {station,
+          field,
+          ImageObserver(eye, station, colours, settings.redshift),
+          settings.faintest,
+          GridExactness{settings.pixel, settings.grid_px * settings.pixel},
+          room};
+}
+
+namespace {
+
+StarLook look_of(const StarSettings& settings) {
+  return {settings.faintest, settings.redshift, settings.magnification};
+}
+
+//! What becomes of a rough image at a place that an observer sees; star -1 where it is too faint or out of view.
+StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
+                           const ObservedPlaces& places, std::size_t i, const StarSettings& settings) {
+  const float g = places.frequency_ratio[i];
+  // The sky's solid angle over the observer's.
+  const float solid_angle = image.sky / places.area[i];
+  StarCandidate candidate;
+  candidate.star = image.star;
+  candidate.direction = {static_cast<double>(places.direction[0][i]), static_cast<double>(places.direction[1][i]),
+                         static_cast<double>(places.direction[2][i])};
+  const float most = image.brighter / std::abs(solid_angle) * observer.shift_gain(star, g);
+  if (!image.guessed &&
+      (star.illuminance * most < settings.faintest || !may_touch(settings.view, candidate.direction, 0.0))) {
+    candidate.star = -1;
+    return candidate;
+  }
+  candidate.radius = static_cast<double>(star.radius);
+  candidate.edge_distance = observer.edge_distance(image.s);
+  return candidate;
+}
+
+//! Light of a candidate's image [lx], linear sRGB, where its last ray came from.
+Vector3<float> light_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours, bool redshift) {
+  return star_light(colours, star.log_temperature, star.illuminance,
+                    redshift ? static_cast<float>(c.frequency_ratio) : 1.0F,
+                    1.0F / static_cast<float>(capped_solid_angle(c)));
+}
+
+//! The image that a candidate has become; star -1 where it is none, or too faint.
+StarImage image_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours,
+                   const StarSettings& settings) {
+  StarImage image{};
+  image.star = -1;
+  if (!(c.miss <= image_tolerance_px * settings.pixel)) {
+    return image;
+  }
+  const Vector3<float> direction = {static_cast<float>(c.direction.x), static_cast<float>(c.direction.y),
+                                    static_cast<float>(c.direction.z)};
+  shining_image(colours, look_of(settings), c.star, star, direction, static_cast<float>(c.frequency_ratio),
+                static_cast<float>(c.solid_angle), static_cast<float>(capped_solid_angle(c)), image);
+  return image;
+}
+
+}  // namespace
+
+namespace {
+
+//! What some rough images have become.
+struct Sought {
+  std::vector<StarCandidate> rays;     //!< these are to follow rays
+  std::vector<StarCandidate> guesses;  //!< the same, many of them to no end
+  std::vector<SeenImage> exact;
+};
+
+//! What images are sought for.
+struct Search {
+  const StarField& field;
+  const BlackbodyTable& colours;
+  const ImageObserver& observer;
+  double phi;
+  const StarSettings& settings;
+};
+
+void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& sought) {
+  const double sine = std::sin(search.phi);
+  const double cosine = std::cos(search.phi);
+  const ObservedPlaces places = search.observer.observe(rough);
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    const FieldStar& star = search.field.stars()[static_cast<std::size_t>(rough[i].star)];
+    StarCandidate candidate = candidate_of(rough[i], star, search.observer, places, i, search.settings);
+    if (candidate.star < 0) {
+      continue;
+    }
+    if (rough[i].exact) {
+      SeenImage found{};
+      if (exact_image(search.colours, look_of(search.settings), rough[i].star, star,
+                      {places.direction[0][i], places.direction[1][i], places.direction[2][i]},
+                      places.frequency_ratio[i], rough[i].sky / places.area[i], found)) {
+        sought.exact.push_back(found);
+      }
+      continue;
+    }
+    const Vector3<double>& d = star.direction;
+    candidate.on_sky = {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z};
+    (rough[i].guessed ? sought.guesses : sought.rays).push_back(candidate);
+  }
+}
+
+//! Puts what a device has found by chance in order by the distance to the shadow's edge: the rays of neighbours in the kernel's lanes take about as many
+//! steps (three quarters of the time).
+void put_in_order(std::vector<RoughImage>& rough) {
+  // What is no number has no place, and no order.
+  std::erase_if(rough,
+                [](const RoughImage& image) { return !std::isfinite(image.s) || !std::isfinite(image.gamma_turns); });
+  std::ranges::sort(rough, [](const RoughImage& a, const RoughImage& b) {
+    return std::tie(a.s, a.star, a.gamma_turns) < std::tie(b.s, b.star, b.gamma_turns);
+  });
+}
+
+//! Seeks images roughly. In the order of the patches, whatever the threads do: neighbours on the screen are neighbours in the kernel's lanes; a
+//! device leaves those that need no rays `in_place`.
+std::vector<Sought> seek(const Search& search, const StarPatches& patches, const DeviceSearch* device,
+                         FoundInPlace& in_place) {
+  if (device == nullptr) {
+    std::vector<Sought> parts(static_cast<std::size_t>(rough_parts(patches)));
+    find_rough_images(search.field, search.phi, patches, search.settings.view,
+                      [&](int part, const std::vector<RoughImage>& rough) {
+                        sort_out(search, rough, parts[static_cast<std::size_t>(part)]);
+                      });
+    return parts;
+  }
+  const StarSettings& settings = search.settings;
+  PatchSearch::Answer answer =
+      device->search.find(device->patches, {search.phi, settings.view, search.observer, look_of(settings)});
+  put_in_order(answer.rough);
+  const std::vector<RoughImage>& rough = answer.rough;
+  constexpr std::size_t chunk = 512;
+  const std::size_t chunks = (rough.size() + chunk - 1) / chunk;
+  std::vector<Sought> parts(chunks);
+  in_place = answer.exact;
+  parallel_for(static_cast<int>(chunks), 1, [&](int begin, int end) {
+    for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
+      const std::size_t first = part * chunk;
+      sort_out(search, std::span(rough).subspan(first, std::min(chunk, rough.size() - first)), parts[part]);
+    }
+  });
+  return parts;
+}
+
+//! All that is in one list of each part.
+template <class T>
+void append(const std::vector<Sought>& parts, std::vector<T> Sought::*list, std::vector<T>& to) {
+  std::size_t count = to.size();
+  for (const Sought& part : parts) {
+    count += (part.*list).size();
+  }
+  to.reserve(count);
+  for (const Sought& part : parts) {
+    to.insert(to.end(), (part.*list).begin(), (part.*list).end());
+  }
+}
+
+//! All that is found, some of it twice.
+struct FoundImages {
+  FoundInPlace in_place;
+  std::vector<SeenImage> in_host;
+};
+
+FoundImages found_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                         const LensStation& station, const StarPatches& patches, const StarSettings& settings,
+                         const DeviceSearch* device) {
+  const ImageObserver observer(eye, station, colours, settings.redshift);
+  FoundImages found;
+  const std::vector<Sought> parts =
+      seek({field, colours, observer, eye.camera.phi, settings}, patches, device, found.in_place);
+  std::vector<StarCandidate> candidates;
+  append(parts, &Sought::rays, candidates);
+  // Guesses take many rounds: they shall not hold the others up.
+  append(parts, &Sought::guesses, candidates);
+  StarSettings fainter = settings;
+  fainter.faintest *= 0.9F;
+  const auto star_of = [&](const StarCandidate& c) -> const FieldStar& {
+    return field.stars()[static_cast<std::size_t>(c.star)];
+  };
+  const auto brightness = [&](const StarCandidate& c) {
+    return static_cast<double>(luminance_of(light_of(c, star_of(c), colours, settings.redshift)) / settings.faintest);
+  };
+  const auto wanted = [&](const StarCandidate& c) {
+    return may_touch(settings.view, c.direction, 0.0) && image_of(c, star_of(c), colours, fainter).star >= 0;
+  };
+  refine_images(candidates, {eye, observer.chart(), settings.pixel, brightness, wanted});
+  found.in_host.resize(candidates.size());
+  parallel_for(static_cast<int>(candidates.size()), 1024, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      found.in_host[i] = seen_image(image_of(candidates[i], star_of(candidates[i]), colours, settings), candidates[i]);
+    }
+  });
+  append(parts, &Sought::exact, found.in_host);
+  return found;
+}
+
+}  // namespace
+
+std::vector<StarImage> find_star_images(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                                        const LensStation& station, const StarPatches& patches,
+                                        const StarSettings& settings, const DeviceSearch* device) {
+  FoundImages found = found_images(field, colours, eye, station, patches, settings, device);
+  if (device != nullptr) {
+    const std::vector<SeenImage> fetched = device->search.fetched(found.in_place);
+    found.in_host.insert(found.in_host.end(), fetched.begin(), fetched.end());
+  }
+  const auto order = device == nullptr ? FindingOrder::of_patches : FindingOrder::of_chance;
+  return without_twins(found.in_host, field.stars().size(), settings.pixel, order);
+}
+
+PlacedImages find_star_images_in_place(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,
+                                       const LensStation& station, const StarPatches& patches,
+                                       const StarSettings& settings, const DeviceSearch& device, ImageJoiner& joiner) {
+  const FoundImages found = found_images(field, colours, eye, station, patches, settings, &device);
+  return joiner.join(found.in_place, found.in_host, settings.pixel);
+}
+
+}  // namespace ergodome

@@ -1,0 +1,59 @@
+#include "render/passes/stars/search/star_refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "kernels/launch/check_numbers.h"
+#include "render/passes/stars/search/candidate_course.h"
+#include "render/passes/stars/search/candidate_rays.h"
+#include "render/passes/stars/search/lane_queue.h"
+
+namespace ergodome {
+
+namespace {
+
+std::size_t number_of(RayKind kind) { return static_cast<std::size_t>(kind); }
+
+//! Throws Error where rays have led to something that is no number.
+void check_candidates(const std::vector<StarCandidate>& candidates) {
+  for (const StarCandidate& c : candidates) {
+    const std::array numbers = {c.direction.x, c.direction.y,     c.direction.z, c.solid_angle,
+                                c.stretch,     c.frequency_ratio, c.miss,        c.change};
+    require_finite("find_star_images", Backend::cpu, "candidates", numbers.data(), numbers.size());
+  }
+}
+
+}  // namespace
+
+SingularValues singular_values(const StarCandidate& c) {
+  const double root = std::sqrt(std::max(c.stretch * c.stretch - 4.0 * c.solid_angle * c.solid_angle, 0.0));
+  const double larger = 0.5 * (c.stretch + root);
+  return {larger, larger > 0.0 ? c.solid_angle * c.solid_angle / larger : 0.0};
+}
+
+void refine_images(std::vector<StarCandidate>& candidates, const ImageSearch& search) {
+  CandidateRays rays(search);
+  std::vector<CandidateCourse> courses(candidates.size());
+  LaneQueue<ray_kinds> queue({rays.lanes(RayKind::quick), rays.lanes(RayKind::fine), rays.lanes(RayKind::finest)});
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    courses[i].begin = candidates[i].direction;
+    queue.add(number_of(RayKind::quick), i);
+  }
+  queue.run(
+      [&](std::size_t kind, std::span<const std::size_t> lot) {
+        std::array<StarCandidate*, LaneQueue<ray_kinds>::most_lanes> some{};
+        std::ranges::transform(lot, some.begin(), [&](std::size_t i) { return &candidates[i]; });
+        rays.follow(static_cast<RayKind>(kind), std::span(some.data(), lot.size()));
+      },
+      [&](std::size_t i) -> std::optional<std::size_t> {
+        const std::optional<RayKind> next = go_on(candidates[i], courses[i], search);
+        return next ? std::optional(number_of(*next)) : std::nullopt;
+      });
+  if (numbers_are_checked()) {
+    check_candidates(candidates);
+  }
+}
+
+}  // namespace ergodome

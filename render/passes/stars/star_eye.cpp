@@ -1,0 +1,32 @@
+#include "render/passes/stars/star_eye.h"
+
+#include "render/lens/stations/place_turn.h"
+
+namespace ergodome {
+
+namespace {
+
+//! The same but for the velocity, along which cameras may drift by rounding, and the azimuth.
+bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
+  return a.spin == b.spin && same_place({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
+}
+
+double square_apart(const Vector3<double>& a, const Vector3<double>& b) { return dot(a - b, a - b); }
+
+}  // namespace
+
+bool served_alike(const StarEye& first, const StarEye& second) {
+  if (first.omni || second.omni) {
+    return first.omni && second.omni && see_alike(*first.omni, *second.omni);
+  }
+  constexpr double least_square = 1e-12;
+  return stand_alike(first.camera, second.camera) &&
+         square_apart(first.camera.velocity, second.camera.velocity) < least_square;
+}
+
+bool sees_alike(const StarEye& first, const StarEye& second) {
+  return served_alike(first, second) && first.camera.phi == second.camera.phi &&
+         square_apart(first.camera.velocity, second.camera.velocity) == 0.0;
+}
+
+}  // namespace ergodome

@@ -1,0 +1,185 @@
+#include "render/passes/stars/star_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "kernels/core/angles.h"
+#include "kernels/launch/launch.h"
+#include "kernels/stars/search/search_rules.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Each level has so many times fewer stars than the one before, the brightest.
+constexpr std::size_t level_ratio = 4;
+constexpr std::size_t fewest_stars = 64;
+//! Stars that a cell holds on average, about.
+constexpr double stars_a_cell = 1.0;
+constexpr int most_bands = 2048;
+//! Steps of ln illuminance by which stars are counted, and the least that is told from less.
+constexpr int counted_steps = 512;
+constexpr float counted_step = 0.05F;
+constexpr float log_least_counted = -60.0F;
+//! B-V of a star whose colour nobody measured.
+constexpr float unknown_colour = 0.3F;
+//! Colours beyond these are errors of measurement; Ballesteros' formula means nothing there.
+constexpr float bluest = -0.4F;
+constexpr float reddest = 5.0F;
+
+FieldStar field_star(const CatalogueStar& star, const glm::dmat3& sky_from_equatorial, const BlackbodyTable& colours) {
+  const Vector3<double> d = equatorial_direction(star.ra_deg, star.dec_deg);
+  const glm::dvec3 turned = sky_from_equatorial * glm::dvec3(d.x, d.y, d.z);
+  const float colour = std::isfinite(star.b_v) ? std::clamp(star.b_v, bluest, reddest) : unknown_colour;
+  const double temperature_k = star_temperature(static_cast<double>(colour));
+  const double illuminance = illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * static_cast<double>(star.v_mag));
+  const auto log_temperature = static_cast<float>(std::log(temperature_k));
+  // A disk of luminance Y shines with Y times its solid angle.
+  const double luminance = std::exp(static_cast<double>(read_blackbody(colours, log_temperature).x));
+  const double radius = std::sqrt(illuminance / (pi * luminance));
+  return {{turned.x, turned.y, turned.z},
+          log_temperature,
+          static_cast<float>(illuminance),
+          static_cast<float>(radius),
+          star.number};
+}
+
+int band_of(double z, int bands) { return place_among(0.5 * (z + 1.0), bands); }
+
+double azimuth_turns(const Vector3<double>& d) {
+  const double turns = std::atan2(d.y, d.x) / (2.0 * pi);
+  return turns - std::floor(turns);
+}
+
+}  // namespace
+
+StarField::StarField(const StarCatalogue& catalogue, const glm::dmat3& sky_from_equatorial,
+                     const BlackbodyTable& colours)
+    : gains_(colours) {
+  stars_.reserve(catalogue.stars.size());
+  for (const CatalogueStar& star : catalogue.stars) {
+    stars_.push_back(field_star(star, sky_from_equatorial, colours));
+  }
+  std::ranges::stable_sort(stars_, std::ranges::greater(), &FieldStar::illuminance);
+  count_classes();
+  std::vector<int> brightest(stars_.size());
+  std::iota(brightest.begin(), brightest.end(), 0);
+  for (std::size_t count = stars_.size(); count > 0; count = count > fewest_stars ? count / level_ratio : 0) {
+    brightest.resize(count);
+    levels_.push_back(level_of(brightest));
+    levels_.back().left_out = count < stars_.size() ? stars_[count].illuminance : 0.0F;
+  }
+}
+
+StarField::Level StarField::level_of(const std::vector<int>& numbers) const {
+  Level level;
+  const double side = std::sqrt(static_cast<double>(numbers.size()) / (2.0 * stars_a_cell));
+  level.bands = std::clamp(static_cast<int>(side), 1, most_bands);
+  level.cells = 2 * level.bands;
+  std::vector<std::pair<int, int>> placed;
+  placed.reserve(numbers.size());
+  for (const int number : numbers) {
+    const Vector3<double>& d = stars_[static_cast<std::size_t>(number)].direction;
+    placed.emplace_back(band_of(d.z, level.bands) * level.cells + place_among(azimuth_turns(d), level.cells), number);
+  }
+  std::ranges::sort(placed);
+  level.first.assign(static_cast<std::size_t>(level.bands) * static_cast<std::size_t>(level.cells) + 1, 0);
+  for (const auto& [cell, number] : placed) {
+    const FieldStar& star = stars_[static_cast<std::size_t>(number)];
+    level.first[static_cast<std::size_t>(cell) + 1] += 1;
+    level.number.push_back(number);
+    level.direction[0].push_back(static_cast<float>(star.direction.x));
+    level.direction[1].push_back(static_cast<float>(star.direction.y));
+    level.direction[2].push_back(static_cast<float>(star.direction.z));
+    level.illuminance.push_back(star.illuminance);
+    level.colour.push_back(static_cast<std::uint8_t>(star_class(star.log_temperature)));
+  }
+  std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
+  for (std::vector<float>* padded :
+       {&level.direction[0], &level.direction[1], &level.direction[2], &level.illuminance}) {
+    padded->resize(padded->size() + star_padding);
+  }
+  return level;
+}
+
+void StarField::count_classes() {
+  greatest_gain_.assign(static_cast<std::size_t>(ShiftGains::unshifted_row()) + 1, 0.0F);
+  if (stars_.empty()) {
+    return;
+  }
+  log_dimmest_ = std::max(std::log(stars_.back().illuminance), log_least_counted);
+  for (const FieldStar& star : stars_) {
+    ClassCounts& counts = counts_[static_cast<std::size_t>(star_class(star.log_temperature))];
+    counts.resize(counted_steps);
+    const float place = (std::log(star.illuminance) - log_dimmest_) / counted_step;
+    counts[static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))] += 1;
+  }
+  for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
+    ClassCounts& counts = counts_[colour];
+    std::partial_sum(counts.rbegin(), counts.rend(), counts.rbegin());
+    for (std::size_t row = 0; row < greatest_gain_.size() && !counts.empty(); ++row) {
+      greatest_gain_[row] = std::max(greatest_gain_[row], gains_.row(static_cast<int>(row)).gain[colour]);
+    }
+  }
+}
+
+int StarField::count_from(const StarFloor& floor) const {
+  const ShiftGain& gain = gains_.row(floor.shift_row);
+  const float log_least = std::log(std::max(floor.illuminance, 1e-37F)) - log_dimmest_;
+  int count = 0;
+  for (std::size_t colour = 0; colour < counts_.size(); ++colour) {
+    if (!counts_[colour].empty()) {
+      const float place = (log_least - gain.log_gain[colour]) * (1.0F / counted_step);
+      // Those of the last step have any illuminance above it.
+      count +=
+          counts_[colour][static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(counted_steps - 1)))];
+    }
+  }
+  return count;
+}
+
+const StarField::Level& StarField::level_for(float faintest) const {
+  const auto smallest =
+      std::find_if(levels_.rbegin(), levels_.rend(), [&](const Level& each) { return each.left_out < faintest; });
+  return smallest == levels_.rend() ? levels_.front() : *smallest;
+}
+
+int StarField::search(const SkyPart& part, const StarFloor& floor, std::vector<int>& found) const {
+  if (stars_.empty()) {
+    return 0;
+  }
+  const float faintest = floor.illuminance / greatest_gain_[static_cast<std::size_t>(floor.shift_row)];
+  const Level& level = level_for(faintest);
+  // Once, so that neither the kernel need ask for room nor each search clear it.
+  if (found.size() < level.number.size()) {
+    found.resize(level.number.size());
+  }
+  int count = 0;
+  StarSearchBatch batch{};
+  batch.stars = {level.bands,
+                 level.cells,
+                 level.first.data(),
+                 {level.direction[0].data(), level.direction[1].data(), level.direction[2].data()},
+                 level.illuminance.data()};
+  const CellRange range = cells_of(part.bounds, batch.stars);
+  batch.first_band = range.first_band;
+  batch.last_band = range.last_band;
+  batch.first_cell = range.first_cell;
+  batch.cell_count = range.cell_count;
+  std::copy_n(&part.inward[0][0], 12, &batch.inward[0][0]);
+  batch.faintest = faintest;
+  batch.found = found.data();
+  batch.count = &count;
+  search_stars(batch);
+  const ShiftGain& gain = gains_.row(floor.shift_row);
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(found[static_cast<std::size_t>(i)]);
+    found[static_cast<std::size_t>(kept)] = level.number[at];
+    kept += level.illuminance[at] * gain.gain[level.colour[at]] >= floor.illuminance ? 1 : 0;
+  }
+  return kept;
+}
+
+}  // namespace ergodome

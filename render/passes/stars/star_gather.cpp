@@ -1,0 +1,232 @@
+#include "render/passes/stars/star_gather.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
+#include "render/passes/stars/search/corner_rows.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Rows of pixels whose corners are held at a time.
+constexpr int block_rows = 32;
+//! Straight distance between a polygon's middle and its furthest corner, beyond which it is left out: a quarter of a radian.
+constexpr double widest_chord = 0.2493;
+//! Keeps a star in its pixel when its place is rounded to float.
+constexpr double seam_margin_px = 2e-3;
+
+//! Solid angle of a triangle, positive where a, b, c go round to the left as seen from outside the sphere (Van Oosterom & Strackee, IEEE
+//! TBME 30 (1983), eq. 8).
+double signed_solid_angle(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
+  return 2.0 * std::atan2(dot(a, cross(b - a, c - a)), 1.0 + dot(a, b) + dot(b, c) + dot(c, a));
+}
+
+//! The corners of a pixel in the order top left, top right, bottom right, bottom left, and its halves.
+using Quad = std::array<int, 4>;
+constexpr std::size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
+constexpr int right_of[4] = {0, 1, 1, 0};
+constexpr int below[4] = {0, 0, 1, 1};
+
+//! Finds what pixels gather.
+class Gatherer {
+ public:
+  Gatherer(const StarField& field, const StarTree& tree, const BlackbodyTable& colours, const Projection& projection,
+           const StarSettings& settings, const CornerRows& corners)
+      : field_(field),
+        tree_(tree),
+        colours_(colours),
+        projection_(projection),
+        settings_(settings),
+        corners_(corners) {}
+
+  void gather_row(int y, std::vector<int>& room, GatheredStars& into) const {
+    for (int x = 0; x < projection_.width_px; ++x) {
+      if (!(image_coverage(projection_, x + 0.5, y + 0.5) > 0.0)) {
+        continue;
+      }
+      Quad quad{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        quad[i] = corners_.number(y + below[i], x + right_of[i]);
+      }
+      if (!std::ranges::all_of(quad, [&](int corner) { return corners_[corner].seen; })) {
+        ++into.shadowed_pixels;
+      } else if (!search(quad, room)) {
+        ++into.stretched_pixels;
+      } else if (!room.empty()) {
+        gather_pixel(x, y, quad, room, into.stars);
+      }
+    }
+  }
+
+ private:
+  //! Stars that may lie in a polygon. False where it is too wide.
+  bool search(const Quad& quad, std::vector<int>& found) const {
+    Vector3<double> middle{};
+    for (const int corner : quad) {
+      middle = middle + corners_[corner].sky;
+    }
+    middle = (1.0 / std::max(std::sqrt(dot(middle, middle)), 1e-30)) * middle;
+    double square = 0.0;
+    for (const int corner : quad) {
+      const Vector3<double> apart = corners_[corner].sky - middle;
+      square = std::max(square, dot(apart, apart));
+    }
+    const double chord = std::sqrt(square);
+    if (!(chord <= widest_chord)) {
+      return false;
+    }
+    tree_.search(middle, chord * (1.0 + 1e-6) + 1e-12, found);
+    return true;
+  }
+
+  //! Whether a star lies to the left of the way from one corner to another; `weight`: how far from it, times its length.
+  //!
+  //! What the rounding says is taken of the way from the lower number to the higher, and a star right on it is to its left: so the
+  //! polygons on both sides of an edge hear the same, and one of them has the star.
+  [[nodiscard]] bool is_left(const Vector3<double>& star, int from, int to, double& weight) const {
+    const bool forwards = from < to;
+    const double side = dot(star, cross(corners_[std::min(from, to)].sky, corners_[std::max(from, to)].sky));
+    weight = std::abs(side);
+    return (side >= 0.0) == forwards;
+  }
+
+  //! Whether half a polygon holds a star that is not on the far side of the sky; it may be turned over. `weights`: of the corners.
+  [[nodiscard]] bool holds(const Quad& quad, const std::size_t (&half)[3], const Vector3<double>& star,
+                           double (&weights)[3]) const {
+    const bool first = is_left(star, quad[half[0]], quad[half[1]], weights[2]);
+    const bool second = is_left(star, quad[half[1]], quad[half[2]], weights[0]);
+    const bool third = is_left(star, quad[half[2]], quad[half[0]], weights[1]);
+    return first == second && second == third;
+  }
+
+  //! The corner of half a polygon that a star lies on within rounding; -1: none.
+  static int corner_with_all(const double (&weights)[3]) {
+    constexpr double rounding = 1e-13;
+    const double whole = weights[0] + weights[1] + weights[2];
+    for (int i = 0; i < 3; ++i) {
+      if (whole - weights[i] < rounding * whole) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  void gather_pixel(int x, int y, const Quad& quad, const std::vector<int>& near,
+                    std::vector<GatheredStar>& into) const;
+  bool shine(GatheredStar& gathered) const;
+
+  const StarField& field_;
+  const StarTree& tree_;
+  const BlackbodyTable& colours_;
+  const Projection& projection_;
+  const StarSettings& settings_;
+  const CornerRows& corners_;
+};
+
+void Gatherer::gather_pixel(int x, int y, const Quad& quad, const std::vector<int>& near,
+                            std::vector<GatheredStar>& into) const {
+  Vector3<double> view[4];
+  double g = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    view[i] = direction_from_pixel<double>(projection_, x + right_of[i], y + below[i]);
+    g += 0.25 * corners_[quad[i]].frequency_ratio;
+  }
+  double on_screen[2];
+  double on_sky[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [a, b, c] = halves[i];
+    on_screen[i] = signed_solid_angle(view[a], view[b], view[c]);
+    on_sky[i] = signed_solid_angle(corners_[quad[a]].sky, corners_[quad[b]].sky, corners_[quad[c]].sky);
+  }
+  const double magnification =
+      (std::abs(on_screen[0]) + std::abs(on_screen[1])) / std::max(std::abs(on_sky[0]) + std::abs(on_sky[1]), 1e-30);
+  for (const int star : near) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      double weights[3];
+      const bool held = holds(quad, halves[i], field_.stars()[static_cast<std::size_t>(star)].direction, weights);
+      const int corner_of_star = corner_with_all(weights);
+      const bool at_corner = corner_of_star >= 0;
+      // What rounding says of all the ways that meet in a corner need not fit together: a star right there belongs to the pixel below it, to the right.
+      const bool at_own = at_corner && i == 0 && halves[0][static_cast<std::size_t>(corner_of_star)] == 0;
+      if (at_corner ? !at_own : !held) {
+        continue;
+      }
+      const double whole = std::max(weights[0] + weights[1] + weights[2], 1e-300);
+      GatheredStar gathered{star, x, y, 0.0F, 0.0F, static_cast<float>(g), 0.0F, {}};
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto part = static_cast<float>(weights[corner] / whole);
+        gathered.x_inside += part * static_cast<float>(right_of[halves[i][corner]]);
+        gathered.y_inside += part * static_cast<float>(below[halves[i][corner]]);
+      }
+      gathered.magnification = static_cast<float>(on_screen[i] * on_sky[i] < 0.0 ? -magnification : magnification);
+      if (shine(gathered)) {
+        into.push_back(gathered);
+      }
+    }
+  }
+}
+
+//! Gives a gathered star its light. False where it is too faint.
+bool Gatherer::shine(GatheredStar& gathered) const {
+  const FieldStar& star = field_.stars()[static_cast<std::size_t>(gathered.star)];
+  const float magnification = std::abs(gathered.magnification);
+  const Vector3<float> light = star_light(colours_, star.log_temperature, star.illuminance,
+                                          settings_.redshift ? gathered.frequency_ratio : 1.0F, magnification);
+  gathered.illuminance = settings_.magnification ? light : (1.0F / magnification) * light;
+  return 0.2126729F * light.x + 0.7151522F * light.y + 0.0721750F * light.z >= settings_.faintest;
+}
+
+}  // namespace
+
+GatheredStars gather_stars(const StarField& field, const StarTree& tree, const BlackbodyTable& colours,
+                           const StarEye& eye, const Projection& projection, const StarSettings& settings) {
+  static WorkCounter counter("gather_stars");
+  const WorkScope work(counter, static_cast<long>(projection.width_px) * projection.height_px);
+  GatheredStars all;
+  CornerRows corners(eye, projection);
+  const Gatherer gatherer(field, tree, colours, projection, settings, corners);
+  for (int first_row = 0; first_row < projection.height_px; first_row += block_rows) {
+    const int row_count = std::min(block_rows, projection.height_px - first_row);
+    corners.trace(first_row, row_count);
+    // In the order of the rows, whatever the threads do.
+    std::vector<GatheredStars> rows(static_cast<std::size_t>(row_count));
+    parallel_for(row_count, 1, [&](int begin, int end) {
+      std::vector<int> room;
+      for (int row = begin; row < end; ++row) {
+        gatherer.gather_row(first_row + row, room, rows[static_cast<std::size_t>(row)]);
+      }
+    });
+    for (const GatheredStars& row : rows) {
+      all.stars.insert(all.stars.end(), row.stars.begin(), row.stars.end());
+      all.shadowed_pixels += row.shadowed_pixels;
+      all.stretched_pixels += row.stretched_pixels;
+    }
+  }
+  return all;
+}
+
+std::vector<StarImage> star_images(const std::vector<GatheredStar>& gathered, const EyeCamera& eye,
+                                   const Projection& projection) {
+  std::vector<StarImage> images;
+  images.reserve(gathered.size());
+  for (const GatheredStar& star : gathered) {
+    const auto place = [](int pixel, float inside) {
+      return pixel + std::clamp(static_cast<double>(inside), seam_margin_px, 1.0 - seam_margin_px);
+    };
+    const Vector3<double> view =
+        direction_from_pixel(projection, place(star.x_px, star.x_inside), place(star.y_px, star.y_inside));
+    const auto along = [&](int axis) {
+      const auto& row = eye.frame_from_view[axis];
+      return static_cast<float>(row[0] * view.x + row[1] * view.y + row[2] * view.z);
+    };
+    images.push_back(
+        {star.star, {along(0), along(1), along(2)}, star.magnification, star.frequency_ratio, star.illuminance});
+  }
+  return images;
+}
+
+}  // namespace ergodome

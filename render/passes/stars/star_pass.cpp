@@ -1,0 +1,291 @@
+#include "render/passes/stars/star_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "content/show/animated_show.h"
+#include "content/show/show_files.h"
+#include "content/sky/sky_map.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/launch/work_counter.h"
+#include "kernels/projection/pixel_measure.h"
+#include "render/passes/stars/drawing/picture_sheets.h"
+#include "render/plan/frame_needs.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Beyond the view images are sought, which may move on their way from the grid's place to theirs [rad].
+constexpr double view_margin = 0.05;
+//! Illuminance of a magnitude [lx].
+float illuminance_of(double magnitude) {
+  return static_cast<float>(illuminance_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude));
+}
+
+DiffractionPattern spike_pattern(const Show& show) {
+  const DiffractionSettings& spikes = *show.effects.diffraction;
+  if (!spikes.pattern.empty()) {
+    return read_named(show, "effects.diffraction.pattern", spikes.pattern, load_diffraction_pattern);
+  }
+  return diffraction_pattern({spikes.blades, spikes.vanes, spikes.obstruction, spikes.size_px, spikes.scale});
+}
+
+StarSettings star_settings(const Show& show) {
+  StarSettings settings;
+  settings.faintest = illuminance_of(show.sky.faintest_mag);
+  settings.redshift = show.effects.redshift;
+  settings.magnification = show.effects.magnification;
+  settings.least_cell_px = least_star_cell_px(show.quality.budget_px);
+  return settings;
+}
+
+SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPattern>& spikes) {
+  // A spread that no pixel can show is none, and has no end.
+  constexpr double least_sigma_px = 0.01;
+  const PointSpreadSettings psf =
+      show.effects.psf.sigma_px >= least_sigma_px ? show.effects.psf : PointSpreadSettings{0.0, 0.0};
+  SplatSettings splat{psf.sigma_px,
+                      static_cast<float>(show.sky.exposure / luminance_of_white),
+                      std::numeric_limits<float>::infinity(),
+                      0.0F,
+                      0.0,
+                      psf.cutoff_px};
+  if (spikes && frame_needs(show, ViewMode::sky).spikes) {
+    splat.spikes_from = illuminance_of(show.effects.diffraction->brighter_than_mag);
+    splat.spike_strength = static_cast<float>(show.effects.diffraction->strength);
+    splat.spike_reach_px = 0.5 * spikes->size_px + 1.0;
+  }
+  return splat;
+}
+
+//! Whether spikes are drawn by the same pattern; a file is, whatever the aperture.
+bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
+  return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
+}
+
+}  // namespace
+
+StarPass::StarPass(const Show& show, Backend backend) : StarPass(show, backend, load_stars(show)) {}
+
+StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catalogue)
+    : backend_(backend),
+      colours_(Backend::cpu),
+      left_out_(catalogue.left_out),
+      field_(catalogue, sky_from_equatorial(show.sky), colours_.view()),
+      all_gathered_(show.sky.star_method == StarMethod::gather),
+      settings_(star_settings(show)),
+      order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images) {
+  if (all_gathered_) {
+    tree_.emplace(field_);
+  }
+  search_field();
+  // Spikes that come later must not keep a picture waiting.
+  if (frame_needs(show_at_most(show), ViewMode::sky).spikes) {
+    make_pattern(show);
+  }
+  splat_ = splat_settings(show, spikes_);
+}
+
+//! Lays the field out for a device's search, where there is one.
+void StarPass::search_field() {
+  if (backend_ != Backend::cpu && !all_gathered_ && !field_.stars().empty()) {
+    search_.emplace(backend_, field_, colours_.view());
+    joiner_.emplace(backend_, field_.stars().size());
+    placer_.emplace(backend_);
+  }
+}
+
+void StarPass::turn_sky(const Show& show) {
+  if (!catalogue_) {
+    catalogue_ = load_stars(show);
+  }
+  field_ = StarField(*catalogue_, sky_from_equatorial(show.sky), colours_.view());
+  images_ = {};
+  images_in_place_ = {};
+  tree_.reset();
+  if (all_gathered_) {
+    tree_.emplace(field_);
+  }
+  search_field();
+}
+
+void StarPass::make_pattern(const Show& show) {
+  spikes_ = spike_pattern(show);
+  pattern_ = show.effects.diffraction;
+  count_work("buffer: diffraction pattern", static_cast<long>(spikes_->rgb.size() * sizeof(float)));
+}
+
+void StarPass::set_numbers(const Show& show) {
+  settings_ = star_settings(show);
+  if (spikes_ && show.effects.diffraction && !same_pattern(*pattern_, *show.effects.diffraction)) {
+    make_pattern(show);
+  }
+  splat_ = splat_settings(show, spikes_);
+}
+
+const StarPass::Turned& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
+  const double pixel = asked.pixel;
+  const auto found = std::ranges::find_if(turned_, [&](const Turned& each) {
+    return serves_pixel(each.pixel, pixel, asked.about) && each.least_cell_px == asked.least_cell_px &&
+           served_alike(each.eye, eye);
+  });
+  if (found != turned_.end()) {
+    if (found->faintest != asked.faintest) {
+      // Where something fails the place is forgotten, and comes again when all of it is there.
+      Turned changed = std::move(*found);
+      turned_.erase(found);
+      changed.faintest = asked.faintest;
+      room_.patches = std::move(changed.patches).given_up();
+      changed.patches = star_patches(field_, colours_.view(), eye, changed.station, asked, room_);
+      place(changed);
+      turned_.insert(turned_.begin(), std::move(changed));
+    } else {
+      std::rotate(turned_.begin(), found, found + 1);
+    }
+    return turned_.front();
+  }
+  std::unique_ptr<PlacedPatches> on_device;
+  if (turned_.size() == most_eyes) {
+    // A place that is left hands its memory on.
+    room_.patches = std::move(turned_.back().patches).given_up();
+    on_device = std::move(turned_.back().on_device);
+    turned_.pop_back();
+  }
+  LensStation station = build_star_station(eye, asked, &tracer_);
+  StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked, room_);
+  Turned turned{
+      eye, pixel, asked.least_cell_px, asked.faintest, std::move(station), std::move(patches), std::move(on_device)};
+  place(turned);
+  turned_.insert(turned_.begin(), std::move(turned));
+  return turned_.front();
+}
+
+void StarPass::place(Turned& turned) const {
+  if (!search_) {
+    return;
+  }
+  if (turned.on_device) {
+    turned.on_device->set(turned.patches, turned.station);
+  } else {
+    turned.on_device = std::make_unique<PlacedPatches>(search_->backend(), turned.patches, turned.station);
+  }
+}
+
+std::vector<StarImage> StarPass::gathered_images(const StarEye& eye, const Projection& projection,
+                                                 const StarSettings& settings) {
+  if (!tree_) {
+    tree_.emplace(field_);
+  }
+  std::vector<StarImage> images;
+  for (const PictureSheet& sheet : picture_sheets(projection)) {
+    const auto stars = gather_stars(field_, *tree_, colours_.view(), eye, sheet.projection, settings).stars;
+    const std::vector<StarImage> on_sheet = star_images(stars, eye.camera, sheet.projection);
+    images.insert(images.end(), on_sheet.begin(), on_sheet.end());
+  }
+  return images;
+}
+
+bool StarPass::gathers(const StarEye& eye, double pixel) {
+  // Images are made exact by rays; what is so far off is not found, or found where the shadow is.
+  constexpr double most_miss_px = 0.5;
+  return all_gathered_ || (!eye.omni && edge_miss_.of(eye.camera) > most_miss_px * pixel);
+}
+
+std::vector<StarImage> StarPass::sought_images(const StarEye& eye, const StarSettings& settings) {
+  const Turned& turned = patches_for(eye, settings);
+  if (!search_) {
+    return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings);
+  }
+  const DeviceSearch device = {*search_, *turned.on_device};
+  return find_star_images(field_, colours_.view(), eye, turned.station, turned.patches, settings, &device);
+}
+
+PlacedImages StarPass::sought_in_place(const StarEye& eye, const StarSettings& settings) {
+  const Turned& turned = patches_for(eye, settings);
+  return find_star_images_in_place(field_, colours_.view(), eye, turned.station, turned.patches, settings,
+                                   {*search_, *turned.on_device}, *joiner_);
+}
+
+StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
+                                    PixelMatch match) const {
+  StarSettings settings = settings_;
+  settings.pixel = pixel_angle(projection);
+  settings.about = match == PixelMatch::about;
+  // Trails may come in from anywhere.
+  if (!leaves_trails) {
+    const SplatSettings splat = scaled_to(splat_, projection);
+    const double reach_px = std::max(splat.reach_px(), splat.spike_reach_px);
+    settings.view = view_cone(eye.camera, projection, view_margin + reach_px * largest_pixel_angle(projection));
+  }
+  return settings;
+}
+
+FoundPoints StarPass::find_points(const StarEye& eye, const Projection& projection,
+                                  const std::optional<Shutter>& shutter, PixelMatch match) {
+  if (!search_ || shutter || gathers(eye, pixel_angle(projection))) {
+    return {find(eye, projection, shutter, match), {}};
+  }
+  const DeviceWorkInOrder in_order(backend_);
+  const PlacedImages& images =
+      images_in_place_.images(eye, settings_for(eye, projection, false, match),
+                              [&](const StarSettings& asked) { return sought_in_place(eye, asked); });
+  return {{}, placer_->place(images, eye.camera, projection, scaled_to(splat_, projection))};
+}
+
+std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,
+                                      const std::optional<Shutter>& shutter, PixelMatch match) {
+  if (field_.stars().empty()) {
+    return {};
+  }
+  const StarSettings settings = settings_for(eye, projection, shutter.has_value(), match);
+  const SplatSettings splat = scaled_to(splat_, projection);
+  const auto points_of = [&](const std::vector<StarImage>& found) {
+    return shutter
+               ? trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_)
+               : star_points(found, eye.camera, projection, splat, order_);
+  };
+  if (gathers(eye, settings.pixel)) {
+    return points_of(gathered_images(eye, projection, settings));
+  }
+  return points_of(images_.images(eye, settings, [&](const StarSettings& asked) { return sought_images(eye, asked); }));
+}
+
+void StarPass::draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,
+                    float* rgba) const {
+  splat_points(points, projection, scaled_to(splat_, projection), first_row, row_count, rgba);
+  if (spikes_) {
+    draw_spikes(points, projection, first_row, row_count, rgba);
+  }
+}
+
+void StarPass::draw_spikes(const std::vector<StarPoint>& points, const Projection& projection, int first_row,
+                           int row_count, float* rgba) const {
+  static WorkCounter counter("draw_spikes");
+  const WorkScope work(counter, static_cast<long>(points.size()));
+  const int width = projection.width_px;
+  const bool wraps = wraps_around(projection);
+  const std::vector<PictureSheet> sheets = picture_sheets(projection);
+  constexpr int band = 64;
+  parallel_for((row_count + band - 1) / band, 1, [&](int begin, int end) {
+    const int top = begin * band;
+    const int rows = std::min(end * band, row_count) - top;
+    for (const StarPoint& point : points) {
+      if (!(point.spikes.x + point.spikes.y + point.spikes.z > 0.0F)) {
+        continue;
+      }
+      const PixelCell& cell = sheets[static_cast<std::size_t>(point.sheet)].cell;
+      const int first = std::max(first_row + top, cell.top_px);
+      const int count = std::min(first_row + top + rows, cell.top_px + cell.height_px) - first;
+      const PixelBlock block = {width, count, cell.left_px, cell.left_px + cell.width_px,
+                                rgba + 4 * static_cast<std::ptrdiff_t>(first - first_row) * width};
+      for (int turn = wraps ? -1 : 0; turn <= (wraps ? 1 : 0); ++turn) {
+        add_diffraction(*spikes_, point.x_px + turn * width, point.y_px - first, point.spikes, block);
+      }
+    }
+  });
+}
+
+}  // namespace ergodome

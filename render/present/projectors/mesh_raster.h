@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "render/present/projectors/projector_mesh.h"
+
+namespace ergodome {
+
+//! What a projector's mesh says of one pixel, at its middle.
+struct MeshSample {
+  float source[2] = {};  //!< in the master, 0 to 1
+  float mask[2] = {};    //!< in the masks
+  float factor = 0.0F;
+  float along_x[2] = {};  //!< how `source` changes from pixel to pixel of a row
+  float along_y[2] = {};  //!< the same down a column
+};
+
+//! Reads a mesh at the middles of a raster's pixels, as OpenGL does: corners lie on a lattice of 1/256 of a pixel, and a pixel on an edge
+//! belongs to one of its triangles. Corners more than 15 rasters away are drawn at that distance.
+class MeshRaster {
+ public:
+  //! Rows that are read at a time.
+  static constexpr int band_rows = 32;
+
+  MeshRaster(ProjectorMesh mesh, int width_px, int height_px);
+
+  [[nodiscard]] int band_count() const { return static_cast<int>(bands_.size()); }
+
+  //! The samples of a band, row after row. Bands can be read at the same time.
+  [[nodiscard]] std::vector<MeshSample> band(int band) const;
+
+ private:
+  struct Corner {
+    double x;  //!< [px / 256]
+    double y;
+  };
+  [[nodiscard]] Corner corner(std::uint32_t vertex) const;
+  void draw(std::uint32_t triangle, int first_row, int rows, std::vector<MeshSample>& samples) const;
+
+  ProjectorMesh mesh_;
+  int width_px_;
+  int height_px_;
+  std::vector<std::vector<std::uint32_t>> bands_;  //!< triangles that may touch each, in their order
+};
+
+}  // namespace ergodome

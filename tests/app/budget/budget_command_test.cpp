@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/app/cli/command_line.h"
+
+namespace ergodome {
+namespace {
+
+using test::CommandLine;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* budget_show =
+    "duration_s = 4\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nr = 12\ntheta_deg = 80\n[[camera.key]]\nt_s = 4\nr "
+    "= 6\n"
+    "theta_deg = 90\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 64\n";
+
+TEST_F(CommandLine, RenderSaysWhatABudgetChoseAndCost) {
+  write("small.toml", budget_show);
+  ASSERT_EQ(run("render small.toml --budget 0.5px --backend cpu --lens live --frames 1:2 --out f"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("budget 0.5px: live lens of "));
+  EXPECT_THAT(output_, HasSubstr("measured error "));
+  EXPECT_THAT(output_, HasSubstr(" ms a frame"));
+  EXPECT_THAT(output_, HasSubstr("measuring took "));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "f" / "small_000002.png"));
+}
+
+TEST_F(CommandLine, RenderChecksABudgetAtRandomMomentsAndWritesNothing) {
+  write("small.toml", budget_show);
+  ASSERT_EQ(run("render small.toml --budget 0.5px --backend cpu --check 3 --out f"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("error at 3 random moments: median "));
+  EXPECT_THAT(output_, HasSubstr("within 0.5 px"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f"));
+}
+
+TEST_F(CommandLine, RenderSaysHowMuchOfARateIsMissed) {
+  write("small.toml", budget_show);
+  ASSERT_EQ(run("render small.toml --size 512 --budget 1000fps,0.5px --backend cpu --frames 1:1 --out f"), 0)
+      << output_;
+  // A machine that is slow beyond all measure has no time to find out.
+  EXPECT_THAT(output_,
+              AnyOf(HasSubstr("the rate is missed: a frame takes "), HasSubstr("time of a frame not measured")));
+  EXPECT_THAT(output_, Not(HasSubstr("the error is missed")));
+}
+
+TEST_F(CommandLine, BudgetsThatAreNoneEndWithARemedy) {
+  write("small.toml", budget_show);
+  EXPECT_NE(run("render small.toml --budget 60 --backend cpu"), 0);
+  EXPECT_THAT(output_,
+              HasSubstr("ergodome: --budget 60: is neither an error in pixels nor a rate of frames; write for"));
+  EXPECT_NE(run("render small.toml --check 3 --backend cpu"), 0);
+  EXPECT_THAT(output_, HasSubstr("--check: looks whether an error is within a budget; add for example"));
+}
+
+TEST_F(CommandLine, PlayHoldsABudgetAndTellsWhatBecameOfIt) {
+  if (!has_display()) {
+    GTEST_SKIP() << "no virtual display here (xvfb-run)";
+  }
+  write("small.toml", budget_show);
+  ASSERT_EQ(run_on_display("play small.toml --budget 1px --budget 5fps --size 64 --backend cpu --no-sound --for 2", ""),
+            0)
+      << output_;
+  EXPECT_THAT(output_, HasSubstr("budget 1px,5fps: lens of "));
+  EXPECT_THAT(output_, HasSubstr(" % of the rate), "));
+  EXPECT_THAT(output_, HasSubstr("settings changed "));
+}
+
+TEST_F(CommandLine, PlayForNoSecondsEndsAfterItsFirstPicture) {
+  if (!has_display()) {
+    GTEST_SKIP() << "no virtual display here (xvfb-run)";
+  }
+  write("small.toml", budget_show);
+  ASSERT_EQ(run_on_display("play small.toml --size 64 --backend cpu --no-sound --for 0", ""), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(" after the first in "));
+}
+
+}  // namespace
+}  // namespace ergodome

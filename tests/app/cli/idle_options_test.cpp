@@ -1,0 +1,109 @@
+#include "app/cli/idle_options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+
+#include "app/cli/commands.h"
+#include "app/cli/usage_error.h"
+
+namespace ergodome {
+namespace {
+
+using testing::HasSubstr;
+
+//! What is wrong with a command line; empty where it is taken. Commands run when they are parsed, and end there: none of the files is there.
+std::string problem_of(const std::string& words) {
+  CLI::App app;
+  for (const auto add : {add_play_command, add_render_command, add_bake_command, add_inspect_command, add_plan_command,
+                         add_accuracy_command, add_calibrate_command, add_convert_command, add_pad_command,
+                         add_trace_command, add_connect_command}) {
+    add(app);
+  }
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& problem) {
+    return problem.what();
+  } catch (const UsageError& problem) {
+    return problem.what();
+  } catch (const std::exception&) {
+    return "";
+  }
+  return "";
+}
+
+TEST(IdleOptions, AreRefusedWhereTheyAreGivenAndHaveNoUse) {
+  CLI::App app;
+  std::string way = "short";
+  int miles = 3;
+  app.add_option("--way", way);
+  app.add_option("--miles", miles);
+  IdleOptions idle(app);
+  idle.add("of the short way", [&way] { return way == "short"; }, {"--miles"});
+  app.parse("--way short");
+  EXPECT_NO_THROW(idle.refuse());
+  app.parse("--way long --miles 4");
+  EXPECT_NO_THROW(idle.refuse());
+  app.parse("--way short --miles 4");
+  EXPECT_THROW(idle.refuse(), CLI::ValidationError);
+}
+
+TEST(IdleOptions, OfEveryCommandAreToldWithWhatLeavesThemNoUse) {
+  const std::pair<const char*, const char*> lines[] = {
+      {"trace --rays r --out o --budget 1px", "--budget: changes nothing without --method grid; leave it out"},
+      {"trace --rays r --out o --method quadtree --size 64", "--size: changes nothing without --method grid"},
+      {"trace --rays r --out o --method grid --level 9", "--level: changes nothing without --method quadtree"},
+      {"trace --rays r --out o --method closed_form --tolerance 1e-6", "--tolerance: changes nothing with"},
+      {"trace --rays r --out o --method quadtree --precision float", "--precision: changes nothing with"},
+      {"connect --pairs p --out o --rows 64", "--rows: changes nothing without --method table"},
+      {"play none.toml --lens live --trajectory t", "--trajectory: changes nothing with --lens live or direct"},
+      {"play none.toml --no-sound --sound-later 1", "--no-sound"},
+      {"play none.toml --setup d.toml --projection cube", "--projection: changes nothing of projectors' pictures"},
+      {"render none.toml --lens direct --stream-memory 9", "--stream-memory: changes nothing with --lens"},
+      {"render none.toml --pattern checker --lens live", "--lens: changes nothing of a test pattern"},
+      {"render none.toml --compression zip", "--compression: changes nothing without --format exr"},
+      {"render", "render: needs a show, or --pattern"},
+      {"play none.toml --clock-start 01:00:00:00", "--clock-start: changes nothing without --clock mtc"},
+      {"play none.toml --clock mtc --clock-start 1", "--clock-start: 1 is no time code"},
+      {"play none.toml --clock osc", "--clock osc: has no port"},
+      {"play none.toml --exhibit --fly", "--fly: changes nothing with --exhibit"},
+      {"bake none.toml --out t --part 3/2", "--part: 3/2 is no part of a bake"},
+      {"render none.toml --budget 1px --check 2 --resume", "--resume: changes nothing with --check"},
+      {"plan none.toml --time 2", "--time requires --measure"},
+      {"inspect none.toml --time 2", "--time requires --picture"},
+      {"inspect none.png --picture p.png", "--picture: changes nothing of a sky map"},
+      {"accuracy none.toml --json --at 1px", "--at: changes nothing with --json"},
+      {"calibrate d.toml --live --out o", "--out excludes --live"},
+      {"calibrate d.toml", "calibrate: needs --out DIR, or --live"},
+      {"calibrate d.toml --out o --for 2", "--for requires --live"},
+      {"convert a.toml made --radius 5", "--radius: changes nothing of what is not MPCDI"},
+      {"convert a.toml made --aspect 2", "--aspect: changes nothing where"},
+      {"convert a.data b.png", "convert: cannot make"},
+      {"convert a.data b.pfm --size 1x4", "--size: Value 1 not in range"},
+      {"convert a.pfm b.data --size 4x4", "--size: changes nothing where"},
+      {"pad --for 2", "--for: changes nothing without --live"},
+      {"pad --pad 2", "--pad requires --calibrate"},
+  };
+  for (const auto& [words, problem] : lines) {
+    EXPECT_THAT(problem_of(words), HasSubstr(problem)) << words;
+  }
+}
+
+TEST(IdleOptions, AreTakenWhereTheyHaveAUse) {
+  for (const char* words :
+       {"trace --rays r --out o --method grid --budget 1px --precision float --tolerance 1e-6",
+        "trace --rays r --out o --method quadtree --level 9 --blend 1",
+        "trace --rays r --out o --disk --tolerance 1e-6", "connect --pairs p --out o --method table --rows 64",
+        "render none.toml --lens streamed --trajectory t", "inspect none.toml --picture p.png --time 2 --size 64",
+        "accuracy none.toml --json --out o --at 1px", "calibrate none.toml --live --size 512",
+        "convert a.mpcdi b.toml --radius 5", "convert a.data b.pfm --aspect 2 --size 4x4",
+        "plan none.toml --measure --time 2"}) {
+    EXPECT_EQ(problem_of(words), "") << words;
+  }
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,83 @@
+#include "app/commands/run_cost.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/cli/command_line.h"
+
+namespace ergodome {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CommandLine;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* short_show =
+    "duration_s = 0.4\nframe_rate_hz = 10\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 8\n[sky]\nmap = \"sky.ppm\"\n"
+    "[view]\nsize_px = 64\n";
+
+TEST(RunCost, IsToldInWordsOfItsSize) {
+  EXPECT_EQ(run_cost_text(1800, {1.0, 611'111}), "1,800 frames, about 1 s each: 30 min, 1.1 GB");
+  EXPECT_EQ(run_cost_text(1, {0.5, 2'000}), "1 frame: about 0.5 s, 2 kB");
+  EXPECT_EQ(run_cost_text(1'234'567, {0.25, 10'000'000}), "1,234,567 frames, about 0.25 s each: 3 d 13 h, 12 TB");
+  EXPECT_EQ(run_cost_text(3, {0.001, 10}), "3 frames, about 10 ms or less each: 10 ms or less, 30 bytes");
+}
+
+TEST(RunCost, HasUnitsOfSizeAndTime) {
+  EXPECT_EQ(size_text(0), "0 bytes");
+  EXPECT_EQ(size_text(999), "999 bytes");
+  EXPECT_EQ(size_text(999'600), "1 MB");
+  EXPECT_EQ(size_text(1'500'000'000), "1.5 GB");
+  EXPECT_EQ(duration_text(59.0), "59 s");
+  EXPECT_EQ(duration_text(59.9), "1 min");
+  EXPECT_EQ(duration_text(3600.0), "1 h");
+  EXPECT_EQ(duration_text(7800.0), "2 h 10 min");
+  EXPECT_EQ(duration_text(86'400.0 * 3 + 3600.0 * 4), "3 d 4 h");
+}
+
+TEST(DiskRoom, IsToldWhereItIsTooLittle) {
+  EXPECT_EQ(room_note("frames", "the show", 1000, 1000), "");
+  EXPECT_THAT(room_note("frames", "the rest of the run", 3'000'000'000, 200'000'000),
+              StartsWith("frames: the rest of the run needs about 3 GB, and its disk has 200 MB free; "));
+  EXPECT_EQ(free_bytes("/nowhere/at/all") > 0, free_bytes("/") > 0);
+}
+
+TEST_F(CommandLine, PlanTakesAllFramesForTheOneInTheMiddle) {
+  write("short.toml", short_show);
+  ASSERT_EQ(run("plan short.toml --backend cpu --json"), 0) << output_;
+  const auto estimate = nlohmann::json::parse(output_.substr(output_.find('{')))["estimate"];
+  EXPECT_EQ(estimate["frames"], 4);
+  EXPECT_EQ(estimate["measured_frame"], 3);
+  EXPECT_GT(estimate["frame_s"].get<double>(), 0.0);
+  EXPECT_GT(estimate["free_bytes"].get<double>(), 0.0);
+  EXPECT_FALSE(fs::exists(folder_ / "frames"));
+  // A frame that render writes has the same picture, and facts about it besides.
+  ASSERT_EQ(run("render short.toml --backend cpu --frames 3"), 0) << output_;
+  const auto written = static_cast<double>(fs::file_size(folder_ / "frames/short_000003.png"));
+  EXPECT_NEAR(estimate["frame_bytes"].get<double>(), written, 0.15 * written + 1500.0);
+  EXPECT_EQ(estimate["run_bytes"].get<long>(), 4 * estimate["frame_bytes"].get<long>());
+}
+
+TEST_F(CommandLine, PlanMeasuresFilesOfTheFormatThatIsAskedFor) {
+  write("short.toml", short_show);
+  ASSERT_EQ(run("plan short.toml --backend cpu --format exr --stereo multiview --size 32"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("render: 4 frames, about "));
+  EXPECT_THAT(output_, HasSubstr("measured: frame 3, in the middle of the show, rendered and written as exr"));
+}
+
+TEST_F(CommandLine, RenderTellsWhatARunTakesAfterItsFirstFrames) {
+  write("short.toml", short_show);
+  ASSERT_EQ(run("render short.toml --out f --backend cpu"), 0) << output_;
+  EXPECT_THAT(output_, testing::ContainsRegex("ergodome: 4 frames, about .* each: .*B\n"));
+  ASSERT_EQ(run("render short.toml --out f --backend cpu --from 100ms --to 0.2s"), 0) << output_;
+  EXPECT_THAT(output_, Not(HasSubstr("about")));
+  EXPECT_THAT(output_, HasSubstr("1 frame in f\n"));
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,151 @@
+#include "content/show/idle_lines.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "content/show/show_reader.h"
+
+namespace ergodome {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<IdleLine> idle_in(const std::string& text) {
+  return idle_lines(parse_show(text + "[camera]\n[[camera.key]]\nr = 30\n", "film.toml"));
+}
+
+auto idle(int line, const std::string& key, const std::string& why) {
+  return AllOf(Field(&IdleLine::line, line), Field(&IdleLine::key, key), Field(&IdleLine::why, HasSubstr(why)));
+}
+
+TEST(IdleLines, AreNumbersOfAnotherCurve) {
+  EXPECT_THAT(idle_in("[tone]\ncurve = \"filmic\"\ngamma = 2\nwhite = 3\n"),
+              ElementsAre(idle(3, "tone.gamma", "curve = \"gamma\""), idle(4, "tone.white", "curve = \"reinhard\"")));
+  EXPECT_THAT(idle_in("[tone]\ncurve = \"gamma\"\ngamma = 2\n"), IsEmpty());
+  EXPECT_THAT(idle_in("[tone]\ncurve = \"reinhard\"\nwhite = 2\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreCloudsOfADiskWithout) {
+  EXPECT_THAT(idle_in("[disk]\nspeed = 3\n"), ElementsAre(idle(2, "disk.speed", "pattern")));
+  EXPECT_THAT(idle_in("[disk]\npattern = \"procedural\"\nspeed = 3\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreWhatConcernsStarsWhereThereAreNone) {
+  EXPECT_THAT(idle_in("[sky]\nfaintest_mag = 7\n[effects]\npsf = { sigma_px = 1 }\nredshift = true\n"),
+              ElementsAre(idle(2, "sky.faintest_mag", "stars"), idle(4, "effects.psf", "stars")));
+  EXPECT_THAT(idle_in("[sky]\nstars = \"bright_stars\"\nfaintest_mag = 7\n[effects]\npsf = { sigma_px = 1 }\n"),
+              IsEmpty());
+}
+
+TEST(IdleLines, AreTheApertureBesideAPattern) {
+  const std::string stars = "[sky]\nstars = \"bright_stars\"\n[effects.diffraction]\nblades = 5\n";
+  EXPECT_THAT(idle_in(stars), IsEmpty());
+  EXPECT_THAT(idle_in(stars + "pattern = \"spikes.png\"\n"),
+              ElementsAre(idle(4, "effects.diffraction.blades", "pattern")));
+}
+
+TEST(IdleLines, AreWhatConcernsAMapWhereTheSkyIsBlack) {
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nfilter = \"point\"\n"), ElementsAre(idle(3, "sky.filter", "black")));
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nexposure = 4\n"), ElementsAre(idle(3, "sky.exposure", "stars")));
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nstars = \"bright_stars\"\nexposure = 4\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreTheAxisOfASkyThatIsNotThere) {
+  const std::string axis = "spin_axis = { ra_deg = 10, dec_deg = 20 }\n";
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\n" + axis), ElementsAre(idle(3, "sky.spin_axis", "stars")));
+  EXPECT_THAT(idle_in("[sky]\nmap = \"black\"\nstars = \"bright_stars\"\n" + axis), IsEmpty());
+  EXPECT_THAT(idle_in("[sky]\n" + axis), IsEmpty());
+  EXPECT_THAT(idle_in("[sky]\nmap = \"grid\"\n" + axis), ElementsAre(idle(3, "sky.spin_axis", "own axes")));
+}
+
+TEST(IdleLines, AreThoseOfAnotherProjection) {
+  const std::string numbers = "fov_deg = 90\naspect = 2\ntilt_deg = 10\n";
+  EXPECT_THAT(idle_in("[view]\nprojection = \"equirect\"\naspect = 2\ntilt_deg = 10\n"),
+              ElementsAre(idle(3, "view.aspect", "pinhole"), idle(4, "view.tilt_deg", "dome")));
+  EXPECT_THAT(idle_in("[view]\nprojection = \"dome\"\n" + numbers), ElementsAre(idle(4, "view.aspect", "pinhole")));
+  EXPECT_THAT(idle_in("[view]\nprojection = \"cylinder\"\n" + numbers),
+              ElementsAre(idle(4, "view.aspect", "pinhole"), idle(5, "view.tilt_deg", "dome")));
+  EXPECT_THAT(idle_in("[view]\nprojection = \"pinhole\"\n" + numbers), ElementsAre(idle(5, "view.tilt_deg", "dome")));
+}
+
+TEST(IdleLines, AreTheFieldOfViewOfADomeThatIsShownAsASphere) {
+  Show show = parse_show("[view]\nfov_deg = 90\n[camera]\n[[camera.key]]\nr = 30\n", "film.toml");
+  EXPECT_THAT(idle_lines(show), IsEmpty());
+  show.view.projection = ViewProjection::equirect;
+  EXPECT_THAT(idle_lines(show), ElementsAre(idle(2, "view.fov_deg", "part of the sphere")));
+}
+
+TEST(IdleLines, AreTheFieldOfViewBesideAFrustum) {
+  const std::string frustum = "frustum = { left_deg = -30, right_deg = 20, up_deg = 25, down_deg = -10 }\n";
+  EXPECT_THAT(idle_in("[view]\nprojection = \"pinhole\"\nfov_deg = 90\naspect = 2\n" + frustum),
+              ElementsAre(idle(3, "view.fov_deg", "frustum"), idle(4, "view.aspect", "frustum")));
+}
+
+TEST(IdleLines, AreColoursOfAShellThatDoesNotShowThem) {
+  const std::string shell = "[[shells]]\nradius = 10\nline_color = [1, 0, 0]\nfill_color = [1, 0, 0]\n";
+  EXPECT_THAT(idle_in(shell), ElementsAre(idle(4, "shells[0].fill_color", "fill_opacity")));
+  EXPECT_THAT(idle_in(shell + "fill_opacity = 0.5\nline_width_deg = 0\n"),
+              ElementsAre(idle(3, "shells[0].line_color", "width")));
+  EXPECT_THAT(idle_in(shell + "fill_opacity = 0.5\nline_opacity = 0\n"),
+              ElementsAre(idle(3, "shells[0].line_color", "opacity")));
+  EXPECT_THAT(idle_in(shell + "fill_opacity = 0.5\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreNotThoseOfAShellThatComesToShowThem) {
+  EXPECT_THAT(idle_in("duration_s = 9\n[[shells]]\nradius = 10\nfill_color = [1, 0, 0]\n[[animate]]\n"
+                      "number = \"shells[0].fill_opacity\"\nkey = [{ t_s = 0, value = 0 }, { t_s = 9, value = 1 }]\n"),
+              IsEmpty());
+}
+
+TEST(IdleLines, AreTheShiftOfAMapWithoutRedshift) {
+  EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n"), ElementsAre(idle(2, "sky.shift", "redshift")));
+  EXPECT_THAT(idle_in("[sky]\nshift = \"blackbody_fit\"\n[effects]\nredshift = true\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreTheFadesOfEyesThatDoNotTurn) {
+  const std::string fade = "[stereo]\nlayout = \"side_by_side\"\nfade = { from_deg = 50, to_deg = 80 }\n";
+  EXPECT_THAT(idle_in(fade), ElementsAre(idle(3, "stereo.fade", "omni")));
+  EXPECT_THAT(idle_in(fade + "model = \"omni\"\n"), IsEmpty());
+}
+
+TEST(IdleLines, AreThoseOfTwoEyesWhereThereIsOne) {
+  const std::string eyes = "swap_eyes = true\ntint_eyes = true\ncomfort_deg = 2\nbaseline = 1\nconvergence = 9\n";
+  EXPECT_THAT(idle_in("[stereo]\n" + eyes),
+              ElementsAre(idle(2, "stereo.swap_eyes", "mono"), idle(3, "stereo.tint_eyes", "mono"),
+                          idle(4, "stereo.comfort_deg", "mono"), idle(5, "stereo.baseline", "mono"),
+                          idle(6, "stereo.convergence", "mono")));
+  EXPECT_THAT(idle_in("[stereo]\nlayout = \"rows\"\n" + eyes), IsEmpty());
+}
+
+TEST(IdleLines, AreAnimationsToo) {
+  EXPECT_THAT(idle_in("[[animate]]\nnumber = \"tone.gamma\"\nkey = [{ t_s = 0, value = 2 }]\n"),
+              ElementsAre(idle(1, "animate.tone.gamma", "curve")));
+}
+
+TEST(IdleLines, AreInNoBuiltInShow) {
+  for (const auto& entry : std::filesystem::directory_iterator(ERGODOME_SOURCE_DIR "/content/shows")) {
+    if (entry.path().extension() == ".toml") {
+      EXPECT_THAT(idle_lines(read_show(entry.path())), IsEmpty()) << entry.path();
+    }
+  }
+}
+
+TEST(IdleLines, OfALightAreThoseThatLightNothing) {
+  const std::string light = "[light]\nposition = [40, 0, 0]\nfalloff = \"lens\"\n";
+  const auto ball = [](const std::string& more) {
+    return "[[objects]]\nshape = \"sphere\"\nposition = [10, 0, 0]\n" + more;
+  };
+  EXPECT_THAT(idle_in(light + ball("method = \"trace\"\nlight = \"lambert\"\n")), IsEmpty());
+  EXPECT_THAT(idle_in(light + ball("light = \"lambert\"\n")),
+              ElementsAre(idle(3, "light.falloff", "method = \"trace\"")));
+  EXPECT_THAT(idle_in(light + ball("method = \"trace\"\n")), ElementsAre(idle(1, "light", "lambert")));
+}
+
+}  // namespace
+}  // namespace ergodome

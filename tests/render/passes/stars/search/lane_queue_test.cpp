@@ -1,0 +1,91 @@
+#include "render/passes/stars/search/lane_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+
+namespace ergodome {
+namespace {
+
+//! Things of which each goes through rounds of three kinds, of each as many as its number says.
+class LanesOfThings : public testing::Test {
+ protected:
+  static constexpr std::size_t count = 40000;
+  static constexpr std::array<std::size_t, 3> lanes = {16, 8, 4};
+  static constexpr std::size_t most_rounds = 3 * lanes.size();
+
+  static std::size_t rounds_of(std::size_t thing, std::size_t kind) { return (thing >> (2 * kind)) % 4; }
+
+  //! The first kind from `kind` on of which a thing has rounds left.
+  [[nodiscard]] std::optional<std::size_t> next_of(std::size_t thing) const {
+    std::size_t before = 0;
+    for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
+      before += rounds_of(thing, kind);
+      if (done_[thing].size() < before) {
+        return kind;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void run() {
+    LaneQueue<3> queue(lanes);
+    for (std::size_t thing = 0; thing < count; ++thing) {
+      if (const auto kind = next_of(thing)) {
+        queue.add(*kind, thing);
+      }
+    }
+    queue.run(
+        [&](std::size_t kind, std::span<const std::size_t> things) {
+          too_large_ = too_large_ || things.size() > lanes[kind];
+          lots_not_full_ += things.size() < lanes[kind] ? 1 : 0;
+          for (const std::size_t thing : things) {
+            done_[thing].push_back(kind);
+          }
+        },
+        [&](std::size_t thing) { return next_of(thing); });
+  }
+
+  std::vector<std::vector<std::size_t>> done_ = std::vector<std::vector<std::size_t>>(count);
+  std::atomic<bool> too_large_ = false;
+  std::atomic<std::size_t> lots_not_full_ = 0;
+};
+
+TEST_F(LanesOfThings, GoThroughAllTheirRoundsInOrder) {
+  run();
+  for (std::size_t thing = 0; thing < count; ++thing) {
+    std::vector<std::size_t> expected;
+    for (std::size_t kind = 0; kind < lanes.size(); ++kind) {
+      expected.insert(expected.end(), rounds_of(thing, kind), kind);
+    }
+    EXPECT_EQ(done_[thing], expected) << thing;
+  }
+}
+
+TEST_F(LanesOfThings, AreNeverMoreThanThereAreLanes) {
+  run();
+  EXPECT_FALSE(too_large_);
+}
+
+TEST_F(LanesOfThings, AreAsManyAsThereAreLanesUntilFewAreLeft) {
+  run();
+  // A lot that isn't full is taken where no kind has enough for one: then only these wait, and no more are in work than there are lanes.
+  // A round of each at a time is the most that may come.
+  const std::size_t waiting_at_most = std::accumulate(lanes.begin(), lanes.end(), std::size_t{0}) - lanes.size();
+  const std::size_t left_at_most = waiting_at_most + lanes.front() * static_cast<std::size_t>(thread_count());
+  EXPECT_LE(lots_not_full_, most_rounds * left_at_most);
+  EXPECT_LT(most_rounds * left_at_most, count)
+      << "more than that come where all lots are small: there must be more things";
+}
+
+TEST(LaneQueue, OfNothingEndsAtOnce) {
+  LaneQueue<3> queue({16, 8, 4});
+  std::atomic<int> lots = 0;
+  queue.run([&](std::size_t, std::span<const std::size_t>) { ++lots; },
+            [](std::size_t) { return std::optional<std::size_t>(); });
+  EXPECT_EQ(lots, 0);
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,110 @@
+#include "render/passes/stars/search/patch_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "render/passes/stars/search/star_finder.h"
+#include "tests/render/passes/stars/star_cameras.h"
+#include "tests/support/sanitized.h"
+
+// The search that devices make, a patch and a pair a thread, finds what the processor's finds, which works on registers of pairs; both run on
+// the processor here. Where there is a GPU, CudaPictures compares its pictures.
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
+
+//! Both searches of one camera's sky.
+struct Searches {
+  StarField field;
+  EyeCamera eye;
+  StarSettings settings;
+  LensStation station = build_star_station(eye, settings);
+  StarPatches patches = star_patches(field, colours().view(), eye, station, settings);
+
+  [[nodiscard]] std::vector<StarImage> on_processor() const {
+    return sorted(find_star_images(field, colours().view(), eye, station, patches, settings));
+  }
+
+  [[nodiscard]] std::vector<StarImage> as_on_device() const {
+    PatchSearch search(Backend::cpu, field, colours().view());
+    const PlacedPatches placed(Backend::cpu, patches, station);
+    const DeviceSearch device = {search, placed};
+    return sorted(find_star_images(field, colours().view(), eye, station, patches, settings, &device));
+  }
+
+  //! By star, and by place.
+  static std::vector<StarImage> sorted(std::vector<StarImage> images) {
+    const auto key = [](const StarImage& image) {
+      return std::tuple(image.star, std::lround(1e3F * image.direction.x), std::lround(1e3F * image.direction.y),
+                        image.direction.z);
+    };
+    std::ranges::sort(images, {}, key);
+    return images;
+  }
+};
+
+StarField field_of(std::size_t stars) { return {brightest(stars), glm::dmat3(1.0), colours().view()}; }
+
+//! Whether each image of a list has one of the other beside it, of the same star and nearly as bright; how many have none.
+long without_partner(const std::vector<StarImage>& of, const std::vector<StarImage>& among) {
+  return std::ranges::count_if(of, [&](const StarImage& image) {
+    const auto first = std::ranges::lower_bound(among, image.star, {}, &StarImage::star);
+    const auto last = std::ranges::upper_bound(among, image.star, {}, &StarImage::star);
+    return std::none_of(first, last, [&](const StarImage& other) {
+      const Vector3<float> apart = image.direction - other.direction;
+      return dot(apart, apart) < 1e-10F && std::abs(other.illuminance.y / image.illuminance.y - 1.0F) < 0.01F;
+    });
+  });
+}
+
+class PatchSearches : public testing::TestWithParam<Place> {};
+
+TEST_P(PatchSearches, FindTheSameImages) {
+  const Searches searches{field_of(sanitized ? 300 : 5000), eye_at_place(GetParam()), settings_for(9.0)};
+  const std::vector<StarImage> here = searches.on_processor();
+  const std::vector<StarImage> there = searches.as_on_device();
+  ASSERT_GT(here.size(), sanitized ? 200U : 3000U);
+  // Which of two that are found twice is kept, chance decides; next to caustics they are not quite alike.
+  const auto few = static_cast<long>(here.size() / 1000 + 1);
+  EXPECT_LE(without_partner(here, there), few);
+  EXPECT_LE(without_partner(there, here), few);
+  EXPECT_NEAR(static_cast<double>(there.size()), static_cast<double>(here.size()), 2.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, PatchSearches, testing::ValuesIn(places),
+                         [](const auto& each) { return "Camera" + std::to_string(each.index); });
+
+TEST(PatchSearch, LooksWhereTheViewIsAlone) {
+  Searches searches{field_of(2000), eye_at_place(places[2]), settings_for(8.0)};
+  const std::size_t all = searches.as_on_device().size();
+  searches.settings.view = view_cone(searches.eye, make_pinhole_projection(64, 64, 1.2), 0.05);
+  const std::vector<StarImage> seen = searches.as_on_device();
+  EXPECT_GT(seen.size(), 0U);
+  EXPECT_LT(seen.size(), all / 2);
+  EXPECT_EQ(without_partner(searches.on_processor(), seen), 0);
+}
+
+TEST(PatchSearch, MakesRoomForMoreThanItHad) {
+  const Searches searches{field_of(2000), eye_at_place(places[2]), settings_for(8.0)};
+  const PlacedPatches placed(Backend::cpu, searches.patches, searches.station);
+  const ImageObserver observer(searches.eye, searches.station, colours().view(), false);
+  const PatchSearch::Question question = {searches.eye.phi, {}, observer, {searches.settings.faintest, false, true}};
+  PatchSearch roomy(Backend::cpu, searches.field, colours().view());
+  const PatchSearch::Answer expected = roomy.find(placed, question);
+  ASSERT_GT(expected.exact.count, 500);
+  for (const int room : {0, 16}) {
+    PatchSearch narrow(Backend::cpu, searches.field, colours().view(), room);
+    const PatchSearch::Answer found = narrow.find(placed, question);
+    EXPECT_EQ(found.exact.count, expected.exact.count) << room;
+    EXPECT_EQ(found.rough.size(), expected.rough.size()) << room;
+  }
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <tuple>
+#include <vector>
+
+#include "kernels/projection/make_projection.h"
+#include "render/passes/stars/drawing/point_placer.h"
+#include "render/passes/stars/search/image_joiner.h"
+#include "render/passes/stars/search/star_twins.h"
+#include "tests/render/passes/stars/star_cameras.h"
+
+// What devices do with images that were found, on the processor here: it is what the processor's own way does.
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
+
+constexpr int some_stars = 500;
+constexpr double dome_pixel = 1e-3;
+
+//! Images of random stars, every fourth of them found again a hair beside, some that are none.
+std::vector<SeenImage> found_images(int count) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> part(-1.0F, 1.0F);
+  std::uniform_int_distribution<int> star(-1, some_stars - 1);
+  std::vector<SeenImage> found;
+  for (int i = 0; i < count; ++i) {
+    SeenImage image{{star(random), {part(random), part(random), part(random)}, part(random), 1.0F, {1.0F, 0.5F, 2.0F}},
+                    0.0F,
+                    false};
+    Vector3<float>& way = image.image.direction;
+    way = (1.0F / std::sqrt(dot(way, way))) * way;
+    image.image.illuminance = (1.0F + static_cast<float>(i % 7)) * image.image.illuminance;
+    found.push_back(image);
+    if (i % 4 == 0) {
+      image.image.direction.x += 0.02F * static_cast<float>(dome_pixel);
+      found.push_back(image);
+    }
+  }
+  return found;
+}
+
+std::vector<StarImage> joined(std::vector<SeenImage> found, std::size_t in_place) {
+  ImageJoiner joiner(Backend::cpu, some_stars);
+  const std::vector<SeenImage> others(found.begin() + static_cast<std::ptrdiff_t>(in_place), found.end());
+  const PlacedImages placed = joiner.join({found.data(), static_cast<int>(in_place)}, others, dome_pixel);
+  std::vector<StarImage> images(placed.images.data(), placed.images.data() + placed.count);
+  std::erase_if(images, [](const StarImage& image) { return image.star < 0; });
+  return images;
+}
+
+bool are_the_same(const StarImage& a, const StarImage& b) {
+  return a.star == b.star && a.direction.x == b.direction.x && a.direction.y == b.direction.y &&
+         a.direction.z == b.direction.z && a.magnification == b.magnification && a.illuminance.x == b.illuminance.x;
+}
+
+TEST(PlacedImages, AreWithoutTwinsStarByStar) {
+  const std::vector<SeenImage> found = found_images(2000);
+  const std::vector<StarImage> expected = without_twins(found, some_stars, dome_pixel, FindingOrder::of_chance);
+  ASSERT_LT(expected.size(), found.size() - 400);
+  for (const std::size_t in_place : {std::size_t{0}, std::size_t{1500}, found.size()}) {
+    EXPECT_TRUE(std::ranges::equal(joined(found, in_place), expected, are_the_same)) << in_place;
+  }
+}
+
+TEST(PlacedImages, DoNotHangOnTheOrderInWhichTheyAreFound) {
+  std::vector<SeenImage> found = found_images(2000);
+  const std::vector<StarImage> before = joined(found, 1000);
+  std::ranges::shuffle(found, std::mt19937(3));
+  EXPECT_TRUE(std::ranges::equal(joined(found, 1000), before, are_the_same));
+}
+
+TEST(PlacedImages, AreNoneWhereNoneAreFound) { EXPECT_TRUE(joined({}, 0).empty()); }
+
+//! Images all over the sky, and what splats them so that some have spikes.
+struct Sky {
+  std::vector<StarImage> images = without_twins(found_images(1500), some_stars, dome_pixel, FindingOrder::of_chance);
+  EyeCamera eye = eye_at_place(places[0]);
+  SplatSettings splat{0.5, 2.0F, 3.0F, 0.3F, 40.0};
+
+  [[nodiscard]] PlacedImages placed() const {
+    PlacedImages in_place{Buffer<StarImage>(Backend::cpu, images.size(), "test"), static_cast<int>(images.size())};
+    in_place.images.write(images.data(), images.size());
+    return in_place;
+  }
+};
+
+//! Checks that points in place are those of the images in host memory, in another order.
+void expect_points_of(const Sky& sky, const Projection& projection) {
+  PointPlacer placer(Backend::cpu);
+  const PlacedImages images = sky.placed();
+  const PlacedPoints placed = placer.place(images, sky.eye, projection, sky.splat);
+  std::vector<StarPoint> points(placed.points, placed.points + placed.count);
+  std::erase_if(points, [](const StarPoint& point) { return point.x_px < -1e6; });
+  std::vector<StarPoint> expected = star_points(sky.images, sky.eye, projection, sky.splat);
+  ASSERT_EQ(points.size(), expected.size());
+  const auto key = [](const StarPoint& point) { return std::tuple(point.sheet, point.y_px, point.x_px); };
+  std::ranges::sort(points, {}, key);
+  std::ranges::sort(expected, {}, key);
+  const auto spiked = std::ranges::count_if(expected, [](const StarPoint& point) { return point.spikes.x > 0.0F; });
+  EXPECT_EQ(placed.spiked, spiked);
+  EXPECT_GT(spiked, 0);
+  EXPECT_TRUE(std::ranges::equal(points, expected, [](const StarPoint& a, const StarPoint& b) {
+    return a.x_px == b.x_px && a.y_px == b.y_px && a.sheet == b.sheet && a.light.y == b.light.y &&
+           a.spikes.z == b.spikes.z;
+  }));
+}
+
+TEST(PlacedPoints, AreThoseOfImagesOnADome) { expect_points_of(Sky(), make_dome_projection(512, pi, 0.5)); }
+
+TEST(PlacedPoints, AreThoseOfImagesOnAWholeSky) { expect_points_of(Sky(), make_equirectangular_projection(1024, 512)); }
+
+TEST(PlacedPoints, AreOnEachFaceOfACubeThatTheyReach) {
+  expect_points_of(Sky(), make_cube_projection(128, CubeLayout::strip));
+}
+
+TEST(PlacedPoints, AreNoneWithoutImages) {
+  PointPlacer placer(Backend::cpu);
+  EXPECT_EQ(placer.place({}, eye_at_place(places[0]), make_dome_projection(64, pi, 0.0), {}).count, 0);
+}
+
+}  // namespace
+}  // namespace ergodome

@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/present/projectors/projector_light.h"
+#include "tests/render/present/projectors/projector_frames.h"
+#include "tests/support/sanitized.h"
+
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): projectors and domes of tests
+
+//! A projector's frame as light on its raster.
+struct ThrownFrame {
+  int width;
+  int height;
+  std::vector<std::uint8_t> rgb;
+  double gamma;
+
+  //! Between pixels' middles, in linear light, as a lens throws them.
+  [[nodiscard]] double light(const RasterPlace& place, int channel) const {
+    const double x = std::clamp(place.x * width - 0.5, 0.0, width - 1.001);
+    const double y = std::clamp(place.y * height - 0.5, 0.0, height - 1.001);
+    const int column = static_cast<int>(x);
+    const int row = static_cast<int>(y);
+    const auto at = [&](int i, int j) {
+      const int index = 3 * (j * width + i) + channel;
+      return std::pow(rgb[static_cast<std::size_t>(index)] / 255.0, gamma);
+    };
+    return std::lerp(std::lerp(at(column, row), at(column + 1, row), x - column),
+                     std::lerp(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
+  }
+};
+
+//! What eight bits may take from or add to light of a projector.
+double rounding_of(double light, double gamma) {
+  return 0.55 / 255.0 * gamma * std::pow(std::max(light, 1e-4), 1.0 - 1.0 / gamma);
+}
+
+constexpr int fringe_px = 48;
+constexpr double fringe_height = 0.3;
+
+//! Red: fringes across, green: fringes down, blue: even.
+Vector3<float> fringes(double u, double v) {
+  const auto wave = [](double at) {
+    return static_cast<float>(0.5 + fringe_height * std::sin(2.0 * pi * at * 1024.0 / fringe_px));
+  };
+  return {wave(u), wave(v), 0.5F};
+}
+
+//! What all projectors of a setup throw on a point: three colours, and how far eight bits may be off.
+struct PointLight {
+  double light[3] = {};
+  double rounding = 0.0;
+};
+
+class ThrownFrames : public ProjectorFrames {
+ protected:
+  void expect_master(const DomeSetup& setup) {
+    std::vector<ProjectorOptics> optics;
+    optics.reserve(setup.projectors.size());
+    for (const ProjectorSetup& projector : setup.projectors) {
+      optics.emplace_back(setup, projector);
+    }
+    ASSERT_NO_FATAL_FAILURE(open(projector_pictures(setup)));
+    if (!projectors_) {
+      return;
+    }
+    projectors_->show(master_of(1024, fringes));
+    std::vector<ThrownFrame> frames;
+    for (std::size_t i = 0; i < optics.size(); ++i) {
+      const ProjectorSetup& projector = setup.projectors[i];
+      frames.push_back({projector.width_px, projector.height_px, projectors_->frame(i), projector.gamma});
+    }
+    constexpr int places = sanitized ? 2'000 : 20'000;
+    std::vector<PointLight> lights;
+    double even = 0.0;
+    for (int i = 0; i < places; ++i) {
+      lights.push_back(light_at(optics, frames, dome_point(setup, i, places)));
+      even += lights.back().light[2] / places;
+    }
+    const double scale = 0.5 / even;
+    double most_over = 0.0;
+    for (int i = 0; i < places; ++i) {
+      double u = 0.0;
+      double v = 0.0;
+      ASSERT_TRUE(master_place({setup.tilt_deg, 180.0}, dome_point(setup, i, places), u, v));
+      const Vector3<float> wanted = fringes(u, v);
+      const PointLight& found = lights[static_cast<std::size_t>(i)];
+      for (int c = 0; c < 3; ++c) {
+        const double slope = c < 2 ? fringe_height * 2.0 * pi / fringe_px : 0.0;
+        const double allowed = 0.01 * channel_of(wanted, c) + 0.5 * slope + scale * found.rounding;
+        most_over = std::max(most_over, std::abs(scale * found.light[c] - channel_of(wanted, c)) / allowed);
+      }
+    }
+    RecordProperty("worst_share_of_tolerance", std::to_string(most_over));
+    EXPECT_LT(most_over, 1.0);
+  }
+
+ private:
+  static PointLight light_at(const std::vector<ProjectorOptics>& optics, const std::vector<ThrownFrame>& frames,
+                             const Vector3<double>& point) {
+    PointLight sum;
+    for (std::size_t k = 0; k < optics.size(); ++k) {
+      const auto place = optics[k].raster_place(point);
+      if (!place) {
+        continue;
+      }
+      const double spread = optics[k].spread_m2(*place);
+      for (int c = 0; c < 3; ++c) {
+        sum.light[c] += frames[k].light(*place, c) / spread;
+      }
+      sum.rounding += rounding_of(frames[k].light(*place, 2), frames[k].gamma) / spread;
+    }
+    return sum;
+  }
+};
+
+TEST_P(ThrownFrames, OfThreeProjectorsShowTheMaster) {
+  expect_master(calibrated_in(folder_, three(1000), {1024, 0.1}));
+}
+
+TEST_P(ThrownFrames, OfSixProjectorsShowTheMaster) {
+  if (sanitized) {
+    GTEST_SKIP() << "the dome of three is enough";
+  }
+  expect_master(calibrated_in(folder_, six(700), {1024, 0.1}));
+}
+
+TEST_P(ThrownFrames, OfProjectorsWithoutFilesShowTheMaster) {
+  if (sanitized) {
+    GTEST_SKIP() << "the dome of three is enough";
+  }
+  DomeSetup setup = three(1000);
+  setup.projectors[1].gamma = 1.8;
+  expect_master(setup);
+}
+
+INSTANTIATE_TEST_SUITE_P(By, ThrownFrames, testing::ValuesIn(drawers), name_of_drawer);
+
+}  // namespace
+}  // namespace ergodome
