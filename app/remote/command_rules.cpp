@@ -50,7 +50,7 @@ constexpr std::array rules = {
     CommandRule{Kind::reload, "reload"},
 };
 
-//! A text with no difference of upper and lower case, in any letters; what is no UTF-8 stays as it is.
+//! Returns a text without case differences (all scripts); text that is not UTF-8 stays unchanged.
 std::string without_case(const std::string& text) {
   if (g_utf8_validate(text.data(), static_cast<gssize>(text.size()), nullptr) == FALSE) {
     return text;
@@ -70,14 +70,14 @@ double whole_number(std::string_view place, double number, double least, double 
   return number;
 }
 
-//! A truth; numbers 0 and 1 are one as well.
+//! Parses a Boolean; also accepts 0 and 1.
 bool truth(std::string_view place, const CommandArgument& argument) {
   if (const bool* const given = std::get_if<bool>(&argument)) {
     return *given;
   }
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr || (*number != 0.0 && *number != 1.0)) {
-    throw Error(std::string(place), "takes true or false", "send true, false, 1 or 0");
+    throw Error(std::string(place), "needs true or false", "send true, false, 1 or 0");
   }
   return *number == 1.0;
 }
@@ -85,7 +85,7 @@ bool truth(std::string_view place, const CommandArgument& argument) {
 double number_of(std::string_view place, const CommandArgument& argument) {
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr) {
-    throw Error(std::string(place), "takes a number", "send one");
+    throw Error(std::string(place), "needs a number", "add one to the command");
   }
   return *number;
 }
@@ -94,18 +94,18 @@ std::string language_of(std::string_view place, const CommandArgument& argument)
   const std::string* const tag = std::get_if<std::string>(&argument);
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   if (tag == nullptr || tag->size() > longest_tag || !std::all_of(tag->begin(), tag->end(), fits)) {
-    throw Error(std::string(place), "takes the tag of a language", "send one such as \"en\" or \"de\"");
+    throw Error(std::string(place), "needs a language tag", "send one such as \"en\" or \"de\"");
   }
   return *tag;
 }
 
-//! A tag as BCP 47 compares it: without case, its parts joined by dashes.
+//! Normalizes a language tag for comparison (BCP 47): lower case, parts joined by dashes.
 std::string plain_tag(std::string tag) {
   std::ranges::replace(tag, '_', '-');
   return without_case(tag);
 }
 
-//! The show's tag for it, or for the language without its last parts ("de" for "de-AT").
+//! Returns the show's tag for a language, or for a wider language ("de" for "de-AT").
 std::string spoken_language(std::string_view place, const CommandArgument& argument,
                             const std::vector<std::string>& spoken) {
   const std::string tag = language_of(place, argument);
@@ -116,11 +116,11 @@ std::string spoken_language(std::string_view place, const CommandArgument& argum
       return *found;
     }
   }
-  throw Error(std::string(place), fmt::format("the show does not speak \"{}\"", tag),
-              spoken.empty() ? "it has one language" : fmt::format("it speaks {}", fmt::join(spoken, ", ")));
+  throw Error(std::string(place), fmt::format("\"{}\" is not available in this show", tag),
+              spoken.empty() ? "it has only one language" : fmt::format("choose from {}", fmt::join(spoken, ", ")));
 }
 
-//! Index of the chapter with a title: written the same, or else but for upper and lower case; in the language that is heard, or else in another.
+//! Returns the index of the chapter with a title: first an exact match, then regardless of case; first in the current language, then in others.
 double index_of_title(std::string_view place, const std::string& title, const std::vector<ChapterStatus>& chapters) {
   const auto as_it_is = [](const std::string& text) { return text; };
   const auto find = [&](const auto& change, bool all) {
@@ -137,8 +137,9 @@ double index_of_title(std::string_view place, const std::string& title, const st
       return static_cast<double>(found - chapters.begin());
     }
   }
-  throw Error(std::string(place), "the show has no chapter of that title",
-              chapters.empty() ? "this show has no chapters" : "the first is \"" + chapters.front().title + "\"");
+  throw Error(std::string(place), "no chapter has this title",
+              chapters.empty() ? "this show has no chapters"
+                               : "choose another; the first is \"" + chapters.front().title + "\"");
 }
 
 double chapter_index(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {
@@ -148,8 +149,8 @@ double chapter_index(const CommandRule& rule, const CommandArgument& argument, c
   const double count = static_cast<double>(status.chapters.size());
   const double index = whole_number(rule.name, number_of(rule.name, argument), rule.least, rule.greatest);
   if (index >= count) {
-    throw Error(std::string(rule.name), fmt::format("there is no chapter {}", index),
-                count == 0 ? "this show has no chapters" : fmt::format("the last is {}", count - 1));
+    throw Error(std::string(rule.name), fmt::format("chapter {} does not exist", index),
+                count == 0 ? "this show has no chapters" : fmt::format("the last is chapter {}", count - 1));
   }
   return index;
 }
@@ -165,7 +166,7 @@ const CommandRule* rule_of(std::string_view name) {
 }
 
 std::string nearest_command(std::string_view word, std::span<const std::string_view> others) {
-  // A long word is near to none, and is not worth the comparing.
+  // A long word is not close to any name.
   if (word.size() > longest_tag) {
     return {};
   }
@@ -178,7 +179,7 @@ std::string nearest_command(std::string_view word, std::span<const std::string_v
 
 double checked_number(std::string_view place, double number, double least, double greatest) {
   if (!std::isfinite(number)) {
-    throw Error(std::string(place), "the number is not finite", "send an ordinary number");
+    throw Error(std::string(place), "the number is not finite", "send a finite number");
   }
   if (number < least || number > greatest) {
     throw Error(std::string(place), fmt::format("{} is out of range", number),
@@ -198,13 +199,13 @@ std::string refusal_now(const CommandRule& rule, const PlayerStatus& status) {
   if (rule.kind == Kind::next_chapter && status.chapter + 1 >= chapters) {
     return "this is the last chapter";
   }
-  return rule.kind == Kind::language && status.languages.empty() ? "this show has one language" : "";
+  return rule.kind == Kind::language && status.languages.empty() ? "this show has only one language" : "";
 }
 
 TransportCommand checked_command(const CommandRule& rule, const CommandArgument& argument, const PlayerStatus& status) {
   if (moves_time(rule.kind) && !status.follows.empty()) {
     throw Error(std::string(rule.name), refusal_now(rule, status),
-                "move the time there, or start the player with its own clock");
+                "change the time at that source, or restart the player without --clock");
   }
   TransportCommand command = {rule.kind, 0.0, {}};
   switch (rule.argument) {

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What a command takes with it.
+//! The argument of a command.
 enum class Argument {
   none,
   number,        //!< within [least, greatest]
@@ -19,7 +19,7 @@ enum class Argument {
   chapter        //!< its index from 0, or its title
 };
 
-//! What is known of a command: OSC and the page in a browser accept exactly this.
+//! Name and argument of a command, as accepted by OSC and by the status page.
 struct CommandRule {
   TransportCommand::Kind kind = TransportCommand::Kind::play;
   std::string_view name;
@@ -28,16 +28,16 @@ struct CommandRule {
   double greatest = 0.0;
 };
 
-//! Every command.
+//! Returns the rules of all commands.
 std::span<const CommandRule> command_rules();
 
-//! The rule of a name, or nullptr.
+//! Returns the rule of a command's name, or nullptr.
 const CommandRule* rule_of(std::string_view name);
 
-//! The known name, or other word, that is closest to a word; empty when none is close.
+//! Returns the known name, or other word, that is closest to a word; empty if none is close.
 std::string nearest_command(std::string_view word, std::span<const std::string_view> others = {});
 
-//! What came with a command: nothing, a truth, a number or a text.
+//! The argument that came with a command: nothing, a Boolean, a number or a text.
 using CommandArgument = std::variant<std::monostate, bool, double, std::string>;
 
 //! The command, with its argument held to the rule; titles of chapters are looked up in the status. Throws Error with the command's name as
@@ -48,7 +48,7 @@ TransportCommand checked_command(const CommandRule& rule, const CommandArgument&
 //! Returns why the show as it runs refuses a command, whatever comes with it; empty if it does not.
 std::string refusal_now(const CommandRule& rule, const PlayerStatus& status);
 
-//! A number held to bounds; throws Error where it is NaN, infinite or outside.
+//! Returns the number; throws Error if it is NaN, infinite or out of range.
 double checked_number(std::string_view place, double number, double least, double greatest);
 
 //! Greatest distance of show times from zero [s]: beyond it the show's clock has none.

@@ -25,9 +25,9 @@ const sockaddr_in6& ipv6(const sockaddr* address) { return *reinterpret_cast<con
 std::string advice(int problem, const std::string& option) {
   switch (problem) {
     case EADDRINUSE:
-      return "choose another port with " + option + ", or end the program that has it";
+      return "choose another port with " + option + ", or stop the program that uses this one";
     case EADDRNOTAVAIL:
-      return "this machine has no such address; " + option + "-bind takes one of its own, or 0.0.0.0 for all";
+      return "give " + option + "-bind an address of this machine, or 0.0.0.0 for all of them";
     case EACCES:
       return "choose a port above 1023 with " + option;
     default:
@@ -131,7 +131,7 @@ Descriptor bound_socket(int type, const NetAddress& address, const std::string& 
   }
   if (!socket.is_open() || ::bind(socket.get(), address.get(), address.size()) != 0) {
     const int problem = errno;
-    throw Error(what, fmt::format("cannot listen at {}: {}", address.text(), std::strerror(problem)),
+    throw Error(what, fmt::format("cannot listen on {}: {}", address.text(), std::strerror(problem)),
                 advice(problem, option));
   }
   return socket;

@@ -19,9 +19,8 @@ NetAddress address_of(const std::string& host, int port, const std::string& opti
   const std::string digits = host == "localhost" ? "127.0.0.1" : host;
   const std::optional<NetAddress> address = NetAddress::parse(digits, port);
   if (!address) {
-    throw UsageError(
-        option, fmt::format("'{}' is not an address", host),
-        "give one in digits, such as 127.0.0.1, 192.168.1.20 or ::1; 0.0.0.0 is every address of this machine");
+    throw UsageError(option, fmt::format("'{}' is not a numeric address", host),
+                     "give one such as 127.0.0.1, 192.168.1.20 or ::1, or 0.0.0.0 for all addresses of this machine");
   }
   return *address;
 }
@@ -32,12 +31,12 @@ std::vector<NetAddress> subscribers_of(const RemoteOptions& options, const NetAd
   for (const std::string& text : options.osc_subscribers) {
     const std::optional<NetAddress> address = NetAddress::parse(text);
     if (!address || address->port() == 0) {
-      throw UsageError("--osc-subscriber", fmt::format("'{}' is not an address with a port", text),
-                       "give one in digits, such as 192.168.1.20:9001 or [fd00::7]:9001");
+      throw UsageError("--osc-subscriber", fmt::format("'{}' is not a numeric address with a port", text),
+                       "give one such as 192.168.1.20:9001 or [fd00::7]:9001");
     }
     if (address->family() != bound.family() || (bound.is_loopback() && !address->is_loopback())) {
       throw UsageError("--osc-subscriber", fmt::format("{} cannot be reached from {}", text, bound.host()),
-                       "listen at 0.0.0.0, or at an address of this machine in the same network (--osc-bind)");
+                       "listen on 0.0.0.0, or on an address of this machine in the same network (--osc-bind)");
     }
     subscribers.push_back(*address);
   }
@@ -55,7 +54,8 @@ std::string kept_token(const std::filesystem::path& file, std::string& warning) 
     warning = web_token_exposure(file);
     return token;
   } catch (const std::exception& problem) {
-    warning = fmt::format("this start has a token of its own, as the usual one cannot be used: {}", problem.what());
+    warning =
+        fmt::format("the saved token cannot be used, so a new one is valid until the player ends: {}", problem.what());
     return new_web_token();
   }
 }
@@ -93,27 +93,30 @@ void add_remote_options(CLI::App& command, RemoteOptions& options) {
   const auto port = CLI::Range(0, 65'535);
   CLI::Option* const web =
       command
-          .add_option("--web", options.web_port, "port of the status page for browsers (0: any); see app/remote/WEB.md")
+          .add_option("--web", options.web_port, "serve the status page for browsers on this port (0: any free port)")
           ->check(port);
   command
-      .add_option("--web-bind", options.web_bind, "address that the page listens at; others than loopback need a token")
+      .add_option("--web-bind", options.web_bind, "address to serve the page on; all except loopback require a token")
       ->needs(web)
       ->capture_default_str();
   command
       .add_option("--web-token", options.web_token,
-                  "token that other machines have to give (default: made once, then kept; printed at each start)")
+                  "token that other machines must send (default: generated once, saved, printed at each start)")
       ->needs(web);
-  command.add_option("--web-token-file", options.web_token_file, "file that holds the token, made where there is none")
+  command
+      .add_option("--web-token-file", options.web_token_file,
+                  "file with the token; created with a new token if missing")
       ->needs(web);
   CLI::Option* const osc =
-      command.add_option("--osc", options.osc_port, "UDP port for OSC (0: any); see app/remote/OSC.md")->check(port);
+      command.add_option("--osc", options.osc_port, "listen for OSC on this UDP port (0: any free port)")->check(port);
   command
-      .add_option("--osc-bind", options.osc_bind, "address that OSC listens at; whoever reaches it controls the show")
+      .add_option("--osc-bind", options.osc_bind,
+                  "address to listen for OSC on; anyone who can reach it controls the show")
       ->needs(osc)
       ->capture_default_str();
   command
       .add_option("--osc-subscriber", options.osc_subscribers,
-                  "HOST:PORT that receives feedback without asking; may be repeated")
+                  "HOST:PORT that always receives OSC feedback; may be repeated")
       ->needs(osc)
       ->allow_extra_args(false);
 }
@@ -152,7 +155,7 @@ std::vector<std::string> RemoteControl::greeting() const {
   if (osc_) {
     const bool outside = !osc_->address().is_loopback();
     lines.push_back(fmt::format("OSC: {}{}", osc_->address().text(),
-                                outside ? " (whoever reaches this port controls the show)" : ""));
+                                outside ? " (anyone who can reach this port controls the show)" : ""));
   }
   return lines;
 }

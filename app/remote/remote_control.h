@@ -40,18 +40,18 @@ void add_remote_options(CLI::App& command, RemoteOptions& options);
 class RemoteControl {
  public:
   //! Starts what the options ask for. `listeners` hear what OSC has beside commands. Queue and board must outlive this. Throws
-  //! Error where a port is in use, an address is not this machine's, or a token is not fit to be one.
+  //! Error if a port is in use, an address is not this machine's, or a token is not valid.
   RemoteControl(const RemoteOptions& options, CommandQueue& commands, const StatusBoard& board,
                 std::shared_ptr<LogRing> log, OscListeners listeners);
   ~RemoteControl();
   RemoteControl(const RemoteControl&) = delete;
   RemoteControl& operator=(const RemoteControl&) = delete;
 
-  //! What to tell the person who started the show, in lines: where the page is and, where others may reach it, its token. To be printed
+  //! Returns lines for the operator: the address of the page and, if other machines can reach it, its token. They are to be printed
   //! once and never logged.
   [[nodiscard]] std::vector<std::string> greeting() const;
 
-  //! Something about the options that endangers the show, with its remedy; empty where there is nothing.
+  //! Returns a warning about unsafe options with its remedy; empty if there is none.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
   [[nodiscard]] std::optional<NetAddress> web_address() const;

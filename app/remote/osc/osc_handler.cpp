@@ -20,10 +20,10 @@ using std::chrono::steady_clock;
 
 constexpr std::string_view root = "/ergodome/";
 constexpr std::size_t longest_quote = 60;
-//! What OSC has beside commands.
+//! OSC addresses other than commands.
 constexpr std::array<std::string_view, 5> own_words = {"clock", "subscribe", "nonce", "unsubscribe", "ping"};
 
-//! A name that came from outside, fit to be shown: short, and nothing but letters that can be read.
+//! Returns an untrusted name for display: shortened, with unprintable characters replaced.
 std::string quotable(const std::string& text) {
   std::string result = text.substr(0, longest_quote);
   std::replace_if(
@@ -35,18 +35,18 @@ steady_clock::time_point after(steady_clock::time_point from, double seconds) {
   return from + std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-//! How long until a message is to be heeded [s]; 0 where its time is past.
+//! Returns how long a message has to wait until its time tag [s]; 0 if that is past.
 double wait_s(const OscMessage& message, const OscInstant& now) {
   const double wait = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
   if (wait > OscHandler::longest_wait_s) {
-    throw Error("bundle", fmt::format("its time is {:.0f} s ahead", wait),
-                fmt::format("send it within {:.0f} s of its time, and set the clocks of both machines",
+    throw Error("bundle", fmt::format("its time tag is {:.0f} s in the future", wait),
+                fmt::format("send it at most {:.0f} s ahead, and synchronize the clocks of both machines",
                             OscHandler::longest_wait_s));
   }
   return std::max(wait, 0.0);
 }
 
-//! The word that an unknown address may have meant; empty where none is near. An address of others has to end in a word of ours.
+//! Returns the word that an unknown address may have meant; empty if none is close. A foreign address must end in one of our words.
 std::string meant_word(const std::string& address) {
   if (address.starts_with(root)) {
     return nearest_command(address.substr(root.size()), own_words);
@@ -56,13 +56,14 @@ std::string meant_word(const std::string& address) {
   return ours ? last : "";
 }
 
-//! The rule of the command that an address names.
+//! Returns the rule of the command that an address names.
 const CommandRule& rule_at(const std::string& address) {
   const CommandRule* const rule = address.starts_with(root) ? rule_of(address.substr(root.size())) : nullptr;
   if (rule == nullptr) {
     const std::string meant = meant_word(address);
-    throw Error(quotable(address), "unknown address",
-                meant.empty() ? "OSC.md lists them" : fmt::format("did you mean {}{}?", root, meant));
+    throw Error(
+        quotable(address), "unknown address",
+        meant.empty() ? "see reference/osc.md in the documentation" : fmt::format("did you mean {}{}?", root, meant));
   }
   return *rule;
 }
@@ -103,7 +104,7 @@ std::vector<const CommandRule*> rules_at(const std::string& address) {
     }
   }
   if (matching.empty()) {
-    throw Error(quotable(address), "matches no address", "OSC.md lists them");
+    throw Error(quotable(address), "matches no address", "see reference/osc.md in the documentation");
   }
   return matching;
 }
@@ -115,7 +116,7 @@ void expect_at_most(const OscMessage& message, std::size_t count) {
   }
 }
 
-//! Buttons of control surfaces send 1 when pressed and 0 when released: what takes no argument heeds the former alone.
+//! Buttons of control surfaces send 1 when pressed and 0 when released; commands without an argument ignore the release.
 bool is_release(const CommandArgument& argument) {
   const double* const number = std::get_if<double>(&argument);
   const bool* const flag = std::get_if<bool>(&argument);
@@ -126,7 +127,7 @@ double number_at(const OscMessage& message, std::size_t index, std::string_view 
   const CommandArgument argument = numeric(argument_at(message, index));
   const double* const number = std::get_if<double>(&argument);
   if (number == nullptr) {
-    throw Error(std::string(name), "takes a number", "send one");
+    throw Error(std::string(name), "needs a number", "add one to the message");
   }
   return checked_number(name, *number, least, greatest);
 }
@@ -136,7 +137,7 @@ double number_at(const OscMessage& message, std::size_t index, std::string_view 
 std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, const NetAddress& from,
                                              const OscInstant& now) {
   std::vector<OscDatagram> answers;
-  // A packet may come from somewhere else than it says: unasked, no address receives more bytes than that sent.
+  // The sender of a packet may be forged, so an address never receives more bytes than it sent without subscribing.
   std::size_t bytes_left = subscribers_.is_trusted(from) ? std::numeric_limits<std::size_t>::max() : packet.size();
   const auto answer = [&](const NetAddress& to, const OscOutput& message) {
     std::vector<char> bytes = osc_packet({&message, 1});
@@ -215,8 +216,8 @@ void OscHandler::command(const CommandRule& rule, const OscMessage& message, con
     return;
   }
   if (waiting_.size() >= most_waiting) {
-    throw Error("bundle", fmt::format("{} commands are waiting for their time already", most_waiting),
-                "send them later");
+    throw Error("bundle", fmt::format("{} commands are already scheduled, which is the maximum", most_waiting),
+                "send the bundle later");
   }
   const steady_clock::time_point due = after(now.steady, wait);
   const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), due,
@@ -226,20 +227,20 @@ void OscHandler::command(const CommandRule& rule, const OscMessage& message, con
 
 void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) {
   if (!listeners_.clock) {
-    throw Error("clock", "the show's time does not follow OSC", "start the player with --clock osc");
+    throw Error("clock", "the show does not follow an OSC clock", "start the player with --clock osc");
   }
   ClockFix fix;
   fix.show_time = show_time(number_at(message, 0, "clock", -greatest_show_time_s, greatest_show_time_s));
   if (message.arguments.size() >= 2) {
     fix.speed = number_at(message, 1, "clock", -greatest_speed, greatest_speed);
   }
-  // A bundle's time says when its word was right, be that before or after now.
+  // The time tag of a bundle is the moment when its clock value was right, in the past or the future.
   const double ahead_s = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
   if (!(std::abs(ahead_s) <= longest_wait_s)) {
-    throw Error(
-        "clock",
-        fmt::format("the time of the bundle is {:.0f} s {}", std::abs(ahead_s), ahead_s > 0.0 ? "ahead" : "past"),
-        "set the clocks of both machines, or send it without a time");
+    throw Error("clock",
+                fmt::format("the time tag of the bundle is {:.0f} s in the {}", std::abs(ahead_s),
+                            ahead_s > 0.0 ? "future" : "past"),
+                "synchronize the clocks of both machines, or send the message without a time tag");
   }
   const steady_clock::time_point right_at = after(now.steady, ahead_s);
   fix.right_at = right_at.time_since_epoch();
@@ -249,7 +250,7 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
 
 namespace {
 
-//! Where a subscriber wants its feedback: [host,] port, or back to where the message came from.
+//! Returns the address for a subscriber's feedback: [host,] port, or the sender of the message.
 NetAddress subscriber_address(const OscMessage& message, const NetAddress& from) {
   expect_at_most(message, 2);
   if (message.arguments.empty()) {
@@ -264,11 +265,11 @@ NetAddress subscriber_address(const OscMessage& message, const NetAddress& from)
   }
   const std::optional<NetAddress> wanted = NetAddress::parse(*host, port);
   if (!wanted || wanted->family() != from.family()) {
-    throw Error("subscribe", "the host is not an address in digits", "send one such as \"192.168.1.20\"");
+    throw Error("subscribe", "the host is not a numeric address", "send one such as \"192.168.1.20\"");
   }
   if (wanted->host() != from.host() && !from.is_loopback()) {
-    throw Error("subscribe", "only this machine may subscribe others",
-                "send the message from where feedback is wanted");
+    throw Error("subscribe", "only this machine may subscribe other hosts",
+                "send the message from the host that needs the feedback");
   }
   return *wanted;
 }
@@ -294,7 +295,7 @@ void OscHandler::confirm(const OscMessage& message, const NetAddress& from, cons
                             : from.with_port(static_cast<int>(number_at(message, 1, "nonce: port", 1, 65'535)));
   if (!subscribers_.is_nonce(nonce, to, now.steady)) {
     throw Error("nonce", "is not the number that was sent to " + to.text(),
-                "send /ergodome/subscribe again, and the number that comes back within a minute");
+                "send /ergodome/subscribe again, and return the new number within a minute");
   }
   next_feedback_ = subscribers_.empty() ? now.steady : next_feedback_;
   subscribers_.add(to, now.steady);

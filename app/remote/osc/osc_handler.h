@@ -16,9 +16,10 @@
 
 namespace ergodome {
 
-//! Who hears what OSC has beside commands; called on the remote control's thread.
+//! Receivers of OSC input other than commands; called on the remote control's thread.
 struct OscListeners {
-  std::function<void(const ClockFix&)> clock;       //!< a master clock's word; empty: it is refused
+  std::function<void(const ClockFix&)>
+      clock;  //!< receives the time of a master clock; empty: clock messages are refused
   std::function<void(const std::string&)> warning;  //!< a line for the log; may be empty
 };
 
@@ -28,15 +29,15 @@ struct OscInstant {
   OscTime of_day = osc_at_once;
 };
 
-//! Something to be sent.
+//! A message to send.
 struct OscDatagram {
   NetAddress to;
   std::vector<char> bytes;
 };
 
-//! What OSC messages do (OSC.md lists their addresses): without a socket or a clock of its own.
+//! Executes OSC messages (see reference/osc.md); it has no socket and no clock of its own.
 //!
-//! Everything that it keeps is bounded: commands of bundles that wait for their time, subscribers, answers a second.
+//! The number of scheduled commands, of subscribers and of answers a second is limited.
 class OscHandler {
  public:
   static constexpr std::size_t most_waiting = 256;
@@ -48,11 +49,11 @@ class OscHandler {
              std::vector<NetAddress> listed = {})
       : commands_(commands), board_(board), listeners_(std::move(listeners)), subscribers_(std::move(listed)) {}
 
-  //! Does what a packet says and returns the answers. To hosts that are not trusted, these are never longer than the packet.
+  //! Executes a packet and returns the answers. To hosts that are not trusted, these are never longer than the packet.
   //! Never throws because of a packet.
   std::vector<OscDatagram> receive(std::span<const std::byte> packet, const NetAddress& from, const OscInstant& now);
 
-  //! Does what has come due: commands of bundles, feedback for subscribers.
+  //! Executes scheduled commands that are due and returns feedback that is due.
   std::vector<OscDatagram> tick(std::chrono::steady_clock::time_point now);
 
   //! When `tick` is to be called next; empty where nothing waits.
@@ -87,7 +88,7 @@ class OscHandler {
   RateLimit warnings_{1.0, 10.0};  // fewer: the log's other lines are to stay in sight
 };
 
-//! What a subscriber is told, ten times a second.
+//! Returns the feedback that a subscriber receives ten times a second.
 std::vector<OscOutput> osc_status(const PlayerStatus& status);
 
 }  // namespace ergodome

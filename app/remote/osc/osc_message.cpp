@@ -25,7 +25,7 @@ struct FreeMessage {
 using MessageOwner = std::unique_ptr<std::remove_pointer_t<lo_message>, FreeMessage>;
 
 [[noreturn]] void refuse(const std::string& problem) {
-  throw Error("OSC packet", problem, "OSC.md says what is understood");
+  throw Error("OSC packet", problem, "see reference/osc.md in the documentation");
 }
 
 std::uint32_t big_endian(std::span<const std::byte> bytes) {
@@ -36,32 +36,32 @@ std::uint32_t big_endian(std::span<const std::byte> bytes) {
   return number;
 }
 
-//! What liblo finds wrong with a message.
+//! Returns the problem behind an error code of liblo.
 std::string problem_of(int code) {
   switch (code) {
     case LO_EINVALIDPATH:
-      return "has an address that is not ended and filled up to four bytes with zeros";
+      return "its address is not padded with zeros to a multiple of four bytes";
     case LO_ENOTYPE:
     case LO_EBADTYPE:
-      return "has arguments without type tags";
+      return "it has arguments without type tags";
     case LO_EINVALIDTYPE:
-      return "has type tags that are not ended and filled up to four bytes with zeros";
+      return "its type tags are not padded with zeros to a multiple of four bytes";
     case LO_EINVALIDARG:
-      return "has an argument that is cut off, or is not of the type that its tag says";
+      return "an argument is truncated or does not match its type tag";
     case LO_ESIZE:
-      return "has a size that does not fit its type tags";
+      return "its size does not match its type tags";
     case LO_ETERM:
-      return "has a text that is not ended with a zero";
+      return "a string is not terminated by a zero";
     case LO_EPAD:
-      return "has a text that is not filled up to four bytes with zeros";
+      return "a string is not padded with zeros to a multiple of four bytes";
     case LO_TOOBIG:
-      return "is too large";
+      return "it is too large";
     default:
-      return fmt::format("is broken (liblo's code {})", code);
+      return fmt::format("it is malformed (liblo error {})", code);
   }
 }
 
-//! A number of liblo's, which stands where the packet had it: on four bytes, even where its type asks for eight.
+//! Reads a number from a packet, where it may be aligned to four bytes although its type needs eight.
 template <class Number>
 double number_at(const void* place) {
   Number number;
@@ -87,10 +87,10 @@ OscArgument argument_of(char type, const void* place) {
     case LO_FALSE:
       return false;
     case LO_NIL:
-    case LO_INFINITUM:  // A touch without a value.
+    case LO_INFINITUM:  // A trigger without a value.
       return std::monostate{};
     default:
-      refuse(fmt::format("has a first argument of type '{}'",
+      refuse(fmt::format("its first argument has the unsupported type '{}'",
                          std::isprint(static_cast<unsigned char>(type)) ? type : '?'));
   }
 }
@@ -137,10 +137,10 @@ bool is_understood(char type) { return std::string_view("ihfdsSTFNI").find(type)
 
 OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   if (bytes.empty()) {
-    refuse("is empty");
+    refuse("it is empty");
   }
   if (bytes[0] != std::byte{'/'}) {
-    refuse("has an address that does not begin with /");
+    refuse("its address does not begin with /");
   }
   // liblo changes the byte order in a copy of its own, but takes a pointer that is not to constants.
   std::vector<std::byte> copy(bytes.begin(), bytes.end());
@@ -155,11 +155,11 @@ OscMessage message_of(std::span<const std::byte> bytes, OscTime time) {
   }
   const int count = lo_message_get_argc(message.get());
   if (count > most_arguments) {
-    refuse(fmt::format("has more than {} arguments", most_arguments));
+    refuse(fmt::format("it has more than {} arguments", most_arguments));
   }
   OscMessage result;
   result.time = time;
-  // What was deserialised begins with its address, which liblo found to end within the packet.
+  // The packet begins with its address, which liblo has found to end within the packet.
   result.address = reinterpret_cast<const char*>(copy.data());
   lo_arg** const arguments = lo_message_get_argv(message.get());
   for (std::size_t i = 0; i < std::min(types.size(), static_cast<std::size_t>(count)); ++i) {
@@ -178,19 +178,19 @@ bool is_bundle(std::span<const std::byte> bytes) {
 void add_messages(std::span<const std::byte> bytes, OscTime time, int depth, std::vector<OscMessage>& messages) {
   if (!is_bundle(bytes)) {
     if (messages.size() >= most_osc_messages) {
-      refuse(fmt::format("has more than {} messages", most_osc_messages));
+      refuse(fmt::format("it has more than {} messages", most_osc_messages));
     }
     messages.push_back(message_of(bytes, time));
     return;
   }
   if (depth >= deepest_osc_bundle) {
-    refuse(fmt::format("has bundles nested deeper than {}", deepest_osc_bundle));
+    refuse(fmt::format("its bundles are nested deeper than {} levels", deepest_osc_bundle));
   }
   const OscTime own_time = (OscTime{big_endian(bytes.subspan(8))} << 32U) | big_endian(bytes.subspan(12));
   std::span<const std::byte> rest = bytes.subspan(bundle_head_bytes);
   while (!rest.empty()) {
     if (rest.size() < 4 || big_endian(rest) > rest.size() - 4) {
-      refuse("has an element that is longer than the packet");
+      refuse("an element is longer than the packet");
     }
     const std::size_t size = big_endian(rest);
     add_messages(rest.subspan(4, size), own_time, depth + 1, messages);
@@ -229,7 +229,7 @@ double osc_difference_s(OscTime a, OscTime b) {
 
 std::vector<OscMessage> parse_osc(std::span<const std::byte> packet) {
   if (packet.size() > largest_osc_packet) {
-    refuse(fmt::format("is longer than {} bytes", largest_osc_packet));
+    refuse(fmt::format("it is longer than {} bytes", largest_osc_packet));
   }
   std::vector<OscMessage> messages;
   add_messages(packet, osc_at_once, 0, messages);

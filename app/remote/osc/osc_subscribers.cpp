@@ -56,8 +56,8 @@ void OscSubscribers::add(const NetAddress& to, Instant now) {
     return;
   }
   if (subscribers_.size() >= most_subscribers) {
-    throw Error("subscribe", fmt::format("there are {} subscribers already", most_subscribers),
-                "end another one with /ergodome/unsubscribe, or wait until it expires");
+    throw Error("subscribe", fmt::format("there are already {} subscribers, which is the maximum", most_subscribers),
+                "remove one with /ergodome/unsubscribe, or wait until one expires");
   }
   subscribers_.push_back({to, now + subscription});
 }

@@ -1,6 +1,6 @@
-// Talks to the player: events come in, commands go out. Reconnects by itself.
+// Receives events from the player and sends commands. Reconnects automatically.
 
-const silence_ms = 2500; // Status comes ten times a second: after so long without, the connection is taken for lost.
+const silence_ms = 2500; // Status arrives ten times a second; after this long without one the connection counts as lost.
 const retry_ms = 1000;
 
 export class Connection {
@@ -22,7 +22,7 @@ export class Connection {
     this.watch();
   }
 
-  // A new stream begins with lines that were shown already; a player that was started anew counts from one.
+  // A new stream repeats lines that are already shown; a restarted player counts from one again.
   takeLines(lines) {
     if (lines.length > 0 && lines[lines.length - 1].number < this.lastLine) {
       this.lastLine = 0;
@@ -57,7 +57,7 @@ export class Connection {
       });
       if (!answer.ok) {
         const text = await answer.json().catch(() => ({}));
-        this.onRefused(text.error || `The player refused (${answer.status}).`);
+        this.onRefused(text.error || `The player refused the command (HTTP ${answer.status}).`);
       }
     } catch (error) {
       this.onRefused("The player does not answer.");

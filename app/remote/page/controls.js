@@ -1,18 +1,18 @@
-// Controls that show at once what a person asked for, and the player's status as soon as nobody touches them.
+// Controls that show the requested value at once, and the player's status when nobody touches them.
 
-const trust_ms = 1500; // How long a person's wish is shown while the player has not confirmed it.
+const trust_ms = 1500; // How long a requested value is shown while the player has not confirmed it.
 
-// Disables a control for a reason, which its tooltip gives in place of what it does.
+// Disables a control if there is a reason; its tooltip then gives the reason.
 export function allow(control, reason) {
   control.disabled = Boolean(reason);
   control.dataset.use ??= control.title;
-  const title = reason ? `Not now: ${reason}` : control.dataset.use;
+  const title = reason ? `Unavailable: ${reason}` : control.dataset.use;
   if (control.title !== title) {
     control.title = title;
   }
 }
 
-// Holds a wish against an older status.
+// Keeps a requested value until the player's status confirms it.
 class Wish {
   constructor() {
     this.until = 0;
@@ -23,7 +23,7 @@ class Wish {
     this.until = performance.now() + trust_ms;
   }
 
-  // What to show: the wish while it is fresh and unconfirmed, else what the player says.
+  // Returns the value to show: the requested one while it is recent and unconfirmed, otherwise the player's.
   settle(actual, isSame) {
     if (performance.now() < this.until && !isSame(actual, this.value)) {
       return this.value;
@@ -33,7 +33,7 @@ class Wish {
   }
 }
 
-// A button that is lit or not; `onDraw` instead of the lighting where it says what it will do.
+// A toggle button; `onDraw` replaces the default display of its state.
 export class Toggle {
   constructor(button, onChange, onDraw = (lit) => button.setAttribute("aria-pressed", String(lit))) {
     this.onDraw = onDraw;
@@ -55,8 +55,8 @@ export class Toggle {
   }
 }
 
-// A range that follows the finger while it is held, and the player else. Sends at most one value per `interval_ms`, and always the last;
-// a status that is `near` a wish confirms it.
+// A slider that follows the finger while it is held, and the player otherwise. Sends at most one value per `interval_ms`, and always the last;
+// a status within `near` of the requested value confirms it.
 export class Fader {
   constructor(input, { onChange, onDraw, interval_ms = 100, near = Number(input.step) }) {
     Object.assign(this, { input, onChange, onDraw, interval_ms, near });
@@ -70,7 +70,7 @@ export class Fader {
     input.addEventListener("input", () => this.change(Number(input.value)));
   }
 
-  // A person's new value.
+  // Requests a new value.
   change(value) {
     this.wish.make(value);
     this.draw(value);

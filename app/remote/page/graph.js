@@ -18,7 +18,7 @@ export class FrameGraph {
     }
   }
 
-  // The scale's top: twice a frame of 60 Hz, or the next doubling that holds all.
+  // Returns the top of the scale: two frames at 60 Hz, doubled until all samples fit.
   top() {
     let top = 1000 / 30;
     const most = Math.max(0, ...this.samples.map((sample) => sample.ms));
@@ -62,7 +62,7 @@ export class FrameGraph {
     pen.beginPath();
     this.samples.forEach((sample, i) => {
       const x = width * (1 - (now - sample.at) / minute_ms);
-      // A gap in time is a gap in the line.
+      // Leaves a gap in the line where no status arrived.
       const isGap = i === 0 || sample.at - this.samples[i - 1].at > 2500;
       pen[isGap ? "moveTo" : "lineTo"](x, y(sample.ms));
     });

@@ -1,4 +1,4 @@
-// The operator's page: puts the player's status on the screen and a person's wishes into commands.
+// The operator's page: shows the player's status and sends the operator's commands.
 
 import { Connection } from "./connection.js";
 import { allow, Fader, Toggle } from "./controls.js";
@@ -10,7 +10,7 @@ const refused_ms = 5000;
 
 const find = (id) => document.getElementById(id);
 const put = (element, text) => {
-  // Only what changes is written: screen readers and selections are left in peace.
+  // Writes only changes, so that screen readers and text selections are not disturbed.
   if (element.textContent !== text) {
     element.textContent = text;
   }
@@ -31,7 +31,7 @@ function showRefused(text) {
 function showState(isConnected) {
   document.body.classList.remove("waiting");
   document.body.classList.toggle("lost", !isConnected);
-  put(find("connection"), isConnected ? "Connected" : "Connection lost, trying again");
+  put(find("connection"), isConnected ? "Connected" : "Connection lost, reconnecting");
 }
 
 const connection = new Connection({ onStatus: takeStatus, onLog: showLog, onState: showState, onRefused: showRefused });
@@ -40,7 +40,7 @@ const send = (kind, argument) => connection.send(kind, argument);
 // Transport ---------------------------------------------------------------------------------------------------------------------------
 
 const playing = new Toggle(find("toggle_pause"), (on) => send(on ? "play" : "pause"), (on) => {
-  // It says what a touch does.
+  // The label names what a press does.
   put(find("toggle_pause"), on ? "Pause" : "Play");
   find("toggle_pause").setAttribute("aria-label", on ? "Pause" : "Play");
 });
@@ -70,7 +70,7 @@ const seek = new Fader(find("seek"), {
     input.setAttribute("aria-valuetext", `${clock(value, 0)} of ${clock(status.duration_s, 0)}`);
   },
 });
-// Arrow keys go by seconds: the bar's own steps are a tenth of one.
+// Arrow keys move by seconds; the slider's own steps are 0.1 s.
 find("seek").addEventListener("keydown", (event) => {
   const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
   if (by !== undefined) {
@@ -94,9 +94,9 @@ const units = {
   exposure: (value) => `${value > 0 ? "+" : ""}${number(value, 1)} EV`,
   baseline: (value) => {
     const inMasses = (distance) => `${number(distance, distance < 1 ? 3 : 1)} M`;
-    // Less than is asked for, where more does not fit.
+    // The player reduces the baseline where the two eyes would not fit.
     const isNarrowed = status.stereo && value === status.baseline && status.baseline_used < value;
-    return isNarrowed ? `${inMasses(value)} (fits ${inMasses(status.baseline_used)})` : inMasses(value);
+    return isNarrowed ? `${inMasses(value)} (max ${inMasses(status.baseline_used)})` : inMasses(value);
   },
   volume: (value) => `${number(100 * value, 0)} %`,
 };
@@ -114,10 +114,10 @@ for (const button of document.querySelectorAll("[data-home]")) {
   button.addEventListener("click", () => faders[button.dataset.home].change(Number(button.dataset.value)));
 }
 
-let loudness = 1; // The volume to come back to.
+let loudness = 1; // The volume that Mute restores.
 const mute = new Toggle(find("mute"), (on) => faders.volume.change(on ? 0 : loudness));
 
-// Lists are rebuilt only when what they show has changed: a list under a finger stays.
+// Rebuilds a list only when its content has changed, so that a list stays in place while it is touched.
 function rebuild(list, content, makeItems) {
   const key = JSON.stringify(content);
   if (list.dataset.key !== key) {
@@ -189,7 +189,7 @@ function showFrames() {
   put(find("dropped_frames"), String(status.dropped_frames));
   graph.add(status.frame_ms);
   graph.draw();
-  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Computed by", status.backend], ["Sound", status.sound]];
+  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Backend", status.backend], ["Sound", status.sound]];
   rebuild(find("facts"), facts, () => facts.filter(([, fact]) => fact).flatMap(([name, fact]) => [make("dt", name), make("dd", fact)]));
 }
 
@@ -217,11 +217,11 @@ function showClock() {
   find("clock-line").classList.toggle("alarm", ["waiting", "running_on", "stopped"].includes(status.clock_state));
 }
 
-// What would be refused is disabled, and its tooltip gives the reason.
+// Disables controls whose commands the player would refuse; their tooltips give the reason.
 function showRefusals() {
   const refused = status.refused || {};
   const still = !(status.duration_s > 0) && "this show has no duration";
-  const flying = status.free_flight && "the show's path is left; end the free flight first";
+  const flying = status.free_flight && "the camera has left the show's path; end free flight first";
   const reasons = {
     seek: refused.seek || still || flying, toggle_pause: refused.toggle_pause, previous_chapter: refused.previous_chapter,
     next_chapter: refused.next_chapter, step_back: refused.step, step_on: refused.step,
@@ -240,7 +240,7 @@ function showRefusals() {
 }
 
 function showFaders() {
-  // A distance beyond the fader's end moves its end, but not under a finger.
+  // Extends the slider's range when the baseline exceeds it.
   const baseline = find("baseline");
   if (status.baseline > Number(baseline.max)) {
     baseline.max = 2 * status.baseline;

@@ -1,4 +1,4 @@
-// Numbers, times and states of the player in words.
+// Formats numbers, times and player states as text.
 
 export const number = (value, digits) => (typeof value === "number" ? value.toFixed(digits).replace("-", "\u2212") : "\u2013");
 
@@ -24,19 +24,19 @@ export function languageName(tag) {
   }
 }
 
-// What the show's time follows, and how long ago that was lost, as one line; `ago` is " 3 s ago".
+// Describes the clock that the show follows in one line; `ago` is the time since the signal was lost, such as " 3 s ago".
 export function clockText(status, ago) {
   const name = status.follows;
   switch (status.clock_state) {
-    case "waiting": return `${name}: not heard yet, the show waits`;
-    case "following": return status.playing ? `${name}: the show follows` : `${name}: it stands still`;
-    case "running_on": return `${name}: lost${ago}, running on its own clock`;
-    case "stopped": return `${name}: lost${ago}, the show has stopped`;
-    default: return "own";
+    case "waiting": return `${name}: no signal yet, the show waits`;
+    case "following": return status.playing ? `${name}: the show follows` : `${name}: the show follows, time is stopped`;
+    case "running_on": return `${name}: signal lost${ago}, the show runs on`;
+    case "stopped": return `${name}: signal lost${ago}, the show has stopped`;
+    default: return "internal";
   }
 }
 
-// Tells screen readers of changes that the page shows elsewhere. Numbers that run are left out.
+// Announces changes to screen readers, except numbers that change all the time.
 export class News {
   constructor(onNews) {
     this.onNews = onNews;
@@ -47,9 +47,9 @@ export class News {
     const chapter = (status.chapters || [])[status.chapter];
     const news = {
       clock: `Clock: ${clockText(status, "")}`,
-      playing: status.playing ? "The show plays" : "The show is paused",
+      playing: status.playing ? "The show is playing" : "The show is paused",
       chapter: chapter ? `Chapter: ${chapter.title}` : "",
-      blackout: status.blackout ? "Blackout" : "No blackout",
+      blackout: status.blackout ? "Blackout on" : "Blackout off",
       language: status.language ? `Language: ${languageName(status.language)}` : "",
     };
     const fresh = Object.keys(news).filter((topic) => topic in this.told && this.told[topic] !== news[topic]);

@@ -30,7 +30,7 @@ json flat_object(std::string_view text) {
   };
   json object = json::parse(text.begin(), text.end(), keep_flat, false);
   if (object.is_discarded() || !object.is_object() || nested) {
-    throw Error("command", nested ? "has something nested in it" : "is not a JSON object", form);
+    throw Error("command", nested ? "contains a nested object or array" : "is not a JSON object", form);
   }
   return object;
 }
@@ -80,7 +80,8 @@ TransportCommand parse_json_command(std::string_view text, const PlayerStatus& s
   const CommandRule* const rule = rule_of(kind);
   if (rule == nullptr) {
     const std::string nearest = nearest_command(kind);
-    throw Error("command", "unknown kind", nearest.empty() ? "WEB.md lists them" : "did you mean \"" + nearest + "\"?");
+    throw Error("command", "\"kind\" is not a known command",
+                nearest.empty() ? "see reference/http.md in the documentation" : "did you mean \"" + nearest + "\"?");
   }
   return checked_command(*rule, argument_of(object), status);
 }

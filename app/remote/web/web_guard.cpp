@@ -73,7 +73,7 @@ bool is_json(const std::string& content_type) {
 }  // namespace
 
 bool same_in_constant_time(std::string_view a, std::string_view b) {
-  // The length of what was given is known to who gave it; that of the token does not steer the loop.
+  // The loop depends on the length of the given text, which its sender knows, and not on that of the token.
   unsigned difference = a.size() == b.size() ? 0U : 1U;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const unsigned char other = b.empty() ? 0 : static_cast<unsigned char>(b[i % b.size()]);
@@ -133,7 +133,7 @@ WebVerdict WebGuard::judge(const WebAsker& asker) const {
 }
 
 bool WebGuard::has_token(std::string_view head) const {
-  // Of "GET /path?query HTTP/1.1", the query. What stands here stands there, too, for judge(), which has the last word.
+  // Reads the query of "GET /path?query HTTP/1.1". judge() checks the same query again and decides.
   const std::string_view target = head.substr(0, head.find("\r\n"));
   constexpr std::string_view name = "token=";
   for (std::size_t at = target.find_first_of("?&"); at < target.size(); at = target.find_first_of("?&", at + 1)) {

@@ -58,7 +58,7 @@ class WebGuard {
 
 //! What a browser shows in place of the page, where it has no valid token.
 inline constexpr std::string_view no_token_text =
-    "Ergodome: this page needs its access token; open the address with ?token=... that the player printed at its "
+    "Ergodome: this page requires an access token; open the address with ?token=... that the player printed at its "
     "start.\n";
 
 //! The whole answer (401) to a request without the token; `head` is that of the request.

@@ -78,7 +78,7 @@ std::uint64_t line_before(const httplib::Request& request) {
     const std::string text = request.get_param_value("after");
     const char* const end = text.data() + text.size();
     if (const auto [stop, problem] = std::from_chars(text.data(), end, number); problem != std::errc{} || stop != end) {
-      throw Error("after", "takes the number of a line of the log", "send one from 0 on");
+      throw Error("after", "is not a line number of the log", "send 0 or a larger whole number");
     }
   }
   return number;
@@ -164,7 +164,7 @@ void WebPages::take_command(const httplib::Request& request, httplib::Response& 
   }
   if (!allowed) {
     response.status = 429;
-    response.set_content(answer_json("too many commands at once; wait a little"), json_type);
+    response.set_content(answer_json("too many commands at once; wait a moment, then send it again"), json_type);
     return;
   }
   try {

@@ -15,7 +15,7 @@
 
 namespace ergodome {
 
-//! What the status page's server answers (WEB.md): httplib parses and writes, connections come from outside.
+//! Answers the requests of the status page (see reference/http.md). httplib parses and writes; the caller supplies connections.
 class WebPages : private httplib::Server {
  public:
   static constexpr int most_event_streams = 12;  //!< of this machine, and as many of others

@@ -34,8 +34,8 @@ WebServer::WebServer(const NetAddress& address, const std::string& token, Comman
       lobby_(guard_) {
   // Two sockets may be bound to one port as long as neither listens.
   if (::listen(socket_.get(), backlog) != 0) {
-    throw Error("status page", "cannot listen at " + address.text() + ": " + std::strerror(errno),
-                "choose another port with --web, or end the program that has it");
+    throw Error("status page", "cannot listen on " + address.text() + ": " + std::strerror(errno),
+                "choose another port with --web, or stop the program that uses this one");
   }
   thread_ = std::thread([this] { accept_all(); });
 }

@@ -39,8 +39,8 @@ void write_privately(const std::filesystem::path& file, const std::string& text)
 std::string new_web_token() {
   std::array<unsigned char, 16> bytes = {};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw Error("status page", std::string("no random numbers for a token: ") + std::strerror(errno),
-                "give one with --web-token");
+    throw Error("status page", std::string("cannot generate a random token: ") + std::strerror(errno),
+                "give a token with --web-token");
   }
   constexpr std::string_view digits = "0123456789abcdef";
   std::string token;
@@ -57,8 +57,8 @@ std::string checked_web_token(const std::string& token, const std::string& place
     return std::isalnum(c) != 0 || others.find(static_cast<char>(c)) != std::string_view::npos;
   };
   if (token.size() < shortest_token || token.size() > longest_token || !std::all_of(token.begin(), token.end(), fits)) {
-    throw Error(place, "is not fit to be a token",
-                "take 16 to 128 letters, digits and - . _ ~, or leave it out: one is made then");
+    throw Error(place, "is not a valid token",
+                "give 16 to 128 letters, digits or characters of - . _ ~, or leave it out to generate one");
   }
   return token;
 }

@@ -128,7 +128,7 @@ TEST(StatusJson, NamesTheCommandsThatWouldBeRefusedAndWhy) {
   status.languages.clear();
   EXPECT_EQ(json_of(status).at("refused"), (nlohmann::json{{"chapter", "this show has no chapters"},
                                                            {"next_chapter", "this show has no chapters"},
-                                                           {"language", "this show has one language"}}));
+                                                           {"language", "this show has only one language"}}));
 }
 
 TEST(StatusJson, NamesAsRefusedWhatIsRefusedWhileAnotherClockIsFollowed) {
@@ -152,7 +152,7 @@ TEST(StatusJson, NamesAsRefusedWhatIsRefusedWhileAnotherClockIsFollowed) {
 
 TEST(JsonCommand, SuggestsAKindThatIsNearAndNoneThatIsFar) {
   EXPECT_NE(json_refusal(R"({"kind": "vollume"})").find("did you mean \"volume\"?"), std::string::npos);
-  EXPECT_NE(json_refusal(R"({"kind": "clock", "value": 3})").find("WEB.md lists them"), std::string::npos);
+  EXPECT_NE(json_refusal(R"({"kind": "clock", "value": 3})").find("see reference/http.md"), std::string::npos);
 }
 
 TEST(StatusJson, HasEachKeyInItsDocument) {

@@ -112,7 +112,7 @@ TEST_F(KeptToken, ThatOthersMayHaveReadIsWarnedOf) {
 TEST_F(KeptToken, ThatCannotBeReadDoesNotKeepTheShowFromStarting) {
   std::filesystem::create_directory(folder_ / "web-token");
   const std::string token = start(folder_ / "web-token");
-  EXPECT_THAT(warning_, HasSubstr("this start has a token of its own"));
+  EXPECT_THAT(warning_, HasSubstr("the saved token cannot be used"));
   EXPECT_EQ(token.empty(), outward_addresses().empty());
 }
 
@@ -127,8 +127,8 @@ TEST_F(RemoteControlTest, NamesTheRemedyWhereAPortIsInUse) {
 }
 
 TEST_F(RemoteControlTest, RefusesAddressesThatAreNoneOrNotHere) {
-  EXPECT_THAT(refusal(parsed({"--web", "0", "--web-bind", "example.org"})), HasSubstr("in digits"));
-  EXPECT_THAT(refusal(parsed({"--osc", "0", "--osc-bind", "198.51.100.7"})), HasSubstr("no such address"));
+  EXPECT_THAT(refusal(parsed({"--web", "0", "--web-bind", "example.org"})), HasSubstr("not a numeric address"));
+  EXPECT_THAT(refusal(parsed({"--osc", "0", "--osc-bind", "198.51.100.7"})), HasSubstr("an address of this machine"));
   EXPECT_THAT(refusal(parsed({"--web", "0", "--web-token", "short"})), HasSubstr("16 to 128"));
   EXPECT_THROW(parsed({"--web", "65536"}), CLI::Error);
 }
@@ -141,7 +141,7 @@ TEST_F(RemoteControlTest, ChecksSubscribersOfTheCommandLine) {
   EXPECT_EQ(refusal(with("127.0.0.1:9001", "127.0.0.1")), "");
   for (const char* const wrong :
        {"192.0.2.7", "192.0.2.7:", "192.0.2.7:0", "host:9001", "fd00::7:9001", "192.0.2.7:9001x"}) {
-    EXPECT_THAT(refusal(with(wrong, "0.0.0.0")), HasSubstr("not an address with a port")) << wrong;
+    EXPECT_THAT(refusal(with(wrong, "0.0.0.0")), HasSubstr("not a numeric address with a port")) << wrong;
   }
   EXPECT_THAT(refusal(with("192.0.2.7:9001", "127.0.0.1")), HasSubstr("cannot be reached"));
   EXPECT_THAT(refusal(with("[fd00::7]:9001", "0.0.0.0")), HasSubstr("cannot be reached"));

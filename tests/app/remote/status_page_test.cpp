@@ -116,7 +116,7 @@ TEST_F(StatusPage, GoesToAChapterThatIsTouched) {
 }
 
 TEST_F(StatusPage, ShowsAPadThatIsPluggedInAndUsed) {
-  ASSERT_TRUE(shows("#pads-card", "None is connected"));
+  ASSERT_TRUE(shows("#pads-card", "No pad is connected"));
   player_.change([](PlayerStatus& status) { status.pads = {{"DualSense", "Bluetooth", false}}; });
   EXPECT_TRUE(becomes_true([&] { return shows("#pads li", "DualSense"); }));
   player_.change([](PlayerStatus& status) { status.pads[0].active = true; });
@@ -163,34 +163,35 @@ TEST_F(StatusPage, SaysWhatThePlayerRefused) {
 }
 
 TEST_F(StatusPage, ShowsTheLostClockAndDisablesWhatItRefuses) {
-  EXPECT_EQ(browser->text("#clock"), "own");
+  EXPECT_EQ(browser->text("#clock"), "internal");
   EXPECT_FALSE(browser->run("return document.querySelector('#toggle_pause').disabled"));
   player_.change([](PlayerStatus& status) {
     status.follows = "MIDI time code";
     status.clock_state = "running_on";
     status.clock_silence_s = 0.7;
   });
-  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: lost 1 s ago, running on its own clock"); }));
-  EXPECT_TRUE(becomes_true([&] { return shows("#news", "MIDI time code: lost, running on its own clock"); }));
+  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: signal lost 1 s ago, the show runs on"); }));
+  EXPECT_TRUE(becomes_true([&] { return shows("#news", "MIDI time code: signal lost, the show runs on"); }));
   player_.change([](PlayerStatus& status) {
     status.clock_state = "stopped";
     status.clock_silence_s = 3.2;
   });
-  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: lost 3 s ago, the show has stopped"); }));
+  EXPECT_TRUE(
+      becomes_true([&] { return shows("#clock", "MIDI time code: signal lost 3 s ago, the show has stopped"); }));
   const nlohmann::json reasons = browser->run(R"(
     const ids = '#seek, #previous_chapter, #step_back, #toggle_pause, #step_on, #next_chapter';
     return [...document.querySelectorAll(`${ids}, [data-speed], #chapters button`)]
       .map((control) => control.disabled && control.title);)");
   EXPECT_EQ(reasons.size(), 15U);
   for (const nlohmann::json& reason : reasons) {
-    EXPECT_EQ(reason, "Not now: the show's time follows MIDI time code");
+    EXPECT_EQ(reason, "Unavailable: the show's time follows MIDI time code");
   }
   for (const char* const allowed : {"#blackout", "#captions", "#exposure", "#mute", "#free_flight"}) {
     EXPECT_FALSE(browser->run("return document.querySelector(arguments[0]).disabled", {allowed})) << allowed;
   }
   take_picture("clock-lost");
   player_.change([](PlayerStatus& status) { status.clock_state = "following"; });
-  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: it stands still"); }));
+  EXPECT_TRUE(becomes_true([&] { return shows("#clock", "MIDI time code: the show follows, time is stopped"); }));
   player_.change([](PlayerStatus& status) {
     status.follows = "";
     status.clock_state = "own";
@@ -204,7 +205,8 @@ TEST_F(StatusPage, ShowsHowMuchOfTheShowIsLeft) {
   EXPECT_TRUE(becomes_true([&] { return browser->text("#rest") == "1:13 left of 2:00"; }));
   player_.change([](PlayerStatus& status) { status.duration_s = 0.0; });
   EXPECT_TRUE(becomes_true([&] { return browser->text("#rest").empty(); }));
-  EXPECT_TRUE(browser->run("return document.querySelector('#seek').title === 'Not now: this show has no duration'"));
+  EXPECT_TRUE(
+      browser->run("return document.querySelector('#seek').title === 'Unavailable: this show has no duration'"));
 }
 
 TEST_F(StatusPage, MutesAndComesBackToTheVolumeBefore) {

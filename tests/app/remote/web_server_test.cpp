@@ -132,7 +132,7 @@ TEST_F(OnLoopback, TheLogAfterWhatIsNoLineIsRefused) {
     const auto answer = client().Get(std::string("/api/log?after=") + after);
     ASSERT_TRUE(answer) << after;
     EXPECT_EQ(answer->status, 400) << after;
-    EXPECT_THAT(json::parse(answer->body).at("error"), HasSubstr("number of a line")) << after;
+    EXPECT_THAT(json::parse(answer->body).at("error"), HasSubstr("not a line number")) << after;
   }
 }
 
