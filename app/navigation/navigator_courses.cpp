@@ -118,7 +118,7 @@ void Navigator::reverse_orbit() {
 
 void Navigator::ride(const Vector3<double>& velocity) {
   if (!(dot(velocity, velocity) < 1.0)) {
-    throw Error("orbit", "would be faster than light", "choose a speed below 1");
+    throw Error("orbit", "the speed is not below the speed of light", "choose a speed below 1");
   }
   set_mode(FlightMode::geodesic);
   if (committed()) {
@@ -143,7 +143,7 @@ std::optional<ObserverView> Navigator::own_observer(std::string_view language) c
 }
 
 std::string_view Navigator::mode_name(std::string_view language) const {
-  constexpr std::array<std::string_view, 4> english = {"around the hole", "space ship", "hovering", "free fall"};
+  constexpr std::array<std::string_view, 4> english = {"around the hole", "spaceship", "hovering", "free fall"};
   constexpr std::array<std::string_view, 4> german = {"um das Loch", "Raumschiff", "Schweben", "freier Fall"};
   if (course_ != Course::free) {
     const bool back = course_ == Course::returning;

@@ -112,20 +112,21 @@ ObserverView Navigator::observer_on_ride(std::string_view language) const {
     const Vector3<double> velocity = in_zamo_frame(here, spin_).velocity.value_or(Vector3<double>{});
     ObserverView view = falling_into_hole(here.r, spin_, velocity, ride_->left(), language);
     if (ride_->held() && !(here.r > horizon_radius(spin_))) {
-      view.sentence +=
-          german ? " (tiefer führt kein Fall: die Zeit steht)" : " (no fall leads deeper: time stands still)";
+      view.sentence += german ? " (tiefer geht es nicht: die Zeit ist angehalten)"
+                              : " (no deeper fall is possible: time is stopped)";
     }
     return view;
   }
   ObserverView view = observer_of(ObserverMotion::velocity, ride_->velocity(), spin_, here.r, here.theta, language);
-  view.name = german ? "auf seiner Umlaufbahn" : "on its own orbit";
+  view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
   view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
   constexpr double near = 2.0;  // so many radii of the guard away who falls is told where that ends
   if (kept_outside_ && here.r < near * space_.guard_r() && ride_->falls_into_hole()) {
     view.sentence +=
-        " (" + text_in(*kept_outside_, language) + (german ? ": der Fall endet davor)" : ": the fall ends outside)");
+        " (" + text_in(*kept_outside_, language) + (german ? ": der Fall endet davor)" : ": the fall ends outside it)");
   } else if (ride_->held()) {
-    view.sentence += german ? " (sie führt hinaus: die Zeit steht)" : " (it leads out of bounds: time stands still)";
+    view.sentence += german ? " (sie verlässt das Fluggebiet: die Zeit ist angehalten)"
+                            : " (the orbit leaves the flight region: time is stopped)";
   }
   return view;
 }

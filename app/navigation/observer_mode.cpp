@@ -19,18 +19,18 @@ struct Words {
 
 constexpr std::array<Words, 6> english = {{
     {"carried along with space", ""},
-    {"static observer", "nothing can stand still here: the slowest way round that there is"},
-    {"circular orbit", "no circular orbit here: the nearest speed that there is"},
-    {"circular orbit, backwards", "no circular orbit here: the nearest speed that there is"},
+    {"static observer", "nothing can stand still here: slowest possible motion instead"},
+    {"circular orbit", "no circular orbit here: nearest possible speed instead"},
+    {"circular orbit, retrograde", "no circular orbit here: nearest possible speed instead"},
     {"falling from rest", ""},
     {"moving observer", ""},
 }};
 
 constexpr std::array<Words, 6> german = {{
     {"vom Raum mitgeführt", ""},
-    {"ruhender Beobachter", "hier kann nichts stillstehen: so langsam herum, wie es geht"},
-    {"Kreisbahn", "hier gibt es keine Kreisbahn: so nahe daran, wie es geht"},
-    {"Kreisbahn rückwärts", "hier gibt es keine Kreisbahn: so nahe daran, wie es geht"},
+    {"ruhender Beobachter", "hier kann nichts stillstehen: stattdessen so langsam wie möglich"},
+    {"Kreisbahn", "hier gibt es keine Kreisbahn: stattdessen nächstmögliche Geschwindigkeit"},
+    {"Kreisbahn, rückläufig", "hier gibt es keine Kreisbahn: stattdessen nächstmögliche Geschwindigkeit"},
     {"freier Fall aus der Ruhe", ""},
     {"bewegter Beobachter", ""},
 }};
@@ -102,7 +102,7 @@ ObserverView falling_observer(const Vector3<double>& velocity, std::string_view 
 
 ObserverView falling_within(std::string_view language) {
   ObserverView view;
-  view.name = language == "de" ? "im freien Fall, innerhalb des Horizonts" : "in free fall, within the horizon";
+  view.name = language == "de" ? "im freien Fall, innerhalb des Horizonts" : "in free fall, inside the horizon";
   view.sentence = view.name;
   view.motion = ObserverMotion::velocity;
   return view;
@@ -113,16 +113,16 @@ ObserverView falling_into_hole(double r, double spin, const Vector3<double>& in_
   const bool german = language == "de";
   if (r > horizon_radius(spin)) {
     ObserverView view = falling_observer(in_zamo, language);
-    view.name = german ? "ins Loch" : "into the hole";
+    view.name = german ? "im Fall ins Loch" : "falling into the hole";
     view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
     return view;
   }
   ObserverView view = falling_within(language);
-  view.name = german ? "innerhalb des Horizonts" : "within the horizon";
+  view.name = german ? "innerhalb des Horizonts" : "inside the horizon";
   view.sentence = fmt::format("{}, r = {:.2f} M", view.name, r);
   if (left) {
-    view.sentence += german ? fmt::format(", noch {:.2f} M eigene Zeit", *left)
-                            : fmt::format(", {:.2f} M of its own time left", *left);
+    view.sentence +=
+        german ? fmt::format(", noch {:.2f} M Eigenzeit", *left) : fmt::format(", {:.2f} M of proper time left", *left);
   }
   return view;
 }

@@ -35,7 +35,7 @@ struct HelpChoice {
   HelpForm form = HelpForm::columns;
 };
 
-//! What keys, mouse and pads do: a map that a file may change (CONTROLS.md).
+//! Assignments of keys, mouse and pads to actions and steering, which a file may change (see reference/controls.md).
 class Controls {
  public:
   //! An input that steers, and how much.

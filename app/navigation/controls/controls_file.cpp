@@ -17,14 +17,14 @@ namespace {
 constexpr std::size_t largest_mib = 1;
 constexpr std::size_t most_inputs = 32;
 
-//! What an input is bound to, for messages.
+//! An input with the key that binds it, for messages.
 struct Use {
   Input input;
   std::string place;  //!< "actions.pause"
   bool steers = false;
 };
 
-//! Whether two uses cannot both be: the same input, or a key that steers with Shift held where an action wants that.
+//! Returns whether two uses conflict: the same input, or a steering key that an action uses with Shift.
 bool clash(const Use& a, const Use& b) {
   if (a.input == b.input) {
     return true;
@@ -37,21 +37,24 @@ bool clash(const Use& a, const Use& b) {
   return a.steers != b.steers && (shifted(a, b) || shifted(b, a));
 }
 
-//! An error about a name in a list: the nearest one is named where there is one.
+//! Returns the error about an unknown name in a list; it suggests the closest known name.
 Error unknown(const TomlTable& table, std::string_view key, const std::string& text) {
   const std::string bare = text.substr(std::min(text.size(), text.find_last_of("*+-") + 1));
   const std::vector<std::string>& names = input_names();
   if (std::ranges::find(names, bare) != names.end()) {
-    return table.error_at(key, fmt::format("names \"{}\", which is no input here", text.substr(0, 60)),
-                          "CONTROLS.md tells what acts and what steers; factors go up to 100");
+    return table.error_at(
+        key, fmt::format("contains \"{}\", which cannot be used here", text.substr(0, 60)),
+        "only [steer] accepts signs and factors (up to 100), only [actions] accepts wheel.up and wheel.down");
   }
   const std::string nearest = nearest_word(bare, names);
-  return table.error_at(key, fmt::format("names \"{}\", which is no input", text.substr(0, 60)),
-                        nearest.empty() ? "write names such as \"Space\", \"Ctrl+R\", \"pad.south\" (CONTROLS.md)"
-                                        : fmt::format("did you mean \"{}\"?", nearest));
+  return table.error_at(
+      key, fmt::format("contains \"{}\", which is not an input", text.substr(0, 60)),
+      nearest.empty()
+          ? "write names such as \"Space\", \"Ctrl+R\" or \"pad.south\"; see reference/controls.md in the documentation"
+          : fmt::format("did you mean \"{}\"?", nearest));
 }
 
-//! The texts of a list, or of a single one.
+//! Returns the texts of a list, or a single text.
 std::vector<std::string> texts_at(TomlTable& table, std::string_view key) {
   const toml::node* node = table.node(key);
   std::vector<std::string> texts;
@@ -61,24 +64,25 @@ std::vector<std::string> texts_at(TomlTable& table, std::string_view key) {
   }
   const toml::array* list = node->as_array();
   if (list == nullptr || list->size() > most_inputs) {
-    throw table.error_at(key, "is not a list of inputs", "write [\"Space\", \"pad.start\"], or [] for none");
+    throw table.error_at(key, "is not a list of inputs",
+                         "write for example [\"Space\", \"pad.start\"], or [] for no input");
   }
   for (const toml::node& item : *list) {
     const auto text = item.value_exact<std::string>();
     if (!text) {
-      throw table.error_at(key, "holds something that is not a name", "write names in quotes");
+      throw table.error_at(key, "contains a value that is not text", "write names of inputs in quotes");
     }
     texts.push_back(*text);
   }
   return texts;
 }
 
-//! Notes what a file binds, and refuses what it bound before.
+//! Records an input that the file binds; throws Error if the file already binds it.
 void note(const TomlTable& table, std::string_view key, const Input& input, bool steers, std::vector<Use>& uses) {
   Use use = {input, table.path_of(key), steers};
   const auto before = std::ranges::find_if(uses, [&](const Use& other) { return clash(use, other); });
   if (before != uses.end()) {
-    throw table.error_at(key, fmt::format("binds {}, which {} has already", name_of(input), before->place),
+    throw table.error_at(key, fmt::format("binds {}, which is already bound to {}", name_of(input), before->place),
                          "choose another input");
   }
   uses.push_back(std::move(use));
@@ -87,12 +91,12 @@ void note(const TomlTable& table, std::string_view key, const Input& input, bool
 void check_action_input(const TomlTable& table, std::string_view key, const Input& input) {
   if (input.kind == Input::Kind::pad_axis || input.kind == Input::Kind::mouse_axis ||
       input.kind == Input::Kind::wheel) {
-    throw table.error_at(key, fmt::format("binds {}, which is moved, not pressed", name_of(input)),
-                         "put it under [steer], or bind a button");
+    throw table.error_at(key, fmt::format("binds {}, an axis, which cannot trigger an action", name_of(input)),
+                         "move it to [steer], or bind a key or a button");
   }
 }
 
-//! Reads what an action is bound to, and notes it.
+//! Reads and records the inputs of an action.
 std::vector<Input> action_inputs(TomlTable& table, std::string_view key, std::vector<Use>& uses) {
   std::vector<Input> inputs;
   for (const std::string& name : texts_at(table, key)) {
@@ -107,7 +111,7 @@ std::vector<Input> action_inputs(TomlTable& table, std::string_view key, std::ve
   return inputs;
 }
 
-//! Reads what steers along a component, and notes it.
+//! Reads and records the inputs of a steering component.
 std::vector<Controls::SteerBinding> steer_inputs(TomlTable& table, std::string_view key, std::vector<Use>& uses) {
   std::vector<Controls::SteerBinding> bindings;
   for (const std::string& name : texts_at(table, key)) {
@@ -132,7 +136,7 @@ std::string list_of(const std::vector<std::string>& texts) {
 }  // namespace
 
 Controls parse_controls(std::string_view text, const std::string& file) {
-  const toml::table parsed = parse_toml(text, file, largest_mib, "a map of controls");
+  const toml::table parsed = parse_toml(text, file, largest_mib, "a controls file");
   TomlTable root(parsed, file, "");
   const toml::table empty;
   const toml::table* actions_at = root.table("actions");
@@ -155,7 +159,7 @@ Controls parse_controls(std::string_view text, const std::string& file) {
   }
   actions.refuse_unknown_keys();
   steer.refuse_unknown_keys();
-  // What the file wants for itself it takes from what it does not name.
+  // Inputs that the file binds are removed from default bindings of actions that it does not list.
   const auto taken = [&](const Input& input, bool steers) {
     return std::ranges::any_of(uses, [&](const Use& use) { return clash({input, {}, steers}, use); });
   };
@@ -179,7 +183,7 @@ Controls read_controls(const std::filesystem::path& path) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem) ||
       std::filesystem::file_size(path, problem) > (largest_mib << 20U) || problem) {
-    throw Error(path.string(), "is not a map of controls that can be read", "give the path of a short text file");
+    throw Error(path.string(), "is not a readable controls file", "give the path of a TOML file of at most 1 MiB");
   }
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
@@ -213,8 +217,10 @@ Controls load_controls(const std::filesystem::path& chosen) {
 
 std::string Controls::to_toml() const {
   std::string text =
-      "# What keys, mouse and pads do. Lines that are left out stay as the program has them; [] binds nothing.\n"
-      "# Inputs: \"Space\", \"Ctrl+R\", \"mouse.left\", \"wheel.up\", \"pad.south\", \"pad.left_x\" ...\n\n[actions]\n";
+      "# Assigns keys, mouse and pads to actions. Actions that are not listed keep their default inputs; [] means no "
+      "input.\n"
+      "# Examples of inputs: \"Space\", \"Ctrl+R\", \"mouse.left\", \"wheel.up\", \"pad.south\", \"pad.left_x\" "
+      "...\n\n[actions]\n";
   for (const ActionFacts& facts : all_actions()) {
     std::vector<std::string> names;
     for (const Input& input : inputs_of(facts.action)) {
@@ -222,7 +228,7 @@ std::string Controls::to_toml() const {
     }
     text += fmt::format("{} = {}  # {}\n", facts.name, list_of(names), facts.english);
   }
-  text += "\n# A sign or a factor in front: \"-A\", \"0.5*pad.left_x\".\n[steer]\n";
+  text += "\n# A minus sign reverses an input, a factor scales it: \"-A\", \"0.5*pad.left_x\".\n[steer]\n";
   for (const SteerFacts& facts : all_steering()) {
     std::vector<std::string> names;
     for (const SteerBinding& binding : inputs_of(facts.component)) {
@@ -236,7 +242,7 @@ std::string Controls::to_toml() const {
 void write_default_controls(const std::filesystem::path& path) {
   std::error_code problem;
   if (std::filesystem::exists(path, problem)) {
-    throw Error(path.string(), "is there already", "choose another name, or remove it first");
+    throw Error(path.string(), "already exists", "choose another name, or remove the file first");
   }
   write_text_atomically(path, Controls().to_toml());
 }

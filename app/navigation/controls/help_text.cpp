@@ -13,7 +13,7 @@ namespace ergodome {
 
 namespace {
 
-//! Takes keys from the front of a list of them, as many as a column has room for; at least one.
+//! Removes keys from the front of a list and returns them: as many as fit in a column, at least one.
 std::string taken_from(std::string& keys) {
   constexpr std::size_t room = 26;  // bytes: names of keys are short
   std::size_t end = keys.size() <= room ? keys.size() : keys.rfind(", ", room);
@@ -47,11 +47,11 @@ std::span<const HelpRow> help_rows() {
   using enum HelpGroup;
   static constexpr std::array rows = {
       HelpRow{flight, {fly, none}},
-      HelpRow{flight, {return_to_path, none}, "fly back to the show's path", "zurück auf den Weg der Vorführung"},
+      HelpRow{flight, {return_to_path, none}},
       HelpRow{flight, {reset, none}},
       HelpRow{flight, {next_flight_mode, none}, "orbit, ship, hover, free fall", "Umlauf, Schiff, Schweben, Fall"},
       HelpRow{flight, {reverse_orbit, none}},
-      HelpRow{flight, {let_go, none}, "let go: fall into the hole", "loslassen: ins Loch fallen"},
+      HelpRow{flight, {let_go, none}},
       HelpRow{flight, {next_observer, none}},
       HelpRow{picture, {exposure_down, exposure_up}, "half a stop darker, brighter", "halbe Blende dunkler, heller"},
       HelpRow{picture, {exposure_reset, none}},
@@ -62,8 +62,8 @@ std::span<const HelpRow> help_rows() {
       HelpRow{show, {pause, none}},
       HelpRow{show, {seek_back, seek_forward}, "2 s back, forward", "2 s zurück, vor"},
       HelpRow{show, {previous_chapter, next_chapter}, "previous, next chapter", "voriges, nächstes Kapitel"},
-      HelpRow{show, {step_back, step_forward}, "one picture back, forward", "ein Bild zurück, vor"},
-      HelpRow{show, {slower, faster}, "half, twice as fast", "halb, doppelt so schnell"},
+      HelpRow{show, {step_back, step_forward}, "one frame back, forward", "ein Bild zurück, vor"},
+      HelpRow{show, {slower, faster}, "half, double the speed", "halb, doppelt so schnell"},
       HelpRow{show, {usual_speed, none}},
       HelpRow{show, {reverse, none}},
       HelpRow{show, {restart, none}, "to the start of the show", "an den Anfang"},
@@ -71,9 +71,8 @@ std::span<const HelpRow> help_rows() {
       HelpRow{show, {captions, none}},
       HelpRow{show, {next_language, none}},
       HelpRow{show, {volume_down, volume_up}, "quieter, louder", "leiser, lauter"},
-      HelpRow{show, {reload, none}, "read the show's file again", "Datei neu lesen"},
-      HelpRow{
-          stereo, {baseline_smaller, baseline_larger}, "eyes nearer, farther apart", "Augen näher, weiter auseinander"},
+      HelpRow{show, {reload, none}, "reload the show file", "Vorführung neu laden"},
+      HelpRow{stereo, {baseline_smaller, baseline_larger}, "smaller, larger baseline", "Stereobasis kleiner, größer"},
       HelpRow{stereo, {baseline_reset, none}},
       HelpRow{
           stereo, {convergence_nearer, convergence_farther}, "converge nearer, farther", "Konvergenz näher, ferner"},
@@ -113,7 +112,7 @@ class HelpLines {
 
   void add(const Input& input) {
     const bool of_pad = input.kind == Input::Kind::pad_button || input.kind == Input::Kind::pad_axis;
-    // Pucks and paddles are known to those who have them; there is no room for all.
+    // 3D mice and paddles are left out for lack of room.
     const bool puck = input.kind == Input::Kind::pad_axis && input.code >= static_cast<int>(PadAxis::move_right);
     const bool paddle = input.kind == Input::Kind::pad_button && input.code >= static_cast<int>(PadButton::capture);
     if (puck || paddle || (of_pad && !choice_.pads)) {
@@ -122,7 +121,7 @@ class HelpLines {
     std::string& cell = line_[of_pad ? 1 : 0];
     cell += cell.empty() ? "" : ", ";
     const std::string label = label_of(input, choice_.language);
-    // A comma among commas would be lost.
+    // The comma key is spelled out, because commas separate the keys.
     cell += label != "," ? label : choice_.language == "de" ? "Komma" : "Comma";
   }
 

@@ -123,8 +123,8 @@ constexpr std::array<NamedPart, pad_axis_count> pad_axes = {{
     {"right_trigger", "RT / R2"},
     {"move_right", "puck sideways", "Kappe seitwärts"},
     {"move_up", "puck up, down", "Kappe auf, ab"},
-    {"move_forward", "puck forwards, back", "Kappe vor, zurück"},
-    {"turn_pitch", "puck tilted forwards, back", "Kappe vor, zurück geneigt"},
+    {"move_forward", "puck forward, back", "Kappe vor, zurück"},
+    {"turn_pitch", "puck tilted forward, back", "Kappe vor, zurück geneigt"},
     {"turn_yaw", "puck turned", "Kappe gedreht"},
     {"turn_roll", "puck tilted sideways", "Kappe seitwärts geneigt"},
 }};

@@ -74,7 +74,7 @@ TEST(ObserverView, SaysWhatStandsInForWhat) {
   };
   EXPECT_EQ(sentence(1000.0, "en"), "static observer, 0.00 c");
   EXPECT_EQ(sentence(1.7, "en"),
-            "static observer, 0.99 c (nothing can stand still here: the slowest way round that there is)");
+            "static observer, 0.99 c (nothing can stand still here: slowest possible motion instead)");
   EXPECT_EQ(sentence(10.0, "de").substr(0, 9), "ruhender ");
 }
 

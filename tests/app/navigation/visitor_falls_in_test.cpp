@@ -88,8 +88,8 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
   EXPECT_LT(visitor.pose().r, 1.001 * deepest_rest(0.9));
   EXPECT_FALSE(visitor.flier.navigator.moved());
   EXPECT_THAT(visitor.flier.navigator.own_observer()->sentence,
-              testing::AllOf(HasSubstr("within the horizon"), HasSubstr("0.00 M of its own time left"),
-                             HasSubstr("time stands still")));
+              testing::AllOf(HasSubstr("inside the horizon"), HasSubstr("0.00 M of proper time left"),
+                             HasSubstr("time is stopped")));
 }
 
 // From rest at r0 about a hole without spin: r = r0 (1 + cos η) / 2 at the own time (r0³ / 8)^(1/2) (η + sin η).
@@ -278,7 +278,7 @@ TEST(VisitorFallsIn, StaysOutsideWhereTheShowKeepsVisitorsThere) {
     const char* says;
   } shows[] = {{0.0, "[[objects]]\nshape = \"sphere\"\nmethod = \"polygon\"\nsize = 0.5\nposition = [9, 0, 0]\n",
                 "polygon cannot be shown"},
-               {0.9, "guard = \"photon_orbit\"\n", "out of bounds"},
+               {0.9, "guard = \"photon_orbit\"\n", "leaves the flight region"},
                {1.0, "", "no inside"}};
   for (const auto& [spin, flight, says] : shows) {
     Visitor visitor(show_at(spin, 5.0, 90.0, flight));

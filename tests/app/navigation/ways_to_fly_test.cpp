@@ -131,7 +131,7 @@ TEST(Navigator, AnOrbitThatFallsInComesToRestBeforeTheGuardAndSaysSo) {
   flier.hold({}, 40.0);
   EXPECT_GT(flier.navigator.pose().r, flier.navigator.space().guard_r());
   EXPECT_LT(flier.navigator.pose().r, 1.01 * flier.navigator.space().guard_r());
-  EXPECT_NE(flier.navigator.own_observer()->sentence.find("time stands still"), std::string::npos);
+  EXPECT_NE(flier.navigator.own_observer()->sentence.find("time is stopped"), std::string::npos);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(VisitorSession, FallsThroughTheHorizonBelowTheTriggerOfAPad) {
   run(1.0 / 60.0, input);
   run(40.0);
   EXPECT_LT(session_.frame().pose.r, 0.9 * horizon_radius(session_spin));
-  EXPECT_THAT(session_.caption(), HasSubstr("within the horizon"));
+  EXPECT_THAT(session_.caption(), HasSubstr("inside the horizon"));
 }
 
 TEST_F(VisitorSession, SaysWhereOneIsInGermanToo) {
