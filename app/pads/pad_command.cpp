@@ -36,7 +36,7 @@ struct PadOptions {
   std::string fixture;
 };
 
-//! Time as it passes; of a fixture whose lines go into a file or another program, as fast as they can be written.
+//! Real time; if a fixture is played and the output is not a terminal, time that runs as fast as lines are written.
 class Pace {
  public:
   explicit Pace(bool hurry) : hurry_(hurry), start_(Clock::now()) {}
@@ -59,7 +59,7 @@ class Pace {
   Clock::time_point start_;
 };
 
-//! Where settings are read from: the file named, or the default one where there is one.
+//! Returns the settings file: the one named, or the default file if it exists.
 fs::path settings_file(const PadOptions& options) {
   if (!options.settings.empty()) {
     return options.settings;
@@ -80,12 +80,12 @@ std::unique_ptr<HidApi> open_api(const PadOptions& options, const Pace& pace) {
           ? make_hid_library()
           : std::make_unique<FixturePlayer>(load_hid_fixture(options.fixture), [&pace] { return pace.now_s(); });
   if (const std::string problem = api->init(); !problem.empty()) {
-    throw Error("pad", problem, "is libhidapi-hidraw installed?");
+    throw Error("pad", problem, "install libhidapi-hidraw");
   }
   return api;
 }
 
-//! Draws lines over those drawn before, or beneath them where there is no terminal and something changed.
+//! Redraws lines in place on a terminal; otherwise appends the lines that changed.
 class LiveLines {
  public:
   void show(const PadSnapshot& snapshot) {
@@ -124,7 +124,7 @@ class LiveLines {
   std::vector<std::string> shown_;
 };
 
-//! How long a command goes on: as it was told, else for ever; but a fixture in a hurry ends.
+//! Returns how long a command runs: --for, otherwise the default; 10 s for a fixture whose output is not a terminal.
 double duration_s(const PadOptions& options, bool hurry, double otherwise) {
   return options.for_s > 0.0 ? options.for_s : hurry ? 10.0 : otherwise;
 }
@@ -139,13 +139,13 @@ void show_live(PadHub& hub, Pace& pace, double duration_s) {
   }
 }
 
-//! The session of the pad with that number, in the order they were found.
+//! Returns the session of the pad with this number, in the order of discovery.
 const PadSession* session_of(const PadHub& hub, int number) {
   const auto index = static_cast<std::size_t>(number - 1);
   return index < hub.sessions().size() ? hub.sessions()[index].get() : nullptr;
 }
 
-//! The profile that is about this one pad, made from the one that it had where there is none.
+//! Returns the profile of this pad alone; creates it from the profile that applied before if it is missing.
 PadProfile& own_profile(PadSettings& settings, const PadIdentity& pad) {
   const std::string device = device_id(pad.vendor, pad.product);
   const auto found = std::find_if(settings.pads.begin(), settings.pads.end(), [&](const PadProfile& profile) {
@@ -167,27 +167,26 @@ fs::path calibration_file(const PadOptions& options) {
                   : !options.settings.empty() ? fs::path(options.settings)
                                               : default_pad_settings_path();
   if (path.empty()) {
-    throw Error("pad --calibrate", "there is no home folder to keep settings in", "name a file with --out");
+    throw Error("pad --calibrate", "no home folder was found for the settings file", "name a file with --out");
   }
   return path;
 }
 
 void report(const PadProfile& profile, const std::vector<std::string>& unmoved) {
   for (const auto& [name, range] : profile.calibration) {
-    print_out("{:>16}: {} to {}, at rest {}\n", name, range.least, range.greatest, range.centre);
+    print_out("{:>16}: {} to {}, center {}\n", name, range.least, range.greatest, range.centre);
   }
   print_out("dead zones: left stick {}, right stick {}\n", profile.left_stick.dead_zone, profile.right_stick.dead_zone);
   if (!unmoved.empty()) {
-    print_out("left as they were, because they were hardly moved: {}\n", fmt::join(unmoved, ", "));
+    print_out("unchanged, because they were hardly moved: {}\n", fmt::join(unmoved, ", "));
   }
 }
 
 void calibrate(PadHub& hub, Pace& pace, PadSettings settings, const PadOptions& options, double duration_s) {
   const fs::path file = calibration_file(options);
   print_out(
-      "Leave the controller alone for a moment. Then move each stick round its edge, press both triggers down, and "
-      "let\n"
-      "go of everything: that ends it. Ctrl-C leaves everything as it was.\n");
+      "Do not touch the controller for a moment. Then move each stick all the way round, press both triggers fully,\n"
+      "and release everything: this ends the calibration. Ctrl-C cancels it without changes.\n");
   std::fflush(stdout);
   const double end_s = pace.now_s() + duration_s;
   std::unique_ptr<PadCalibrator> calibrator;
@@ -205,15 +204,16 @@ void calibrate(PadHub& hub, Pace& pace, PadSettings settings, const PadOptions& 
         profile = calibrator->applied_to(profile);
         report(profile, calibrator->unmoved());
         write_pad_settings(file, settings);
-        print_out("written to {}\n", file.string());
+        print_out("settings written to {}\n", file.string());
         return;
       }
     }
     pace.next_frame();
   }
-  throw Error("pad --calibrate",
-              session == nullptr ? "there is no such controller" : "the controller was not moved and let go",
-              "see `ergodome pad`; nothing was written");
+  throw Error(
+      "pad --calibrate",
+      session == nullptr ? "this controller was not found" : "the controller was not moved and then released in time",
+      "nothing was written; list the controllers with `ergodome pad`, then try again");
 }
 
 void run(const PadOptions& options) {
@@ -238,22 +238,26 @@ void run(const PadOptions& options) {
 }  // namespace
 
 void add_pad_command(CLI::App& app) {
-  auto* command = app.add_subcommand("pad", "List controllers, show what they do, measure them, write their settings");
+  auto* command =
+      app.add_subcommand("pad", "List game controllers, show their live input, calibrate them, write their settings");
   auto options = std::make_shared<PadOptions>();
-  auto* live = command->add_flag("--live", options->live, "show what sticks and buttons do, until Ctrl-C");
-  auto* calibrate = command
-                        ->add_flag("--calibrate", options->calibrate,
-                                   "measure a controller's sticks and triggers, and write the settings")
-                        ->excludes(live);
-  command->add_option("--pad", options->pad, "which controller to measure, from 1 in the order they are listed")
+  auto* live = command->add_flag("--live", options->live, "show the live values of sticks and buttons until Ctrl-C");
+  auto* calibrate =
+      command
+          ->add_flag("--calibrate", options->calibrate,
+                     "measure the ranges of a controller's sticks and triggers and write them to the settings file")
+          ->excludes(live);
+  command->add_option("--pad", options->pad, "number of the controller to calibrate, in the order of the list, from 1")
       ->check(CLI::Range(1, 16))
       ->needs(calibrate);
-  command->add_option("--for", options->for_s, "end after so many seconds")->check(number_between(0.1, 1e9));
+  command->add_option("--for", options->for_s, "end after this number of seconds")->check(number_between(0.1, 1e9));
   command->add_option("--settings", options->settings,
-                      "file to read; default: $XDG_CONFIG_HOME/ergodome/pads.toml, or in ~/.config");
-  command->add_option("--out", options->out, "file to write settings to, with comments; an older one is kept as .bak")
+                      "settings file to read (default: ergodome/pads.toml in $XDG_CONFIG_HOME or ~/.config)");
+  command
+      ->add_option("--out", options->out, "settings file to write, with comments; an existing file is renamed to .bak")
       ->excludes(live);
-  command->add_option("--fixture", options->fixture, "play recorded reports in place of controllers");
+  command->add_option("--fixture", options->fixture,
+                      "replay recorded reports from this file instead of reading controllers");
   IdleOptions idle(*command);
   idle.add("without --live or --calibrate", [options] { return !options->live && !options->calibrate; }, {"--for"});
   command->callback([options, idle] {

@@ -34,7 +34,7 @@ class PadDecoder {
   PadDecoder& operator=(const PadDecoder&) = delete;
   virtual ~PadDecoder() = default;
 
-  //! What reads it: "DualSense"; of devices that are not known, "its report descriptor says".
+  //! Returns the model that the decoder is for: "DualSense"; for unknown devices "described by its report descriptor".
   [[nodiscard]] virtual std::string_view model() const = 0;
   [[nodiscard]] virtual const RawLayout& layout() const = 0;
   //! Takes a report into `pad`, which holds what the last ones said; a refused report leaves it as it was.

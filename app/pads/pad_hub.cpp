@@ -54,8 +54,8 @@ PadIdentity identity_of(const HidDeviceInfo& info, std::string_view model) {
 
 std::string permission_remedy(const HidDeviceInfo& info) {
   return fmt::format(
-      "there is no permission to read {}; install the udev rules app/pads/69-ergodome.rules as "
-      "app/pads/PADS.md says, then plug the controller in again",
+      "no permission to read {}; install the udev rules 69-ergodome.rules "
+      "(see how-to/connect-a-pad.md in the documentation), then reconnect the controller",
       info.path);
 }
 

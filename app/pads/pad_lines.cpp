@@ -35,10 +35,10 @@ std::string live_line(const PadView& pad) {
     }
   }
   if (pad.absent) {
-    line += "  (no pad with its receiver)";
+    line += "  (receiver without a pad)";
   }
   if (pad.stuck) {
-    line += "  (a stuck axis is left out)";
+    line += "  (a stuck axis is ignored)";
   }
   if (pad.refused > 0) {
     fmt::format_to(std::back_inserter(line), "  ({} of {} not understood)", pad.refused,

@@ -19,14 +19,14 @@ std::string profile_name(const PadSettings& settings, const PadIdentity& pad) {
   return &profile == &settings.otherwise ? "[default]" : fmt::format("[[pad]] {}", &profile - settings.pads.data() + 1);
 }
 
-//! What reads a device, or why nothing does.
+//! Returns the decoder of a device, or why it cannot be used.
 std::string reader_of(HidApi& api, const HidDeviceInfo& info) {
   HidOpening opening = api.open_path(info.path);
   if (opening.device == nullptr) {
     return opening.denied ? permission_remedy(info) : opening.problem;
   }
   const auto decoder = make_pad_decoder(info, opening.device->descriptor());
-  return decoder == nullptr ? "its report descriptor says nothing that can be read"
+  return decoder == nullptr ? "not usable: its report descriptor defines no axes or buttons that can be read"
                             : fmt::format("read as {}", decoder->model());
 }
 
@@ -45,13 +45,12 @@ void list_pads(HidApi& api, const PadSettings& settings, const std::filesystem::
     ++count;
   }
   if (count == 0) {
-    print_out(
-        "no controllers found. Microsoft's pads are found over Bluetooth alone, Logitech's with their switch at D.\n");
+    print_out("no controllers found. Microsoft pads work over Bluetooth only, Logitech pads with their switch at D.\n");
   }
   if (file.empty()) {
-    print_out("there is no settings file, so the usual settings hold; --calibrate makes one\n");
+    print_out("no settings file found, default settings apply; --calibrate creates one\n");
   } else {
-    print_out("settings are read from {}\n", file.string());
+    print_out("settings file: {}\n", file.string());
   }
 }
 
@@ -66,7 +65,7 @@ void write_pads_found(HidApi& api, PadSettings settings, const std::filesystem::
     }
   }
   write_pad_settings(out, settings);
-  print_out("written to {}: {}\n", out.string(), counted(settings.pads.size(), "controller"));
+  print_out("settings of {1} written to {0}\n", out.string(), counted(settings.pads.size(), "controller"));
 }
 
 }  // namespace ergodome

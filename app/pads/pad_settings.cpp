@@ -45,7 +45,7 @@ const PadProfile& profile_for(const PadSettings& settings, const PadIdentity& pa
 }
 
 PadSettings load_pad_settings(const std::filesystem::path& path) {
-  return parse_pad_settings(read_whole_file(path, std::size_t{1} << 20U, "pad settings are a short TOML file"),
+  return parse_pad_settings(read_whole_file(path, std::size_t{1} << 20U, "the pad settings file is a short TOML file"),
                             path.string());
 }
 

@@ -26,10 +26,10 @@ class ProfileReader {
     profile_.serial = table_.text("serial", "");
     if (profile_.device.empty() && profile_.name.empty() && profile_.serial.empty()) {
       throw table_.error_at("device", "is missing, and so are name and serial",
-                            "write device = \"054c:0ce6\" as `ergodome pad` lists it");
+                            "write for example device = \"054c:0ce6\", as listed by `ergodome pad`");
     }
     if (!profile_.device.empty() && !is_device_id(profile_.device)) {
-      throw table_.error_at("device", "is no vendor and product",
+      throw table_.error_at("device", "is not a vendor and product id",
                             "write four lower-case hex digits, a colon and four more");
     }
   }
@@ -43,8 +43,8 @@ class ProfileReader {
       return;
     }
     const char* const key = !profile_.device.empty() ? "device" : !profile_.serial.empty() ? "serial" : "name";
-    throw table_.error_at(key, fmt::format("is what pad[{}] is about already", same - earlier.begin() + 1),
-                          "write one [[pad]] for both, or the serial of each, as `ergodome pad` lists it");
+    throw table_.error_at(key, fmt::format("is already used by pad[{}]", same - earlier.begin() + 1),
+                          "merge both [[pad]] tables, or add the serial of each pad, as listed by `ergodome pad`");
   }
 
   PadProfile read() {
@@ -80,7 +80,8 @@ class ProfileReader {
     curve.exponent = table.number("exponent", curve.exponent, 0.2, 5.0);
     curve.expo = table.number("expo", curve.expo, 0.0, 1.0);
     if (curve.full_at < curve.dead_zone + 0.05) {
-      throw table.error_at("full_at", "is not beyond dead_zone", "leave at least 0.05 between the two");
+      throw table.error_at("full_at", "is not at least 0.05 larger than dead_zone",
+                           "increase full_at or reduce dead_zone");
     }
     table.refuse_unknown_keys();
   }
@@ -99,7 +100,7 @@ class ProfileReader {
     for (const toml::node& item : *list) {
       const auto word = item.value_exact<std::string>();
       if (!word) {
-        throw table_.error_at(key, "holds something that is no name", "write names in quotes");
+        throw table_.error_at(key, "contains a value that is not text", "write names in quotes");
       }
       found.push_back(*word);
     }
@@ -108,7 +109,7 @@ class ProfileReader {
 
   Error unknown(std::string_view key, const std::string& word, const std::vector<std::string>& known) {
     const std::string nearest = nearest_word(word, known);
-    return table_.error_at(key, fmt::format("holds \"{}\"", word.substr(0, 60)),
+    return table_.error_at(key, fmt::format("contains the unknown name \"{}\"", word.substr(0, 60)),
                            nearest.empty() ? fmt::format("choose from {}", fmt::join(known, ", "))
                                            : fmt::format("did you mean \"{}\"?", nearest));
   }
@@ -145,7 +146,7 @@ class ProfileReader {
     }
   }
 
-  //! A table below, whose keys are names of raw axes; nullptr where there is none.
+  //! Returns the subtable whose keys are names of raw axes; nullptr if it is missing.
   const toml::table* table_of_axes(std::string_view key) {
     const toml::table* const found = table_.table(key);
     if (found != nullptr && found->size() > most_raw_axes) {
@@ -163,8 +164,8 @@ class ProfileReader {
         const std::vector<std::string> known = raw_axis_names();
         const std::string nearest = nearest_word(name.str(), known);
         throw TomlTable(axes, file_, table_.path_of(key))
-            .error_at(name.str(), "is no axis of a controller",
-                      nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+            .error_at(name.str(), "is not an axis of a controller",
+                      nearest.empty() ? fmt::format("choose from {}", fmt::join(known, ", "))
                                       : fmt::format("did you mean \"{}\"?", nearest));
       }
     }
@@ -186,7 +187,7 @@ class ProfileReader {
         std::vector<std::string> known = pad_axis_names();
         known.emplace_back("none");
         const std::string nearest = nearest_word(word, known);
-        throw table.error_at(key.str(), fmt::format("is \"{}\"", target.substr(0, 60)),
+        throw table.error_at(key.str(), fmt::format("has the unknown value \"{}\"", target.substr(0, 60)),
                              nearest.empty() ? fmt::format("choose from {}", fmt::join(known, ", "))
                                              : fmt::format("did you mean \"{}\"?", nearest));
       }
@@ -208,7 +209,7 @@ class ProfileReader {
                                         static_cast<std::int32_t>(range[2])};
       if (calibration.least > calibration.centre || calibration.centre > calibration.greatest ||
           calibration.least == calibration.greatest) {
-        throw table.error_at(key.str(), "does not rise", "write [least, centre, greatest]");
+        throw table.error_at(key.str(), "is not in rising order", "write [minimum, center, maximum]");
       }
       profile_.calibration[std::string(key.str())] = calibration;
     }
@@ -222,7 +223,7 @@ class ProfileReader {
 }  // namespace
 
 PadSettings parse_pad_settings(std::string_view text, const std::string& file) {
-  const toml::table root = parse_toml(text, file, 1, "a file of pad settings");
+  const toml::table root = parse_toml(text, file, 1, "a pad settings file");
   TomlTable table(root, file, "");
   PadSettings settings;
   settings.stuck_after_s = table.number("stuck_after_s", settings.stuck_after_s, 0.0, 86'400.0);

@@ -8,23 +8,23 @@ namespace ergodome {
 namespace {
 
 constexpr std::string_view head =
-    R"(# How controllers are read. A [[pad]] is about those whose device, name and serial agree with what `ergodome pad` lists; what it
-# leaves out is as in [default]. Of several that agree, one with a serial is taken before one with a device, and that before a name.
+    R"(# Settings of game controllers. A [[pad]] table applies to controllers whose device, name and serial match the output of `ergodome pad`.
+# Keys that it omits are taken from [default]. If several tables match, a serial ranks before a device, and a device before a name.
 
 )";
 
 constexpr std::string_view profile_help =
-    R"(# ignore: leaves the controller alone. mode_switch: asks it for its full reports (DualShock and DualSense over Bluetooth, Switch Pro);
-# leave it false where the kernel's driver does that.
-# dead_zone: nothing below (a part of the whole deflection; of sticks radial). full_at: all from there on.
-# exponent: above 1, finer about the middle. expo: from 0 to 1, blends a cube in.
-# invert: axes that go the wrong way, as in ["left_y", "right_y"].
-# [axes]: what a raw axis moves, as in rz = "-right_y" (minus: inverted) or slider = "none".
-# buttons: what HID button 1, 2, ... is, as in ["south", "east", "none"]; of controllers read by their descriptor.
-# [calibration]: least, centre, greatest of a raw axis; `ergodome pad --calibrate` measures them.
+    R"(# ignore: true disables the controller. mode_switch: requests full reports (DualShock and DualSense over Bluetooth, Switch Pro);
+# leave it false if the kernel driver already does this.
+# dead_zone: deflections below this fraction of the full range count as 0 (radial for sticks). full_at: deflections from here on count as 1.
+# exponent: values above 1 give finer control near the center. expo: 0 to 1, share of a cubic curve.
+# invert: axes to reverse, for example ["left_y", "right_y"].
+# [axes]: assigns raw axes, for example rz = "-right_y" (minus: reversed) or slider = "none".
+# buttons: assigns HID buttons 1, 2, ..., for example ["south", "east", "none"]; only for controllers read by their report descriptor.
+# [calibration]: minimum, center and maximum of each raw axis, as measured by `ergodome pad --calibrate`.
 )";
 
-//! A text, or a key, in TOML's quotes.
+//! Returns a text or a key in TOML quotes.
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -72,7 +72,7 @@ std::string buttons_of(const PadProfile& profile) {
   return list_of(names);
 }
 
-//! The keys of a profile; `table` is what its subtables begin with, "default" or "pad".
+//! Returns the keys of a profile; `table` is the prefix of its subtables, "default" or "pad".
 std::string body_of(const PadProfile& profile, std::string_view table) {
   std::string text = fmt::format("ignore = {}\nmode_switch = {}\n", profile.ignore, profile.mode_switch);
   fmt::format_to(std::back_inserter(text), "left_stick = {}\nright_stick = {}\ntriggers = {}\npuck = {}\n",
@@ -97,8 +97,8 @@ std::string body_of(const PadProfile& profile, std::string_view table) {
 std::string to_toml(const PadSettings& settings) {
   std::string text(head);
   text +=
-      "# A stick that is deflected and counts exactly the same for so many seconds is left out until it moves; 0: "
-      "never.\n";
+      "# A deflected stick whose value stays exactly the same for this many seconds is ignored until it moves; 0 turns "
+      "this off.\n";
   fmt::format_to(std::back_inserter(text), "stuck_after_s = {}\n\n", settings.stuck_after_s);
   text += profile_help;
   text += "[default]\n" + body_of(settings.otherwise, "default");

@@ -68,7 +68,7 @@ class ByDescriptor : public PadDecoder {
   }
 
   [[nodiscard]] bool reads_anything() const { return !reads_.empty(); }
-  [[nodiscard]] std::string_view model() const override { return "its report descriptor says"; }
+  [[nodiscard]] std::string_view model() const override { return "described by its report descriptor"; }
   [[nodiscard]] const RawLayout& layout() const override { return layout_; }
 
   PadReport decode(ReportBytes report, RawPad& pad) override {

@@ -92,7 +92,7 @@ class Parser {
 
  private:
   [[nodiscard]] Error problem(const std::string& what) const {
-    return {"report descriptor", fmt::format("byte {}: {}", at_, what), "the device cannot be read by its descriptor"};
+    return {"report descriptor", fmt::format("byte {}: {}", at_, what), "this controller cannot be used"};
   }
 
   //! Size, type and tag, then up to four bytes, the low one first.
@@ -135,7 +135,7 @@ class Parser {
         break;
       case Item::end_collection:
         if (depth_ == 0) {
-          throw problem("ends a collection that did not begin");
+          throw problem("ends a collection that was not opened");
         }
         --depth_;
         break;
@@ -182,20 +182,20 @@ class Parser {
         break;
       case Item::report_id:
         if (value == 0 || value > 255) {
-          throw problem("has a report id that cannot be");
+          throw problem("has an invalid report id (1 to 255 are valid)");
         }
         globals_.id = static_cast<std::uint8_t>(value);
         layout_.has_ids = true;
         break;
       case Item::push:
         if (stack_.size() >= deepest) {
-          throw problem("pushes too often");
+          throw problem("has too many Push items");
         }
         stack_.push_back(globals_);
         break;
       case Item::pop:
         if (stack_.empty()) {
-          throw problem("pops what was not pushed");
+          throw problem("has a Pop item without a Push item");
         }
         globals_ = stack_.back();
         stack_.pop_back();
@@ -242,7 +242,7 @@ class Parser {
 
   void begin_collection(std::uint32_t kind) {
     if (depth_ >= deepest) {
-      throw problem("nests too deeply");
+      throw problem("nests collections too deeply");
     }
     ++depth_;
     if (kind == application_collection && !usages_.empty()) {

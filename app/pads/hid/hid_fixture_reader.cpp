@@ -69,7 +69,7 @@ class FixtureReader {
     std::stable_sort(device.timeline.begin(), device.timeline.end(),
                      [](const HidEvent& a, const HidEvent& b) { return a.t_s < b.t_s; });
     if (device.repeat_s > 0.0 && !device.timeline.empty() && device.timeline.back().t_s >= device.repeat_s) {
-      throw table.error_at("repeat_ms", "is not beyond the last event", "make it longer");
+      throw table.error_at("repeat_ms", "is not later than the last event", "choose a larger value");
     }
     table.refuse_unknown_keys();
     return device;
@@ -86,8 +86,8 @@ class FixtureReader {
     // Repetitions of a large report would be large.
     expanded_bytes_ += (sizeof(HidEvent) + event.bytes.size() + event.expect.size()) * static_cast<std::size_t>(count);
     if (expanded_bytes_ > (std::size_t{64} << 20U) || device.timeline.size() + count > most_events) {
-      throw table.error_at("count", "makes too many events",
-                           fmt::format("a fixture has at most {}, and 64 MiB", most_events));
+      throw table.error_at("count", "produces too many events",
+                           fmt::format("a fixture may contain at most {} events and 64 MiB", most_events));
     }
     for (int i = 0; i < count; ++i) {
       device.timeline.push_back(event);
@@ -107,8 +107,8 @@ class FixtureReader {
     if (static_cast<int>(!event.bytes.empty()) + static_cast<int>(connects) + static_cast<int>(disconnects) +
             static_cast<int>(fails) + static_cast<int>(permits) !=
         1) {
-      throw table.error_at("hex", "is not one event",
-                           "write one of hex, connect, disconnect = true, error = true, permission");
+      throw table.error_at("hex", "is not exactly one event",
+                           "write exactly one of hex, connect, disconnect = true, error = true and permission");
     }
     if (connects) {
       event.kind = connect;
@@ -125,7 +125,7 @@ class FixtureReader {
     const std::string text = table.text(key, "");
     unsigned value = 0;
     if (text.size() != 4 || !std::all_of(text.begin(), text.end(), [](char c) { return digit_of(c) >= 0; })) {
-      throw table.error_at(key, "is not four hex digits", "write it as in \"054c\"");
+      throw table.error_at(key, "is not four hexadecimal digits", "write for example \"054c\"");
     }
     for (const char c : text) {
       value = value * 16 + static_cast<unsigned>(digit_of(c));
@@ -148,7 +148,8 @@ class FixtureReader {
       }
       const int digit = digit_of(c);
       if (digit < 0 || bytes.size() >= longest_fixture_report) {
-        throw table.error_at(key, "is not bytes in hex", "write it as in \"01 80 7f\", at most 65,536 bytes");
+        throw table.error_at(key, "is not a list of bytes in hexadecimal",
+                             "write for example \"01 80 7f\", at most 65,536 bytes");
       }
       if (half < 0) {
         half = digit;
@@ -158,7 +159,7 @@ class FixtureReader {
       }
     }
     if (half >= 0) {
-      throw table.error_at(key, "ends in the middle of a byte", "write two digits for each");
+      throw table.error_at(key, "ends in the middle of a byte", "write two digits for each byte");
     }
     return bytes;
   }
@@ -173,7 +174,7 @@ class FixtureReader {
       unsigned usage = 0;
       int used = 0;
       if (std::sscanf(text.c_str() + at, " %4u:%4u%n", &page, &usage, &used) != 2) {
-        throw table.error_at("usage", "is no usage", "write page and number, as in \"1:5\"");
+        throw table.error_at("usage", "is not a HID usage", "write page and number, for example \"1:5\"");
       }
       usages.push_back({static_cast<std::uint16_t>(page), static_cast<std::uint16_t>(usage)});
       at += static_cast<std::size_t>(used);

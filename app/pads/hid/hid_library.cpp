@@ -69,7 +69,7 @@ class Library : public HidApi {
  public:
   ~Library() override { hid_exit(); }
 
-  std::string init() override { return hid_init() == 0 ? "" : "hidapi could not be started"; }
+  std::string init() override { return hid_init() == 0 ? "" : "the library hidapi cannot be initialized"; }
 
   std::vector<HidDeviceInfo> enumerate() override {
     std::vector<HidDeviceInfo> found;

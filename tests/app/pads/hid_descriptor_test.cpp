@@ -232,9 +232,9 @@ TEST(HidDescriptor, IsRefusedWhereItEndsInTheMiddleOfAnItem) {
 }
 
 TEST(HidDescriptor, IsRefusedWhereItNestsOrPopsBeyondReason) {
-  EXPECT_THAT(problem_of({0xC0}), HasSubstr("did not begin"));
-  EXPECT_THAT(problem_of({0xB4}), HasSubstr("not pushed"));
-  EXPECT_THAT(problem_of(Bytes(100, 0xA4)), HasSubstr("too often"));
+  EXPECT_THAT(problem_of({0xC0}), HasSubstr("was not opened"));
+  EXPECT_THAT(problem_of({0xB4}), HasSubstr("without a Push item"));
+  EXPECT_THAT(problem_of(Bytes(100, 0xA4)), HasSubstr("too many Push items"));
   EXPECT_THAT(problem_of(Bytes(100, 0xA0)), HasSubstr("too deeply"));
   EXPECT_THAT(problem_of({0x85, 0x00}), HasSubstr("report id"));
 }

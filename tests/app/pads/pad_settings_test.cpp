@@ -68,8 +68,8 @@ TEST(PadSettings, ComeBackWithNamesThatNeedQuotes) {
 }
 
 TEST(PadSettings, SayWhatTheirLinesDo) {
-  EXPECT_THAT(to_toml(PadSettings{}), HasSubstr("# dead_zone: nothing below"));
-  EXPECT_THAT(to_toml(PadSettings{}), HasSubstr("# A stick that is deflected"));
+  EXPECT_THAT(to_toml(PadSettings{}), HasSubstr("# dead_zone: deflections below"));
+  EXPECT_THAT(to_toml(PadSettings{}), HasSubstr("# A deflected stick"));
 }
 
 TEST(PadSettings, NameFileLineAndTheNearestWord) {
@@ -79,15 +79,16 @@ TEST(PadSettings, NameFileLineAndTheNearestWord) {
   EXPECT_THAT(pad_problem("[default]\nleft_stick = { deadzone = 0.1 }\n"), HasSubstr("did you mean \"dead_zone\"?"));
   EXPECT_THAT(pad_problem("[default]\ninvert = [\"lefty\"]\n"), HasSubstr("did you mean \"left_y\"?"));
   EXPECT_THAT(pad_problem("[default]\nbuttons = [\"sout\"]\n"), HasSubstr("did you mean \"south\"?"));
-  EXPECT_THAT(pad_problem("[default]\naxes = { rx = \"right\" }\n"), HasSubstr("default.axes.rx is \"right\""));
+  EXPECT_THAT(pad_problem("[default]\naxes = { rx = \"right\" }\n"),
+              HasSubstr("default.axes.rx has the unknown value \"right\""));
 }
 
 TEST(PadSettings, RefuseWhatCannotBe) {
   EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = 0.5, full_at = 0.5 }\n"),
-              HasSubstr("not beyond dead_zone"));
+              HasSubstr("not at least 0.05 larger than dead_zone"));
   EXPECT_THAT(pad_problem("[default]\nleft_stick = { dead_zone = nan }\n"), HasSubstr("choose a number"));
-  EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 4, 6] }\n"), HasSubstr("does not rise"));
-  EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 5, 5] }\n"), HasSubstr("does not rise"));
+  EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 4, 6] }\n"), HasSubstr("is not in rising order"));
+  EXPECT_THAT(pad_problem("[default]\ncalibration = { x = [5, 5, 5] }\n"), HasSubstr("is not in rising order"));
   EXPECT_THAT(pad_problem("[[pad]]\n"), HasSubstr("is missing, and so are name and serial"));
   EXPECT_THAT(pad_problem("[[pad]]\ndevice = \"054C:0CE6\"\n"), HasSubstr("lower-case hex"));
 }
@@ -95,18 +96,19 @@ TEST(PadSettings, RefuseWhatCannotBe) {
 TEST(PadSettings, RefuseAnAxisThatNoControllerHas) {
   EXPECT_EQ(pad_problem("[default.axes]\nslider_2 = \"left_x\"\nsimple_left_x = \"none\"\n"), "");
   EXPECT_THAT(pad_problem("[default.axes]\nx = \"left_x\"\nslidr = \"left_y\"\n"),
-              HasSubstr("pads.toml:3: default.axes.slidr is no axis of a controller; did you mean \"slider\"?"));
+              HasSubstr("pads.toml:3: default.axes.slidr is not an axis of a controller; did you mean \"slider\"?"));
   EXPECT_THAT(pad_problem("[default.calibration]\nbanana = [0, 1, 2]\n"),
-              HasSubstr("pads.toml:2: default.calibration.banana is no axis of a controller"));
+              HasSubstr("pads.toml:2: default.calibration.banana is not an axis of a controller"));
   for (const char* name : {"x_1", "x_25", "x_02", "x_", "left_x_2", "\"\""}) {
-    EXPECT_THAT(pad_problem(std::string("[default.axes]\n") + name + " = \"none\"\n"), HasSubstr("is no axis")) << name;
+    EXPECT_THAT(pad_problem(std::string("[default.axes]\n") + name + " = \"none\"\n"), HasSubstr("is not an axis"))
+        << name;
   }
 }
 
 TEST(PadSettings, RefuseASecondPadForTheSameControllers) {
   const std::string device = "[[pad]]\ndevice = \"054c:0ce6\"\n";
   EXPECT_THAT(pad_problem(device + device),
-              HasSubstr("pads.toml:4: pad[2].device is what pad[1] is about already; write one [[pad]] for both"));
+              HasSubstr("pads.toml:4: pad[2].device is already used by pad[1]; merge both [[pad]] tables"));
   EXPECT_EQ(pad_problem(device + device + "serial = \"1\"\n" + device + "name = \"Pad\"\n"), "");
   EXPECT_THAT(pad_problem("[[pad]]\nserial = \"1\"\n[[pad]]\nserial = \"1\"\n"),
               HasSubstr("pads.toml:4: pad[2].serial"));
