@@ -65,9 +65,9 @@ MidiClockInput::MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::
       std::ranges::find_if(names, [&](const std::string& name) { return name.find(port) != std::string::npos; });
   if (found == names.end()) {
     throw Error("--clock mtc",
-                port.empty() ? "there is no MIDI input" : fmt::format("no MIDI input is called '{}'", port),
-                names.empty() ? "plug one in, and load ALSA's sequencer (modprobe snd-seq)"
-                              : fmt::format("there are: {}", fmt::join(names, ", ")));
+                port.empty() ? "no MIDI input was found" : fmt::format("no MIDI input is named '{}'", port),
+                names.empty() ? "connect one and load ALSA's sequencer (modprobe snd-seq)"
+                              : fmt::format("choose from: {}", fmt::join(names, ", ")));
   }
   port_ = *found;
   // Time code is what the library leaves out unless asked: system exclusive, timing, not sensing.
@@ -76,7 +76,7 @@ MidiClockInput::MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::
   input_->openPort(static_cast<unsigned int>(found - names.begin()), "time code");
   if (!input_->isPortOpen()) {
     throw Error("--clock mtc", fmt::format("the MIDI input '{}' cannot be opened", port_),
-                "see that no other program keeps it");
+                "close other programs that use it");
   }
 }
 

@@ -33,7 +33,7 @@ const char* name_of(ChaseState state) {
   return "";
 }
 
-//! What a show speaks to who asked for a language that it has not.
+//! Returns the fallback language when the requested one is unavailable.
 std::string spoken_instead(const std::vector<std::string>& languages) {
   return has_language(languages, "en") ? "en" : languages.front();
 }
@@ -47,8 +47,8 @@ std::string language_note(const std::string& show, const Timeline& heard, const 
   if (language.empty() || spoken.empty() || has_language(spoken, language) || has_language(spoken, wider(language))) {
     return "";
   }
-  return fmt::format("{} does not speak \"{}\"; it speaks {}; showing {}", show, language, fmt::join(spoken, ", "),
-                     spoken_instead(spoken));
+  return fmt::format("{} has no captions or sound in \"{}\"; available: {}; using {}", show, language,
+                     fmt::join(spoken, ", "), spoken_instead(spoken));
 }
 
 Playback::Playback(const Show& show, PlaybackSettings settings)
@@ -107,7 +107,7 @@ CommandOutcome Playback::refuse_chapter(std::string english, std::string german)
 
 CommandOutcome Playback::apply(const TransportCommand& command) {
   if (!std::isfinite(command.value)) {
-    return refuse("what was given is not a number", "das ist keine Zahl");
+    return refuse("the value is not a number", "der Wert ist keine Zahl");
   }
   if (moves_time(command.kind)) {
     if (external_) {
@@ -187,9 +187,9 @@ CommandOutcome Playback::go_to_previous_chapter() {
 
 CommandOutcome Playback::choose_language(const std::string& tag) {
   if (!has_language(languages_, tag)) {
-    return languages_.empty() ? refuse("the show has one language", "die Vorführung hat eine Sprache")
-                              : refuse(fmt::format("the show speaks {}", fmt::join(languages_, ", ")),
-                                       fmt::format("die Vorführung spricht {}", fmt::join(languages_, ", ")));
+    return languages_.empty() ? refuse("the show has only one language", "die Vorführung hat nur eine Sprache")
+                              : refuse(fmt::format("available languages: {}", fmt::join(languages_, ", ")),
+                                       fmt::format("verfügbare Sprachen: {}", fmt::join(languages_, ", ")));
   }
   language_ = tag;
   return CommandOutcome::done;

@@ -23,8 +23,8 @@ std::int64_t nanoseconds_of(FileWatch::WallTime time) {
 void require_version(const std::filesystem::path& file) {
   const auto stamp = stamp_of(file);
   if (!stamp || stamp->bytes == 0) {
-    throw Error(file.string(), stamp ? "is empty" : "is not a file any more",
-                "put it back; until then the version that was read last runs on");
+    throw Error(file.string(), stamp ? "is empty" : "no longer exists or is not a file",
+                "restore it; until then the last version that was read keeps running");
   }
 }
 

@@ -72,7 +72,7 @@ std::string sound_problem(const std::filesystem::path& path) {
     const std::uint64_t promised = promised_bytes(bytes);
     const bool whole = promised <= std::filesystem::file_size(path, gone) && file.has_end();
     return whole ? ""
-                 : Error(path.string(), "is torn: it breaks off before the end that its header tells",
+                 : Error(path.string(), "is truncated: it ends before the length given in its header",
                          "copy or export it again")
                        .what();
   } catch (const Error& problem) {
@@ -81,16 +81,16 @@ std::string sound_problem(const std::filesystem::path& path) {
 }
 
 AudioFile::AudioFile(const std::filesystem::path& path) {
-  constexpr const char* remedy = "give a WAV, FLAC, Ogg, Opus or MP3 file";
+  constexpr const char* remedy = "use a WAV, FLAC, Ogg, Opus or MP3 file";
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem)) {
-    throw Error(path.string(), "is not a file that can be read", remedy);
+    throw Error(path.string(), "is missing or is not a regular file", remedy);
   }
   if (const std::string kind = unsupported_kind(path); !kind.empty()) {
     throw Error(path.string(), fmt::format("is {}, which is not supported", kind), remedy);
   }
   if (std::ifstream bytes(path, std::ios::binary); is_chained_ogg(bytes)) {
-    throw Error(path.string(), "is a chain of Ogg streams, of which only the first could be played",
+    throw Error(path.string(), "is a chain of Ogg streams, of which only the first would play",
                 "join them into one stream");
   }
   SF_INFO info{};
@@ -110,17 +110,17 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
     std::string why = sf_strerror(nullptr);
     why.erase(why.find_last_not_of(" .\n") + 1);
     // So its reader of MP3 says of whatever it does not know; the file is there.
-    why = why.starts_with("File does not exist") ? "it holds no sound" : why;
+    why = why.starts_with("File does not exist") ? "it contains no sound" : why;
     if (is_ogg_flac(path)) {
       throw Error(path.string(), "is FLAC in an Ogg container, which cannot be read", "convert it to a .flac file");
     }
-    throw Error(path.string(), fmt::format("is no sound file that can be read ({})", why), remedy);
+    throw Error(path.string(), fmt::format("is not a readable sound file ({})", why), remedy);
   }
   if (info.channels < 1 || info.channels > most_channels) {
     throw Error(path.string(), fmt::format("has {} channels", info.channels), "mix it down to 8 or fewer");
   }
   if (info.samplerate < 8000 || info.samplerate > 192'000) {
-    throw Error(path.string(), fmt::format("has {} samples a second", info.samplerate), "resample it to 48000");
+    throw Error(path.string(), fmt::format("has a sample rate of {} Hz", info.samplerate), "resample it to 48000 Hz");
   }
   channels_ = info.channels;
   rate_hz_ = info.samplerate;
@@ -131,7 +131,7 @@ AudioFile::AudioFile(const std::filesystem::path& path) {
     frames_ = counted_frames(path.string());
   }
   if (info.seekable == 0 || frames_ < 1 || frames_ > most_frames) {
-    throw Error(path.string(), "has no length, or cannot be read from the middle", remedy);
+    throw Error(path.string(), "has no known length or does not support seeking", remedy);
   }
 }
 
@@ -146,8 +146,8 @@ std::int64_t AudioFile::counted_frames(const std::string& place) const {
   for (sf_count_t came = frames_at_once; came == frames_at_once; frames += came) {
     require_reading_goes_on(place);
     if (frames > most_samples / channels_) {
-      throw Error(place, "does not contain its length, and is too long to be measured by decoding it",
-                  "encode it again into a file, not into a pipe");
+      throw Error(place, "does not state its length and is too long to measure by decoding it",
+                  "encode it again to a file, not to a pipe");
     }
     came = std::max<sf_count_t>(sf_readf_float(static_cast<SNDFILE*>(file_.get()), samples.data(), frames_at_once), 0);
   }

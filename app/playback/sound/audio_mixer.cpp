@@ -46,7 +46,7 @@ AudioMixer::AudioMixer(const AudioOutput& output, Soundtrack soundtrack, TimeSou
     : output_(output), soundtrack_(std::move(soundtrack)), source_(std::move(source)), later_s_(later_s) {
   output_.make_current();
   if (soundtrack_.tracks.size() > most_tracks) {
-    problems_.emplace_back("the show has more than 64 sound tracks; the rest are left out");
+    problems_.emplace_back("the show has more than 64 sound tracks; only the first 64 are played");
     soundtrack_.tracks.resize(most_tracks);
   }
   for (const AudioTrack& track : soundtrack_.tracks) {
@@ -103,7 +103,7 @@ void AudioMixer::play(Voice& voice, const AudioCue& cue, bool jumped) {
   voice.heard = true;
   if (!voice.sound->play({seconds_of(place), speed, gain, instant.now, jumped}, output_.latency_s())) {
     problems_.push_back((soundtrack_.folder / track.file).string() +
-                        ": is damaged, its length is not what it says; the show goes on without it");
+                        ": is damaged: its length differs from its header; the show continues without it");
     voice.sound.reset();
     voice.heard = false;
   }

@@ -61,7 +61,7 @@ std::unique_ptr<AudioOutput> AudioOutput::open_memory(int rate_hz) {
                             0};
   auto output = open(alcLoopbackOpenDeviceSOFT(nullptr), attributes);
   if (!output) {
-    throw Error("sound", "the audio library cannot mix into memory", "use OpenAL Soft");
+    throw Error("sound", "the audio library does not support mixing to memory", "use OpenAL Soft");
   }
   return output;
 }

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-const std::string no_device = "there is no sound device; the show goes on in silence";
+const std::string no_device = "no sound device was found; the show continues without sound";
 
 constexpr auto pace = std::chrono::milliseconds(20);
 constexpr auto between_looks = std::chrono::seconds(5);

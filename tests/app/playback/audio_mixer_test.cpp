@@ -313,7 +313,7 @@ TEST_F(SoundOfShow, GoesOnWithoutATrackThatEndsTooSoon) {
   play({track_of("cut.flac"), track_of("ramp.wav")});
   mix_for(5.0);
   EXPECT_NEAR(error_s(), 0.0, 0.001);
-  EXPECT_THAT(mixer_->take_problems(), testing::ElementsAre(testing::HasSubstr("the show goes on without it")));
+  EXPECT_THAT(mixer_->take_problems(), testing::ElementsAre(testing::HasSubstr("the show continues without it")));
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ TEST_F(SoundWithoutDevice, IsSaidOnceAndTheShowGoesOn) {
   AudioPlayer player;
   player.set_soundtrack(one_track());
   player.follow({ShowInstant{steady_time(), 0s, 0, 0, 1.0, true, 0}, 1.0, ""});
-  EXPECT_THAT(first_problems(player), testing::ElementsAre("there is no sound device; the show goes on in silence"));
+  EXPECT_THAT(first_problems(player),
+              testing::ElementsAre("no sound device was found; the show continues without sound"));
   EXPECT_EQ(player.state(), "no sound device");
 }
 
@@ -54,14 +55,14 @@ TEST_F(SoundWithoutDevice, FilesThatCannotBePlayedAreToldAllTheSame) {
   missing.tracks.front().file = "gone.wav";
   AudioPlayer player;
   player.set_soundtrack(missing);
-  EXPECT_THAT(first_problems(player).front(), testing::HasSubstr("gone.wav: is not a file that can be read"));
+  EXPECT_THAT(first_problems(player).front(), testing::HasSubstr("gone.wav: is missing or is not a regular file"));
 }
 
 TEST_F(SoundWithoutDevice, IsAProblemUntilAShowWithoutSoundComes) {
   AudioPlayer player;
   player.set_soundtrack(one_track());
   first_problems(player);
-  EXPECT_EQ(player.problem(), "there is no sound device; the show goes on in silence");
+  EXPECT_EQ(player.problem(), "no sound device was found; the show continues without sound");
   const auto becomes = [&](const std::string& problem) {
     for (const auto end = steady_time() + 20s; player.problem() != problem && steady_time() < end;) {
       std::this_thread::sleep_for(2ms);
@@ -71,7 +72,7 @@ TEST_F(SoundWithoutDevice, IsAProblemUntilAShowWithoutSoundComes) {
   player.set_soundtrack({{}, folder_, 10.0});
   EXPECT_TRUE(becomes(""));
   player.set_soundtrack(one_track());
-  EXPECT_TRUE(becomes("there is no sound device; the show goes on in silence")) << "it is the next show's, too";
+  EXPECT_TRUE(becomes("no sound device was found; the show continues without sound")) << "it is the next show's, too";
   EXPECT_TRUE(player.take_problems().empty()) << "and is not said again";
 }
 

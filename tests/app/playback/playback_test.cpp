@@ -148,7 +148,7 @@ TEST_F(TransportCommands, LanguagesGoRound) {
   tell(Kind::next_language);
   EXPECT_EQ(status().chapters[0].title, "Draußen");
   EXPECT_EQ(tell(Kind::language, 0.0, "tlh"), CommandOutcome::refused);
-  EXPECT_EQ(playback_.refusal(), "die Vorführung spricht de, en, fr");
+  EXPECT_EQ(playback_.refusal(), "verfügbare Sprachen: de, en, fr");
   EXPECT_EQ(playback_.language(), "de");
 }
 
@@ -270,8 +270,9 @@ TEST(PlaybackLanguage, APersonsChoiceComesFirstAndItsWiderLanguageNext) {
 
 TEST(PlaybackLanguage, IsToldWhereTheShowDoesNotSpeakIt) {
   const Timeline heard = show_with_chapters().timeline;
-  EXPECT_THAT(language_note("tour", heard, "pl"), testing::StartsWith("tour does not speak \"pl\"; it speaks "));
-  EXPECT_THAT(language_note("tour", heard, "pl"), testing::EndsWith("; showing en"));
+  EXPECT_THAT(language_note("tour", heard, "pl"),
+              testing::StartsWith("tour has no captions or sound in \"pl\"; available: "));
+  EXPECT_THAT(language_note("tour", heard, "pl"), testing::EndsWith("; using en"));
   for (const char* known : {"", "fr", "de-CH"}) {
     EXPECT_EQ(language_note("tour", heard, known), "") << known;
   }

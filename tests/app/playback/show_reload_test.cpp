@@ -142,7 +142,7 @@ TEST_F(HotReload, AFileThatStaysAwayIsToldOnceAndReadWhenItIsBack) {
   std::filesystem::rename(folder_ / "show.toml", folder_ / "away");
   const auto gone = run(9s);
   ASSERT_TRUE(gone);
-  EXPECT_THAT(gone->problem, testing::HasSubstr("show.toml: is not a file any more"));
+  EXPECT_THAT(gone->problem, testing::HasSubstr("show.toml: no longer exists"));
   EXPECT_EQ(results_, 1);
   std::filesystem::rename(folder_ / "away", folder_ / "show.toml");
   const auto back = run();

@@ -87,7 +87,7 @@ TEST_F(CommandLine, InspectTellsOfSoundThatBreaksOff) {
       "RIFF\x34\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1F\0\0\x80\x3E\0\0\x02\0\x10\0data\x10\0\0\0", 44};
   write("words.wav", header + samples);
   EXPECT_EQ(run("inspect loud.toml"), 1) << output_;
-  EXPECT_THAT(output_, HasSubstr("CANNOT BE USED: words.wav: is torn"));
+  EXPECT_THAT(output_, HasSubstr("CANNOT BE USED: words.wav: is truncated"));
   write("words.wav", header + samples + samples);
   EXPECT_EQ(run("inspect loud.toml"), 0) << output_;
 }

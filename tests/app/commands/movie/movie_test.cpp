@@ -240,7 +240,7 @@ TEST_F(RenderAMovie, TellsOfSoundThatBreaksOff) {
   write("loud.toml", std::string(movie_show) + "[[audio]]\nfile = \"step.wav\"\nfrom_s = 0\n");
   install("for last; do :; done\ncat > \"$last\"\ncat <&3 > /dev/null\n");
   ASSERT_EQ(run("render loud.toml --out f --frames 1:1 --movie film.MP4 --backend cpu"), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("step.wav: is torn: it breaks off before the end that its header tells"));
+  EXPECT_THAT(output_, HasSubstr("step.wav: is truncated: it ends before the length given in its header"));
 }
 
 TEST(MovieSound, IsWhereTheShowHasIt) {
