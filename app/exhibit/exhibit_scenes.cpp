@@ -62,10 +62,10 @@ std::string attract_mismatch(const Show& visitor, const Show& attract) {
   if (flat == (attract.view.projection == ViewProjection::pinhole)) {
     return "";
   }
-  return flat ? Error(attract.name, "is no flat show: a flat screen shows it as a disk or a strip",
+  return flat ? Error(attract.name, "is not made for flat screens: it would appear as a disk or a strip",
                       "leave out --attract, or add --projection pinhole")
                     .what()
-              : Error(attract.name, "is a flat show, and visitors' pictures are for a dome",
+              : Error(attract.name, "is made for flat screens, but the visitors' show is for a dome",
                       "leave out --attract, or add --projection dome")
                     .what();
 }
@@ -123,17 +123,16 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   }
   // A caption for each line: with letters of 2.4 degrees, which a dome of 512 pixels can show, the lines of one would touch there.
   std::vector<LocalText> lines =
-      pad ? std::vector{LocalText{{"en", "Left stick: around the hole and towards it"},
+      pad ? std::vector{LocalText{{"en", "Left stick: around the hole and toward it"},
                                   {"de", "Linker Stick: um das Loch herum und darauf zu"}},
-                        LocalText{{"en", "Right stick: look about"}, {"de", "Rechter Stick: umsehen"}}}
+                        LocalText{{"en", "Right stick: look around"}, {"de", "Rechter Stick: umsehen"}}}
           : std::vector{
-                LocalText{{"en", "W A S D: around the hole and towards it"},
+                LocalText{{"en", "W A S D: around the hole and toward it"},
                           {"de", "W A S D: um das Loch herum und darauf zu"}},
-                LocalText{{"en", "Mouse: look about   F1: more keys"}, {"de", "Maus: umsehen   F1: weitere Tasten"}}};
+                LocalText{{"en", "Mouse: look around   F1: more keys"}, {"de", "Maus: umsehen   F1: weitere Tasten"}}};
   if (may_fall_through_horizon(visitor_)) {
-    lines.push_back(
-        pad ? LocalText{{"en", "Left trigger: fall into it, and on"}, {"de", "Linker Abzug: hineinfallen, und weiter"}}
-            : LocalText{{"en", "K: fall into it, and on"}, {"de", "K: hineinfallen, und weiter"}});
+    lines.push_back(pad ? LocalText{{"en", "Left trigger: fall into the hole"}, {"de", "Linker Abzug: ins Loch fallen"}}
+                        : LocalText{{"en", "K: fall into the hole"}, {"de", "K: ins Loch fallen"}});
   }
   std::vector<Caption> all = {
       caption_at(22.0, 3.0, {{"en", "Welcome! You are flying."}, {"de", "Willkommen! Sie fliegen."}})};
@@ -148,13 +147,13 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
 std::vector<Caption> ExhibitScenes::black_view_captions(double back_in_s, bool pad) const {
   const int seconds = static_cast<int>(std::ceil(back_in_s));
   return {
-      caption_at(14.0, 2.4,
-                 {{"en", "Only black is in view. Turn around,"}, {"de", "Hier ist nur Schwarz. Drehen Sie sich um,"}}),
       caption_at(
-          9.5, 2.4,
-          pad ? LocalText{{"en", "or press the right stick to start again."},
-                          {"de", "oder drücken Sie den rechten Stick: zum Start."}}
-              : LocalText{{"en", "or press Delete to start again."}, {"de", "oder drücken Sie Entf: zum Start."}}),
+          14.0, 2.4,
+          {{"en", "Nothing but black in view. Turn around,"}, {"de", "Hier ist nur Schwarz. Drehen Sie sich um,"}}),
+      caption_at(9.5, 2.4,
+                 pad ? LocalText{{"en", "or press the right stick to start again."},
+                                 {"de", "oder starten Sie neu: rechten Stick drücken."}}
+                     : LocalText{{"en", "or press Delete to start again."}, {"de", "oder starten Sie mit Entf neu."}}),
       caption_at(5.0, 2.4,
                  {{"en", fmt::format("You will be back at the start in {} s.", seconds)},
                   {"de", fmt::format("In {} s sind Sie wieder am Start.", seconds)}})};
@@ -192,8 +191,7 @@ std::vector<TransportCommand> ExhibitScenes::reset_commands() const {
 }
 
 std::string ExhibitScenes::state_text(const PlayerStatus& status) const {
-  return fmt::format("{} {}{}{}",
-                     scene() == ExhibitScene::visitor ? "A visitor flies through" : "Nobody is here; it shows",
+  return fmt::format("{} {}{}{}", scene() == ExhibitScene::visitor ? "A visitor is flying in" : "No visitor; showing",
                      text_in(show().title, status.language), status.blackout ? ", blacked out by an operator" : "",
                      status.problem.empty() ? "" : ". Problem: " + status.problem);
 }
@@ -228,16 +226,17 @@ void ExhibitScenes::write_settings() {
     problem_.clear();
   } catch (const std::exception& error) {
     refused_s_ = now_s_;
-    // What writing itself advises is for who chose the file's name.
+    // The remedy of a failed write is for people who chose the file's name; this file has a fixed name.
     const Error* const own = dynamic_cast<const Error*>(&error);
-    problem_ = Error(file.string(), fmt::format("settings are not kept ({})", own ? own->problem() : error.what()),
-                     "free space on its disk, or let its folder be written to; until then a restart loses them")
-                   .what();
+    problem_ =
+        Error(file.string(), fmt::format("the settings cannot be saved ({})", own ? own->problem() : error.what()),
+              "free disk space or make the folder writable; until then a restart loses them")
+            .what();
   }
 }
 
 std::string ExhibitScenes::shows_text() const {
-  return fmt::format("{} for visitors, attract show {}", visitor_.name, attract_.name);
+  return fmt::format("visitors' show {}, attract show {}", visitor_.name, attract_.name);
 }
 
 }  // namespace ergodome

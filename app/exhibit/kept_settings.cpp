@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t largest_mib = 1;
 
 KeptSettings parse(const std::string& text, const std::string& file) {
-  const toml::table parsed = parse_toml(text, file, largest_mib, "kept settings");
+  const toml::table parsed = parse_toml(text, file, largest_mib, "the exhibit's settings file");
   TomlTable root(parsed, file, "");
   KeptSettings settings;
   settings.exposure_stops = root.number("exposure_stops", settings.exposure_stops, -20.0, 20.0);
@@ -54,10 +54,11 @@ KeptSettings read_kept_settings(const std::filesystem::path& file, std::string& 
     return {};
   }
   try {
-    return parse(read_whole_file(file, largest_mib << 20U, "settings are a short text file"), file.string());
+    return parse(read_whole_file(file, largest_mib << 20U, "the exhibit's settings file is a short text file"),
+                 file.string());
   } catch (const std::exception& error) {
     std::filesystem::rename(file, file.string() + ".bad", failure);
-    problem = fmt::format("{} (it is {}.bad now)", error.what(), file.filename().string());
+    problem = fmt::format("{} (renamed to {}.bad)", error.what(), file.filename().string());
     return {};
   }
 }

@@ -25,9 +25,9 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   if (!file.empty()) {
     try {
       make_folder(file.parent_path());
-      // To open a pipe would wait for its reader.
+      // Opening a pipe would block until it has a reader.
       if (std::filesystem::is_fifo(std::filesystem::status(file))) {
-        throw Error(file.string(), "is a pipe", "remove it");
+        throw Error(file.string(), "is a pipe and not a file", "remove it");
       }
       sinks.push_back(std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), largest_bytes, kept_files));
     } catch (const std::exception& error) {
@@ -36,13 +36,13 @@ std::shared_ptr<spdlog::logger> open_log(const std::filesystem::path& file, std:
   }
   auto log = std::make_shared<spdlog::logger>("ergodome", sinks.begin(), sinks.end());
   log->flush_on(spdlog::level::info);
-  // A disk that fills up must not stop a show; whatever sink fails, the others go on. The log cannot tell of itself, and the terminal's file may lie on the same
-  // disk: nothing is thrown where that fails, too.
+  // A full disk must not stop a show; if one sink fails, the others continue. The failure itself goes to stderr, which may be a file on the same
+  // disk, so nothing is thrown if that fails, too.
   log->set_error_handler([file, told = std::make_shared<std::atomic_flag>()](const std::string& failure) {
     if (!told->test_and_set()) {
-      const std::string line = fmt::format(
-          "ergodome: {}: the log cannot be written: {}; see that its disk has space and its folder can be written to\n",
-          file.string(), failure);
+      const std::string line =
+          fmt::format("ergodome: {}: cannot write the log: {}; free disk space or make the folder writable\n",
+                      file.string(), failure);
       std::fputs(line.c_str(), stderr);
     }
   });

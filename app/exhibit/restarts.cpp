@@ -70,7 +70,7 @@ void restart_after_crashes() {
     sigprocmask(SIG_BLOCK, &held, &before);
     const pid_t child = ::fork();
     if (child < 0) {
-      throw Error("exhibit", std::string("cannot be started: ") + std::strerror(errno), "end other programs");
+      throw Error("exhibit", std::string("cannot be started: ") + std::strerror(errno), "close other programs");
     }
     if (child == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -87,9 +87,9 @@ void restart_after_crashes() {
     if (!failed || stopping != 0 || steady_clock::now() - begin < shortest_run) {
       end_like(status);
     }
-    print_note("the exhibit crashed ({}) and is started again",
-               WIFSIGNALED(status) ? std::string(::strsignal(WTERMSIG(status)))
-                                   : fmt::format("exit status {}", WEXITSTATUS(status)));
+    print_note("the exhibit crashed ({}); restarting it", WIFSIGNALED(status)
+                                                              ? std::string(::strsignal(WTERMSIG(status)))
+                                                              : fmt::format("exit status {}", WEXITSTATUS(status)));
   }
 }
 

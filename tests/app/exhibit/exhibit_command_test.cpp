@@ -95,7 +95,7 @@ TEST_F(ExhibitInAWindow, ShowsTheAttractShowWhenNobodyComes) {
 TEST_F(ExhibitInAWindow, NotesInItsLogThatAnAttractShowDoesNotFitTheScreen) {
   write("visitor.toml", scene_ + "projection = \"pinhole\"\n");
   ASSERT_EQ(exhibit("--for 0.2"), 0) << output_;
-  EXPECT_THAT(log(), HasSubstr("attract: is no flat show"));
+  EXPECT_THAT(log(), HasSubstr("attract: is not made for flat screens"));
 }
 
 TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
@@ -107,7 +107,7 @@ TEST_F(ExhibitInAWindow, LogsThatATrajectoryIsTooCoarse) {
 TEST_F(ExhibitInAWindow, LogsWhatBeginsAndWhyItEnds) {
   ASSERT_EQ(exhibit("--for 0.2 --web 0"), 0) << output_;
   EXPECT_THAT(log(), HasSubstr("an exhibit begins: ergodome " ERGODOME_VERSION
-                               ", visitor for visitors, attract show attract, cpu ("));
+                               ", visitors' show visitor, attract show attract, cpu ("));
   EXPECT_THAT(log(), HasSubstr("), status page at 127.0.0.1:"));
   EXPECT_THAT(log(), HasSubstr("the exhibit ends: the 0.2 s of --for are over"));
 }
@@ -170,7 +170,7 @@ TEST_F(ExhibitInAWindow, IsStartedAgainAfterACrash) {
   });
   EXPECT_EQ(exhibit("--for 60 --screenshot '" + screenshot + "'"), 0) << output_;
   EXPECT_EQ(logged_begins(), 2);
-  EXPECT_THAT(output_, HasSubstr("the exhibit crashed (Killed) and is started again"));
+  EXPECT_THAT(output_, HasSubstr("the exhibit crashed (Killed); restarting it"));
 }
 
 TEST_F(ExhibitInAWindow, StartsWhateverIsDamagedInItsFolders) {

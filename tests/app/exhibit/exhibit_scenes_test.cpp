@@ -53,7 +53,7 @@ TEST(ExhibitWelcome, NamesTheFallIntoTheHoleWhereTheShowLetsVisitorsIn) {
     exhibit.advance(0.0, true, false);
     exhibit.advance(2.0, false, false);
     const std::vector<Caption> captions = exhibit.captions(true);
-    const bool named = captions.back().text.at("de").find("hineinfallen") != std::string::npos;
+    const bool named = captions.back().text.at("de").find("ins Loch fallen") != std::string::npos;
     EXPECT_EQ(named, spin < 1.0);
   }
 }
@@ -180,9 +180,9 @@ TEST(ExhibitShows, ThatDoNotFitTheDisplayAreAWarningWithARemedy) {
   dome.view.projection = ViewProjection::dome;
   dome.name = "evening";
   EXPECT_THAT(attract_mismatch(flat, dome),
-              testing::AllOf(HasSubstr("evening: is no flat show"), HasSubstr("--projection pinhole")));
+              testing::AllOf(HasSubstr("evening: is not made for flat screens"), HasSubstr("--projection pinhole")));
   EXPECT_THAT(attract_mismatch(dome, flat),
-              testing::AllOf(HasSubstr("flat: is a flat show"), HasSubstr("--projection dome")));
+              testing::AllOf(HasSubstr("flat: is made for flat screens"), HasSubstr("--projection dome")));
 }
 
 TEST_F(KeptByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
@@ -191,7 +191,7 @@ TEST_F(KeptByAnExhibit, SettingsThatTheDiskRefusesAreAProblemThatNamesTheFile) {
   exhibit_->note({{Kind::volume, 0.5, {}}});
   keep_after(1.0);
   EXPECT_THAT(exhibit_->problem(),
-              testing::AllOf(HasSubstr("settings.toml: settings are not kept"), HasSubstr("free space")));
+              testing::AllOf(HasSubstr("settings.toml: the settings cannot be saved"), HasSubstr("free disk space")));
 }
 
 TEST_F(KeptByAnExhibit, SettingsAreWrittenOnceTheDiskTakesThemAgain) {

@@ -84,7 +84,7 @@ TEST_F(LogFileTest, OnAFullDiskIsToldOnceOnTheStandardError) {
   log->info("one");
   log->info("two");
   const std::string told = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(told, testing::HasSubstr("ergodome.log: the log cannot be written"));
+  EXPECT_THAT(told, testing::HasSubstr("ergodome.log: cannot write the log"));
   EXPECT_EQ(std::ranges::count(told, '\n'), 1) << told;
 }
 
