@@ -4,18 +4,18 @@
 
 namespace ergodome {
 
-//! Decides when a visitor who sees nothing but black gets a hint, and when the camera goes back to the start by itself.
+//! Decides when a visitor who sees only black gets a hint, and when the camera returns to the start automatically.
 class BlackView {
  public:
   static constexpr double hint_after_s = 3.0;
   static constexpr double return_after_s = 20.0;
-  //! A picture of which a smaller part is lit is black. A window has more lit pixels than this as soon as one star is in view.
+  //! A frame counts as black if a smaller fraction of it is lit. A window has more lit pixels than this as soon as one star is in view.
   static constexpr double least_lit_part = 1e-3;
 
-  //! Forgets what was seen: another scene begins.
+  //! Starts again for a new scene.
   void begin() { since_s_.reset(); }
 
-  //! Takes the lit part of the view, 0 to 1, as it was at a time of a clock that never goes back.
+  //! Takes the lit fraction of the view, 0 to 1, at a time of a monotonic clock.
   void note(double now_s, double lit_part);
 
   //! Returns the seconds until the camera goes back, where the view has been black for long enough to say so.

@@ -4,18 +4,18 @@
 
 namespace ergodome {
 
-//! How long an exhibit waits.
+//! Times of an exhibit.
 struct ExhibitTimes {
-  double idle_s = 60.0;      //!< without a touch, after which the attract show comes back
-  double session_s = 180.0;  //!< that one visitor may fly; 0: as long as they touch it
-  double welcome_s = 8.0;    //!< that the welcome is to be read
-  double rest_s = 3.0;       //!< after a session, in which touches are not taken for a new visitor's
+  double idle_s = 60.0;      //!< without input, after which the attract show returns
+  double session_s = 180.0;  //!< maximum flight of one visitor; 0: no limit
+  double welcome_s = 8.0;    //!< duration of the welcome text
+  double rest_s = 3.0;       //!< after a session, during which input does not start a new one
 };
 
-//! What an exhibit shows: a show that runs for itself, or the flight of a visitor.
+//! Scene of an exhibit: the attract show or a visitor's flight.
 enum class ExhibitScene { attract, visitor };
 
-//! Decides what an exhibit shows, by who touches it when.
+//! Selects the scene of an exhibit from the times of visitors' input.
 class Exhibit {
  public:
   explicit Exhibit(const ExhibitTimes& times) : times_(times) {}
@@ -26,10 +26,10 @@ class Exhibit {
 
   [[nodiscard]] ExhibitScene scene() const { return scene_; }
 
-  //! How much of the welcome is to be seen, 0 to 1: it comes with the visitor and fades.
+  //! Returns the opacity of the welcome text, 0 to 1: it appears with the visitor and fades.
   [[nodiscard]] double welcome() const;
 
-  //! Time that is left of a session, where it is limited and about to end.
+  //! Returns the remaining time of a session if it is limited and about to end.
   [[nodiscard]] std::optional<double> ending_in_s() const;
 
  private:
@@ -41,12 +41,12 @@ class Exhibit {
   bool session_over_ = false;
 };
 
-//! A switch that must be held: an operator's way out of a locked exhibit.
+//! A switch that must be held: it lets an operator leave a locked exhibit.
 class HeldSwitch {
  public:
   explicit HeldSwitch(double hold_s) : hold_s_(hold_s) {}
 
-  //! Whether it has been held long enough, by a clock that never goes back.
+  //! Returns whether it has been held long enough, by a monotonic clock.
   bool advance(double now_s, bool held);
 
  private:

@@ -27,7 +27,7 @@ Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
   return caption;
 }
 
-//! Takes what a command set into settings; what was refused sets nothing.
+//! Copies the setting that a command changed; refused commands change nothing.
 void take_over(const TransportCommand& command, const PlayerStatus& status, bool baseline_set, KeptSettings& settings) {
   using Kind = TransportCommand::Kind;
   const bool any = command.kind == Kind::reset;
@@ -43,7 +43,7 @@ void take_over(const TransportCommand& command, const PlayerStatus& status, bool
   if (command.kind == Kind::captions) {
     settings.captions = status.captions;
   }
-  // Shows of one language say nothing about what was chosen.
+  // Shows of one language leave the chosen language unchanged.
   const bool chosen =
       command.kind == Kind::next_language || (command.kind == Kind::language && command.text == status.language);
   if (chosen && status.languages.size() > 1) {
@@ -121,7 +121,7 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (exhibit_.welcome() <= 0.0) {
     return {};
   }
-  // A caption for each line: with letters of 2.4 degrees, which a dome of 512 pixels can show, the lines of one would touch there.
+  // Each line is a caption of its own: at 2.4 degrees, the size for domes of 512 pixels, lines of one caption would touch.
   std::vector<LocalText> lines =
       pad ? std::vector{LocalText{{"en", "Left stick: around the hole and toward it"},
                                   {"de", "Linker Stick: um das Loch herum und darauf zu"}},

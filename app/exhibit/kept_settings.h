@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! What an operator turned and wants to find again after a restart.
+//! The operator's settings that survive a restart.
 struct KeptSettings {
   double exposure_stops = 0.0;
   double baseline = -1.0;  //!< [M]; below 0: the show's
@@ -20,11 +20,11 @@ struct KeptSettings {
 //! has no home.
 std::filesystem::path state_folder();
 
-//! Reads settings. A file that is not there gives the usual ones. One that is damaged does, too, is renamed to NAME.bad for whoever wants to
-//! look at it, and `problem` says so: an exhibit must start.
+//! Reads settings. A missing file gives the defaults. So does a damaged file, which is renamed to NAME.bad;
+//! `problem` then gives the reason. An exhibit always starts.
 KeptSettings read_kept_settings(const std::filesystem::path& file, std::string& problem);
 
-//! Writes settings whole or not at all. Throws Error where the disk refuses.
+//! Writes settings atomically. Throws Error if they cannot be written.
 void write_kept_settings(const std::filesystem::path& file, const KeptSettings& settings);
 
 }  // namespace ergodome

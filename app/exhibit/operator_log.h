@@ -7,15 +7,15 @@
 
 namespace ergodome {
 
-//! Makes lines for the log of what operators change: what was asked, and from which address.
+//! Produces log lines of operators' commands with the address that they came from.
 //!
-//! A line waits for a second, so that a fader that moves becomes one line with its last value, and a flood of commands does not fill the log.
+//! A line waits for a second, so that a moving fader gives one line with its last value and many commands do not fill the log.
 class OperatorLog {
  public:
-  //! Commands that wait for their line. More make the oldest line ready at once.
+  //! Maximum number of commands that wait for their line; beyond it the oldest line is released at once.
   static constexpr std::size_t most_waiting = 32;
 
-  //! Takes commands at a time of a clock that never goes back. Those without a source are the program's own, and make no line.
+  //! Takes commands at a time of a monotonic clock. Commands without a source are the program's own and give no line.
   void note(const std::vector<TransportCommand>& commands, double now_s);
 
   //! Returns the lines that are ready.

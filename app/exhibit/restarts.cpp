@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-//! A program that fails sooner would fail again: what it needs is not there.
+//! A program that fails sooner than this is not restarted, because it would fail again.
 constexpr std::chrono::seconds shortest_run{5};
 
 volatile std::sig_atomic_t stopping = 0;
@@ -63,7 +63,7 @@ void restart_after_crashes() {
   while (true) {
     const auto begin = steady_clock::now();
     set_handlers(pass_on);
-    // A signal has to wait until there is somebody who takes it.
+    // Blocks signals until the child has its handlers and the parent knows its process id.
     sigset_t held;
     sigset_t before;
     sigfillset(&held);

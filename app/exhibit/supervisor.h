@@ -4,13 +4,13 @@
 
 namespace ergodome {
 
-//! Tells the service manager that started the program (systemd, Type=notify) that it is ready to be seen; without one does nothing.
+//! Notifies the service manager (systemd, Type=notify) that the program is ready; does nothing without one.
 void tell_supervisor_ready();
 
-//! Tells it that the program is alive; called once a frame, it speaks up once a second. A program that falls silent is started again.
+//! Notifies the service manager once a second that the program runs; call it once a frame. Otherwise systemd restarts the program.
 void tell_supervisor_alive(double now_s);
 
-//! A line for `systemctl status`, told when it is another one than the last.
+//! Sets the status line of `systemctl status` if it has changed.
 void tell_supervisor(std::string status);
 
 }  // namespace ergodome

@@ -8,8 +8,8 @@
 
 namespace ergodome {
 
-//! Measures a pad while a person moves all its sticks round and presses its triggers, and then lets go: the ends and the middle of each
-//! raw axis, and how large the dead zones must be.
+//! Measures the range and the center of each raw axis, and the dead zones, while a person moves all sticks round, presses the
+//! triggers, and releases everything.
 class PadCalibrator {
  public:
   //! It is done when nothing has moved for `rest_s` after something was moved.
@@ -18,9 +18,9 @@ class PadCalibrator {
   void take(const RawPad& pad, double now_s);
   [[nodiscard]] bool is_done(double now_s) const;
 
-  //! The profile with what was measured. Axes that went through less than half of their range stay as they were.
+  //! Returns the profile with the measured values. Axes that moved through less than half of their range stay unchanged.
   [[nodiscard]] PadProfile applied_to(PadProfile profile) const;
-  //! Names of the axes that stay as they were.
+  //! Returns the names of the unchanged axes.
   [[nodiscard]] std::vector<std::string> unmoved() const;
 
  private:

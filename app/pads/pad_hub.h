@@ -102,7 +102,7 @@ class PadHub {
 //! The controllers that could be read, and how they call themselves: name, connection, path.
 PadIdentity identity_of(const HidDeviceInfo& info, std::string_view model);
 
-//! What to tell a person about a pad that may not be opened.
+//! Returns the message about a pad that may not be opened.
 std::string permission_remedy(const HidDeviceInfo& info);
 
 }  // namespace ergodome

@@ -12,7 +12,7 @@
 
 namespace ergodome {
 
-//! How far a stick, trigger or puck has to go, and how it answers from there: nothing up to `dead_zone`, then rising without a step,
+//! Response curve of a stick, trigger or puck: 0 up to `dead_zone`, then rising without a step,
 //! 1 from `full_at` on. With t from 0 to 1 between the two: s = t^exponent, then (1 - expo) s + expo s^3.
 struct PadCurve {
   double dead_zone = 0.0;  //!< of the full deflection; of sticks and pucks radial, so that directions stay
@@ -23,7 +23,7 @@ struct PadCurve {
   bool operator==(const PadCurve&) const = default;
 };
 
-//! What a raw axis counts at its ends and at rest.
+//! Raw values of an axis at its ends and at rest.
 struct AxisCalibration {
   std::int32_t least = 0;
   std::int32_t centre = 0;
@@ -32,7 +32,7 @@ struct AxisCalibration {
   bool operator==(const AxisCalibration&) const = default;
 };
 
-//! What a raw axis moves instead of what it moves by default.
+//! The axis that a raw axis controls instead of its default.
 struct AxisTarget {
   std::optional<PadAxis> axis;  //!< nothing: it moves nothing
   bool inverted = false;
@@ -40,7 +40,7 @@ struct AxisTarget {
   bool operator==(const AxisTarget&) const = default;
 };
 
-//! A controller as it tells of itself.
+//! Identity of a controller.
 struct PadIdentity {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
@@ -53,10 +53,10 @@ struct PadIdentity {
   bool operator==(const PadIdentity&) const = default;
 };
 
-//! How controllers of a kind, or one of them, are read.
+//! Settings of one controller or of all controllers of a kind.
 struct PadProfile {
   std::string device;  //!< "054c:0ce6", vendor and product in lower-case hex; empty: any
-  std::string name;    //!< as the controller tells it; empty: any
+  std::string name;    //!< name reported by the controller; empty: any
   std::string serial;  //!< empty: any
   bool ignore = false;
   bool mode_switch = false;  //!< ask for full reports, once; leave it to the kernel's driver where there is one
@@ -88,7 +88,7 @@ PadSettings parse_pad_settings(std::string_view text, const std::string& file);
 //! Reads a settings file. Throws Error.
 PadSettings load_pad_settings(const std::filesystem::path& path);
 
-//! The same as a file, with comments that say what each line does.
+//! Returns the settings as the text of a file, with comments.
 std::string to_toml(const PadSettings& settings);
 
 //! Writes a settings file, atomically; an older one is kept as NAME.bak. Makes its folder. Throws Error.
@@ -97,7 +97,7 @@ void write_pad_settings(const std::filesystem::path& path, const PadSettings& se
 //! $XDG_CONFIG_HOME/ergodome/pads.toml, or below ~/.config; empty where there is neither.
 std::filesystem::path default_pad_settings_path();
 
-//! The profile that is about a controller: one that names its serial, else its device or name, else `otherwise`.
+//! Returns the profile of a controller: one with its serial, else its device, else its name, else `otherwise`.
 const PadProfile& profile_for(const PadSettings& settings, const PadIdentity& pad);
 
 //! "054c:0ce6".

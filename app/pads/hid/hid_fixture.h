@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What happens to a device of a fixture, at a time.
+//! An event of a device of a fixture.
 struct HidEvent {
   double t_s = 0.0;
   enum class Kind { report, disconnect, connect, error, deny, allow } kind = Kind::report;
@@ -23,7 +23,7 @@ struct FixtureDevice {
   std::vector<std::uint8_t> descriptor;
   bool present = true;
   bool allowed = true;
-  double repeat_s = 0.0;  //!< the timeline begins anew after so long; 0: once
+  double repeat_s = 0.0;  //!< period of the timeline; 0: it plays once
   std::vector<HidEvent> timeline;
   std::vector<std::vector<std::uint8_t>> features;  //!< answers to get_feature, beginning with their ids
 };
@@ -38,7 +38,7 @@ struct HidFixture {
 HidFixture parse_hid_fixture(std::string_view text, const std::string& file);
 HidFixture load_hid_fixture(const std::filesystem::path& path);
 
-//! Plays a fixture as if its devices were there, by a clock that tells seconds since its beginning.
+//! Plays a fixture as if its devices were connected; the clock returns seconds since the start.
 class FixturePlayer : public HidApi {
  public:
   FixturePlayer(HidFixture fixture, std::function<double()> now_s);
