@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What another machine says of the show's time.
+//! Show time as received from another machine.
 struct ClockFix {
   ShowTime show_time{};
   double speed = 1.0;        //!< show seconds in a second; 0: it stands there, until it says otherwise
@@ -17,7 +17,7 @@ struct ClockFix {
   MonotonicTime heard{};     //!< when its word came, by the same: silence is counted from here
 };
 
-//! A clock that the show follows: a thread that listens posts what it hears, the player reads.
+//! A clock that the show follows: a receiving thread posts fixes, the player reads them.
 class ExternalClock {
  public:
   //! `name` is for people ("MIDI time code"). `patience`: how long a fix that runs is believed without another one.
@@ -49,8 +49,8 @@ struct ChaseSettings {
   double most_slew = 0.1;                                          //!< greatest change of speed for it, as a part
 };
 
-//! How a clock stands to the one it follows: it has heard nothing yet; follows; runs on alone for a moment; has stopped because nothing
-//! comes any more.
+//! State of following a clock: nothing received yet; following; running on alone for a moment; stopped because nothing
+//! arrives any more.
 enum class ChaseState { waiting, following, freewheeling, held };
 
 //! Makes a show's clock follow another one.

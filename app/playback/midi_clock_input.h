@@ -11,13 +11,13 @@ class RtMidiIn;
 
 namespace ergodome {
 
-//! The MIDI inputs of this machine by their names; empty where there are none, or no MIDI at all.
+//! Returns the names of the MIDI inputs of this machine; empty if there are none.
 std::vector<std::string> midi_input_names();
 
-//! Listens to MIDI time code on an input, on a thread of the MIDI library, and posts what it hears.
+//! Receives MIDI time code on an input, on a thread of the MIDI library, and posts clock fixes.
 class MidiClockInput {
  public:
-  //! `port` is part of the input's name, or empty for the first one. Throws Error, which lists the inputs, where there is none such.
+  //! `port` is part of the input's name, or empty for the first one. Throws Error, which lists the inputs, if none matches.
   //! `start`: the time code at which the show's time is 0.
   MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::string& port, std::optional<TimeCode> start,
                  TimeSource source = steady_time);

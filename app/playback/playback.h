@@ -20,15 +20,15 @@ struct PlaybackSettings {
   TimeSource source = steady_time;
 };
 
-//! What became of a command.
+//! Result of a command.
 enum class CommandOutcome {
   done,
   elsewhere,  //!< is for others: free flight, the way back, a reload; `reset` has been done as far as it is here
   refused     //!< cannot be; Playback::refusal says why
 };
 
-//! What to tell of a show by its name where what is seen and heard of it is not in the language that a person chose, nor in a wider one ("de"
-//! for "de-AT"); empty where there is nothing to tell.
+//! Returns a note if a show has neither captions nor sound in the chosen language or a wider one ("de"
+//! for "de-AT"); otherwise empty.
 std::string language_note(const std::string& show, const Timeline& heard, const std::string& language);
 
 //! A show's transport: its clock and what an operator sets, as commands say. No window, no threads.
@@ -36,9 +36,9 @@ class Playback {
  public:
   explicit Playback(const Show& show, PlaybackSettings settings = {});
 
-  //! Another version of the show: time, speed and what was set stay.
+  //! Replaces the show by another version; time, speed and settings stay.
   void set_show(const Show& show);
-  //! From now on the show follows a clock from outside; nullptr: its own again.
+  //! Makes the show follow an external clock; nullptr: its own again.
   void follow(std::shared_ptr<ExternalClock> clock);
 
   CommandOutcome apply(const TransportCommand& command);
@@ -50,14 +50,14 @@ class Playback {
   //! The picture of the latest instant, or an earlier one, was shown: what went by without counts as dropped.
   void note_shown(const ShowInstant& instant) { clock_.note_shown(instant); }
 
-  //! Dark at once: a show that comes after one that was blacked out.
+  //! Blacks out at once, for a show that follows one that was blacked out.
   void darken();
-  //! Whether it is blacked out, or on its way there.
+  //! Returns whether the show is blacked out or fading to black.
   [[nodiscard]] bool dark() const { return fader_.target() < 0.5; }
 
   //! Factor on the display's light.
   [[nodiscard]] double light() const { return light_; }
-  //! Index of the chapter that is running; -1 before the first.
+  //! Returns the index of the current chapter; -1 before the first.
   [[nodiscard]] int chapter() const;
   [[nodiscard]] double exposure_stops() const { return exposure_stops_; }
   //! What was set in place of the show's [M].

@@ -16,7 +16,7 @@
 
 namespace ergodome {
 
-//! What tells one version of a file from another without reading it.
+//! Identifies a version of a file without reading it.
 struct FileStamp {
   std::int64_t modified_ns = 0;
   std::int64_t changed_ns = 0;  //!< when its content, name or rights did
@@ -26,7 +26,7 @@ struct FileStamp {
   bool operator==(const FileStamp&) const = default;
 };
 
-//! Nothing where there is no regular file.
+//! Returns nothing if there is no regular file.
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 
 //! Watches files by looking at them now and then, and tells when one has become another and then stood still.
@@ -71,7 +71,7 @@ class ShowReload {
  public:
   using Loader = std::function<Show(const std::filesystem::path&)>;
 
-  //! A show to take over, or why the running one stays.
+  //! A new version of the show, or why the running one stays.
   struct Result {
     std::optional<Show> show;
     std::string problem;
@@ -86,7 +86,7 @@ class ShowReload {
   std::optional<Result> poll(MonotonicTime now);
   //! Reads the show again, whether it changed or not; poll() returns the result.
   void request() { requested_ = true; }
-  //! Whether a version is being read now.
+  //! Returns whether a version is being read now.
   [[nodiscard]] bool is_reading() const { return reading_.valid(); }
 
  private:
@@ -101,10 +101,10 @@ class ShowReload {
   std::future<Result> reading_;
 };
 
-//! The file that a show was read from.
+//! Returns the file that a show was read from.
 std::filesystem::path file_of(const Show& show);
 
-//! The show's own file first, and those it names, there or not, each once.
+//! Returns the show's file and then all files that it names, existing or not, each once.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Show& show);
 
 }  // namespace ergodome

@@ -11,16 +11,16 @@
 
 namespace ergodome {
 
-//! Why a file is no sound that can be played to its end, for people; empty where it is. Of a torn one what is there is played.
+//! Returns why a sound file cannot be played to its end; empty if it can. The existing part of a truncated file is played.
 std::string sound_problem(const std::filesystem::path& path);
 
-//! A sound file that is read from anywhere: MP3, and what libsndfile knows, WAV, FLAC, Ogg Vorbis and Opus among it.
+//! A sound file with random access: MP3, and formats of libsndfile such as WAV, FLAC, Ogg Vorbis and Opus.
 class AudioFile {
  public:
   static constexpr int most_channels = 8;
 
-  //! Throws Error where it is no sound file, or one of no length, more than 8 channels, a rate beyond 8 to 192 kHz, or that
-  //! cannot be read from the middle.
+  //! Throws Error if it is not a sound file, has no length, more than 8 channels or a rate outside 8 to 192 kHz, or
+  //! does not support seeking.
   explicit AudioFile(const std::filesystem::path& path);
   ~AudioFile();
   AudioFile(const AudioFile&) = delete;
@@ -36,7 +36,7 @@ class AudioFile {
   //! does: the rest is silent then.
   bool read(std::int64_t first_frame, bool loop, std::span<float> samples);
 
-  //! Whether its last frame can be read.
+  //! Returns whether its last frame can be read.
   bool has_end();
 
  private:

@@ -2,7 +2,7 @@
 
 namespace ergodome {
 
-//! Keeps libraries of sound and MIDI from writing to the terminal by themselves: what fails is said in our own words, and a machine without
+//! Keeps sound and MIDI libraries from writing to the terminal: Ergodome reports failures itself, and a machine without
 //! a device would fill its log. Call it before any of them is used; calling it again does nothing.
 void silence_sound_libraries();
 

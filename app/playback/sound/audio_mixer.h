@@ -12,11 +12,11 @@
 
 namespace ergodome {
 
-//! What sound has to know of a show that runs.
+//! State of the running show that the sound follows.
 struct AudioCue {
   ShowInstant instant;
   double volume = 1.0;   //!< factor
-  std::string language;  //!< whose narration is heard
+  std::string language;  //!< language of the narration
 };
 
 //! A show's sound, without its pictures.
@@ -26,7 +26,7 @@ struct Soundtrack {
   double duration_s = 0.0;       //!< of the show; 0: it does not end
 };
 
-//! How loud a track of a length is at a time of the show: its gain and fades as a factor, and 0 where it is not heard.
+//! Returns the volume factor of a track at a time of the show from its gain and fades; 0 if it does not play.
 double track_gain(const AudioTrack& track, double length_s, double show_duration_s, double time_s);
 
 //! Plays a show's tracks on an output: all calls on one thread.
@@ -43,9 +43,9 @@ class AudioMixer {
   //! Some 50 times a second. A track that fails is silent from then on.
   void update(const AudioCue& cue);
 
-  //! What went wrong with which track since the last call: each once.
+  //! Returns the problems of tracks since the last call, each once.
   std::vector<std::string> take_problems();
-  //! The greatest distance between sound and show of the tracks that are heard [s].
+  //! Returns the maximum offset between sound and show over all tracks that play [s].
   [[nodiscard]] double greatest_error_s() const;
   [[nodiscard]] long restarts() const;
 

@@ -6,10 +6,10 @@
 
 namespace ergodome {
 
-//! Where sound goes: a device of the machine, or memory.
+//! A sound output: a device of the machine, or memory.
 class AudioOutput {
  public:
-  //! The machine's usual device; nullptr where there is none.
+  //! Opens the default device; returns nullptr if there is none.
   static std::unique_ptr<AudioOutput> open_device();
   //! Two channels in memory that `render` fills, as fast as it is asked.
   static std::unique_ptr<AudioOutput> open_memory(int rate_hz);
@@ -18,9 +18,9 @@ class AudioOutput {
   AudioOutput(const AudioOutput&) = delete;
   AudioOutput& operator=(const AudioOutput&) = delete;
 
-  //! Lets this thread's OpenAL calls mean this output.
+  //! Makes this output current for OpenAL calls of this thread.
   void make_current() const;
-  //! As the audio library calls it.
+  //! Returns the name given by the audio library.
   [[nodiscard]] const std::string& name() const { return name_; }
   //! False once a device has been unplugged.
   [[nodiscard]] bool connected() const;

@@ -15,7 +15,7 @@ namespace ergodome {
 
 //! Plays a show's sound on the machine's device, from a thread of its own.
 //!
-//! Without a device, or when it is unplugged, the show goes on in silence, which is said once; a device is looked for again every
+//! Without a device, or when it is unplugged, the show continues without sound, which is reported once; the player retries every
 //! few seconds.
 class AudioPlayer {
  public:
@@ -24,16 +24,16 @@ class AudioPlayer {
   AudioPlayer(const AudioPlayer&) = delete;
   AudioPlayer& operator=(const AudioPlayer&) = delete;
 
-  //! Another show, or another version of it.
+  //! Replaces the soundtrack by that of another show, or another version of the show.
   void set_soundtrack(Soundtrack soundtrack);
   //! Once a frame: where the show is. Returns at once.
   void follow(const AudioCue& cue);
 
-  //! Sentences about what went wrong since the last call, each once.
+  //! Returns messages about problems since the last call, each once.
   std::vector<std::string> take_problems();
-  //! What is wrong with this show's sound: the last of them; empty where nothing is, or is no more.
+  //! Returns the latest problem of this show's sound; empty if there is none any more.
   [[nodiscard]] std::string problem() const;
-  //! Where sound goes, or that there is none: for the status.
+  //! Returns the name of the device, or that there is none, for the status.
   [[nodiscard]] std::string state() const;
 
  private:

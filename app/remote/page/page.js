@@ -94,7 +94,7 @@ const units = {
   exposure: (value) => `${value > 0 ? "+" : ""}${number(value, 1)} EV`,
   baseline: (value) => {
     const inMasses = (distance) => `${number(distance, distance < 1 ? 3 : 1)} M`;
-    // The player reduces the baseline where the two eyes would not fit.
+    // The player reduces the baseline if it does not fit.
     const isNarrowed = status.stereo && value === status.baseline && status.baseline_used < value;
     return isNarrowed ? `${inMasses(value)} (max ${inMasses(status.baseline_used)})` : inMasses(value);
   },
