@@ -1,7 +1,7 @@
 # Enables CUDA with the settings that the project and the standalone GPU check share.
 if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES AND NOT DEFINED ENV{CUDAARCHS})
   # Machine code for Turing to Hopper, and PTX of the newest for what comes after.
-  set(CMAKE_CUDA_ARCHITECTURES 75-real 86-real 89-real 90)
+  set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 89-real 90)
 endif()
 set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
 enable_language(CUDA)
