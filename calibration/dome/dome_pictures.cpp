@@ -20,10 +20,10 @@ std::vector<LoadedProjector> all_loaded(const DomeSetup& setup) {
 
 }  // namespace
 
-DomePictures::DomePictures(DomeSetup setup)
+DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
     : read_(std::move(setup)),
       files_(all_loaded(read_)),
-      pictures_(projector_pictures(read_)),
+      pictures_(projector_pictures(read_, computed_tolerance_px, detail)),
       tilt_deg_(read_.tilt_deg),
       rotation_deg_(read_.rotation_deg) {
   without_ = without_computed_files(read_, files_);
@@ -33,6 +33,9 @@ DomePictures::DomePictures(DomeSetup setup)
       files_[i].warp = std::monostate{};
     }
     masks_.push_back(has_computed_mask(i) ? pictures_[i].blend : BlendMap{});
+    // Masks of files stay as they are.
+    coarse_.push_back(detail == MaskDetail::preview && has_computed_mask(i) && read_.projectors[i].blend_mask.empty() &&
+                      !read_.projectors[i].warp);
     any = any || has_computed_mask(i);
   }
   if (any) {
@@ -82,6 +85,24 @@ bool DomePictures::follow(const DomeSetup& setup, const std::vector<GridOffsets>
   tilt_deg_ = setup.tilt_deg;
   rotation_deg_ = setup.rotation_deg;
   return renews_masks;
+}
+
+std::optional<std::size_t> DomePictures::refine_mask() {
+  const auto found = std::ranges::find(coarse_, true);
+  if (found == coarse_.end()) {
+    return std::nullopt;
+  }
+  *found = false;
+  const auto i = static_cast<std::size_t>(found - coarse_.begin());
+  ProjectorPicture& picture = pictures_[i];
+  masks_[i] = blend_->mask(i, picture.width_px, picture.height_px);
+  picture.blend = masks_[i];
+  if (tilt_deg_ != read_.tilt_deg) {
+    DomeSetup shown = read_;
+    shown.tilt_deg = tilt_deg_;
+    picture.blend = blend_of(shown).mask_after_tilt(i, masks_[i], *blend_);
+  }
+  return i;
 }
 
 bool DomePictures::leaves_behind(const DomeSetup& setup) const {

@@ -12,8 +12,9 @@ namespace ergodome {
 //! lenses and places make as well (without_computed_files()), follow the dome's tilt; those of other files stay.
 class DomePictures {
  public:
-  //! Reads the files of a setup. Throws Error for what projector_pictures() refuses.
-  explicit DomePictures(DomeSetup setup);
+  //! Reads the files of a setup. With `preview`, computed masks are coarse until refine_mask() has replaced them. Throws Error for what
+  //! projector_pictures() refuses.
+  explicit DomePictures(DomeSetup setup, MaskDetail detail = MaskDetail::full);
 
   [[nodiscard]] const std::vector<ProjectorPicture>& pictures() const { return pictures_; }
 
@@ -21,6 +22,9 @@ class DomePictures {
   //! with masks, which a new tilt calls for, 90. True where there are new masks. Throws Error, and leaves all as it was,
   //! where a projector would light no part of the dome.
   bool follow(const DomeSetup& setup, const std::vector<GridOffsets>& offsets);
+
+  //! Computes one of the coarse masks at the raster's resolution and returns the number of its projector, or nothing if none is coarse.
+  std::optional<std::size_t> refine_mask();
 
   //! Whether a setup of this dome has another tilt than one of its files was made for: that file stays as it is, and patterns alone follow.
   [[nodiscard]] bool leaves_behind(const DomeSetup& setup) const;
@@ -43,6 +47,7 @@ class DomePictures {
   double rotation_deg_;
   std::vector<BlendMap> masks_;     //!< as they were read
   std::optional<DomeBlend> blend_;  //!< of these; none where no mask is computed
+  std::vector<bool> coarse_;        //!< projectors whose masks are previews
 };
 
 }  // namespace ergodome

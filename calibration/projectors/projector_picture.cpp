@@ -14,6 +14,9 @@ namespace ergodome {
 
 namespace {
 
+//! Side of a pixel of a preview's mask, in pixels of the raster.
+constexpr int preview_pixel_px = 8;
+
 DomeScreen screen_of(const DomeSetup& setup) { return {setup.tilt_deg, 180.0}; }
 
 //! Puts a node to the master's place of a point or direction, if it has one.
@@ -196,7 +199,7 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
   return warp;
 }
 
-std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px) {
+std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px, MaskDetail detail) {
   if (setup.projectors.empty()) {
     throw Error("dome setup", "has no projectors", "write a [[projector]] for each projector of the dome");
   }
@@ -213,7 +216,9 @@ std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double 
     if (loaded.blend) {
       picture.blend = linear(*loaded.blend);
     } else if (blend && !projector.warp) {
-      picture.blend = blend->mask(i, projector.width_px, projector.height_px);
+      const int pixel_px = detail == MaskDetail::preview ? preview_pixel_px : 1;
+      picture.blend = blend->mask(i, (projector.width_px + pixel_px - 1) / pixel_px,
+                                  (projector.height_px + pixel_px - 1) / pixel_px);
     }
     picture.black_level = std::move(loaded.black_level).value_or(BlendMap{});
     picture.black_level_lift = loaded.black_level_lift;

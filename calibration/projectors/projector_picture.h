@@ -44,11 +44,15 @@ WarpMesh master_warp(const DomeSetup& setup, const ProjectorSetup& projector, co
 //! tilted by `tilt_deg`.
 WarpMesh through_lens(double tilt_deg, const WarpMesh& warp, const Orientation& orientation, const Frustum& frustum);
 
+//! Resolution of computed masks: the raster's, or a coarse preview that takes a small part of the time.
+enum class MaskDetail { full, preview };
+
 //! The pictures of all projectors of a setup. Where all of them have a lens, those without a warp and a mask get the mask of calibration/
 //! dome_blend.h. Throws Error for what load_projector and master_warp refuse, and for a setup without projectors.
 //!
 //! `tolerance_px`: largest error of warps that are computed from lens and position, see dome_warp().
-std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px = computed_tolerance_px);
+std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px = computed_tolerance_px,
+                                                 MaskDetail detail = MaskDetail::full);
 
 //! Width of a domemaster [px] whose pixels are no larger than the projectors' are on it, but for the finest twentieth of these; a multiple of
 //! 64, 256 to 8192.

@@ -24,14 +24,14 @@ namespace {
 int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; }
 
 constexpr int key_font_px = 14;
-constexpr int first_master_px = 1024;
+constexpr int first_master_px = 512;
 
 }  // namespace
 
 CalibrationWindow::CalibrationWindow(const LiveOptions& options)
     : options_(options),
       state_(read_dome_setup(options.setup), pattern_count()),
-      pictures_(state_.setup()),
+      pictures_(state_.setup(), MaskDetail::preview),
       window_(700, 700, "Ergodome calibrate", false),
       projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control, WarpUse::adjusted) {
   if (options_.master_px <= 0) {
@@ -65,12 +65,15 @@ void CalibrationWindow::run() {
     repeat_held_key();
     renew();
     draw();
+    refine();
     if (options_.for_seconds > 0.0 &&
         std::chrono::duration<double>(Clock::now() - start).count() >= options_.for_seconds) {
       break;
     }
   }
   if (!options_.screenshot.empty()) {
+    while (refine()) {
+    }
     projectors_.save_screenshots(options_.screenshot, plain_names(state_.setup()));
   }
   if (state_.unsaved()) {
@@ -151,6 +154,14 @@ void CalibrationWindow::renew() {
     renew_master();
   }
   renew_text();
+}
+
+bool CalibrationWindow::refine() {
+  const std::optional<std::size_t> projector = pictures_.refine_mask();
+  if (projector) {
+    projectors_.replace(*projector, pictures_.pictures()[*projector]);
+  }
+  return projector.has_value();
 }
 
 std::string CalibrationWindow::pattern_name() const {

@@ -44,6 +44,8 @@ class CalibrationWindow {
   void tell_refusal(const std::string& problem);
   //! Shows what keys have changed since the last time.
   void renew();
+  //! Replaces one of the coarse masks that the window started with. Returns false once there is none.
+  bool refine();
   void renew_master();
   bool renew_projectors();
   void renew_text();

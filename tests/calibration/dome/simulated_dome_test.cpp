@@ -218,6 +218,26 @@ TEST_F(SimulatedDome, LensesAloneFollowATiltThereAndBack) {
   expect_master(setup, frames_of(setup, pictures), half_a_projector_pixel);
 }
 
+TEST_F(SimulatedDome, PreviewedMasksBecomeTheSameWhenTheyAreRefined) {
+  DomeSetup setup = three(200);
+  DomePictures whole(setup);
+  DomePictures preview(setup, MaskDetail::preview);
+  EXPECT_EQ(preview.pictures()[0].blend.width, 25);
+  EXPECT_EQ(preview.refine_mask(), 0U);
+  EXPECT_EQ(preview.pictures()[0].blend.values, whole.pictures()[0].blend.values);
+  // A tilt comes before the others are refined.
+  setup.tilt_deg += 20.0;
+  EXPECT_TRUE(whole.follow(setup, {{}, {}, {}}));
+  EXPECT_TRUE(preview.follow(setup, {{}, {}, {}}));
+  EXPECT_EQ(preview.refine_mask(), 1U);
+  EXPECT_EQ(preview.refine_mask(), 2U);
+  EXPECT_EQ(preview.refine_mask(), std::nullopt);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(preview.pictures()[i].blend.width, 200) << i;
+    EXPECT_EQ(preview.pictures()[i].blend.values, whole.pictures()[i].blend.values) << i;
+  }
+}
+
 TEST_F(SimulatedDome, FilesOfAnOutsideCalibrationStayAfterATilt) {
   DomeSetup setup = calibrated(three(128));
   // As if measured: the projectors do not stand where the setup says.
