@@ -127,6 +127,14 @@ int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup)
   return static_cast<int>(names.size() * (parts.size() * patterns.size() + (all ? 1 : 0)));
 }
 
+std::uintmax_t ProjectorFrames::pixels() const {
+  std::uintmax_t all = 0;
+  for (const Raster& raster : rasters_) {
+    all += static_cast<std::uintmax_t>(raster.width_px) * static_cast<std::uintmax_t>(raster.height_px);
+  }
+  return all;
+}
+
 std::vector<std::filesystem::path> ProjectorFrames::paths_of(const std::filesystem::path& frame) const {
   std::vector<std::filesystem::path> paths;
   paths.reserve(rasters_.size());

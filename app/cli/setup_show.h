@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ class ProjectorFrames {
 
   //! Writes a PNG for each projector, named after `frame` (FOLDER/NAME_000001.png becomes FOLDER/NAME_000001_PROJECTOR.png).
   void write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata = {});
+
+  //! Pixels of all projectors.
+  [[nodiscard]] std::uintmax_t pixels() const;
 
   //! These files.
   [[nodiscard]] std::vector<std::filesystem::path> paths_of(const std::filesystem::path& frame) const;

@@ -90,7 +90,7 @@ bool fits_in_memory(const FramePlan& plan) {
   return bytes <= 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-//! Renders the frame in the middle of the show and takes it for all. None, with a note, where that cannot be.
+//! Measures a frame in the middle of the show and assumes that all frames cost as much. Returns nothing, after a note, if that fails.
 std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show, Backend backend,
                                     std::shared_ptr<StationStream> stream, const FramePlan& plan) {
   if (!fits_in_memory(plan)) {
@@ -103,9 +103,10 @@ std::optional<RunEstimate> estimate(const PlanOptions& options, const Show& show
                                follow_method(options.method, options.view, show)};
     RunEstimate estimate;
     estimate.frames = frame_count(show);
-    estimate.measured_frame = estimate.frames / 2;
-    estimate.frame =
-        measured_frame_cost(renderer, choice, frame_format(options.format, "", false), estimate.measured_frame);
+    const MeasuredFrame measured =
+        measured_frame(renderer, choice, frame_format(options.format, "", false), estimate.frames / 2);
+    estimate.measured_frame = measured.frame;
+    estimate.frame = measured.cost;
     estimate.free_bytes = free_bytes(options.out);
     return estimate;
   } catch (const std::exception& problem) {

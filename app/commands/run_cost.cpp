@@ -138,15 +138,25 @@ std::uintmax_t free_bytes(const fs::path& folder) {
   return fs::space(there).available;
 }
 
-RunFrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format,
-                                 int frame) {
+double least_compressed_part(const FrameFormat& format) {
+  const bool uncompressed = format.image == ImageFormat::exr && format.compression == ExrCompression::none;
+  return uncompressed ? 1.0 : 0.1;
+}
+
+std::uintmax_t uncompressed_bytes(const FrameFormat& format, std::uintmax_t pixels) {
+  const std::uintmax_t channel_bytes = format.image == ImageFormat::png ? 1 : 2;
+  return pixels * (format.alpha ? 4 : 3) * channel_bytes;
+}
+
+MeasuredFrame measured_frame(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame,
+                             double slow_s) {
   if (frame > 0) {
-    const RunFrameCost first = cost_of(renderer, choice, format, frame - 1);
-    if (first.seconds >= slow_frame_s) {
-      return first;
+    const RunFrameCost before = cost_of(renderer, choice, format, frame - 1);
+    if (before.seconds >= slow_s) {
+      return {frame - 1, before};
     }
   }
-  return cost_of(renderer, choice, format, frame);
+  return {frame, cost_of(renderer, choice, format, frame)};
 }
 
 }  // namespace ergodome

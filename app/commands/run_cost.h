@@ -35,9 +35,22 @@ std::string room_note(const std::string& folder, const std::string& what, std::u
 //! Free bytes on the disk of a folder, or of the first folder above it that exists. Throws std::filesystem::filesystem_error.
 std::uintmax_t free_bytes(const std::filesystem::path& folder);
 
-//! Renders a frame, counted from 0, writes its files into a folder of their own, and removes them. If it takes less than
-//! slow_frame_s, the frame before comes first and is not counted. Throws Error where files cannot be written.
-RunFrameCost measured_frame_cost(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format,
-                                 int frame);
+//! Smallest part of its uncompressed size that a frame is expected to take on disk, before any was written. Uncompressed EXR takes all of it.
+double least_compressed_part(const FrameFormat& format);
+
+//! Bytes of pictures with this many pixels in all, without compression.
+std::uintmax_t uncompressed_bytes(const FrameFormat& format, std::uintmax_t pixels);
+
+//! A frame and its cost.
+struct MeasuredFrame {
+  int frame = 0;  //!< from 0
+  RunFrameCost cost;
+};
+
+//! Measures a frame, counted from 0: renders it, writes its files into a temporary folder, and removes them. The frame before it is rendered
+//! first, as it prepares data that all frames share; if that takes at least `slow_s`, its cost is returned instead. Throws Error if files
+//! cannot be written.
+MeasuredFrame measured_frame(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame,
+                             double slow_s = slow_frame_s);
 
 }  // namespace ergodome

@@ -310,13 +310,42 @@ std::string FrameWriter::new_room_note(int next, int last) {
       std::exchange(looked_at_room_after_, written_) == written_) {
     return "";
   }
-  // Frames that are there already are overwritten.
-  const auto needed = largest_bytes_ * static_cast<std::uintmax_t>(missing(next, last));
-  std::error_code problem;
-  const fs::space_info space = fs::space(options_.out, problem);
-  std::string note = problem ? "" : room_note(options_.out, "the rest of the run", needed, space.available);
+  std::string note = room_note_for(next, last, "the rest of the run", static_cast<double>(largest_bytes_));
   told_room_ = !note.empty();
   return note;
+}
+
+std::string FrameWriter::early_room_note(int first, int last) const {
+  const double part = least_compressed_part(format_);
+  return room_note_for(first, last, part < 1.0 ? "the run, even if its frames compress to a tenth," : "the run",
+                       part * static_cast<double>(uncompressed_bytes(format_, frame_pixels())));
+}
+
+std::string FrameWriter::room_note_for(int next, int last, const std::string& what, double frame_bytes) const {
+  std::error_code problem;
+  const fs::space_info space = fs::space(options_.out, problem);
+  // Frames that are there already are overwritten.
+  const double needed = problem ? 0.0 : frame_bytes * static_cast<double>(missing(next, last));
+  return room_note(options_.out, what, static_cast<std::uintmax_t>(std::min(needed, 1e18)), space.available);
+}
+
+ImageSize FrameWriter::picture_size() const {
+  const Show& show = renderer_.show();
+  const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
+  return layout_size(show.stereo.layout,
+                     {has_face_files(show.view) ? eye.width_px / cube_faces : eye.width_px, eye.height_px});
+}
+
+std::uintmax_t FrameWriter::frame_pixels() const {
+  const Show& show = renderer_.show();
+  const StereoLayout layout = show.stereo.layout;
+  const bool twice = layout == StereoLayout::separate || layout == StereoLayout::multiview;
+  if (projectors_) {
+    return projectors_->pixels() * (twice ? 2 : 1);
+  }
+  const ImageSize size = picture_size();
+  const std::uintmax_t pictures = (twice ? 2 : 1) * (has_face_files(show.view) ? cube_faces : 1);
+  return pictures * static_cast<std::uintmax_t>(size.width) * static_cast<std::uintmax_t>(size.height);
 }
 
 int FrameWriter::eye_width_px() const { return choice_.size_px > 0 ? choice_.size_px : renderer_.show().view.size_px; }
@@ -343,10 +372,8 @@ bool FrameWriter::is_there(int frame, FramePart part) const {
   if (projectors_) {
     return projectors_->are_there(path_of(frame, part, std::nullopt), request_of(frame));
   }
-  const Projection eye = make_projection(show.view, eye_width_px(), 0.0);
   const bool faces = has_face_files(show.view);
-  const ImageSize size =
-      layout_size(show.stereo.layout, {faces ? eye.width_px / cube_faces : eye.width_px, eye.height_px});
+  const ImageSize size = picture_size();
   const int parts = show.stereo.layout == StereoLayout::multiview ? 2 : 1;
   const std::string request = request_of(frame);
   const auto complete = [&](std::optional<CubeFace> face) {

@@ -16,6 +16,7 @@
 #include "app/commands/run_cost.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/frame_format.h"
+#include "render/output/stereo_layout.h"
 
 namespace ergodome {
 
@@ -54,6 +55,9 @@ class FrameWriter {
   //! Returns the notes that are due before the frames `next` to `last`: once the time and disk space of the run, and a warning if the
   //! disk has no room for the missing frames.
   [[nodiscard]] std::vector<std::string> run_notes(int next, int last);
+  //! Returns a warning if the disk has no room for the missing frames of `first` to `last` even if they compress well; else an empty text.
+  //! Renders nothing.
+  [[nodiscard]] std::string early_room_note(int first, int last) const;
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
@@ -86,6 +90,12 @@ class FrameWriter {
   [[nodiscard]] std::vector<int> lying_there() const;
   [[nodiscard]] std::string cost_note(int next, int last);
   [[nodiscard]] std::string new_room_note(int next, int last);
+  //! Size of each picture file of the master.
+  [[nodiscard]] ImageSize picture_size() const;
+  //! Pixels of all files of a frame.
+  [[nodiscard]] std::uintmax_t frame_pixels() const;
+  //! Warns if the missing frames of `next` to `last`, each of this size, do not fit on the disk.
+  [[nodiscard]] std::string room_note_for(int next, int last, const std::string& what, double frame_bytes) const;
   //! How many of the frames `next` to `last` are not there.
   [[nodiscard]] long missing(int next, int last) const;
 

@@ -146,6 +146,9 @@ void tell_frames(const RenderOptions& options, const FrameWriter& writer) {
 }
 
 void write_frames(const RenderOptions& options, FrameWriter& writer, int first, int last) {
+  if (const std::string note = writer.early_room_note(first, last); !note.empty()) {
+    print_note("{}", note);
+  }
   Progress progress("rendering", last - first + 1);
   for (int frame = first; frame <= last; ++frame) {
     if (interrupted()) {

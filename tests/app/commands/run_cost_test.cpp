@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "content/show/show_reader.h"
 #include "tests/app/cli/command_line.h"
 
 namespace ergodome {
@@ -68,6 +70,44 @@ TEST_F(CommandLine, PlanMeasuresFilesOfTheFormatThatIsAskedFor) {
   ASSERT_EQ(run("plan short.toml --backend cpu --format exr --stereo multiview --size 32"), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("render: 4 frames, about "));
   EXPECT_THAT(output_, HasSubstr("measured: frame 3, in the middle of the show, rendered and written as exr"));
+}
+
+TEST_F(CommandLine, PlanNamesTheFrameThatItMeasured) {
+  write("short.toml", short_show);
+  const Show show = read_show(folder_ / "short.toml");
+  ShowRenderer renderer(show, Backend::cpu);
+  constexpr double never_slow_s = 1e9;
+  constexpr double always_slow_s = 0.0;
+  EXPECT_EQ(measured_frame(renderer, {}, {}, 2, never_slow_s).frame, 2);
+  EXPECT_EQ(measured_frame(renderer, {}, {}, 2, always_slow_s).frame, 1);
+  EXPECT_EQ(measured_frame(renderer, {}, {}, 0, always_slow_s).frame, 0);
+}
+
+TEST_F(CommandLine, UncompressedFramesTakeTheirPixelsBytes) {
+  write("short.toml", short_show);
+  ASSERT_EQ(run("render short.toml --backend cpu --frames 1 --out f --format exr --compression none"), 0) << output_;
+  const auto written = static_cast<double>(fs::file_size(folder_ / "f/short_000001.exr"));
+  const FrameFormat format = frame_format("exr", "none", false);
+  const double expected = least_compressed_part(format) * static_cast<double>(uncompressed_bytes(format, 64 * 64));
+  // The header, and 8 bytes for each row's number and size and 8 for its offset.
+  EXPECT_GE(written, expected + 64 * 16);
+  EXPECT_LE(written, expected + 64 * 16 + 4096);
+}
+
+TEST_F(CommandLine, RenderWarnsOfAFullDiskBeforeItsFirstFrame) {
+  write("long.toml", std::string("duration_s = 1e8\n") + (std::strchr(short_show, '\n') + 1));
+  // A file where the folder of the left eye would be ends the run with its first frame.
+  fs::create_directory(folder_ / "f");
+  write("f/L", "");
+  const std::string separate = "render long.toml --backend cpu --out f --stereo separate --size 256 --format exr ";
+  // A frame: 256 x 256 pixels, three channels of 2 bytes, two eyes. All of 1e9 frames: 786 TB.
+  EXPECT_NE(run(separate + "--compression none"), 0);
+  EXPECT_THAT(output_, HasSubstr("f: the run needs about 786 TB, and its disk has "));
+  EXPECT_NE(run(separate), 0);
+  EXPECT_THAT(output_,
+              HasSubstr("f: the run, even if its frames compress to a tenth, needs about 79 TB, and its disk"));
+  EXPECT_NE(run(separate + "--compression none --frames 1-100"), 0);
+  EXPECT_THAT(output_, Not(HasSubstr("its disk has ")));
 }
 
 TEST_F(CommandLine, RenderTellsWhatARunTakesAfterItsFirstFrames) {
