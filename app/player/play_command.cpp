@@ -69,8 +69,9 @@ void use_setup(PlayArguments& arguments) {
   PlayOptions& options = arguments.options;
   options.setup = read_dome_setup(arguments.setup);
   options.projectors = projector_pictures(*options.setup);
+  options.projectors_px = enough_master_px(options.projectors);
   if (!arguments.size_given) {
-    options.size_px = enough_master_px(options.projectors);
+    options.size_px = options.projectors_px;
   }
 }
 

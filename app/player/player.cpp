@@ -245,8 +245,8 @@ void Player::update_picture() {
 }
 
 bool Player::add_window(PictureRequest& wish) {
-  // Projectors show one master, which has its captions in it.
   if (options_.setup) {
+    wish.projectors_px = options_.projectors_px;
     return false;
   }
   ImageSize size = {0, 0};

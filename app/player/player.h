@@ -33,6 +33,7 @@ struct PlayOptions {
   std::string screenshot;             //!< what the window showed last, as a PNG; empty: none
   std::optional<DomeSetup> setup;     //!< of a dome whose projectors show the pictures, too
   std::vector<ProjectorPicture> projectors;  //!< of the setup
+  int projectors_px = 0;                     //!< enough_master_px() of them
   bool hide_control = false;                 //!< with a setup: the projectors' windows alone are to be seen
   std::string language;
   std::string

@@ -43,6 +43,7 @@ void PlayerScreen::show(const PictureAnswer& answer) {
   }
   if (projectors_) {
     projectors_->take(answer.on_device ? &*answer.on_device : nullptr);
+    projectors_->lay_over(captions_);
   }
 }
 

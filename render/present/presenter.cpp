@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "render/present/caption_texture.h"
 #include "render/present/cuda_interop.h"
 #include "render/present/gl_program.h"
 
@@ -24,9 +25,7 @@ struct Presenter::State {
   float light = 1.0F;
   long version = 0;
   std::unique_ptr<CudaTextureLink> link;
-  GLuint captions_texture = 0;  //!< 0: no captions
-  std::shared_ptr<const CaptionLayer> captions;
-  float captions_opacity = 1.0F;
+  CaptionTexture captions;
   EyeGrid eyes;
 };
 
@@ -90,7 +89,6 @@ Presenter::Presenter() : state_(std::make_unique<State>()) {
 Presenter::~Presenter() {
   state_->link.reset();
   glDeleteTextures(1, &state_->texture);
-  glDeleteTextures(1, &state_->captions_texture);
   glDeleteVertexArrays(1, &state_->vertex_array);
   glDeleteProgram(state_->captions_program);
   glDeleteProgram(state_->program);
@@ -158,26 +156,7 @@ void Presenter::set_light(float light) {
 
 void Presenter::lay_over(const LaidCaptions& captions, const EyeGrid& eyes) {
   state_->eyes = eyes;
-  state_->captions_opacity = static_cast<float>(captions.opacity);
-  if (captions.layer == state_->captions) {
-    return;
-  }
-  state_->captions = captions.layer;
-  glDeleteTextures(1, &state_->captions_texture);
-  state_->captions_texture = 0;
-  if (!captions.layer) {
-    return;
-  }
-  const CaptionLayer& layer = *captions.layer;
-  GLuint& texture = state_->captions_texture;
-  glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-  glTextureStorage2D(texture, 1, GL_RGBA16F, layer.width, layer.row_count);
-  glTextureSubImage2D(texture, 0, 0, 0, layer.width, layer.row_count, GL_RGBA, GL_FLOAT, layer.rgba.data());
-  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  // Beyond its rows there is nothing.
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  state_->captions.set(captions);
 }
 
 PresentedPicture Presenter::shown() const {
@@ -219,25 +198,25 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart 
 }
 
 void Presenter::draw_captions(const PictureArea& shown, const EyeGrid& eyes) {
-  if (!state_->captions) {
+  const CaptionTexture& captions = state_->captions;
+  if (!captions.use(0)) {
     return;
   }
-  const CaptionLayer& layer = *state_->captions;
-  const auto of_height = [&](int rows) { return static_cast<double>(rows) / layer.height; };
+  const double rows_above = captions.first_row_part();
+  const double rows_part = captions.row_part();
   glUseProgram(state_->captions_program);
-  glUniform2f(0, static_cast<float>(of_height(layer.first_row)), static_cast<float>(of_height(layer.row_count)));
-  glUniform1f(1, state_->captions_opacity);
+  glUniform2f(0, captions.first_row_part(), captions.row_part());
+  glUniform1f(1, captions.opacity());
   glUniform1f(2, state_->light);
-  glBindTextureUnit(0, state_->captions_texture);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_SCISSOR_TEST);
   const int width = shown.width / eyes.columns;
   const int height = shown.height / eyes.rows;
   // The rows of an eye that have captions, and one more on each side for the filter.
-  const double bottom_part = 1.0 - of_height(layer.first_row + layer.row_count);
+  const double bottom_part = 1.0 - rows_above - rows_part;
   const int from = static_cast<int>(std::floor(bottom_part * height)) - 1;
-  const int rows = static_cast<int>(std::ceil(of_height(layer.row_count) * height)) + 3;
+  const int rows = static_cast<int>(std::ceil(rows_part * height)) + 3;
   for (int eye = 0; eye < eyes.columns * eyes.rows; ++eye) {
     const int left = shown.left + eye % eyes.columns * width;
     const int bottom = shown.bottom + eye / eyes.columns * height;

@@ -50,6 +50,16 @@ PictureAnswer answer_to(const FrameSource::Render& render, const PictureRequest&
 
 namespace {
 
+//! Largest width of a caption layer for projectors [px]. Drawing it takes 16 bytes a pixel.
+constexpr int widest_master_captions_px = 4096;
+
+//! Returns the width of the caption layer for projectors, or 0 if they need none: the domemaster is as fine as they are and contains its
+//! captions.
+int projectors_caption_px(const PictureRequest& request) {
+  const int width_px = std::min(request.projectors_px, widest_master_captions_px);
+  return width_px > request.size_px ? width_px : 0;
+}
+
 //! Brings a show's renderer to a frame.
 void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   const PlayerFrame& frame = request.frame;
@@ -65,7 +75,7 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
   overlays.set_captions(frame.captions);
-  overlays.set_captions_apart(request.window.has_value());
+  overlays.set_captions_apart(request.window || projectors_caption_px(request) > 0);
   overlays.set_extra(request.captions, request.captions_opacity);
 }
 
@@ -140,8 +150,9 @@ PictureAnswer render_for_window(const PictureRequest& request) {
     show_eyes(renderer, frame, projection, moment, answer);
   }
   answer.eye_grid = eye_grid(frame.stereo.layout);
-  if (request.window) {
-    const int width_px = caption_width_px(*request.window, frame.stereo.layout, projection);
+  const int width_px = request.window ? caption_width_px(*request.window, frame.stereo.layout, projection)
+                                      : projectors_caption_px(request);
+  if (width_px > 0) {
     answer.captions = renderer.caption_layer(make_projection(renderer.show().view, width_px, frame.field_of_view_deg),
                                              frame.mode, frame.time_s);
   }

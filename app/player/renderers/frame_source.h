@@ -26,6 +26,7 @@ struct PictureRequest {
   int size_px = 0;  //!< width of one eye's image
   //! Of the window that the picture is for, where captions are laid over it there; none: they are drawn in the picture.
   std::optional<ImageSize> window;
+  int projectors_px = 0;  //!< width of a domemaster as fine as the projectors that it is for [px]; 0: it is for none
   bool disparity_asked = false;
   std::optional<FrameQuality>
       quality;  //!< in place of the show's; its budget counts in pixels of a picture `whole_px` wide

@@ -12,6 +12,8 @@ namespace ergodome {
 
 struct ProjectorDrawing::State {
   GLuint program = 0;
+  GLuint captions_program = 0;  //!< 0: not needed so far
+  std::string masks;            //!< which masks there are, as definitions of the shader
   GLuint vertex_array = 0;
   GLuint vertices = 0;
   GLuint indices = 0;
@@ -25,7 +27,8 @@ struct ProjectorDrawing::State {
 
 namespace {
 
-constexpr const char* vertex_source = R"(#version 450 core
+//! HAS_CAPTIONS restricts what is drawn to the rows that have captions.
+constexpr const char* vertex_source = R"(
 layout(location = 0) in vec2 place;   // on the raster, y down
 layout(location = 1) in vec2 source;  // in the master, its top at 0
 layout(location = 2) in vec2 mask;    // in the masks
@@ -33,7 +36,15 @@ layout(location = 3) in float factor;
 out vec2 source_place;
 out vec2 mask_place;
 out float intensity;
+#ifdef HAS_CAPTIONS
+layout(location = 3) uniform vec2 caption_rows;  // of the master: where they begin, and the part that they are
+out float gl_ClipDistance[2];
+#endif
 void main() {
+#ifdef HAS_CAPTIONS
+  gl_ClipDistance[0] = source.y - caption_rows.x;
+  gl_ClipDistance[1] = caption_rows.x + caption_rows.y - source.y;
+#endif
   source_place = source;
   mask_place = mask;
   intensity = factor;
@@ -41,7 +52,7 @@ void main() {
 }
 )";
 
-//! HAS_BLEND and HAS_BLACK_LEVEL say which masks there are to look at.
+//! HAS_BLEND and HAS_BLACK_LEVEL say which masks there are to look at. With HAS_CAPTIONS only pixels that captions cover are drawn.
 constexpr const char* projector_source = R"(
 in vec2 source_place;
 in vec2 mask_place;
@@ -53,8 +64,21 @@ layout(binding = 2) uniform sampler2D black_level;
 layout(location = 0) uniform vec3 lift;
 layout(location = 1) uniform vec3 gain;
 layout(location = 2) uniform float gamma;
+#ifdef HAS_CAPTIONS
+layout(binding = 3) uniform sampler2D captions;  // light of a display times coverage
+layout(location = 3) uniform vec2 caption_rows;
+layout(location = 4) uniform float opacity;
+layout(location = 5) uniform float dimmed;
+#endif
 void main() {
   vec3 light = texture(master, source_place).rgb;
+#ifdef HAS_CAPTIONS
+  vec4 caption = opacity * texture(captions, vec2(source_place.x, (source_place.y - caption_rows.x) / caption_rows.y));
+  if (caption.a == 0.0) {
+    discard;
+  }
+  light = light * (1.0 - caption.a) + dimmed * caption.rgb;
+#endif
   // The master's rim is not smeared over what lies beyond it.
   light *= float(all(greaterThanEqual(source_place, vec2(0.0))) && all(lessThanEqual(source_place, vec2(1.0))));
   // As projector_light.h has it.
@@ -71,9 +95,9 @@ void main() {
 }
 )";
 
-std::string fragment_source_for(const ProjectorPicture& picture) {
-  return std::string("#version 450 core\n") + (picture.blend.width > 0 ? "#define HAS_BLEND\n" : "") +
-         (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "") + projector_source;
+GLuint projector_program(const std::string& definitions) {
+  const std::string head = "#version 450 core\n" + definitions;
+  return linked_program(head + vertex_source, head + projector_source);
 }
 
 Vector3<float> converted(const Vector3<double>& v) {
@@ -113,7 +137,9 @@ void set_attribute(GLuint vertex_array, GLuint attribute, int size, std::size_t 
 
 ProjectorDrawing::ProjectorDrawing(const ProjectorPicture& picture) : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(vertex_source, fragment_source_for(picture));
+  state_->masks = std::string(picture.blend.width > 0 ? "#define HAS_BLEND\n" : "") +
+                  (picture.black_level.width > 0 ? "#define HAS_BLACK_LEVEL\n" : "");
+  state_->program = projector_program(state_->masks);
   glCreateVertexArrays(1, &state_->vertex_array);
   set_attribute(state_->vertex_array, 0, 2, offsetof(MeshVertex, place));
   set_attribute(state_->vertex_array, 1, 2, offsetof(MeshVertex, source));
@@ -131,6 +157,7 @@ ProjectorDrawing::~ProjectorDrawing() {
   const GLuint buffers[] = {state_->vertices, state_->indices};
   glDeleteBuffers(2, buffers);
   glDeleteVertexArrays(1, &state_->vertex_array);
+  glDeleteProgram(state_->captions_program);
   glDeleteProgram(state_->program);
 }
 
@@ -162,14 +189,41 @@ void ProjectorDrawing::draw(const DisplayLight& light, int framebuffer_width, in
   if (framebuffer_width <= 0 || framebuffer_height <= 0 || !light.use(0)) {
     return;
   }
-  glUseProgram(state_->program);
+  draw_mesh(state_->program, 0);
+}
+
+void ProjectorDrawing::draw_captions(const CaptionTexture& captions, float dimmed, const DisplayLight& light,
+                                     int framebuffer_width, int framebuffer_height) {
+  if (framebuffer_width <= 0 || framebuffer_height <= 0 || !light.use(0) || !captions.use(3)) {
+    return;
+  }
+  if (state_->captions_program == 0) {
+    state_->captions_program = projector_program("#define HAS_CAPTIONS\n" + state_->masks);
+  }
+  glViewport(0, 0, framebuffer_width, framebuffer_height);
+  glUseProgram(state_->captions_program);
+  glUniform2f(3, captions.first_row_part(), captions.row_part());
+  glUniform1f(4, captions.opacity());
+  glUniform1f(5, dimmed);
+  glEnable(GL_CLIP_DISTANCE0);
+  glEnable(GL_CLIP_DISTANCE1);
+  // Without the backdrop, which shows nothing of the master.
+  draw_mesh(state_->captions_program, backdrop_indices);
+  glDisable(GL_CLIP_DISTANCE0);
+  glDisable(GL_CLIP_DISTANCE1);
+}
+
+void ProjectorDrawing::draw_mesh(unsigned program, int first_index) {
+  glUseProgram(program);
   glUniform3f(0, state_->lift.x, state_->lift.y, state_->lift.z);
   glUniform3f(1, state_->gain.x, state_->gain.y, state_->gain.z);
   glUniform1f(2, state_->gamma);
   glBindTextureUnit(1, state_->blend);
   glBindTextureUnit(2, state_->black_level);
   glBindVertexArray(state_->vertex_array);
-  glDrawElements(GL_TRIANGLES, state_->index_count, GL_UNSIGNED_INT, nullptr);
+  const auto offset = static_cast<std::uintptr_t>(first_index) * sizeof(std::uint32_t);
+  glDrawElements(GL_TRIANGLES, state_->index_count - first_index, GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr): OpenGL's offset
 }
 
 }  // namespace ergodome

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "calibration/projectors/projector_picture.h"
+#include "render/present/caption_texture.h"
 #include "render/present/display_light.h"
 
 namespace ergodome {
@@ -26,7 +27,15 @@ class ProjectorDrawing {
   //! Draws into the bound framebuffer of the given size; black where the warp is not drawn, lifted as elsewhere.
   void draw(const DisplayLight& light, int framebuffer_width, int framebuffer_height);
 
+  //! Draws captions over the picture that was drawn, at their own resolution. Pixels without captions stay as they are. `dimmed`: factor on the
+  //! captions' light. `light`: of the picture below them.
+  void draw_captions(const CaptionTexture& captions, float dimmed, const DisplayLight& light, int framebuffer_width,
+                     int framebuffer_height);
+
  private:
+  //! Draws the mesh from one of its indices on.
+  void draw_mesh(unsigned program, int first_index);
+
   struct State;
   std::unique_ptr<State> state_;
 };

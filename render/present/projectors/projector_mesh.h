@@ -15,6 +15,9 @@ struct MeshVertex {
   float factor;     //!< of the master's light
 };
 
+//! Indices of the two triangles that cover the raster below all others, without light of the master.
+inline constexpr int backdrop_indices = 6;
+
 //! Triangles between which all is linear; where they overlap the last one counts.
 struct ProjectorMesh {
   std::vector<MeshVertex> vertices;

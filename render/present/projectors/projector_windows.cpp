@@ -6,6 +6,7 @@
 
 #include "kernels/core/error.h"
 #include "render/output/image_writer.h"
+#include "render/present/caption_texture.h"
 #include "render/present/gl_program.h"
 #include "render/present/projectors/projector_drawing.h"
 #include "render/present/projectors/projector_outputs.h"
@@ -63,7 +64,10 @@ struct ProjectorWindows::State {
   bool cuda_fails = false;
   int of_another_size = 0;  //!< pictures that came one after the other, for which CUDA has no warps
   bool control_shown = true;
-  long version = -1;  //!< of the master whose light there is
+  long version = -1;        //!< of the master that is drawn
+  long light_version = -1;  //!< of the master whose light there is
+  float dimmed = 1.0F;      //!< factor on the display's light
+  std::unique_ptr<CaptionTexture> captions = std::make_unique<CaptionTexture>();  //!< to lay over the master
 };
 
 ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
@@ -110,6 +114,7 @@ ProjectorWindows::~ProjectorWindows() {
   }
   state_->control.make_current();
   state_->light.reset();
+  state_->captions.reset();
 }
 
 void ProjectorWindows::draw(std::size_t projector) {
@@ -124,6 +129,9 @@ void ProjectorWindows::draw(std::size_t projector) {
     screen.sent->draw();
   } else {
     screen.drawing->draw(*state_->light, width, height);
+  }
+  if (!screen.raster) {
+    screen.drawing->draw_captions(*state_->captions, state_->dimmed, *state_->light, width, height);
   }
   screen.panel->draw(width, height);
 }
@@ -229,8 +237,18 @@ void ProjectorWindows::leave_others_to_opengl(const PresentedPicture& master,
   }
   state_->control.make_current();
   if (by_kernels.size() < state_->screens.size()) {
-    state_->light->update(master);
+    update_light(master);
   }
+}
+
+void ProjectorWindows::update_light(const PresentedPicture& master) {
+  state_->light->update(master);
+  state_->light_version = master.version;
+}
+
+void ProjectorWindows::lay_over(const LaidCaptions& captions) {
+  state_->control.make_current();
+  state_->captions->set(captions);
 }
 
 void ProjectorWindows::draw_by_opengl(std::size_t projector) {
@@ -246,6 +264,10 @@ void ProjectorWindows::show(const PresentedPicture& master) {
     update(master);
     state_->version = master.version;
   }
+  if (!state_->captions->empty() && state_->light_version != master.version) {
+    update_light(master);
+  }
+  state_->dimmed = master.light;
   for (std::size_t i = 0; i < state_->screens.size(); ++i) {
     draw(i);
   }

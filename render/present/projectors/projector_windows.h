@@ -33,6 +33,9 @@ class ProjectorWindows {
   //! Draws a picture of the control window's presenter in all windows, then shows it in all of them, the first in step with its display.
   void show(const PresentedPicture& master);
 
+  //! Captions to lay over the master, which has none of its own; none if there is no layer. They are drawn with the layer's resolution.
+  void lay_over(const LaidCaptions& captions);
+
   //! Takes over a projector's warp, corners and colours; its masks stay.
   void change(std::size_t projector, const ProjectorPicture& picture);
 
@@ -69,6 +72,7 @@ class ProjectorWindows {
   bool update_by_cuda(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels);
   //! Draws a raster, and hands it over to its window.
   void send(std::size_t projector);
+  void update_light(const PresentedPicture& master);
   void leave_others_to_opengl(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels);
   void give_up_cuda();
 

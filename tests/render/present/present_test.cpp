@@ -7,8 +7,12 @@
 #include "kernels/core/error.h"
 #include "render/output/stereo_layout.h"
 #include "render/output/tone_map.h"
+#include "render/present/caption_texture.h"
+#include "render/present/display_light.h"
 #include "render/present/headless_context.h"
 #include "render/present/presenter.h"
+#include "render/present/projectors/projector_drawing.h"
+#include "render/present/projectors/projector_light.h"
 #include "render/present/text_panel.h"
 #include "tests/support/gl_driver.h"
 
@@ -258,6 +262,54 @@ TEST_F(Present, CaptionsLieOverEachEye) {
   }
   presenter.draw(200, 100, PicturePart::right_half);
   EXPECT_EQ(Presenter::read_back(200, 100)[3 * (200 * 50 + 75)], 255);
+}
+
+TEST_F(Present, CaptionsOnProjectorsKeepTheirPixelsOverACoarseMaster) {
+  // A white line of one row, half covering and half faded, over a master of 4 x 4 pixels on a raster of 200 x 200.
+  constexpr int side = 200;
+  constexpr int row = 40;
+  auto captions =
+      std::make_shared<CaptionLayer>(CaptionLayer{side, side, row - 1, 3, std::vector<float>(4 * side * 3)});
+  std::fill_n(captions->rgba.begin() + 4 * side, 4 * side, 0.5F);
+  ProjectorPicture raster;
+  raster.width_px = side;
+  raster.height_px = side;
+  raster.warp.columns = 2;
+  raster.warp.rows = 2;
+  raster.warp.nodes = {{0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 1, 1, 1}};
+  raster.black_level_lift = {0.02, 0.02, 0.02};
+  for (WarpNode& node : raster.warp.nodes) {
+    node.intensity = 0.5F;
+  }
+  make_framebuffer(side, side);
+  Presenter presenter;
+  constexpr float dimmed = 0.6F;
+  presenter.set_light(dimmed);
+  const Picture master = picture_of(4, 4, 0.05F);
+  presenter.upload(master);
+  DisplayLight light;
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  light.update(presenter.shown());
+  ProjectorDrawing projector(raster);
+  projector.draw(light, side, side);
+  const auto plain = Presenter::read_back(side, side);
+  CaptionTexture texture;
+  projector.draw_captions(texture, dimmed, light, side, side);
+  EXPECT_EQ(Presenter::read_back(side, side), plain) << "no captions yet";
+  texture.set({captions, 0.5});
+  projector.draw_captions(texture, dimmed, light, side, side);
+  const auto shown = Presenter::read_back(side, side);
+  const float below = std::min(toned(master.tone, 0.05F), 1.0F);
+  const ProjectorColour colour = {0.5F, 0.02F, 1.0F, 2.2F};
+  const auto value = [&](float seen) { return 255.0F * projector_value(colour, dimmed * seen); };
+  for (int y = 0; y < side; ++y) {
+    const auto at = 3 * (side * static_cast<std::size_t>(y) + 77);
+    EXPECT_NEAR(shown[at], y == row ? value(0.75F * below + 0.25F) : value(below), 1.0) << y;
+    if (y != row) {
+      EXPECT_EQ(shown[at], plain[at]) << y;
+    }
+  }
 }
 
 TEST_F(Present, TextHasARimThatSetsItOffFromWhite) {

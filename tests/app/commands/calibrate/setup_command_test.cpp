@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "render/output/image_reader.h"
 #include "render/output/image_writer.h"
 #include "tests/app/cli/command_line.h"
 
@@ -136,6 +137,44 @@ TEST_F(SetupCommands, PlayOpensAWindowForEachProjector) {
   ASSERT_EQ(code_, 0) << output_;
   EXPECT_TRUE(is_frame("shot_left___one.png", 64, 48));
   EXPECT_TRUE(is_frame("shot_left___one_2.png", 80, 40));
+}
+
+TEST_F(SetupCommands, PlayKeepsCaptionsSharpOnProjectorsOfASmallMaster) {
+  write("dome.toml",
+        "[dome]\nradius_m = 6\n[[projector]]\nname = \"p\"\npitch_deg = 40\n"
+        "frustum = { left_deg = -50, right_deg = 50, up_deg = 40, down_deg = -40 }\nresolution_px = [400, 300]\n"
+        "window_px = [0, 0]\n");
+  // Far from the hole a grey sky looks alike at every resolution.
+  write("show.toml",
+        "duration_s = 100\n[hole]\nspin = 0.9\n[[camera.key]]\nr = 900\n[sky]\nmap = \"sky.png\"\n"
+        "[[caption]]\ntext = \"HHHHH\"\nfrom_s = 0\nto_s = 100\nfade_in_s = 0\nletter_deg = 12\nelevation_deg = 40\n");
+  for (const char* words : {"--screenshot fine.png", "--size 48 --screenshot coarse.png"}) {
+    run_on_display(std::string("play show.toml --setup dome.toml --backend cpu --for 2 ") + words);
+    if (IsSkipped()) {
+      return;
+    }
+    ASSERT_EQ(code_, 0) << output_;
+  }
+  const DisplayPixels fine = read_display_pixels(folder_ / "fine_p.png");
+  const DisplayPixels coarse = read_display_pixels(folder_ / "coarse_p.png");
+  ASSERT_EQ(fine.values.size(), 3U * 400 * 300);
+  ASSERT_EQ(coarse.values.size(), 3U * 400 * 300);
+  int far_off = 0;
+  int bright = 0;
+  int dark = 0;
+  // Around the letters the sky shows values near 120.
+  for (std::size_t y = 100; y < 200; ++y) {
+    for (std::size_t x = 100; x < 300; ++x) {
+      const int value = coarse.values[3 * (400 * y + x)] / 257;
+      far_off += std::abs(value - fine.values[3 * (400 * y + x)] / 257) > 40 ? 1 : 0;
+      bright += value > 220 ? 1 : 0;
+      dark += value < 40 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bright, 300) << "the letters";
+  EXPECT_GT(dark, 300) << "their rim";
+  // Letters in a master of 48 pixels differ at 2,463 of these pixels.
+  EXPECT_LT(far_off, 50);
 }
 
 TEST_F(SetupCommands, CalibrateLiveShowsPatternsOnEachProjector) {
