@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "content/files/atomic_file.h"
-#include "content/trajectory/byte_planes.h"
+#include "content/files/byte_planes.h"
 #include "kernels/core/error.h"
 
 namespace ergodome {

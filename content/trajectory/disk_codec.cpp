@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "content/trajectory/byte_planes.h"
+#include "content/files/byte_planes.h"
 
 namespace ergodome {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/trajectory/byte_planes.h"
+#include "content/files/byte_planes.h"
 #include "kernels/spacetime/kerr/kerr.h"
 
 namespace ergodome {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "content/trajectory/byte_planes.h"
+#include "content/files/byte_planes.h"
 
 namespace ergodome {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_field/series_search.h"
+#include "kernels/near_rays/series_search.h"
 
 // What is read from a ray's series where it crosses the equatorial plane.
 namespace ergodome::inline ERGO_TARGET {

@@ -5,7 +5,7 @@
 #include "kernels/disk/disk_chart.h"
 #include "kernels/disk/disk_grid.h"
 #include "kernels/lens/lens_grid.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 
 // What grids of a disk miss by on the screen, by traced rays.
 namespace ergodome::inline ERGO_TARGET {

@@ -2,8 +2,8 @@
 
 #include "kernels/disk/disk_light.h"
 #include "kernels/disk/equatorial_crossings.h"
-#include "kernels/near_field/near_pixels.h"
-#include "kernels/near_field/seen_light.h"
+#include "kernels/near_rays/near_pixels.h"
+#include "kernels/near_rays/seen_light.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "kernels/disk/disk_light.h"
-#include "kernels/near_field/horizon_winding.h"
-#include "kernels/near_field/near_ray.h"
-#include "kernels/near_field/seen_light.h"
+#include "kernels/near_rays/horizon_winding.h"
+#include "kernels/near_rays/near_ray.h"
+#include "kernels/near_rays/seen_light.h"
 
 namespace ergodome::inline ERGO_TARGET {
 

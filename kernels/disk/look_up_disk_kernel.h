@@ -6,7 +6,7 @@
 #include "kernels/disk/disk_sight.h"
 #include "kernels/disk/layer_light.h"
 #include "kernels/near_field/layer_sight.h"
-#include "kernels/near_field/pixel_samples.h"
+#include "kernels/near_rays/pixel_samples.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/launch/launch_cuda.cuh"
-#include "kernels/near_field/pixel_samples.h"
+#include "kernels/near_rays/pixel_samples.h"
 
 namespace ergodome {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/lanes.h"
-#include "kernels/near_field/seen_light.h"
+#include "kernels/near_rays/seen_light.h"
 #include "kernels/objects/lay_objects.h"
 
 namespace ergodome::inline ERGO_TARGET {

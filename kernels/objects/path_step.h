@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/core/dual.h"
-#include "kernels/near_field/radial_fate.h"
-#include "kernels/near_field/series_search.h"
+#include "kernels/near_rays/radial_fate.h"
+#include "kernels/near_rays/series_search.h"
 
 namespace ergodome {
 

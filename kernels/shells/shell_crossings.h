@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/near_field/radial_fate.h"
-#include "kernels/near_field/series_search.h"
+#include "kernels/near_rays/radial_fate.h"
+#include "kernels/near_rays/series_search.h"
 
 // Where light crosses spheres r = const, followed backwards from the camera, also inside the shadow.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/near_field/near_pixels.h"
-#include "kernels/near_field/seen_light.h"
+#include "kernels/near_rays/near_pixels.h"
+#include "kernels/near_rays/seen_light.h"
 #include "kernels/shells/shell_crossings.h"
 #include "kernels/shells/shell_light.h"
 

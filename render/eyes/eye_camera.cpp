@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "calibration/dome/stereo_rig.h"
 #include "kernels/core/error.h"
+#include "render/eyes/stereo_rig.h"
 
 namespace ergodome {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernels/core/find_root.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 #include "kernels/objects/mesh_search.h"
 #include "render/lens/direct_lens.h"
 #include "render/passes/disk/disk_pass.h"

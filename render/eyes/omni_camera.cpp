@@ -11,7 +11,7 @@
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
-#include "render/lens/grid/disk_fit.h"
+#include "render/eyes/disk_fit.h"
 
 namespace ergodome {
 

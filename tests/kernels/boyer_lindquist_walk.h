@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernels/near_field/near_ray.h"
+#include "kernels/near_rays/near_ray.h"
 
 namespace ergodome::test {
 

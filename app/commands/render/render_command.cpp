@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "app/budget/budget_option.h"
-#include "app/budget/render_budget.h"
 #include "app/cli/commands.h"
 #include "app/cli/idle_options.h"
 #include "app/cli/interrupt.h"
@@ -22,6 +21,7 @@
 #include "app/commands/render/frame_writer.h"
 #include "app/commands/render/numbered_frames.h"
 #include "app/commands/render/pattern_frames.h"
+#include "app/commands/render/render_budget.h"
 #include "app/playback/playback.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"

@@ -3,8 +3,8 @@
 #include "kernels/eyes/flat/draw_flat_eyes.h"
 #include "kernels/eyes/flat/eye_line.h"
 #include "kernels/near_field/layer_sight.h"
-#include "kernels/near_field/near_pixels.h"
-#include "kernels/near_field/pixel_samples.h"
+#include "kernels/near_rays/near_pixels.h"
+#include "kernels/near_rays/pixel_samples.h"
 #include "kernels/spacetime/trace/pixel_geometry.h"
 
 namespace ergodome::inline ERGO_TARGET {

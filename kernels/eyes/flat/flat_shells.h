@@ -2,7 +2,7 @@
 
 #include "kernels/eyes/flat/draw_flat_eyes.h"
 #include "kernels/eyes/flat/eye_line.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 #include "kernels/shells/shell_crossings.h"
 #include "kernels/shells/shell_sight.h"
 

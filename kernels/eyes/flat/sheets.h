@@ -2,7 +2,7 @@
 
 #include "kernels/disk/crossing_layers.h"
 #include "kernels/eyes/flat/draw_flat_eyes.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 
 // What a head sees of the disk in a direction, order by order: a sheet each. By rays, or from a grid (grid_sheets.h). Both look in one direction, and
 // then tell of what they have seen there.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_field/horizon_winding.h"
+#include "kernels/near_rays/horizon_winding.h"
 #include "kernels/spacetime/trace/trace_pixels.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 

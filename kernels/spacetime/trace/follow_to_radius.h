@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/published/baseline_rk34.h"
+#include "kernels/spacetime/geodesic/baseline_rk34.h"
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 #include "kernels/spacetime/trace/way_through_shells.h"

@@ -2,7 +2,7 @@
 
 #include "kernels/core/lanes.h"
 #include "kernels/eyes/omni/omni_camera.h"
-#include "kernels/published/baseline_rk34.h"
+#include "kernels/spacetime/geodesic/baseline_rk34.h"
 #include "kernels/spacetime/geodesic/closed_form.h"
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"

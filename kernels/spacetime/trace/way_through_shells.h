@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-#include "kernels/near_field/radial_fate.h"
+#include "kernels/near_rays/radial_fate.h"
 #include "kernels/spacetime/trace/follow_rays.h"
 
 namespace ergodome::inline ERGO_TARGET {

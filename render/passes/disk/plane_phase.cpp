@@ -5,7 +5,7 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/disk/disk_chart.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 
 namespace ergodome {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "kernels/core/error.h"
-#include "render/lens/grid/disk_fit.h"
+#include "render/eyes/disk_fit.h"
 #include "render/passes/objects/polygons/object_view.h"
 
 namespace ergodome {

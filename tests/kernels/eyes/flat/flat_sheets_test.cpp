@@ -7,7 +7,7 @@
 #include "kernels/core/angles.h"
 #include "kernels/disk/crossing_layers.h"
 #include "kernels/eyes/flat/eye_line.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 #include "kernels/projection/flat_parallax.h"
 #include "kernels/shells/shell_crossings.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernels/core/angles.h"
-#include "kernels/published/baseline_rk34.h"
+#include "kernels/spacetime/geodesic/baseline_rk34.h"
 #include "kernels/spacetime/geodesic/closed_form.h"
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"

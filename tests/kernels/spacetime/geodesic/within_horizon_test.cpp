@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernels/core/angles.h"
-#include "kernels/published/baseline_rk34.h"
+#include "kernels/spacetime/geodesic/baseline_rk34.h"
 #include "kernels/spacetime/geodesic/closed_form.h"
 #include "kernels/spacetime/geodesic/runge_kutta.h"
 #include "kernels/spacetime/geodesic/taylor.h"

@@ -13,7 +13,7 @@
 #include "kernels/core/find_root.h"
 #include "kernels/disk/crossing_layers.h"
 #include "kernels/disk/disk_light.h"
-#include "kernels/near_field/near_pixels.h"
+#include "kernels/near_rays/near_pixels.h"
 #include "kernels/objects/path_step.h"
 #include "kernels/projection/make_projection.h"
 #include "kernels/sky/blackbody_shift.h"

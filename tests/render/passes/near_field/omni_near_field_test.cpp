@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/near_field/near_ray.h"
+#include "kernels/near_rays/near_ray.h"
 #include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"
 #include "tests/render/omni_eyes.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_field/seen_light.h"
+#include "kernels/near_rays/seen_light.h"
 
 // How pixels that see what stands near the hole look at more than their middle, and what is laid over the picture.
 namespace ergodome::inline ERGO_TARGET {

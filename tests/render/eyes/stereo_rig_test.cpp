@@ -1,4 +1,4 @@
-#include "calibration/dome/stereo_rig.h"
+#include "render/eyes/stereo_rig.h"
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,11 @@
 #include "app/cli/idle_options.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/number_check.h"
+#include "app/commands/pad_listing.h"
 #include "app/pads/hid/hid_fixture.h"
 #include "app/pads/pad_calibration.h"
 #include "app/pads/pad_hub.h"
 #include "app/pads/pad_lines.h"
-#include "app/pads/pad_listing.h"
 #include "content/files/console.h"
 #include "kernels/core/error.h"
 

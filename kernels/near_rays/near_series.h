@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_field/near_azimuth.h"
+#include "kernels/near_rays/near_azimuth.h"
 
 // Taylor series in Mino time of light that is followed to what stands near the hole, as in kernels/geodesic/taylor.h; here they carry the
 // coordinate time too, and no more than is asked for.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_field/near_series.h"
+#include "kernels/near_rays/near_series.h"
 
 // Steps along a ray's series, and where something happens within them.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,4 +1,4 @@
-#include "app/budget/render_budget.h"
+#include "app/commands/render/render_budget.h"
 
 #include <fmt/format.h>
 

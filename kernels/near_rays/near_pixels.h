@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/core/dual.h"
-#include "kernels/near_field/series_search.h"
+#include "kernels/near_rays/series_search.h"
 
 // What the rays of pictures of the near field share.
 namespace ergodome::inline ERGO_TARGET {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/near_field/near_ray.h"
+#include "kernels/near_rays/near_ray.h"
 #include "kernels/spacetime/geodesic/taylor.h"
 
 namespace ergodome::inline ERGO_TARGET {

@@ -1,4 +1,4 @@
-#include "app/pads/pad_listing.h"
+#include "app/commands/pad_listing.h"
 
 #include <fmt/format.h>
 

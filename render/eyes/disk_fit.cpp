@@ -1,4 +1,4 @@
-#include "render/lens/grid/disk_fit.h"
+#include "render/eyes/disk_fit.h"
 
 #include <cmath>
 #include <cstddef>
